@@ -1,0 +1,34 @@
+// The block and its two corners. Twin: src/model/block.rs.
+
+const FULL_CONTACT = 0u;
+const ROCKING_LEFT = 1u;
+const ROCKING_RIGHT = 2u;
+
+struct Corner {
+    side: real,
+    arm: real,
+    inertia: real,
+    overturn: real,
+    eta_phi: real,
+    eta_u: real,
+    eta_v: real,
+}
+
+struct Model {
+    left: Corner,
+    right: Corner,
+    height: real,
+    mu_h: real,
+    mu_v: real,
+    gravity: real,
+}
+
+@group(0) @binding(0) var<storage, read> model: Model;
+
+// The corner that the block turns about in a rocking mode.
+fn pivot(mode: u32) -> Corner {
+    if mode == ROCKING_RIGHT {
+        return model.right;
+    }
+    return model.left;
+}

@@ -1,0 +1,66 @@
+// The equations of motion. Twin: src/model/dynamics.rs.
+
+struct Motion {
+    u: real,
+    du: real,
+    v: real,
+    dv: real,
+    z: real,
+    phi: real,
+    dphi: real,
+}
+
+struct Rates {
+    du: real,
+    ddu: real,
+    dv: real,
+    ddv: real,
+    dz: real,
+    dphi: real,
+    ddphi: real,
+    normal: real,
+    shear: real,
+}
+
+// (5) in full contact, (9) while rocking.
+fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -> Rates {
+    let base = support(cell, y, ground);
+    // X and Y, the base's absolute accelerations (Y with g).
+    var x_base = base.f_h;
+    var y_base = base.f_v;
+    var ddphi: real = 0.0;
+    var normal = base.f_v;
+    var shear = base.f_h;
+    if rocking {
+        let sin_phi = sine(y.phi);
+        let cos_phi = cosine(y.phi);
+        let arm = corner.side * corner.arm;
+        let p = model.height * cos_phi + arm * sin_phi;
+        let q = arm * cos_phi - model.height * sin_phi;
+        let w = y.dphi * y.dphi;
+        let push_h = base.f_h + model.mu_h * q * w;
+        let push_v = base.f_v + model.mu_v * p * w;
+        ddphi = (p * push_h - q * push_v)
+            / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
+        x_base = push_h + model.mu_h * p * ddphi;
+        y_base = push_v - model.mu_v * q * ddphi;
+        shear = x_base - p * ddphi - q * w;
+        normal = y_base + q * ddphi - p * w;
+    }
+    var ddu: real = 0.0;
+    var dz: real = 0.0;
+    if isolated_h {
+        ddu = x_base - ground.h;
+        dz = hysteretic_rate(cell, y);
+    }
+    var ddv: real = 0.0;
+    if isolated_v {
+        ddv = y_base - ground.v - model.gravity;
+    }
+    return Rates(y.du, ddu, y.dv, ddv, dz, y.dphi, ddphi, normal, shear);
+}
+
+// The uplift condition (14) about a corner as a moment over M, positive where the block lifts.
+fn uplift_moment(corner: Corner, shear: real, normal: real) -> real {
+    return corner.side * model.height * shear - corner.arm * normal;
+}

@@ -1,0 +1,27 @@
+// What an impact does to the velocities. Twin: src/model/impact.rs.
+
+// The block goes on about the other corner, `landing`: (16) with the coefficients (17).
+fn change_corner(landing: Corner, y: Motion) -> Motion {
+    return Motion(
+        y.u,
+        y.du - landing.eta_u * y.dphi,
+        y.v,
+        y.dv - landing.side * landing.eta_v * y.dphi,
+        y.z,
+        real(0.0),
+        landing.eta_phi * y.dphi,
+    );
+}
+
+// The block comes to rest on both corners: linear momenta are kept, the rotation ends.
+fn come_to_rest(leaving: Corner, y: Motion) -> Motion {
+    return Motion(
+        y.u,
+        y.du - model.mu_h * model.height * y.dphi,
+        y.v,
+        y.dv + model.mu_v * leaving.side * leaving.arm * y.dphi,
+        y.z,
+        real(0.0),
+        real(0.0),
+    );
+}

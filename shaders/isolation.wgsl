@@ -1,0 +1,41 @@
+// The isolated base: Bouc-Wen horizontally, Kelvin-Voigt vertically.
+// Twin: src/model/isolation.rs.
+
+override isolated_h: bool = true;
+override isolated_v: bool = true;
+override bouc_wen_n: u32 = 2u;
+
+struct Support {
+    f_h: real,
+    f_v: real,
+}
+
+// The support's two accelerations, (10a) over M_t and (10b) over M_v.
+fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
+    var f_h = ground.h;
+    if isolated_h {
+        f_h = -(cell.post_yield * y.u + cell.hysteretic * y.z + cell.damping_h * y.du);
+    }
+    var f_v = ground.v + model.gravity;
+    if isolated_v {
+        f_v = -(cell.stiffness_v * y.v + cell.damping_v * y.dv);
+    }
+    return Support(f_h, f_v);
+}
+
+// dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2.
+fn hysteretic_rate(cell: Cell, y: Motion) -> real {
+    let rate = y.du * cell.inverse_yield;
+    if (y.du > 0.0) != (y.z > 0.0) {
+        return rate;
+    }
+    let magnitude = abs(y.z);
+    var power = magnitude * magnitude;
+    if bouc_wen_n != 2u {
+        power = magnitude;
+        for (var i = 1u; i < bouc_wen_n; i++) {
+            power = power * magnitude;
+        }
+    }
+    return rate * (1.0 - power);
+}

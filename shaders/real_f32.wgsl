@@ -1,0 +1,27 @@
+// The number type of a sweep, f32. Twin: src/model/real.rs.
+
+alias real = f32;
+
+// A switch is located to within this fraction of its step.
+const EVENT_TOLERANCE = 1.0e-6;
+
+// sin x for |x| <= 1.65 rad.
+fn sine(x: real) -> real {
+    let t = x * x;
+    var p: real = 2.5899732e-6;
+    p = -1.9802141e-4 + t * p;
+    p = 8.332954e-3 + t * p;
+    p = -0.16666654 + t * p;
+    return x + x * t * p;
+}
+
+// cos x for |x| <= 1.65 rad.
+fn cosine(x: real) -> real {
+    let t = x * x;
+    var p: real = -2.5899224e-7;
+    p = 2.4751265e-5 + t * p;
+    p = -1.3888182e-3 + t * p;
+    p = 4.166662e-2 + t * p;
+    p = -0.5 + t * p;
+    return 1.0 + t * p;
+}

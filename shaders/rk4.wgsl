@@ -1,0 +1,57 @@
+// One step, or a part of one, by the classical Runge-Kutta method. Twin: src/integrate/rk4.rs.
+
+struct Span {
+    corner: Corner,
+    rocking: bool,
+    step: u32,
+    start: real,
+}
+
+struct Stepped {
+    y: Motion,
+    shear_mid: real,
+    normal_mid: real,
+}
+
+// The motion after a time `h` at the rates `k`.
+fn shift(y: Motion, k: Rates, h: real) -> Motion {
+    return Motion(
+        y.u + h * k.du,
+        y.du + h * k.ddu,
+        y.v + h * k.dv,
+        y.dv + h * k.ddv,
+        y.z + h * k.dz,
+        y.phi + h * k.dphi,
+        y.dphi + h * k.ddphi,
+    );
+}
+
+// Steps over `length`, a fraction of the step, from the motion `y` with rates `k1`.
+fn rk4(cell: Cell, span: Span, y: Motion, k1: Rates, length: real) -> Stepped {
+    let h = length * step_length(cell, span.step);
+    let half = 0.5 * h;
+    let ground_mid = ground_at(cell, span.step, span.start + 0.5 * length);
+    let ground_end = ground_at(cell, span.step, span.start + length);
+    let k2 = rates(cell, span.corner, span.rocking, shift(y, k1, half), ground_mid);
+    let k3 = rates(cell, span.corner, span.rocking, shift(y, k2, half), ground_mid);
+    let k4 = rates(cell, span.corner, span.rocking, shift(y, k3, h), ground_end);
+    let sixth = 0.16666666666666666 * h;
+    let end = Motion(
+        y.u + sixth * (k1.du + 2.0 * (k2.du + k3.du) + k4.du),
+        y.du + sixth * (k1.ddu + 2.0 * (k2.ddu + k3.ddu) + k4.ddu),
+        y.v + sixth * (k1.dv + 2.0 * (k2.dv + k3.dv) + k4.dv),
+        y.dv + sixth * (k1.ddv + 2.0 * (k2.ddv + k3.ddv) + k4.ddv),
+        y.z + sixth * (k1.dz + 2.0 * (k2.dz + k3.dz) + k4.dz),
+        y.phi + sixth * (k1.dphi + 2.0 * (k2.dphi + k3.dphi) + k4.dphi),
+        y.dphi + sixth * (k1.ddphi + 2.0 * (k2.ddphi + k3.ddphi) + k4.ddphi),
+    );
+    return Stepped(end, k3.shear, k3.normal);
+}
+
+// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.
+fn hermite(x0: real, slope0: real, x1: real, slope1: real, at: real) -> real {
+    let rise = x1 - x0;
+    let c2 = 3.0 * rise - 2.0 * slope0 - slope1;
+    let c3 = slope0 + slope1 - 2.0 * rise;
+    return x0 + at * (slope0 + at * (c2 + at * c3));
+}

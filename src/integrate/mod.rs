@@ -1,0 +1,7 @@
+//! Integration in time: the fixed-step method of the sweeps, and the adaptive reference.
+
+pub mod outcome;
+pub mod reference;
+pub mod rk4;
+pub mod state;
+pub mod switching;

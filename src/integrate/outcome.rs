@@ -1,0 +1,96 @@
+//! What became of a cell.
+
+use serde::Serialize;
+
+/// What became of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Class {
+    /// It never lifted.
+    FullContact,
+    /// It lifted and did not overturn.
+    Rocking,
+    /// It overturned about the left corner.
+    OverturnedLeft,
+    /// It overturned about the right corner.
+    OverturnedRight,
+    /// Nothing can be said; [`Status`] tells why.
+    Unresolved,
+}
+
+impl Class {
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Class::FullContact => "full_contact",
+            Class::Rocking => "rocking",
+            Class::OverturnedLeft => "overturned_left",
+            Class::OverturnedRight => "overturned_right",
+            Class::Unresolved => "unresolved",
+        }
+    }
+
+    /// True for both corners.
+    pub fn overturned(self) -> bool {
+        matches!(self, Class::OverturnedLeft | Class::OverturnedRight)
+    }
+}
+
+/// How the integration of a cell ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// To its end, or to overturning.
+    Ok,
+    /// In more switches than one step can hold.
+    EventLimit,
+    /// In a motion out of every physical range, or not a number.
+    Diverged,
+    /// In more steps than the reference allows itself.
+    StepLimit,
+}
+
+impl Status {
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Ok => "ok",
+            Status::EventLimit => "event_limit",
+            Status::Diverged => "diverged",
+            Status::StepLimit => "step_limit",
+        }
+    }
+}
+
+/// The result of one cell. SI units.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Outcome {
+    /// What became of the block.
+    pub class: Class,
+    /// Impacts, up to the end or the overturning.
+    pub impacts: u32,
+    /// Uplifts from full contact.
+    pub uplifts: u32,
+    /// End of the simulation, or time of overturning, s.
+    pub t_end: f64,
+    /// First uplift, s.
+    pub t_uplift: Option<f64>,
+    /// Largest |phi| over the critical angle of its side; 1 when overturned.
+    pub zeta: f64,
+    /// Largest phi about the left corner, rad.
+    pub max_phi_left: f64,
+    /// Largest -phi about the right corner, rad.
+    pub max_phi_right: f64,
+    /// Largest |u|, m.
+    pub max_u: f64,
+    /// Largest |v|, m; the static deflection g/omega_v^2 included.
+    pub max_v: f64,
+    /// Least normal contact force over M, m/s^2; below zero the model does not hold, for it knows
+    /// no loss of contact.
+    pub min_contact: f64,
+    /// Largest |horizontal| / normal contact force, while the latter is positive: the friction
+    /// coefficient that the motion asks for.
+    pub friction: f64,
+    /// How the integration ended.
+    pub status: Status,
+}

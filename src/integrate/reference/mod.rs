@@ -1,0 +1,260 @@
+//! The reference: adaptive, event-located, `f64`. What the fast paths are judged by.
+//!
+//! Steps of DOP853 ([`tableau`]) on the 3x3 mass matrix ([`system`]). A step that a switch falls
+//! into is cut there; so is one that u' or z change sign in, for the Bouc-Wen law has a kink
+//! there and a step across it has no order. Switches are located to [`EVENT_TIME`].
+
+pub mod step;
+pub mod system;
+pub mod tableau;
+
+use crate::scene::{Point, Scene};
+
+use super::outcome::{Class, Outcome, Status};
+use step::{Guard, Stepper};
+use system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, V};
+
+/// Switches are located to within this time, s.
+pub const EVENT_TIME: f64 = 1.0e-12;
+
+/// How the reference integrates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Relative tolerance of a step; the absolute one is a tenth to a hundredth of it.
+    pub tolerance: f64,
+    /// |dphi| below which a landing block comes to rest, rad/s.
+    pub rest_speed: f64,
+    /// Steps after which a cell is given up.
+    pub most_steps: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings { tolerance: 1.0e-10, rest_speed: 1.0e-5, most_steps: 20_000_000 }
+    }
+}
+
+/// A switch of phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Switch {
+    /// The block lifts about a corner.
+    Uplift(Pole),
+    /// The block, so far about this corner, lands.
+    Impact(Pole),
+    /// The block overturns about a corner.
+    Overturn(Pole),
+}
+
+/// What an observer sees: the start, every step's end, and every switch (then with the state
+/// after it).
+#[derive(Debug, Clone, Copy)]
+pub struct Instant<'a> {
+    /// Time, s.
+    pub t: f64,
+    /// Phase that holds from here on.
+    pub phase: Phase,
+    /// State.
+    pub y: &'a State,
+    /// The switch that has just happened.
+    pub switch: Option<Switch>,
+}
+
+/// Integrates one cell.
+pub fn run(scene: &Scene, point: &Point, settings: &Settings) -> Outcome {
+    observe(scene, point, settings, &mut |_| {})
+}
+
+/// Integrates one cell; `observer` sees every step.
+pub fn observe(
+    scene: &Scene,
+    point: &Point,
+    settings: &Settings,
+    observer: &mut dyn FnMut(&Instant),
+) -> Outcome {
+    let system = System::new(scene, point);
+    let mut y = system.at_rest();
+    observer(&Instant { t: 0.0, phase: None, y: &y, switch: None });
+    let pulse_end = system.pulse_end().min(scene.t_max);
+    let mut cell = Cell::new(&system, settings, point, observer);
+    y = cell.integrate(y, 0.0, pulse_end, true);
+    y = cell.integrate(y, pulse_end, scene.t_max, false);
+    cell.outcome(&y, scene.t_max)
+}
+
+/// A run of one cell.
+struct Cell<'a> {
+    system: &'a System,
+    settings: &'a Settings,
+    observer: &'a mut dyn FnMut(&Instant),
+    stepper: Stepper<'a>,
+    phase: Phase,
+    steps: u64,
+    class: Option<Class>,
+    status: Status,
+    t_end: Option<f64>,
+    t_uplift: Option<f64>,
+    impacts: u32,
+    uplifts: u32,
+    max_phi: [f64; 2],
+    max_u: f64,
+    max_v: f64,
+    min_contact: f64,
+    friction: f64,
+}
+
+impl<'a> Cell<'a> {
+    fn new(
+        system: &'a System,
+        settings: &'a Settings,
+        point: &Point,
+        observer: &'a mut dyn FnMut(&Instant),
+    ) -> Cell<'a> {
+        Cell {
+            system,
+            settings,
+            observer,
+            stepper: Stepper::new(system, settings.tolerance, point),
+            phase: None,
+            steps: 0,
+            class: None,
+            status: Status::Ok,
+            t_end: None,
+            t_uplift: None,
+            impacts: 0,
+            uplifts: 0,
+            max_phi: [0.0; 2],
+            max_u: 0.0,
+            max_v: system.at_rest()[V].abs(),
+            min_contact: crate::scene::GRAVITY,
+            friction: 0.0,
+        }
+    }
+
+    /// Integrates from `t` to `stop`, or to the cell's end.
+    fn integrate(&mut self, mut y: State, mut t: f64, stop: f64, forced: bool) -> State {
+        while t < stop && self.class.is_none() {
+            if self.phase.is_none() {
+                if let Some(pole) = self.lifts_now(t, forced, &y) {
+                    self.lift(pole, t, &y);
+                }
+            }
+            self.see_contact(t, forced, &y);
+            let taken = self.stepper.step(self.phase, t, stop, forced, &y);
+            self.steps += 1;
+            if self.steps > self.settings.most_steps || !taken.y.iter().all(|x| x.is_finite()) {
+                let diverged = self.steps <= self.settings.most_steps;
+                self.status = if diverged { Status::Diverged } else { Status::StepLimit };
+                self.class = Some(Class::Unresolved);
+                self.t_end = Some(t);
+                break;
+            }
+            self.see_motion(&taken.peaks);
+            self.see_contact(taken.t, forced, &taken.y);
+            t = taken.t;
+            y = taken.y;
+            let mut switch = None;
+            match (taken.guard, self.phase) {
+                (Some(Guard::Uplift(pole)), _) => {
+                    self.lift(pole, t, &y);
+                    continue;
+                }
+                (Some(Guard::Impact), Some(pole)) => {
+                    y = self.land(pole, t, forced, &y);
+                    switch = Some(Switch::Impact(pole));
+                }
+                (Some(Guard::Overturn), Some(pole)) => {
+                    self.max_phi[pole as usize] = system_angle(self.system, pole);
+                    self.class = Some(match pole {
+                        Pole::Left => Class::OverturnedLeft,
+                        Pole::Right => Class::OverturnedRight,
+                    });
+                    self.t_end = Some(t);
+                    switch = Some(Switch::Overturn(pole));
+                }
+                _ => {}
+            }
+            (self.observer)(&Instant { t, phase: self.phase, y: &y, switch });
+        }
+        y
+    }
+
+    fn lifts_now(&self, t: f64, forced: bool, y: &State) -> Option<Pole> {
+        let left = self.system.uplift(Pole::Left, t, forced, y);
+        let right = self.system.uplift(Pole::Right, t, forced, y);
+        if left > 0.0 && left >= right {
+            return Some(Pole::Left);
+        }
+        (right > 0.0).then_some(Pole::Right)
+    }
+
+    fn lift(&mut self, pole: Pole, t: f64, y: &State) {
+        self.phase = Some(pole);
+        self.uplifts += 1;
+        self.t_uplift.get_or_insert(t);
+        let switch = Some(Switch::Uplift(pole));
+        (self.observer)(&Instant { t, phase: self.phase, y, switch });
+    }
+
+    /// Section 2.5; a block too slow to lift again, or without a rebound, settles.
+    fn land(&mut self, pole: Pole, t: f64, forced: bool, y: &State) -> State {
+        self.impacts += 1;
+        let landed = self.system.impact(pole, y);
+        let settled = self.system.settle(pole, y);
+        let no_rebound = landed[DPHI] * y[DPHI] <= 0.0;
+        let slow = landed[DPHI].abs() < self.settings.rest_speed;
+        if no_rebound || (slow && self.lifts_now(t, forced, &settled).is_none()) {
+            self.phase = None;
+            return settled;
+        }
+        self.phase = Some(pole.other());
+        landed
+    }
+
+    fn see_motion(&mut self, peaks: &step::Peaks) {
+        self.max_u = self.max_u.max(peaks.u);
+        self.max_v = self.max_v.max(peaks.v);
+        if let Some(pole) = self.phase {
+            let largest = &mut self.max_phi[pole as usize];
+            *largest = largest.max(peaks.phi);
+        }
+    }
+
+    fn see_contact(&mut self, t: f64, forced: bool, y: &State) {
+        let (normal, shear) = self.system.contact(self.phase, t, forced, y);
+        self.min_contact = self.min_contact.min(normal);
+        if normal > 0.0 {
+            self.friction = self.friction.max(shear.abs() / normal);
+        }
+    }
+
+    fn outcome(&self, y: &State, t_max: f64) -> Outcome {
+        let rest = if self.uplifts == 0 { Class::FullContact } else { Class::Rocking };
+        let class = self.class.unwrap_or(rest);
+        debug_assert!([U, PHI, DU, DV].iter().all(|&i| y[i].is_finite()) || self.class.is_some());
+        let [left, right] = self.max_phi;
+        let mut zeta = (left / self.system.critical_angle(Pole::Left))
+            .max(right / self.system.critical_angle(Pole::Right));
+        if class.overturned() {
+            zeta = 1.0;
+        }
+        Outcome {
+            class,
+            impacts: self.impacts,
+            uplifts: self.uplifts,
+            t_end: self.t_end.unwrap_or(t_max),
+            t_uplift: self.t_uplift,
+            zeta,
+            max_phi_left: left,
+            max_phi_right: right,
+            max_u: self.max_u,
+            max_v: self.max_v,
+            min_contact: self.min_contact,
+            friction: self.friction,
+            status: self.status,
+        }
+    }
+}
+
+fn system_angle(system: &System, pole: Pole) -> f64 {
+    system.overturning_angle(pole)
+}

@@ -1,0 +1,332 @@
+//! The equations as the paper prints them, in masses and forces: (5), (9)-(14), and the balance
+//! of momenta (15), each solved as the linear system that it is.
+//!
+//! Nothing here is shared with [`crate::model`]: not the variables, not the elimination of the
+//! accelerations, not the closed form (16)-(18) of the impact.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
+
+use crate::scene::{GRAVITY, Overturn, Point, Scene};
+
+/// u, v, phi, their rates, and z.
+pub type State = SVector<f64, 7>;
+
+/// Index of u in a [`State`].
+pub const U: usize = 0;
+/// Index of v.
+pub const V: usize = 1;
+/// Index of phi.
+pub const PHI: usize = 2;
+/// Index of du/dt; those of dv/dt and dphi/dt follow.
+pub const DU: usize = 3;
+/// Index of dv/dt.
+pub const DV: usize = 4;
+/// Index of dphi/dt.
+pub const DPHI: usize = 5;
+/// Index of the hysteretic variable.
+pub const Z: usize = 6;
+
+/// A corner of the base.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pole {
+    /// l, phi > 0.
+    Left,
+    /// r, phi < 0.
+    Right,
+}
+
+impl Pole {
+    /// The upper (+1) or lower (-1) of the paper's double signs.
+    pub fn sign(self) -> f64 {
+        match self {
+            Pole::Left => 1.0,
+            Pole::Right => -1.0,
+        }
+    }
+
+    /// The other corner.
+    pub fn other(self) -> Pole {
+        match self {
+            Pole::Left => Pole::Right,
+            Pole::Right => Pole::Left,
+        }
+    }
+}
+
+/// Full contact (`None`), or rocking about a corner.
+pub type Phase = Option<Pole>;
+
+/// One cell of a scene.
+#[derive(Debug, Clone)]
+pub struct System {
+    mass: f64,
+    plate_h: f64,
+    plate_v: f64,
+    inertia: f64,
+    half_width: f64,
+    offset: f64,
+    height: f64,
+    k_h: f64,
+    c_h: f64,
+    k_v: f64,
+    c_v: f64,
+    psi: f64,
+    u_y: f64,
+    n: i32,
+    moves_h: bool,
+    moves_v: bool,
+    restitution: Option<f64>,
+    overturn: Overturn,
+    omega: f64,
+    a_h: f64,
+    a_v: f64,
+}
+
+impl System {
+    /// The system of a scene at a point of its grid.
+    pub fn new(scene: &Scene, point: &Point) -> System {
+        let (block, base) = (&scene.block, &scene.isolation);
+        let total_v = block.mass + base.plate_v;
+        let total_h = total_v + base.plate_h;
+        let mut system = System {
+            mass: block.mass,
+            plate_h: base.plate_h,
+            plate_v: base.plate_v,
+            inertia: block.inertia,
+            half_width: block.half_width,
+            offset: block.offset(),
+            height: block.height,
+            k_h: 0.0,
+            c_h: 0.0,
+            k_v: 0.0,
+            c_v: 0.0,
+            psi: 1.0,
+            u_y: 0.0,
+            n: 2,
+            moves_h: base.horizontal.is_some(),
+            moves_v: base.vertical.is_some(),
+            restitution: scene.restitution,
+            overturn: scene.overturn,
+            omega: point.omega,
+            a_h: point.a_h,
+            a_v: point.a_v,
+        };
+        if let Some(law) = &base.horizontal {
+            let omega_h = TAU / point.t_h;
+            system.k_h = total_h * omega_h * omega_h;
+            system.c_h = 2.0 * total_h * law.xi_h * omega_h;
+            system.psi = law.psi;
+            system.u_y = point.a_h.abs() * total_h / system.k_h * law.alpha_y;
+            system.n = law.n as i32;
+        }
+        if let Some(law) = &base.vertical {
+            let omega_v = TAU / point.t_v;
+            system.k_v = total_v * omega_v * omega_v;
+            system.c_v = 2.0 * total_v * law.xi_v * omega_v;
+        }
+        system
+    }
+
+    /// T_S, end of the pulse, s.
+    pub fn pulse_end(&self) -> f64 {
+        TAU / self.omega
+    }
+
+    /// True where the base yields: z is a state, and its law has kinks where u' or z change sign.
+    pub fn yields(&self) -> bool {
+        self.moves_h && self.psi < 1.0 && self.u_y > 0.0
+    }
+
+    /// Rest in static equilibrium.
+    pub fn at_rest(&self) -> State {
+        let mut y = State::zeros();
+        if self.moves_v {
+            y[V] = -(self.mass + self.plate_v) * GRAVITY / self.k_v;
+        }
+        y
+    }
+
+    /// B +- e.
+    fn arm(&self, pole: Pole) -> f64 {
+        self.half_width + pole.sign() * self.offset
+    }
+
+    /// Critical angle of section 2.6, rad.
+    pub fn critical_angle(&self, pole: Pole) -> f64 {
+        (self.arm(pole) / self.height).atan()
+    }
+
+    /// Angle at which the block counts as overturned, rad.
+    pub fn overturning_angle(&self, pole: Pole) -> f64 {
+        match self.overturn {
+            Overturn::CriticalAngle => self.critical_angle(pole),
+            Overturn::QuarterTurn => std::f64::consts::FRAC_PI_2,
+        }
+    }
+
+    /// Accelerations of the ground (22); `forced` tells the two sides of the pulse's end apart.
+    fn ground(&self, t: f64, forced: bool) -> (f64, f64) {
+        if !forced {
+            return (0.0, 0.0);
+        }
+        let wave = (self.omega * t).sin();
+        (self.a_h * wave, self.a_v * wave)
+    }
+
+    /// F_h and F_v of (10), N.
+    fn forces(&self, y: &State) -> (f64, f64) {
+        let hysteretic = self.k_h * self.u_y * (1.0 - self.psi) * y[Z];
+        let f_h = -(self.psi * self.k_h * y[U] + hysteretic + self.c_h * y[DU]);
+        let f_v = -(self.k_v * y[V] + self.c_v * y[DV]);
+        (f_h, f_v)
+    }
+
+    /// Accelerations of u, v and phi.
+    pub fn accelerations(&self, phase: Phase, t: f64, forced: bool, y: &State) -> Vector3<f64> {
+        let (ug, vg) = self.ground(t, forced);
+        let (f_h, f_v) = self.forces(y);
+        let total_h = self.mass + self.plate_h + self.plate_v;
+        let total_v = self.mass + self.plate_v;
+        let m = self.mass;
+        let mut matrix = Matrix3::from_diagonal(&Vector3::new(total_h, total_v, 1.0));
+        let mut right = Vector3::new(f_h - total_h * ug, f_v - total_v * (vg + GRAVITY), 0.0);
+        if let Some(pole) = phase {
+            // (9a)-(9c), the unknown accelerations on the left.
+            let (s, b, h) = (pole.sign(), self.arm(pole), self.height);
+            let (sin, cos) = y[PHI].sin_cos();
+            let w = y[DPHI] * y[DPHI];
+            matrix[(0, 2)] = -m * (h * cos + s * b * sin);
+            matrix[(1, 2)] = s * m * (b * cos - s * h * sin);
+            matrix[(2, 0)] = -m * (h * cos + s * b * sin);
+            matrix[(2, 1)] = -m * (h * sin - s * b * cos);
+            matrix[(2, 2)] = self.inertia + m * (b * b + h * h);
+            right[0] += s * m * (b * cos - s * h * sin) * w;
+            right[1] += m * (h * cos + s * b * sin) * w;
+            right[2] = m * cos * (h * ug - s * b * (GRAVITY + vg))
+                + m * sin * (s * b * ug + h * (GRAVITY + vg));
+        }
+        for (row, moves) in [(0, self.moves_h), (1, self.moves_v)] {
+            if !moves {
+                matrix.set_row(row, &nalgebra::RowVector3::zeros());
+                matrix[(row, row)] = 1.0;
+                right[row] = 0.0;
+            }
+        }
+        // Singular only for a block without inertia, which a scene cannot have; the caller sees
+        // a state that is not a number and stops.
+        matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN))
+    }
+
+    /// Time derivative of a state; (11) for z.
+    pub fn derivative(&self, phase: Phase, t: f64, forced: bool, y: &State) -> State {
+        let a = self.accelerations(phase, t, forced, y);
+        let mut dz = 0.0;
+        if self.yields() {
+            let direction = (y[DU] * y[Z].signum()).signum();
+            dz = y[DU] / self.u_y * (1.0 - y[Z].abs().powi(self.n) * (0.5 + 0.5 * direction));
+        }
+        State::from([y[DU], y[DV], y[DPHI], a[0], a[1], a[2], dz])
+    }
+
+    /// (14) about a corner: the left side less the right, m/s^2; positive where the block lifts.
+    pub fn uplift(&self, pole: Pole, t: f64, forced: bool, y: &State) -> f64 {
+        let (ug, vg) = self.ground(t, forced);
+        let a = self.accelerations(None, t, forced, y);
+        pole.sign() * (a[0] + ug) - self.arm(pole) / self.height * (a[1] + vg + GRAVITY)
+    }
+
+    /// Normal and horizontal force between block and base over M, m/s^2, from the acceleration of
+    /// the centre of mass, the second derivative of (6).
+    pub fn contact(&self, phase: Phase, t: f64, forced: bool, y: &State) -> (f64, f64) {
+        let (ug, vg) = self.ground(t, forced);
+        let a = self.accelerations(phase, t, forced, y);
+        let mut centre = Vector2::new(a[0] + ug, a[1] + vg + GRAVITY);
+        if let Some(pole) = phase {
+            let (sin, cos) = y[PHI].sin_cos();
+            let r = Vector2::new(pole.sign() * self.arm(pole), self.height);
+            let turned = Matrix2::new(cos, -sin, sin, cos) * r;
+            let across = Vector2::new(-turned[1], turned[0]);
+            centre += across * a[2] - turned * (y[DPHI] * y[DPHI]);
+        }
+        (centre[1], centre[0])
+    }
+
+    /// The state after an impact that ends rocking about `before`: (15) solved for the velocities
+    /// after it, with the block going on about the other corner.
+    pub fn impact(&self, before: Pole, y: &State) -> State {
+        let after = before.other();
+        let total_h = self.mass + self.plate_h + self.plate_v;
+        let total_v = self.mass + self.plate_v;
+        let (m, h) = (self.mass, self.height);
+        // Momenta at phi = 0, where C moves by (u' - H phi', v' +- (B +- e) phi'); the angular
+        // one is about the corner after the impact.
+        let lever = after.sign() * self.arm(after);
+        let momenta = |pole: Pole| {
+            let r = pole.sign() * self.arm(pole);
+            let angular = self.inertia + m * (lever * r + h * h);
+            Matrix3::new(total_h, 0.0, -m * h, 0.0, total_v, m * r, -m * h, m * lever, angular)
+        };
+        let velocity = Vector3::new(y[DU], y[DV], y[DPHI]);
+        let mut right = momenta(before) * velocity;
+        let mut matrix = momenta(after);
+        for (row, moves) in [(0, self.moves_h), (1, self.moves_v)] {
+            if !moves {
+                matrix.set_row(row, &nalgebra::RowVector3::zeros());
+                matrix[(row, row)] = 1.0;
+                right[row] = 0.0;
+            }
+        }
+        if let Some(restitution) = self.restitution {
+            matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
+            right[2] = restitution * y[DPHI];
+        }
+        let solved = matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN));
+        let mut landed = *y;
+        landed[PHI] = 0.0;
+        landed.fixed_rows_mut::<3>(DU).copy_from(&solved);
+        landed
+    }
+
+    /// The state after an impact on both corners at once: (15a) and (15b) with no rotation after.
+    pub fn settle(&self, before: Pole, y: &State) -> State {
+        let r = before.sign() * self.arm(before);
+        let mut settled = *y;
+        settled[PHI] = 0.0;
+        settled[DPHI] = 0.0;
+        if self.moves_h {
+            let total = self.mass + self.plate_h + self.plate_v;
+            settled[DU] = (total * y[DU] - self.mass * self.height * y[DPHI]) / total;
+        }
+        if self.moves_v {
+            let total = self.mass + self.plate_v;
+            settled[DV] = (total * y[DV] + self.mass * r * y[DPHI]) / total;
+        }
+        settled
+    }
+
+    /// Mechanical energy, J: kinetic, gravity, and what the springs store; zero on the ground
+    /// with springs at their natural length.
+    pub fn energy(&self, phase: Phase, y: &State) -> f64 {
+        let (m, h) = (self.mass, self.height);
+        let mut centre = Vector2::new(y[DU], y[DV]);
+        let mut rise = 0.0;
+        if let Some(pole) = phase {
+            let (sin, cos) = y[PHI].sin_cos();
+            let r = Vector2::new(pole.sign() * self.arm(pole), h);
+            let turned = Matrix2::new(cos, -sin, sin, cos) * r;
+            centre += Vector2::new(-turned[1], turned[0]) * y[DPHI];
+            rise = turned[1] - h;
+        }
+        let kinetic = 0.5 * self.plate_h * y[DU] * y[DU]
+            + 0.5 * self.plate_v * (y[DU] * y[DU] + y[DV] * y[DV])
+            + 0.5 * m * centre.norm_squared()
+            + 0.5 * self.inertia * y[DPHI] * y[DPHI];
+        let gravity = GRAVITY * ((m + self.plate_v) * y[V] + m * rise);
+        let stored = 0.5 * self.psi * self.k_h * y[U] * y[U]
+            + 0.5 * (1.0 - self.psi) * self.k_h * self.u_y * self.u_y * y[Z] * y[Z]
+            + 0.5 * self.k_v * y[V] * y[V];
+        kinetic + gravity + stored
+    }
+}

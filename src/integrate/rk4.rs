@@ -1,0 +1,86 @@
+//! One step, or a part of one, by the classical Runge-Kutta method. Twin of `shaders/rk4.wgsl`.
+
+use crate::model::Setting;
+use crate::model::block::Corner;
+use crate::model::dynamics::{Motion, Rates, rates};
+use crate::model::excitation::{ground_at, step_length};
+use crate::model::real::Real;
+
+/// What a (sub)step is taken with: everything that stays the same inside it.
+#[derive(Debug, Clone, Copy)]
+pub struct Span<R> {
+    /// The corner that the block turns about.
+    pub corner: Corner<R>,
+    /// False in full contact.
+    pub rocking: bool,
+    /// Index of the step.
+    pub step: u32,
+    /// Fraction of the step already done.
+    pub start: R,
+}
+
+/// Where a (sub)step ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Stepped<R> {
+    /// The motion at the end.
+    pub y: Motion<R>,
+    /// Contact forces over M halfway, for the uplift condition.
+    pub shear_mid: R,
+    /// See `shear_mid`.
+    pub normal_mid: R,
+}
+
+/// The motion after a time `h` at the rates `k`.
+#[inline(always)]
+pub fn shift<R: Real>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
+    Motion {
+        u: y.u + h * k.du,
+        du: y.du + h * k.ddu,
+        v: y.v + h * k.dv,
+        dv: y.dv + h * k.ddv,
+        z: y.z + h * k.dz,
+        phi: y.phi + h * k.dphi,
+        dphi: y.dphi + h * k.ddphi,
+    }
+}
+
+/// Steps over `length`, a fraction of the step, from the motion `y` with rates `k1`.
+#[inline(always)]
+pub fn rk4<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    length: R,
+) -> Stepped<R> {
+    let cell = set.cell;
+    let h = length * step_length(cell, span.step);
+    let half = R::of(0.5) * h;
+    let ground_mid = ground_at(cell, span.step, span.start + R::of(0.5) * length);
+    let ground_end = ground_at(cell, span.step, span.start + length);
+    let (corner, rocking) = (&span.corner, span.rocking);
+    let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);
+    let k3 = rates(set, corner, rocking, &shift(y, &k2, half), ground_mid);
+    let k4 = rates(set, corner, rocking, &shift(y, &k3, h), ground_end);
+    let sixth = R::of(0.166_666_666_666_666_66) * h;
+    let two = R::of(2.0);
+    let end = Motion {
+        u: y.u + sixth * (k1.du + two * (k2.du + k3.du) + k4.du),
+        du: y.du + sixth * (k1.ddu + two * (k2.ddu + k3.ddu) + k4.ddu),
+        v: y.v + sixth * (k1.dv + two * (k2.dv + k3.dv) + k4.dv),
+        dv: y.dv + sixth * (k1.ddv + two * (k2.ddv + k3.ddv) + k4.ddv),
+        z: y.z + sixth * (k1.dz + two * (k2.dz + k3.dz) + k4.dz),
+        phi: y.phi + sixth * (k1.dphi + two * (k2.dphi + k3.dphi) + k4.dphi),
+        dphi: y.dphi + sixth * (k1.ddphi + two * (k2.ddphi + k3.ddphi) + k4.ddphi),
+    };
+    Stepped { y: end, shear_mid: k3.shear, normal_mid: k3.normal }
+}
+
+/// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.
+#[inline(always)]
+pub fn hermite<R: Real>(x0: R, slope0: R, x1: R, slope1: R, at: R) -> R {
+    let rise = x1 - x0;
+    let c2 = R::of(3.0) * rise - R::of(2.0) * slope0 - slope1;
+    let c3 = slope0 + slope1 - R::of(2.0) * rise;
+    x0 + at * (slope0 + at * (c2 + at * c3))
+}

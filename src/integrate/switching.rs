@@ -1,0 +1,407 @@
+//! One step with its switches inside it: uplift, impact, overturning. Twin of
+//! `shaders/switching.wgsl`.
+//!
+//! A step is taken whole; where a guard changed sign on the way, the first switch is bracketed,
+//! the step is redone up to it, the phase is switched there, and the rest of the step follows
+//! from there. Nothing is moved to the step's end.
+
+use super::rk4::{Span, hermite, rk4};
+use super::state::{
+    EVENT_LIMIT, FINISHED, RUNNING, State, check_range, observe_contact, observe_motion, overturn,
+};
+use crate::model::Setting;
+use crate::model::block::{Corner, FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
+use crate::model::excitation::{ground_at, step_length};
+use crate::model::impact::{change_corner, come_to_rest};
+use crate::model::real::Real;
+
+/// No switch.
+pub const NOTHING: u32 = 0;
+/// The block lifts about the left corner.
+pub const UPLIFT_LEFT: u32 = 1;
+/// The block lifts about the right corner.
+pub const UPLIFT_RIGHT: u32 = 2;
+/// The block lands on the other corner.
+pub const IMPACT: u32 = 3;
+/// The block passes the overturning angle.
+pub const OVERTURN: u32 = 4;
+
+/// Switches that one step may hold. A block that chatters to rest makes about
+/// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
+pub const EVENT_BOUND: u32 = 128;
+/// Trials to locate a switch: enough for bisection down to the tolerance, should all else fail.
+const LOCATE_BOUND: u32 = 60;
+/// Newton's steps on the cubic that gives the first guess.
+const GUESS_BOUND: u32 = 12;
+
+/// A switch somewhere in a span.
+#[derive(Debug, Clone, Copy)]
+struct Crossing<R> {
+    kind: u32,
+    /// A fraction of the span at which it has happened.
+    upper: R,
+}
+
+/// Where in the span a switch is.
+#[derive(Debug, Clone, Copy)]
+struct Located<R> {
+    found: bool,
+    /// Fraction of the span.
+    at: R,
+    y: Motion<R>,
+}
+
+/// What an observer of a cell's switches is told.
+pub trait Log<R> {
+    /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
+    /// `state.motion` is the motion after it.
+    fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
+}
+
+/// No one looks.
+impl<R> Log<R> for () {
+    #[inline(always)]
+    fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
+}
+
+/// The uplift that the contact forces call for now, if any.
+#[inline(always)]
+fn uplift_now<R: Real>(set: &Setting<R>, k: &Rates<R>) -> u32 {
+    let left = uplift_moment(set, &set.model.left, k.shear, k.normal);
+    let right = uplift_moment(set, &set.model.right, k.shear, k.normal);
+    if left > R::of(0.0) && left >= right {
+        return UPLIFT_LEFT;
+    }
+    if right > R::of(0.0) {
+        return UPLIFT_RIGHT;
+    }
+    NOTHING
+}
+
+/// A fraction of the span at which an uplift moment is positive, from its values at the start,
+/// halfway and at the end; negative if there is none.
+#[inline(always)]
+fn moment_rises<R: Real>(start: R, mid: R, end: R) -> R {
+    if end > R::of(0.0) {
+        return R::of(1.0);
+    }
+    // The slope of the parabola through the three falls from `rise` to `fall`.
+    let rise = R::of(4.0) * mid - R::of(3.0) * start - end;
+    let fall = R::of(3.0) * end - R::of(4.0) * mid + start;
+    if rise > R::of(0.0) && fall < R::of(0.0) {
+        let at = rise / (rise - fall);
+        if start + R::of(0.5) * rise * at > R::of(0.0) {
+            return at;
+        }
+    }
+    R::of(-1.0)
+}
+
+/// The first uplift of a span in full contact.
+#[inline(always)]
+fn find_uplift<R: Real>(
+    set: &Setting<R>,
+    k1: &Rates<R>,
+    shear_mid: R,
+    normal_mid: R,
+    k_end: &Rates<R>,
+) -> Crossing<R> {
+    let (left, right) = (&set.model.left, &set.model.right);
+    let at_left = moment_rises(
+        uplift_moment(set, left, k1.shear, k1.normal),
+        uplift_moment(set, left, shear_mid, normal_mid),
+        uplift_moment(set, left, k_end.shear, k_end.normal),
+    );
+    let at_right = moment_rises(
+        uplift_moment(set, right, k1.shear, k1.normal),
+        uplift_moment(set, right, shear_mid, normal_mid),
+        uplift_moment(set, right, k_end.shear, k_end.normal),
+    );
+    let zero = R::of(0.0);
+    if at_left > zero && !(at_right > zero && at_right < at_left) {
+        return Crossing { kind: UPLIFT_LEFT, upper: at_left };
+    }
+    if at_right > zero {
+        return Crossing { kind: UPLIFT_RIGHT, upper: at_right };
+    }
+    Crossing { kind: NOTHING, upper: zero }
+}
+
+/// The first impact or overturning of a span of length `h` seconds while rocking.
+#[inline(always)]
+fn find_crossing<R: Real>(corner: &Corner<R>, y: &Motion<R>, end: &Motion<R>, h: R) -> Crossing<R> {
+    let (zero, one) = (R::of(0.0), R::of(1.0));
+    let phi0 = corner.side * y.phi;
+    let phi1 = corner.side * end.phi;
+    if phi1 < zero {
+        return Crossing { kind: IMPACT, upper: one };
+    }
+    if phi1 >= corner.overturn {
+        return Crossing { kind: OVERTURN, upper: one };
+    }
+    // Two crossings in one span: the angle's extremum inside it.
+    let dphi0 = corner.side * y.dphi;
+    let dphi1 = corner.side * end.dphi;
+    if (dphi0 < zero && dphi1 > zero) || (dphi0 > zero && dphi1 < zero) {
+        let at = dphi0 / (dphi0 - dphi1);
+        let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
+        if extremum < zero {
+            return Crossing { kind: IMPACT, upper: at };
+        }
+        if extremum >= corner.overturn {
+            return Crossing { kind: OVERTURN, upper: at };
+        }
+    }
+    Crossing { kind: NOTHING, upper: zero }
+}
+
+/// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
+/// redone step, inside a bracket.
+fn locate_angle<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    end: &Motion<R>,
+    crossing: &Crossing<R>,
+) -> Located<R> {
+    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
+    let rest = one - span.start;
+    let h = rest * step_length(set.cell, span.step);
+    // `beyond` is positive on the far side of the switch.
+    let mut sense = -span.corner.side;
+    let mut target = zero;
+    if crossing.kind == OVERTURN {
+        sense = span.corner.side;
+        target = span.corner.overturn;
+    }
+    let x0 = sense * y.phi - target;
+    let x1 = sense * end.phi - target;
+    let slope0 = h * sense * y.dphi;
+    let slope1 = h * sense * end.dphi;
+    let mut low = zero;
+    let mut high = crossing.upper;
+    let mut at = crossing.upper;
+    let mut trial = 0;
+    while trial < GUESS_BOUND {
+        let beyond = hermite(x0, slope0, x1, slope1, at);
+        let rise = x1 - x0;
+        let c2 = R::of(3.0) * rise - R::of(2.0) * slope0 - slope1;
+        let c3 = slope0 + slope1 - R::of(2.0) * rise;
+        let slope = slope0 + at * (R::of(2.0) * c2 + at * R::of(3.0) * c3);
+        if beyond >= zero {
+            high = at;
+        } else {
+            low = at;
+        }
+        let change = beyond / slope;
+        at = at - change;
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        if change.abs() < R::of(1.0e-3) {
+            break;
+        }
+        trial += 1;
+    }
+    low = zero;
+    high = crossing.upper;
+    let mut y_high = *end;
+    let mut verified = crossing.upper >= one;
+    trial = 0;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(set, span, y, k1, at * rest).y;
+        let beyond = sense * y_at.phi - target;
+        let change = beyond / (h * sense * y_at.dphi);
+        if change.abs() <= R::EVENT_TOLERANCE {
+            return Located { found: true, at, y: y_at };
+        }
+        if beyond >= zero {
+            high = at;
+            y_high = y_at;
+            verified = true;
+        } else {
+            low = at;
+        }
+        if high - low <= R::EVENT_TOLERANCE {
+            break;
+        }
+        at = at - change;
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        trial += 1;
+    }
+    Located { found: verified, at: high, y: y_high }
+}
+
+/// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+fn locate_uplift<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    crossing: &Crossing<R>,
+) -> Located<R> {
+    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
+    let rest = one - span.start;
+    let mut corner = set.model.left;
+    if crossing.kind == UPLIFT_RIGHT {
+        corner = set.model.right;
+    }
+    let mut low = zero;
+    let mut moment_low = uplift_moment(set, &corner, k1.shear, k1.normal);
+    let mut high = crossing.upper;
+    let mut moment_high = zero;
+    let mut y_high = *y;
+    let mut at = crossing.upper;
+    let mut last = 0;
+    let mut trial = 0;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(set, span, y, k1, at * rest).y;
+        let ground = ground_at(set.cell, span.step, span.start + at * rest);
+        let k = rates(set, &corner, false, &y_at, ground);
+        let moment = uplift_moment(set, &corner, k.shear, k.normal);
+        if moment > zero {
+            high = at;
+            moment_high = moment;
+            y_high = y_at;
+            if last == 1 {
+                moment_low = half * moment_low;
+            }
+            last = 1;
+        } else {
+            if trial == 0 {
+                return Located { found: false, at: zero, y: *y };
+            }
+            low = at;
+            moment_low = moment;
+            if last == 2 {
+                moment_high = half * moment_high;
+            }
+            last = 2;
+        }
+        if high - low <= R::EVENT_TOLERANCE {
+            break;
+        }
+        at = high - moment_high * (high - low) / (moment_high - moment_low);
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        trial += 1;
+    }
+    Located { found: true, at: high, y: y_high }
+}
+
+/// The block lands: it goes on about the other corner, or comes to rest where it is too slow to
+/// lift again, or where the law of impact leaves it no rebound (eta_phi <= 0).
+fn land<R: Real>(set: &Setting<R>, state: &mut State<R>, leaving: &Corner<R>, fraction: R) {
+    let mut landing = set.model.right;
+    let mut mode = ROCKING_RIGHT;
+    if state.mode == ROCKING_RIGHT {
+        landing = set.model.left;
+        mode = ROCKING_LEFT;
+    }
+    let y = state.motion;
+    state.impacts += 1;
+    let rebound = landing.eta_phi * y.dphi;
+    let resting = come_to_rest(set, leaving, &y);
+    let k = rates(set, leaving, false, &resting, ground_at(set.cell, state.step, fraction));
+    let slow = rebound.abs() < set.cell.rest_speed && uplift_now(set, &k) == NOTHING;
+    if slow || landing.eta_phi <= R::of(0.0) {
+        state.motion = resting;
+        state.mode = FULL_CONTACT;
+        return;
+    }
+    state.motion = change_corner(&landing, &y);
+    state.mode = mode;
+}
+
+/// The block lifts about a corner; an uplift is numbered as the mode that it leads to.
+#[inline(always)]
+fn lift<R: Real>(state: &mut State<R>, kind: u32, fraction: R) {
+    if state.uplifts == 0 {
+        state.uplift_step = state.step;
+        state.uplift_fraction = fraction;
+    }
+    state.uplifts += 1;
+    state.mode = kind;
+}
+
+/// Takes a cell over one step.
+pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl Log<R>) {
+    let one = R::of(1.0);
+    let mut start = R::of(0.0);
+    let mut events = 0;
+    while events < EVENT_BOUND {
+        let corner = pivot(set.model, state.mode);
+        let rocking = state.mode != FULL_CONTACT;
+        let span = Span { corner, rocking, step: state.step, start };
+        let rest = one - start;
+        let h = rest * step_length(set.cell, state.step);
+        let y = state.motion;
+        let k1 = rates(set, &corner, rocking, &y, ground_at(set.cell, state.step, start));
+        observe_contact(state, &k1);
+        if !rocking {
+            let kind = uplift_now(set, &k1);
+            if kind != NOTHING {
+                lift(state, kind, start);
+                log.switched(kind, start, state);
+                events += 1;
+                continue;
+            }
+        }
+        let stepped = rk4(set, &span, &y, &k1, rest);
+        let mut located = Located { found: false, at: one, y: stepped.y };
+        let kind;
+        if rocking {
+            let crossing = find_crossing(&corner, &y, &stepped.y, h);
+            kind = crossing.kind;
+            if kind != NOTHING {
+                located = locate_angle(set, &span, &y, &k1, &stepped.y, &crossing);
+            }
+        } else {
+            let k_end = rates(set, &corner, false, &stepped.y, ground_at(set.cell, state.step, one));
+            let crossing = find_uplift(set, &k1, stepped.shear_mid, stepped.normal_mid, &k_end);
+            kind = crossing.kind;
+            if kind != NOTHING {
+                located = locate_uplift(set, &span, &y, &k1, &crossing);
+            }
+        }
+        if !located.found {
+            observe_motion(state, &y, &stepped.y, h);
+            state.motion = stepped.y;
+            break;
+        }
+        observe_motion(state, &y, &located.y, located.at * h);
+        state.motion = located.y;
+        start = start + located.at * rest;
+        let k = rates(set, &corner, rocking, &located.y, ground_at(set.cell, state.step, start));
+        observe_contact(state, &k);
+        if kind == OVERTURN {
+            overturn(state, &corner, start);
+            log.switched(kind, start, state);
+            return;
+        }
+        if kind == IMPACT {
+            land(set, state, &corner, start);
+        } else {
+            lift(state, kind, start);
+        }
+        log.switched(kind, start, state);
+        events += 1;
+        if start >= one {
+            break;
+        }
+    }
+    if events >= EVENT_BOUND {
+        state.status = EVENT_LIMIT;
+        return;
+    }
+    check_range(state);
+    state.step += 1;
+    if state.step >= set.cell.steps && state.status == RUNNING {
+        state.status = FINISHED;
+    }
+}

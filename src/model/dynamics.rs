@@ -1,0 +1,118 @@
+//! The equations of motion. Twin of `shaders/dynamics.wgsl`.
+
+use bytemuck::Zeroable;
+
+use super::Setting;
+use super::block::Corner;
+use super::excitation::Ground;
+use super::isolation::{hysteretic_rate, support};
+use super::real::{Real, pod};
+
+/// The state of a cell's motion.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
+pub struct Motion<R> {
+    /// u, horizontal displacement of the base, m.
+    pub u: R,
+    /// du/dt, m/s.
+    pub du: R,
+    /// v, vertical displacement of the base, m.
+    pub v: R,
+    /// dv/dt, m/s.
+    pub dv: R,
+    /// z, hysteretic variable.
+    pub z: R,
+    /// phi, rotation of the block, rad.
+    pub phi: R,
+    /// dphi/dt, rad/s.
+    pub dphi: R,
+}
+
+impl<R: Copy> Motion<R> {
+    /// All coordinates, in order.
+    pub fn coordinates(&self) -> [R; 7] {
+        [self.u, self.du, self.v, self.dv, self.z, self.phi, self.dphi]
+    }
+}
+
+pod!(Motion, reals: 7, words: 0);
+
+/// The rates of change of a motion, and the forces between block and base that come with them.
+#[derive(Debug, Clone, Copy)]
+pub struct Rates<R> {
+    /// du/dt.
+    pub du: R,
+    /// Second derivative of u, m/s^2.
+    pub ddu: R,
+    /// dv/dt.
+    pub dv: R,
+    /// Second derivative of v, m/s^2.
+    pub ddv: R,
+    /// dz/dt, 1/s.
+    pub dz: R,
+    /// dphi/dt.
+    pub dphi: R,
+    /// Second derivative of phi, rad/s^2.
+    pub ddphi: R,
+    /// Normal contact force over M, m/s^2.
+    pub normal: R,
+    /// Horizontal contact force over M, m/s^2.
+    pub shear: R,
+}
+
+/// (5) in full contact, (9) while rocking.
+///
+/// With P = H cos phi + s b sin phi and Q = s b cos phi - H sin phi, (9c) with (9a) and (9b)
+/// eliminated is one division:
+/// `ddphi = [P (f_h + mu_h Q dphi^2) - Q (f_v + mu_v P dphi^2)] / [I/M - mu_h P^2 - mu_v Q^2]`.
+#[inline(always)]
+pub fn rates<R: Real>(
+    set: &Setting<R>,
+    corner: &Corner<R>,
+    rocking: bool,
+    y: &Motion<R>,
+    ground: Ground<R>,
+) -> Rates<R> {
+    let (variant, model) = (set.variant, set.model);
+    let base = support(set, y, ground);
+    // X and Y, the base's absolute accelerations (Y with g).
+    let mut x_base = base.f_h;
+    let mut y_base = base.f_v;
+    let mut ddphi = R::of(0.0);
+    let mut normal = base.f_v;
+    let mut shear = base.f_h;
+    if rocking {
+        let sin_phi = y.phi.sine();
+        let cos_phi = y.phi.cosine();
+        let arm = corner.side * corner.arm;
+        let p = model.height * cos_phi + arm * sin_phi;
+        let q = arm * cos_phi - model.height * sin_phi;
+        let w = y.dphi * y.dphi;
+        let push_h = base.f_h + model.mu_h * q * w;
+        let push_v = base.f_v + model.mu_v * p * w;
+        ddphi = (p * push_h - q * push_v)
+            / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
+        x_base = push_h + model.mu_h * p * ddphi;
+        y_base = push_v - model.mu_v * q * ddphi;
+        shear = x_base - p * ddphi - q * w;
+        normal = y_base + q * ddphi - p * w;
+    }
+    let mut ddu = R::of(0.0);
+    let mut dz = R::of(0.0);
+    if variant.isolated_h {
+        ddu = x_base - ground.h;
+        dz = hysteretic_rate(set, y);
+    }
+    let mut ddv = R::of(0.0);
+    if variant.isolated_v {
+        ddv = y_base - ground.v - model.gravity;
+    }
+    Rates { du: y.du, ddu, dv: y.dv, ddv, dz, dphi: y.dphi, ddphi, normal, shear }
+}
+
+/// The uplift condition (14) about a corner, as a moment over M: s H X - b Y, positive where the
+/// block lifts. The same terms drive `ddphi` at phi = 0, so that both agree about its sign.
+#[inline(always)]
+pub fn uplift_moment<R: Real>(set: &Setting<R>, corner: &Corner<R>, shear: R, normal: R) -> R {
+    corner.side * set.model.height * shear - corner.arm * normal
+}

@@ -1,0 +1,73 @@
+//! One cell's numbers and the ground under it. Twin of `shaders/excitation.wgsl`.
+
+use bytemuck::Zeroable;
+
+use super::real::{Real, pod};
+
+/// What one cell of the grid has of its own.
+///
+/// Time is a whole number of steps and a fraction of one; no accumulated sum of steps exists
+/// anywhere. The forced steps divide the pulse evenly, so that its end is a step boundary; the
+/// free steps divide the rest.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
+pub struct Cell<R> {
+    /// psi omega_h^2, 1/s^2.
+    pub post_yield: R,
+    /// (1 - psi) omega_h^2 u_y, m/s^2.
+    pub hysteretic: R,
+    /// 2 xi_h omega_h, 1/s.
+    pub damping_h: R,
+    /// 1/u_y, 1/m.
+    pub inverse_yield: R,
+    /// omega_v^2, 1/s^2.
+    pub stiffness_v: R,
+    /// 2 xi_v omega_v, 1/s.
+    pub damping_v: R,
+    /// A_h of (22a), m/s^2.
+    pub amplitude_h: R,
+    /// A_v of (22b), m/s^2.
+    pub amplitude_v: R,
+    /// Periods of the pulse in one forced step.
+    pub phase_step: R,
+    /// Length of a forced step, s.
+    pub step_forced: R,
+    /// Length of a free step, s.
+    pub step_free: R,
+    /// |dphi| below which a landing block comes to rest, rad/s.
+    pub rest_speed: R,
+    /// Number of forced steps.
+    pub steps_forced: u32,
+    /// Number of steps in all.
+    pub steps: u32,
+}
+
+pod!(Cell, reals: 12, words: 2);
+
+/// The ground's accelerations, m/s^2.
+#[derive(Debug, Clone, Copy)]
+pub struct Ground<R> {
+    /// Horizontal, second derivative of u_g.
+    pub h: R,
+    /// Vertical, second derivative of v_g.
+    pub v: R,
+}
+
+/// Length of a step, s.
+#[inline(always)]
+pub fn step_length<R: Real>(cell: &Cell<R>, step: u32) -> R {
+    if step < cell.steps_forced {
+        return cell.step_forced;
+    }
+    cell.step_free
+}
+
+/// The one-sine pulse (22) at a fraction of a step.
+#[inline(always)]
+pub fn ground_at<R: Real>(cell: &Cell<R>, step: u32, fraction: R) -> Ground<R> {
+    if step >= cell.steps_forced {
+        return Ground { h: R::of(0.0), v: R::of(0.0) };
+    }
+    let wave = R::pulse_sine((R::of(f64::from(step)) + fraction) * cell.phase_step);
+    Ground { h: cell.amplitude_h * wave, v: cell.amplitude_v * wave }
+}

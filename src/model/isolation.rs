@@ -1,0 +1,65 @@
+//! The isolated base: Bouc-Wen horizontally, Kelvin-Voigt vertically. Twin of
+//! `shaders/isolation.wgsl`.
+
+use super::Setting;
+use super::dynamics::Motion;
+use super::excitation::Ground;
+use super::real::Real;
+
+/// What the scene fixes for all its cells. In the shader these are `override` constants, so that
+/// a pipeline holds only the branches it takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Variant {
+    /// The base moves horizontally.
+    pub isolated_h: bool,
+    /// The base moves vertically.
+    pub isolated_v: bool,
+    /// n of (11).
+    pub bouc_wen_n: u32,
+}
+
+/// The accelerations that the base passes on to what stands on it.
+#[derive(Debug, Clone, Copy)]
+pub struct Support<R> {
+    /// f_h = F_h/M_t, (10a), m/s^2; where the direction is locked, the ground's acceleration.
+    pub f_h: R,
+    /// f_v = F_v/M_v, (10b), m/s^2; where the direction is locked, the ground's acceleration and g.
+    pub f_v: R,
+}
+
+/// The support's two accelerations.
+#[inline(always)]
+pub fn support<R: Real>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
+    let cell = set.cell;
+    let mut f_h = ground.h;
+    if set.variant.isolated_h {
+        f_h = -(cell.post_yield * y.u + cell.hysteretic * y.z + cell.damping_h * y.du);
+    }
+    let mut f_v = ground.v + set.model.gravity;
+    if set.variant.isolated_v {
+        f_v = -(cell.stiffness_v * y.v + cell.damping_v * y.dv);
+    }
+    Support { f_h, f_v }
+}
+
+/// dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2: elastic while u and z go against each
+/// other, 1 - |z|^n while they go together. Signs are compared, not their product, which can
+/// underflow.
+#[inline(always)]
+pub fn hysteretic_rate<R: Real>(set: &Setting<R>, y: &Motion<R>) -> R {
+    let rate = y.du * set.cell.inverse_yield;
+    if (y.du > R::of(0.0)) != (y.z > R::of(0.0)) {
+        return rate;
+    }
+    let magnitude = y.z.abs();
+    let mut power = magnitude * magnitude;
+    if set.variant.bouc_wen_n != 2 {
+        power = magnitude;
+        let mut i = 1;
+        while i < set.variant.bouc_wen_n {
+            power = power * magnitude;
+            i += 1;
+        }
+    }
+    rate * (R::of(1.0) - power)
+}

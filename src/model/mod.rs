@@ -1,0 +1,31 @@
+//! The physics, generic over the number type: the Rust twins of `shaders/*.wgsl`.
+//!
+//! Each file here has a shader of the same name; both carry the same functions, the same names
+//! and the same order of statements, so that they can be read side by side. The adaptive
+//! [reference](crate::integrate::reference) shares nothing with them.
+//!
+//! Symbols and equation numbers are those of Amoroso, Ferretti & Di Egidio, "Characterization of
+//! the nonlinear rocking dynamics of dual isolated asymmetric rigid blocks". Every equation is
+//! divided by the mass that it belongs to, so that forces are accelerations here.
+
+pub mod block;
+pub mod dynamics;
+pub mod excitation;
+pub mod impact;
+pub mod isolation;
+pub mod real;
+
+use block::Model;
+use excitation::Cell;
+use isolation::Variant;
+
+/// Everything that one cell's equations are made of; globals and arguments in the shaders.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting<'a, R> {
+    /// What is switched on (`override` constants in the shaders).
+    pub variant: Variant,
+    /// What all cells share.
+    pub model: &'a Model<R>,
+    /// What this cell has of its own.
+    pub cell: &'a Cell<R>,
+}

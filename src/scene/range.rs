@@ -1,0 +1,162 @@
+//! Ranges of a swept parameter, `start:stop:count`.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// Evenly spaced values from `start` to `stop`, both included; one value where they are equal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// First value.
+    pub start: f64,
+    /// Last value.
+    pub stop: f64,
+    /// How many values, at least one.
+    pub count: u32,
+}
+
+/// Why a text is no range.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RangeError {
+    /// Not `start:stop:count` nor a number.
+    #[error("'{0}' is neither a number nor start:stop:count, as in 0.2:15:400")]
+    Form(String),
+    /// A bound that is no finite number.
+    #[error("'{0}' is not a finite number")]
+    Number(String),
+    /// A count that is no whole number from 1 to the largest.
+    #[error("'{0}' is not a whole number of points from 1 to {max}", max = Range::LARGEST_COUNT)]
+    Count(String),
+    /// Two ends with a single point.
+    #[error("one point cannot include both {0} and {1}; give 2 points or more, or a single number")]
+    OnePoint(String, String),
+    /// Several points at one place.
+    #[error("{0} points from {1} to {1} are all the same; give a single number")]
+    NoExtent(u32, String),
+}
+
+impl Range {
+    /// Most points that an axis may have.
+    pub const LARGEST_COUNT: u32 = 1 << 20;
+
+    /// The range that holds one value.
+    pub fn single(value: f64) -> Range {
+        Range { start: value, stop: value, count: 1 }
+    }
+
+    /// The i-th value, from 0.
+    pub fn value(&self, i: u32) -> f64 {
+        if self.count == 1 || i == 0 {
+            return self.start;
+        }
+        if i >= self.count - 1 {
+            return self.stop;
+        }
+        self.start + (self.stop - self.start) * (f64::from(i) / f64::from(self.count - 1))
+    }
+
+    /// All values in order.
+    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        (0..self.count).map(|i| self.value(i))
+    }
+
+    /// The smallest value.
+    pub fn least(&self) -> f64 {
+        self.start.min(self.stop)
+    }
+}
+
+impl FromStr for Range {
+    type Err = RangeError;
+
+    fn from_str(text: &str) -> Result<Range, RangeError> {
+        let number = |part: &str| match part.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) => Err(RangeError::Number(part.trim().to_string())),
+            Err(_) => Err(RangeError::Form(text.to_string())),
+        };
+        let parts: Vec<&str> = text.split(':').collect();
+        match parts[..] {
+            [value] => Ok(Range::single(number(value)?)),
+            [start, stop, count] => {
+                let (start, stop) = (number(start)?, number(stop)?);
+                let count = match count.trim().parse::<u32>() {
+                    Ok(n) if (1..=Range::LARGEST_COUNT).contains(&n) => n,
+                    _ => return Err(RangeError::Count(count.trim().to_string())),
+                };
+                if start == stop && count > 1 {
+                    return Err(RangeError::NoExtent(count, start.to_string()));
+                }
+                if start != stop && count == 1 {
+                    return Err(RangeError::OnePoint(start.to_string(), stop.to_string()));
+                }
+                Ok(Range { start, stop, count })
+            }
+            _ => Err(RangeError::Form(text.to_string())),
+        }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.count == 1 {
+            return write!(f, "{}", self.start);
+        }
+        write!(f, "{}:{}:{}", self.start, self.stop, self.count)
+    }
+}
+
+impl Serialize for Range {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.count == 1 {
+            return serializer.serialize_f64(self.start);
+        }
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Range {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Range, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "expected a number or \"start:stop:count\"")]
+        enum Written {
+            Number(f64),
+            Text(String),
+        }
+        let text = match Written::deserialize(deserializer)? {
+            Written::Number(value) => value.to_string(),
+            Written::Text(text) => text,
+        };
+        text.parse().map_err(serde::de::Error::custom)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Range, RangeError};
+
+    #[test]
+    fn both_ends_are_included_exactly() {
+        let range: Range = "0.2:15:400".parse().unwrap();
+        let values: Vec<f64> = range.values().collect();
+        assert_eq!((values.len(), values[0], values[399]), (400, 0.2, 15.0));
+        assert!(values.windows(2).all(|pair| pair[1] > pair[0]));
+        assert_eq!("1.75".parse(), Ok(Range::single(1.75)));
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused_with_its_reason() {
+        let error = |text: &str| text.parse::<Range>().unwrap_err();
+        assert_eq!(error("1:2:0"), RangeError::Count("0".into()));
+        assert_eq!(error("1:2:-3"), RangeError::Count("-3".into()));
+        assert_eq!(error("1:2:1e9"), RangeError::Count("1e9".into()));
+        assert_eq!(error("1:2:1"), RangeError::OnePoint("1".into(), "2".into()));
+        assert_eq!(error("2:2:5"), RangeError::NoExtent(5, "2".into()));
+        assert_eq!(error("nan"), RangeError::Number("nan".into()));
+        assert_eq!(error("1:inf:5"), RangeError::Number("inf".into()));
+        assert_eq!(error(""), RangeError::Form(String::new()));
+        assert_eq!(error("1:2"), RangeError::Form("1:2".into()));
+        assert_eq!(error("1:2:3:4"), RangeError::Form("1:2:3:4".into()));
+    }
+}

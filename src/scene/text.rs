@@ -1,0 +1,108 @@
+//! Scenes as written: TOML files and, with the same keys as flags, the command line.
+
+use serde::{Deserialize, Serialize};
+
+use super::block::{self, BlockText};
+use super::excitation::{self, Excitation, PulseText};
+use super::isolation::{self, IsolationText};
+use super::{Overturn, Scene, SceneError, positive};
+
+/// A scene as written. Keys and units are those of the command line.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SceneText {
+    /// One line for figures and manifests.
+    pub title: Option<String>,
+    /// The block and its plates.
+    #[serde(default)]
+    pub block: BlockText,
+    /// The base.
+    #[serde(default)]
+    pub base: IsolationText,
+    /// The pulse.
+    #[serde(default)]
+    pub pulse: PulseText,
+    /// Duration and criteria.
+    #[serde(default)]
+    pub run: RunText,
+}
+
+/// Duration and criteria as written.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
+#[serde(deny_unknown_fields)]
+pub struct RunText {
+    /// Simulated time, s [default: 30]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub t_max: Option<f64>,
+    /// When a block counts as overturned [default: critical-angle]
+    #[arg(long, value_name = "WHEN")]
+    pub overturn: Option<Overturn>,
+    /// Angular velocity after an impact over the one before, in place of the law (only with
+    /// isolation none)
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
+    pub restitution: Option<f64>,
+}
+
+/// Longest simulated time, s.
+const LONGEST: f64 = 1.0e5;
+
+impl SceneText {
+    /// Reads a scene from TOML.
+    ///
+    /// # Errors
+    /// One line with the line and column at fault: a syntax error, an unknown key, a wrong type.
+    pub fn from_toml(text: &str) -> Result<SceneText, String> {
+        toml::from_str(text).map_err(|error| {
+            let place = error.span().map(|span| {
+                let before = &text[..span.start.min(text.len())];
+                let line = before.matches('\n').count() + 1;
+                let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+                format!("line {line}, column {column}: ")
+            });
+            let message: Vec<&str> = error.message().split_whitespace().collect();
+            format!("{}{}", place.unwrap_or_default(), message.join(" "))
+        })
+    }
+
+    /// Checks the scene.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check(&self) -> Result<Scene, SceneError> {
+        let (block, plate_h, plate_v) = block::check(&self.block)?;
+        let isolation = isolation::check(&self.base, plate_h, plate_v)?;
+        for (key, range) in [
+            ("t_h", isolation.horizontal.map(|base| base.t_h)),
+            ("t_v", isolation.vertical.map(|base| base.t_v)),
+        ] {
+            if range.is_some_and(|range| range.count > 1) {
+                let problem = "a pulse map sweeps omega and a_h; give this a single number";
+                return Err(SceneError::new(key, problem));
+            }
+        }
+        let pulse = excitation::check(&self.pulse)?;
+        let t_max = positive("t_max", self.run.t_max.unwrap_or(30.0))?;
+        if t_max > LONGEST {
+            return Err(SceneError::new("t_max", format!("{t_max} s is over {LONGEST} s")));
+        }
+        if let Some(restitution) = self.run.restitution {
+            if isolation.horizontal.is_some() || isolation.vertical.is_some() {
+                let problem = "replaces the law of impact only with isolation none";
+                return Err(SceneError::new("restitution", problem));
+            }
+            if !(restitution > 0.0 && restitution <= 1.0) {
+                let problem = format!("{restitution} must lie above 0 and at most at 1");
+                return Err(SceneError::new("restitution", problem));
+            }
+        }
+        Ok(Scene {
+            title: self.title.clone().unwrap_or_else(|| "Overturning spectral map".into()),
+            block,
+            isolation,
+            excitation: Excitation::Pulse(pulse),
+            t_max,
+            overturn: self.run.overturn.unwrap_or(Overturn::CriticalAngle),
+            restitution: self.run.restitution,
+        })
+    }
+}

@@ -1,0 +1,287 @@
+//! From a scene's grid to the numbers that a backend runs on, and back to outcomes.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use bytemuck::Zeroable;
+
+use crate::integrate::outcome::{Class, Outcome, Status};
+use crate::integrate::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State,
+};
+use crate::model::block::{Corner, Model};
+use crate::model::excitation::Cell;
+use crate::model::isolation::Variant;
+use crate::model::real::Real;
+use crate::scene::{GRAVITY, Grid, Overturn, Point, Scene, SceneError, positive};
+
+/// Largest step by default, s.
+pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
+/// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
+/// (omega h = 2.83).
+pub const STEPS_A_PERIOD: f64 = 20.0;
+/// Steps that a pulse holds at least.
+pub const STEPS_A_PULSE: f64 = 32.0;
+/// A landing block comes to rest when its next flight would last less than this share of a step.
+pub const FLIGHTS_A_STEP: f64 = 32.0;
+
+/// Most steps that a cell may take: an hour of one core.
+pub const MOST_STEPS: f64 = 1.0e9;
+
+/// The lengths and numbers of a cell's steps, in `f64`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// Length of a forced step, s.
+    pub step_forced: f64,
+    /// Length of a free step, s.
+    pub step_free: f64,
+    /// Number of forced steps.
+    pub steps_forced: u32,
+    /// Number of steps in all.
+    pub steps: u32,
+}
+
+impl Clock {
+    /// Time at a fraction of a step, s.
+    pub fn time(&self, step: u32, fraction: f64) -> f64 {
+        if step < self.steps_forced {
+            return (f64::from(step) + fraction) * self.step_forced;
+        }
+        let free = f64::from(step - self.steps_forced) + fraction;
+        f64::from(self.steps_forced) * self.step_forced + free * self.step_free
+    }
+}
+
+/// A scene made ready for its cells.
+#[derive(Debug, Clone)]
+pub struct Plan<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Largest step, s.
+    pub largest_step: f64,
+    mass_h: f64,
+    mass_v: f64,
+    mu_h: f64,
+    mu_v: f64,
+}
+
+impl<'a> Plan<'a> {
+    /// The plan of a scene with steps of at most `largest_step` seconds.
+    ///
+    /// # Errors
+    /// A step that is no positive number, and a duration of more than [`MOST_STEPS`] steps.
+    pub fn new(scene: &'a Scene, largest_step: f64) -> Result<Plan<'a>, SceneError> {
+        positive("step", largest_step)?;
+        let (block, base) = (&scene.block, &scene.isolation);
+        let mass_v = block.mass + base.plate_v;
+        let mass_h = mass_v + base.plate_h;
+        let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
+        let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
+        let plan = Plan { scene, largest_step, mass_h, mass_v, mu_h, mu_v };
+        let shortest = Grid::of(scene).extreme();
+        let steps = f64::from(plan.clock(&shortest).steps);
+        if steps > MOST_STEPS {
+            let problem = format!(
+                "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, or \
+                 lock a direction as stiff as that",
+                scene.t_max
+            );
+            return Err(SceneError::new("t_max", problem));
+        }
+        Ok(plan)
+    }
+
+    /// What the scene switches on.
+    pub fn variant(&self) -> Variant {
+        let base = &self.scene.isolation;
+        Variant {
+            isolated_h: base.horizontal.is_some(),
+            isolated_v: base.vertical.is_some(),
+            bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
+        }
+    }
+
+    /// rho^2 + H^2 kappa_h + b^2 kappa_v, D of (18) over M M_t M_v, for lever arm `b`.
+    fn impact_inertia(&self, b: f64) -> f64 {
+        let block = &self.scene.block;
+        let rho2 = block.inertia / block.mass;
+        let height2 = block.height * block.height;
+        rho2 + height2 * (1.0 - self.mu_h) + b * b * (1.0 - self.mu_v)
+    }
+
+    /// One corner; `side` is +1 for the left, -1 for the right.
+    fn corner<R: Real>(&self, side: f64) -> Corner<R> {
+        let block = &self.scene.block;
+        let rho2 = block.inertia / block.mass;
+        let (h, b, c) = (block.height, block.arm(side), block.arm(-side));
+        let width = 2.0 * block.half_width;
+        let (kappa_h, kappa_v) = (1.0 - self.mu_h, 1.0 - self.mu_v);
+        let d = self.impact_inertia(b);
+        let mut eta_phi = (rho2 + h * h * kappa_h - b * c * kappa_v) / d;
+        if let Some(restitution) = self.scene.restitution {
+            eta_phi = restitution;
+        }
+        let overturn = match self.scene.overturn {
+            Overturn::CriticalAngle => block.critical_angle(side),
+            Overturn::QuarterTurn => FRAC_PI_2,
+        };
+        Corner {
+            side: R::of(side),
+            arm: R::of(b),
+            inertia: R::of(rho2 + b * b + h * h),
+            overturn: R::of(overturn),
+            eta_phi: R::of(eta_phi),
+            eta_u: R::of(width * b * h * self.mu_h * kappa_v / d),
+            eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d),
+        }
+    }
+
+    /// What all cells share.
+    pub fn model<R: Real>(&self) -> Model<R> {
+        Model {
+            left: self.corner(1.0),
+            right: self.corner(-1.0),
+            height: R::of(self.scene.block.height),
+            mu_h: R::of(self.mu_h),
+            mu_v: R::of(self.mu_v),
+            gravity: R::of(GRAVITY),
+        }
+    }
+
+    /// The cell's longest step, s: bounded by its fastest period, that of the base with the block
+    /// rocking on it, which is shorter than the base's own.
+    fn longest_step(&self, point: &Point) -> f64 {
+        let block = &self.scene.block;
+        let mut square: f64 = 0.0;
+        for side in [1.0, -1.0] {
+            let b = block.arm(side);
+            let (h2, b2) = (block.height * block.height, b * b);
+            // Larger than in any position: P^2 and Q^2 at their largest, their sum fixed.
+            let d = self.impact_inertia(b).min(self.least_inertia(b));
+            let q2 = match self.scene.overturn {
+                Overturn::CriticalAngle => b2,
+                Overturn::QuarterTurn => b2 + h2,
+            };
+            let mut sum = 0.0;
+            if self.scene.isolation.horizontal.is_some() {
+                sum += (TAU / point.t_h).powi(2) * (1.0 + self.mu_h * (h2 + b2) / d);
+            }
+            if self.scene.isolation.vertical.is_some() {
+                sum += (TAU / point.t_v).powi(2) * (1.0 + self.mu_v * q2 / d);
+            }
+            square = square.max(sum);
+        }
+        if square == 0.0 {
+            return self.largest_step;
+        }
+        self.largest_step.min(TAU / square.sqrt() / STEPS_A_PERIOD)
+    }
+
+    /// The least that I/M - mu_h P^2 - mu_v Q^2 can be about a corner.
+    fn least_inertia(&self, b: f64) -> f64 {
+        let block = &self.scene.block;
+        let radius2 = block.height * block.height + b * b;
+        block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v))
+    }
+
+    /// The steps of a cell: the pulse's end is a step boundary.
+    pub fn clock(&self, point: &Point) -> Clock {
+        let pulse = TAU / point.omega;
+        let forced = pulse.min(self.scene.t_max);
+        let free = self.scene.t_max - forced;
+        let longest = self.longest_step(point);
+        let steps_forced = (forced / longest.min(pulse / STEPS_A_PULSE)).ceil().max(1.0);
+        let steps_free = (free / longest).ceil();
+        Clock {
+            step_forced: forced / steps_forced,
+            step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
+            // `as` saturates; `Plan::new` refuses a scene that comes near.
+            steps_forced: steps_forced as u32,
+            steps: (steps_forced + steps_free) as u32,
+        }
+    }
+
+    /// A cell's numbers and the state that it starts in: at rest in static equilibrium.
+    pub fn cell<R: Real>(&self, point: &Point) -> (Cell<R>, State<R>) {
+        let clock = self.clock(point);
+        let mut cell = Cell::<R>::zeroed();
+        let pulse = TAU / point.omega;
+        cell.amplitude_h = R::of(point.a_h);
+        cell.amplitude_v = R::of(point.a_v);
+        cell.phase_step = R::of(clock.step_forced / pulse);
+        cell.step_forced = R::of(clock.step_forced);
+        cell.step_free = R::of(clock.step_free);
+        cell.steps_forced = clock.steps_forced;
+        cell.steps = clock.steps;
+        if let Some(base) = &self.scene.isolation.horizontal {
+            let omega_h = TAU / point.t_h;
+            // (21): u_y = alpha_y PGA_h / omega_h^2, and PGA_h = |A_h| for a pulse.
+            let yield_force = base.alpha_y * point.a_h.abs();
+            cell.post_yield = R::of(base.psi * omega_h * omega_h);
+            cell.hysteretic = R::of((1.0 - base.psi) * yield_force);
+            cell.damping_h = R::of(2.0 * base.xi_h * omega_h);
+            // Without horizontal excitation u_y is zero, and so is the force that z carries.
+            let inverse = if yield_force > 0.0 { omega_h * omega_h / yield_force } else { 0.0 };
+            cell.inverse_yield = R::of(inverse);
+        }
+        let mut state = State::<R>::zeroed();
+        if let Some(base) = &self.scene.isolation.vertical {
+            let omega_v = TAU / point.t_v;
+            cell.stiffness_v = R::of(omega_v * omega_v);
+            cell.damping_v = R::of(2.0 * base.xi_v * omega_v);
+            let deflection = GRAVITY / (omega_v * omega_v);
+            state.motion.v = R::of(-deflection);
+            state.max_v = R::of(deflection);
+        }
+        // A flight at the speed w lasts 2 w M D / (M g b): the corner with the shorter arm is the
+        // quicker to land.
+        let b = self.scene.block.arm(1.0).max(self.scene.block.arm(-1.0));
+        let fall = GRAVITY * b / self.impact_inertia(b);
+        let step = clock.step_forced.max(clock.step_free);
+        cell.rest_speed = R::of(0.5 * fall * step / FLIGHTS_A_STEP);
+        state.min_contact = R::of(GRAVITY);
+        (cell, state)
+    }
+
+    /// What became of a cell whose run has ended in `state`.
+    pub fn outcome<R: Real>(&self, point: &Point, state: &State<R>) -> Outcome {
+        let clock = self.clock(point);
+        let block = &self.scene.block;
+        let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
+        let (mut class, mut status) = match state.status {
+            FINISHED if state.uplifts == 0 => (Class::FullContact, Status::Ok),
+            FINISHED => (Class::Rocking, Status::Ok),
+            OVERTURNED_LEFT => (Class::OverturnedLeft, Status::Ok),
+            OVERTURNED_RIGHT => (Class::OverturnedRight, Status::Ok),
+            EVENT_LIMIT => (Class::Unresolved, Status::EventLimit),
+            _ => (Class::Unresolved, Status::Diverged),
+        };
+        if !state.motion.coordinates().iter().all(|x| x.to_f64().is_finite()) {
+            (class, status) = (Class::Unresolved, Status::Diverged);
+        }
+        let mut zeta = (left / block.critical_angle(1.0)).max(right / block.critical_angle(-1.0));
+        if class.overturned() {
+            zeta = 1.0;
+        }
+        Outcome {
+            class,
+            impacts: state.impacts,
+            uplifts: state.uplifts,
+            t_end: clock.time(state.step, state.end_fraction.to_f64()),
+            t_uplift: (state.uplifts > 0)
+                .then(|| clock.time(state.uplift_step, state.uplift_fraction.to_f64())),
+            zeta,
+            max_phi_left: left,
+            max_phi_right: right,
+            max_u: state.max_u.to_f64(),
+            max_v: state.max_v.to_f64(),
+            min_contact: state.min_contact.to_f64(),
+            friction: state.friction.to_f64(),
+            status,
+        }
+    }
+
+    /// M + m_h + m_v and M + m_v, kg.
+    pub fn masses(&self) -> (f64, f64) {
+        (self.mass_h, self.mass_v)
+    }
+}

@@ -1,0 +1,55 @@
+//! The sweep on the CPU. Its loop is the twin of `shaders/sweep.wgsl`.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::cells::Plan;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::state::{RUNNING, State};
+use crate::integrate::switching::{Log, advance};
+use crate::model::Setting;
+use crate::model::real::Real;
+use crate::scene::Grid;
+
+/// Takes a cell over at most `steps` steps.
+pub fn sweep_cell<R: Real>(
+    set: &Setting<R>,
+    state: &mut State<R>,
+    steps: u32,
+    log: &mut impl Log<R>,
+) {
+    let mut done = 0;
+    while done < steps && state.status == RUNNING {
+        advance(set, state, log);
+        done += 1;
+    }
+}
+
+/// Cells that a thread takes at once.
+const BLOCK: usize = 16;
+
+/// Runs a range of a grid's cells on all cores; `progress` hears of each batch of cells done.
+pub fn sweep<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: Range<usize>,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Vec<Outcome> {
+    let model = plan.model::<R>();
+    let variant = plan.variant();
+    let mut outcomes = Vec::with_capacity(cells.len());
+    cells
+        .into_par_iter()
+        .with_min_len(BLOCK)
+        .map(|index| {
+            let point = grid.point(index);
+            let (cell, mut state) = plan.cell::<R>(&point);
+            let set = Setting { variant, model: &model, cell: &cell };
+            sweep_cell(&set, &mut state, u32::MAX, &mut ());
+            progress(1);
+            plan.outcome(&point, &state)
+        })
+        .collect_into_vec(&mut outcomes);
+    outcomes
+}
