@@ -8,7 +8,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// Sine and cosine are polynomials, the same here and in the shaders, because the built-in ones
 /// of WGSL do not exist in `f64` and differ from driver to driver in `f32`.
 pub trait Real:
-    bytemuck::Pod
+    sealed::Sealed
+    + bytemuck::Pod
     + Debug
     + PartialOrd
     + Send
@@ -54,16 +55,22 @@ pub trait Real:
     }
 }
 
+mod sealed {
+    /// Only `f32` and `f64` are `Real`: the layouts shared with the shaders rest on it.
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
 /// Declares a `#[repr(C)]` struct of reals and words fit to be copied to a device, in both
 /// precisions; a struct with padding does not compile.
 macro_rules! pod {
     ($name:ident, reals: $reals:expr, words: $words:expr) => {
         const _: () = assert!(size_of::<$name<f32>>() == 4 * $reals + 4 * $words);
         const _: () = assert!(size_of::<$name<f64>>() == 8 * $reals + 4 * $words);
-        // SAFETY: repr(C), only Pod fields, and by the assertions above no padding.
-        unsafe impl bytemuck::Pod for $name<f32> {}
-        // SAFETY: as above.
-        unsafe impl bytemuck::Pod for $name<f64> {}
+        // SAFETY: repr(C), only Pod fields, and by the assertions above no padding in either of
+        // the two types that are `Real`, a sealed trait.
+        unsafe impl<R: $crate::model::real::Real> bytemuck::Pod for $name<R> {}
     };
 }
 pub(crate) use pod;

@@ -266,7 +266,11 @@ impl<'a> Plan<'a> {
             class,
             impacts: state.impacts,
             uplifts: state.uplifts,
-            t_end: clock.time(state.step, state.end_fraction.to_f64()),
+            t_end: if state.status == FINISHED {
+                self.scene.t_max
+            } else {
+                clock.time(state.step, state.end_fraction.to_f64())
+            },
             t_uplift: (state.uplifts > 0)
                 .then(|| clock.time(state.uplift_step, state.uplift_fraction.to_f64())),
             zeta,

@@ -1,4 +1,7 @@
 //! A scene over its grid: cells, backends, and the check against the reference.
 
+pub mod backend;
 pub mod cells;
 pub mod cpu;
+pub mod gpu;
+pub mod verification;

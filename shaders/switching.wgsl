@@ -1,0 +1,340 @@
+// One step with its switches inside it: uplift, impact, overturning.
+// Twin: src/integrate/switching.rs.
+
+const NOTHING = 0u;
+const UPLIFT_LEFT = 1u;
+const UPLIFT_RIGHT = 2u;
+const IMPACT = 3u;
+const OVERTURN = 4u;
+
+const EVENT_BOUND = 128u;
+const LOCATE_BOUND = 60u;
+const GUESS_BOUND = 12u;
+
+struct Crossing {
+    kind: u32,
+    upper: real,
+}
+
+struct Located {
+    found: bool,
+    at: real,
+    y: Motion,
+}
+
+// The uplift that the contact forces call for now, if any.
+fn uplift_now(k: Rates) -> u32 {
+    let left = uplift_moment(model.left, k.shear, k.normal);
+    let right = uplift_moment(model.right, k.shear, k.normal);
+    if left > 0.0 && left >= right {
+        return UPLIFT_LEFT;
+    }
+    if right > 0.0 {
+        return UPLIFT_RIGHT;
+    }
+    return NOTHING;
+}
+
+// A fraction of the span at which an uplift moment is positive; negative if there is none.
+fn moment_rises(start: real, mid: real, end: real) -> real {
+    if end > 0.0 {
+        return real(1.0);
+    }
+    // The slope of the parabola through the three falls from `rise` to `fall`.
+    let rise = 4.0 * mid - 3.0 * start - end;
+    let fall = 3.0 * end - 4.0 * mid + start;
+    if rise > 0.0 && fall < 0.0 {
+        let at = rise / (rise - fall);
+        if start + 0.5 * rise * at > 0.0 {
+            return at;
+        }
+    }
+    return real(-1.0);
+}
+
+// The first uplift of a span in full contact.
+fn find_uplift(k1: Rates, shear_mid: real, normal_mid: real, k_end: Rates) -> Crossing {
+    let left = model.left;
+    let right = model.right;
+    let at_left = moment_rises(
+        uplift_moment(left, k1.shear, k1.normal),
+        uplift_moment(left, shear_mid, normal_mid),
+        uplift_moment(left, k_end.shear, k_end.normal),
+    );
+    let at_right = moment_rises(
+        uplift_moment(right, k1.shear, k1.normal),
+        uplift_moment(right, shear_mid, normal_mid),
+        uplift_moment(right, k_end.shear, k_end.normal),
+    );
+    if at_left > 0.0 && !(at_right > 0.0 && at_right < at_left) {
+        return Crossing(UPLIFT_LEFT, at_left);
+    }
+    if at_right > 0.0 {
+        return Crossing(UPLIFT_RIGHT, at_right);
+    }
+    return Crossing(NOTHING, real(0.0));
+}
+
+// The first impact or overturning of a span of length `h` seconds while rocking.
+fn find_crossing(corner: Corner, y: Motion, end: Motion, h: real) -> Crossing {
+    let phi0 = corner.side * y.phi;
+    let phi1 = corner.side * end.phi;
+    if phi1 < 0.0 {
+        return Crossing(IMPACT, real(1.0));
+    }
+    if phi1 >= corner.overturn {
+        return Crossing(OVERTURN, real(1.0));
+    }
+    // Two crossings in one span: the angle's extremum inside it.
+    let dphi0 = corner.side * y.dphi;
+    let dphi1 = corner.side * end.dphi;
+    if (dphi0 < 0.0 && dphi1 > 0.0) || (dphi0 > 0.0 && dphi1 < 0.0) {
+        let at = dphi0 / (dphi0 - dphi1);
+        let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
+        if extremum < 0.0 {
+            return Crossing(IMPACT, at);
+        }
+        if extremum >= corner.overturn {
+            return Crossing(OVERTURN, at);
+        }
+    }
+    return Crossing(NOTHING, real(0.0));
+}
+
+// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
+// redone step, inside a bracket.
+fn locate_angle(
+    cell: Cell,
+    span: Span,
+    y: Motion,
+    k1: Rates,
+    end: Motion,
+    crossing: Crossing,
+) -> Located {
+    let rest = 1.0 - span.start;
+    let h = rest * step_length(cell, span.step);
+    // `beyond` is positive on the far side of the switch.
+    var sense = -span.corner.side;
+    var target_angle: real = 0.0;
+    if crossing.kind == OVERTURN {
+        sense = span.corner.side;
+        target_angle = span.corner.overturn;
+    }
+    let x0 = sense * y.phi - target_angle;
+    let x1 = sense * end.phi - target_angle;
+    let slope0 = h * sense * y.dphi;
+    let slope1 = h * sense * end.dphi;
+    var low: real = 0.0;
+    var high = crossing.upper;
+    var at = crossing.upper;
+    var trial = 0u;
+    while trial < GUESS_BOUND {
+        let beyond = hermite(x0, slope0, x1, slope1, at);
+        let rise = x1 - x0;
+        let c2 = 3.0 * rise - 2.0 * slope0 - slope1;
+        let c3 = slope0 + slope1 - 2.0 * rise;
+        let slope = slope0 + at * (2.0 * c2 + at * 3.0 * c3);
+        if beyond >= 0.0 {
+            high = at;
+        } else {
+            low = at;
+        }
+        let change = beyond / slope;
+        at = at - change;
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        if abs(change) < 1.0e-3 {
+            break;
+        }
+        trial += 1u;
+    }
+    low = 0.0;
+    high = crossing.upper;
+    var y_high = end;
+    var verified = crossing.upper >= 1.0;
+    trial = 0u;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(cell, span, y, k1, at * rest).y;
+        let beyond = sense * y_at.phi - target_angle;
+        let change = beyond / (h * sense * y_at.dphi);
+        if abs(change) <= EVENT_TOLERANCE {
+            return Located(true, at, y_at);
+        }
+        if beyond >= 0.0 {
+            high = at;
+            y_high = y_at;
+            verified = true;
+        } else {
+            low = at;
+        }
+        if high - low <= EVENT_TOLERANCE {
+            break;
+        }
+        at = at - change;
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        trial += 1u;
+    }
+    return Located(verified, high, y_high);
+}
+
+// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossing) -> Located {
+    let rest = 1.0 - span.start;
+    var corner = model.left;
+    if crossing.kind == UPLIFT_RIGHT {
+        corner = model.right;
+    }
+    var low: real = 0.0;
+    var moment_low = uplift_moment(corner, k1.shear, k1.normal);
+    var high = crossing.upper;
+    var moment_high: real = 0.0;
+    var y_high = y;
+    var at = crossing.upper;
+    var last = 0u;
+    var trial = 0u;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(cell, span, y, k1, at * rest).y;
+        let ground = ground_at(cell, span.step, span.start + at * rest);
+        let k = rates(cell, corner, false, y_at, ground);
+        let moment = uplift_moment(corner, k.shear, k.normal);
+        if moment > 0.0 {
+            high = at;
+            moment_high = moment;
+            y_high = y_at;
+            if last == 1u {
+                moment_low = 0.5 * moment_low;
+            }
+            last = 1u;
+        } else {
+            if trial == 0u {
+                return Located(false, real(0.0), y);
+            }
+            low = at;
+            moment_low = moment;
+            if last == 2u {
+                moment_high = 0.5 * moment_high;
+            }
+            last = 2u;
+        }
+        if high - low <= EVENT_TOLERANCE {
+            break;
+        }
+        at = high - moment_high * (high - low) / (moment_high - moment_low);
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        trial += 1u;
+    }
+    return Located(true, high, y_high);
+}
+
+// The block lands: it goes on about the other corner, or comes to rest where it is too slow to
+// lift again, or where the law of impact leaves it no rebound (eta_phi <= 0).
+fn land(cell: Cell, state: ptr<function, State>, leaving: Corner, fraction: real) {
+    var landing = model.right;
+    var mode = ROCKING_RIGHT;
+    if (*state).mode == ROCKING_RIGHT {
+        landing = model.left;
+        mode = ROCKING_LEFT;
+    }
+    let y = (*state).motion;
+    (*state).impacts += 1u;
+    let rebound = landing.eta_phi * y.dphi;
+    let resting = come_to_rest(leaving, y);
+    let k = rates(cell, leaving, false, resting, ground_at(cell, (*state).step, fraction));
+    let slow = abs(rebound) < cell.rest_speed && uplift_now(k) == NOTHING;
+    if slow || landing.eta_phi <= 0.0 {
+        (*state).motion = resting;
+        (*state).mode = FULL_CONTACT;
+        return;
+    }
+    (*state).motion = change_corner(landing, y);
+    (*state).mode = mode;
+}
+
+// The block lifts about a corner; an uplift is numbered as the mode that it leads to.
+fn lift(state: ptr<function, State>, kind: u32, fraction: real) {
+    if (*state).uplifts == 0u {
+        (*state).uplift_step = (*state).step;
+        (*state).uplift_fraction = fraction;
+    }
+    (*state).uplifts += 1u;
+    (*state).mode = kind;
+}
+
+// Takes a cell over one step.
+fn advance(cell: Cell, state: ptr<function, State>) {
+    var start: real = 0.0;
+    var events = 0u;
+    while events < EVENT_BOUND {
+        let corner = pivot((*state).mode);
+        let rocking = (*state).mode != FULL_CONTACT;
+        let span = Span(corner, rocking, (*state).step, start);
+        let rest = 1.0 - start;
+        let h = rest * step_length(cell, (*state).step);
+        let y = (*state).motion;
+        let k1 = rates(cell, corner, rocking, y, ground_at(cell, (*state).step, start));
+        observe_contact(state, k1);
+        if !rocking {
+            let kind = uplift_now(k1);
+            if kind != NOTHING {
+                lift(state, kind, start);
+                events += 1u;
+                continue;
+            }
+        }
+        let stepped = rk4(cell, span, y, k1, rest);
+        var located = Located(false, real(1.0), stepped.y);
+        var kind = NOTHING;
+        if rocking {
+            let crossing = find_crossing(corner, y, stepped.y, h);
+            kind = crossing.kind;
+            if kind != NOTHING {
+                located = locate_angle(cell, span, y, k1, stepped.y, crossing);
+            }
+        } else {
+            let ground = ground_at(cell, (*state).step, real(1.0));
+            let k_end = rates(cell, corner, false, stepped.y, ground);
+            let crossing = find_uplift(k1, stepped.shear_mid, stepped.normal_mid, k_end);
+            kind = crossing.kind;
+            if kind != NOTHING {
+                located = locate_uplift(cell, span, y, k1, crossing);
+            }
+        }
+        if !located.found {
+            observe_motion(state, y, stepped.y, h);
+            (*state).motion = stepped.y;
+            break;
+        }
+        observe_motion(state, y, located.y, located.at * h);
+        (*state).motion = located.y;
+        start = start + located.at * rest;
+        let k = rates(cell, corner, rocking, located.y, ground_at(cell, (*state).step, start));
+        observe_contact(state, k);
+        if kind == OVERTURN {
+            overturn(state, corner, start);
+            return;
+        }
+        if kind == IMPACT {
+            land(cell, state, corner, start);
+        } else {
+            lift(state, kind, start);
+        }
+        events += 1u;
+        if start >= 1.0 {
+            break;
+        }
+    }
+    if events >= EVENT_BOUND {
+        (*state).status = EVENT_LIMIT;
+        return;
+    }
+    check_range(state);
+    (*state).step += 1u;
+    if (*state).step >= cell.steps && (*state).status == RUNNING {
+        (*state).status = FINISHED;
+    }
+}

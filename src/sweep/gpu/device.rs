@@ -1,0 +1,132 @@
+//! A device, and every way in which it can fail.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex};
+
+use wgpu::{
+    Adapter, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures, Features, MemoryHints,
+    PollType, Queue, Trace,
+};
+
+use super::GpuError;
+use super::adapter::Description;
+
+/// An open device.
+pub struct Gpu {
+    /// The device.
+    pub device: Device,
+    /// Its queue.
+    pub queue: Queue,
+    /// What it is.
+    pub description: Description,
+    /// The first failure that came outside of a call.
+    failure: Arc<Mutex<Option<GpuError>>>,
+}
+
+impl Gpu {
+    /// Opens a device with all that its adapter allows in sizes, and `f64` where it has it.
+    ///
+    /// # Errors
+    /// [`GpuError::NoDevice`].
+    pub fn open(adapter: &Adapter) -> Result<Gpu, GpuError> {
+        let description = Description::of(adapter);
+        let descriptor = DeviceDescriptor {
+            label: Some("topple"),
+            required_features: adapter.features() & Features::SHADER_F64,
+            required_limits: adapter.limits(),
+            experimental_features: ExperimentalFeatures::disabled(),
+            memory_hints: MemoryHints::Performance,
+            trace: Trace::Off,
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(
+            |error| GpuError::NoDevice {
+                adapter: description.name.clone(),
+                reason: error.to_string(),
+            },
+        )?;
+        let failure = Arc::new(Mutex::new(None));
+        let lost = Arc::clone(&failure);
+        device.set_device_lost_callback(move |reason, message| {
+            note(&lost, GpuError::Lost(format!("{reason:?} {message}").trim().to_string()));
+        });
+        let uncaptured = Arc::clone(&failure);
+        device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
+        Ok(Gpu { device, queue, description, failure })
+    }
+
+    /// Runs `commands` and reports what the device refused of them.
+    ///
+    /// # Errors
+    /// [`GpuError::OutOfMemory`] and [`GpuError::Refused`].
+    pub fn checked<T>(&self, commands: impl FnOnce() -> T) -> Result<T, GpuError> {
+        let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(ErrorFilter::Validation);
+        let internal = self.device.push_error_scope(ErrorFilter::Internal);
+        let result = commands();
+        let errors = [
+            pollster::block_on(internal.pop()),
+            pollster::block_on(validation.pop()),
+            pollster::block_on(memory.pop()),
+        ];
+        match errors.into_iter().flatten().next() {
+            Some(error) => Err(refusal(error)),
+            None => Ok(result),
+        }
+    }
+
+    /// Waits until the device has done all that was submitted.
+    ///
+    /// # Errors
+    /// [`GpuError::Lost`], and any failure noted since the last call.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        // wgpu panics where the device fails while it is waited for; to the caller that is a lost
+        // device like any other.
+        let polled = catch_unwind(AssertUnwindSafe(|| {
+            self.device.poll(PollType::wait_indefinitely())
+        }));
+        if let Some(failure) = self.failure.lock().ok().and_then(|mut failure| failure.take()) {
+            return Err(failure);
+        }
+        match polled {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(error)) => Err(GpuError::Lost(error.to_string())),
+            Err(_) => Err(GpuError::Lost("the driver failed while it was waited for".into())),
+        }
+    }
+
+    /// The bytes of a mappable buffer.
+    ///
+    /// # Errors
+    /// As [`Gpu::wait`], and [`GpuError::Lost`] where the buffer cannot be mapped.
+    pub fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+        let (sender, receiver) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
+            // The receiver is gone only if `wait` failed, which is the error to report.
+            let _ = sender.send(mapped);
+        });
+        self.wait()?;
+        match receiver.try_recv() {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => return Err(GpuError::Lost(error.to_string())),
+            Err(_) => return Err(GpuError::Lost("a result was never delivered".into())),
+        }
+        let view = buffer.get_mapped_range(..).map_err(|e| GpuError::Lost(e.to_string()))?;
+        let bytes = view.to_vec();
+        drop(view);
+        buffer.unmap();
+        Ok(bytes)
+    }
+}
+
+fn note(place: &Mutex<Option<GpuError>>, failure: GpuError) {
+    if let Ok(mut place) = place.lock() {
+        place.get_or_insert(failure);
+    }
+}
+
+fn refusal(error: wgpu::Error) -> GpuError {
+    match error {
+        wgpu::Error::OutOfMemory { source } => GpuError::OutOfMemory(source.to_string()),
+        other => GpuError::Refused(other.to_string().split_whitespace().collect::<Vec<_>>().join(" ")),
+    }
+}

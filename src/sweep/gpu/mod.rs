@@ -1,0 +1,37 @@
+//! The sweep on a GPU, by wgpu: Vulkan, Metal or DX12.
+
+pub mod adapter;
+pub mod device;
+pub mod run;
+pub mod shader;
+
+/// Why a sweep on a GPU failed.
+#[derive(Debug, thiserror::Error)]
+pub enum GpuError {
+    /// No adapter at all.
+    #[error("no GPU adapter was found; install its driver, or use --backend cpu")]
+    NoAdapter,
+    /// An adapter without double precision.
+    #[error("{0} has no double precision; use --precision f32 or --backend cpu")]
+    NoF64(String),
+    /// The adapter gave no device.
+    #[error("{adapter} gave no device: {reason}")]
+    NoDevice {
+        /// Name of the adapter.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+    /// The device went away.
+    #[error("the GPU was lost during the sweep: {0}")]
+    Lost(String),
+    /// The device's memory does not hold a tile.
+    #[error("the GPU has not enough memory: {0}")]
+    OutOfMemory(String),
+    /// The driver or wgpu refused a command: a mistake in topple.
+    #[error("the GPU refused a command: {0}")]
+    Refused(String),
+    /// Cells came back that never ran to their end.
+    #[error("the GPU left {0} cells unfinished; its results are not used")]
+    Unfinished(usize),
+}
