@@ -11,6 +11,12 @@
 //! ```
 
 pub mod integrate;
+pub mod map;
 pub mod model;
 pub mod scene;
 pub mod sweep;
+
+/// The README's example, compiled and run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

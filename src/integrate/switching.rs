@@ -31,9 +31,9 @@ pub const OVERTURN: u32 = 4;
 /// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
 pub const EVENT_BOUND: u32 = 128;
 /// Trials to locate a switch: enough for bisection down to the tolerance, should all else fail.
-const LOCATE_BOUND: u32 = 60;
+pub const LOCATE_BOUND: u32 = 60;
 /// Newton's steps on the cubic that gives the first guess.
-const GUESS_BOUND: u32 = 12;
+pub const GUESS_BOUND: u32 = 12;
 
 /// A switch somewhere in a span.
 #[derive(Debug, Clone, Copy)]
@@ -362,7 +362,8 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 located = locate_angle(set, &span, &y, &k1, &stepped.y, &crossing);
             }
         } else {
-            let k_end = rates(set, &corner, false, &stepped.y, ground_at(set.cell, state.step, one));
+            let k_end =
+                rates(set, &corner, false, &stepped.y, ground_at(set.cell, state.step, one));
             let crossing = find_uplift(set, &k1, stepped.shear_mid, stepped.normal_mid, &k_end);
             kind = crossing.kind;
             if kind != NOTHING {

@@ -90,8 +90,8 @@ pub fn rates<R: Real>(
         let w = y.dphi * y.dphi;
         let push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;
-        ddphi = (p * push_h - q * push_v)
-            / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
+        ddphi =
+            (p * push_h - q * push_v) / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
         x_base = push_h + model.mu_h * p * ddphi;
         y_base = push_v - model.mu_v * q * ddphi;
         shear = x_base - p * ddphi - q * w;

@@ -107,7 +107,8 @@ fn period(key: &'static str, given: Option<Range>) -> Result<Range, SceneError> 
 
 fn unused(key: &'static str, given: bool, direction: &str) -> Result<(), SceneError> {
     if given {
-        let problem = format!("means nothing where the {direction} direction is locked; leave it out");
+        let problem =
+            format!("means nothing where the {direction} direction is locked; leave it out");
         return Err(SceneError::new(key, problem));
     }
     Ok(())

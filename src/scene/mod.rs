@@ -81,7 +81,12 @@ pub(crate) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError>
 }
 
 /// `value` if it is in `[low, high]`.
-pub(crate) fn within(key: &'static str, value: f64, low: f64, high: f64) -> Result<f64, SceneError> {
+pub(crate) fn within(
+    key: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+) -> Result<f64, SceneError> {
     if value >= low && value <= high {
         return Ok(value);
     }

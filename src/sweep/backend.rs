@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::Plan;
 use super::cpu;
+use super::gpu::GpuError;
 use super::gpu::adapter::{self, Description};
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
-use super::gpu::GpuError;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::reference;
 use crate::scene::Grid;

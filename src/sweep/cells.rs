@@ -5,9 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use bytemuck::Zeroable;
 
 use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::state::{
-    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State,
-};
+use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
 use crate::model::block::{Corner, Model};
 use crate::model::excitation::Cell;
 use crate::model::isolation::Variant;

@@ -4,4 +4,5 @@ pub mod backend;
 pub mod cells;
 pub mod cpu;
 pub mod gpu;
+pub mod history;
 pub mod verification;

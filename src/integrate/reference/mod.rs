@@ -12,7 +12,7 @@ use crate::scene::{Point, Scene};
 
 use super::outcome::{Class, Outcome, Status};
 use step::{Guard, Stepper};
-use system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, V};
+use system::{DPHI, Phase, Pole, State, System, V};
 
 /// Switches are located to within this time, s.
 pub const EVENT_TIME: f64 = 1.0e-12;
@@ -77,8 +77,8 @@ pub fn observe(
     let pulse_end = system.pulse_end().min(scene.t_max);
     let mut cell = Cell::new(&system, settings, point, observer);
     y = cell.integrate(y, 0.0, pulse_end, true);
-    y = cell.integrate(y, pulse_end, scene.t_max, false);
-    cell.outcome(&y, scene.t_max)
+    cell.integrate(y, pulse_end, scene.t_max, false);
+    cell.outcome(scene.t_max)
 }
 
 /// A run of one cell.
@@ -133,10 +133,10 @@ impl<'a> Cell<'a> {
     /// Integrates from `t` to `stop`, or to the cell's end.
     fn integrate(&mut self, mut y: State, mut t: f64, stop: f64, forced: bool) -> State {
         while t < stop && self.class.is_none() {
-            if self.phase.is_none() {
-                if let Some(pole) = self.lifts_now(t, forced, &y) {
-                    self.lift(pole, t, &y);
-                }
+            if self.phase.is_none()
+                && let Some(pole) = self.lifts_now(t, forced, &y)
+            {
+                self.lift(pole, t, &y);
             }
             self.see_contact(t, forced, &y);
             let taken = self.stepper.step(self.phase, t, stop, forced, &y);
@@ -163,7 +163,7 @@ impl<'a> Cell<'a> {
                     switch = Some(Switch::Impact(pole));
                 }
                 (Some(Guard::Overturn), Some(pole)) => {
-                    self.max_phi[pole as usize] = system_angle(self.system, pole);
+                    self.max_phi[pole as usize] = self.system.overturning_angle(pole);
                     self.class = Some(match pole {
                         Pole::Left => Class::OverturnedLeft,
                         Pole::Right => Class::OverturnedRight,
@@ -227,10 +227,9 @@ impl<'a> Cell<'a> {
         }
     }
 
-    fn outcome(&self, y: &State, t_max: f64) -> Outcome {
+    fn outcome(&self, t_max: f64) -> Outcome {
         let rest = if self.uplifts == 0 { Class::FullContact } else { Class::Rocking };
         let class = self.class.unwrap_or(rest);
-        debug_assert!([U, PHI, DU, DV].iter().all(|&i| y[i].is_finite()) || self.class.is_some());
         let [left, right] = self.max_phi;
         let mut zeta = (left / self.system.critical_angle(Pole::Left))
             .max(right / self.system.critical_angle(Pole::Right));
@@ -253,8 +252,4 @@ impl<'a> Cell<'a> {
             status: self.status,
         }
     }
-}
-
-fn system_angle(system: &System, pole: Pole) -> f64 {
-    system.overturning_angle(pole)
 }

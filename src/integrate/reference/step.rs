@@ -116,7 +116,8 @@ impl<'a> Stepper<'a> {
             let mut d1 = rhs(t + h, &y1);
             let mut guard = None;
             let mut cut = h;
-            if let Some((which, bracket)) = self.first_guard(phase, t, forced, y, &d0, &y1, &d1, h) {
+            if let Some((which, bracket)) = self.first_guard(phase, t, forced, y, &d0, &y1, &d1, h)
+            {
                 let place = self.locate(which, phase, t, forced, y, &d0, bracket);
                 if let Some(place) = place {
                     guard = Some(which);
@@ -180,7 +181,15 @@ impl<'a> Stepper<'a> {
 
     /// Value of a guard: positive once it has happened. `start` is the state that the step began
     /// in, whose signs the kinks are measured against.
-    fn value(&self, guard: Guard, phase: Phase, t: f64, forced: bool, y: &State, start: &State) -> f64 {
+    fn value(
+        &self,
+        guard: Guard,
+        phase: Phase,
+        t: f64,
+        forced: bool,
+        y: &State,
+        start: &State,
+    ) -> f64 {
         let side = phase.map_or(0.0, Pole::sign);
         match guard {
             Guard::Uplift(pole) => self.system.uplift(pole, t, forced, y),

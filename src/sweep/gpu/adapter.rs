@@ -73,7 +73,8 @@ pub fn choose(precision: Precision) -> Result<Adapter, GpuError> {
     if adapters.is_empty() {
         return Err(GpuError::NoAdapter);
     }
-    let able = |a: &Adapter| precision == Precision::F32 || a.features().contains(Features::SHADER_F64);
+    let able =
+        |a: &Adapter| precision == Precision::F32 || a.features().contains(Features::SHADER_F64);
     match adapters.iter().position(able) {
         Some(first) => Ok(adapters.swap_remove(first)),
         None => Err(GpuError::NoF64(adapters[0].get_info().name)),

@@ -38,12 +38,10 @@ impl Gpu {
             memory_hints: MemoryHints::Performance,
             trace: Trace::Off,
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(
-            |error| GpuError::NoDevice {
-                adapter: description.name.clone(),
-                reason: error.to_string(),
-            },
-        )?;
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
+                GpuError::NoDevice { adapter: description.name.clone(), reason: error.to_string() }
+            })?;
         let failure = Arc::new(Mutex::new(None));
         let lost = Arc::clone(&failure);
         device.set_device_lost_callback(move |reason, message| {
@@ -81,9 +79,8 @@ impl Gpu {
     pub fn wait(&self) -> Result<(), GpuError> {
         // wgpu panics where the device fails while it is waited for; to the caller that is a lost
         // device like any other.
-        let polled = catch_unwind(AssertUnwindSafe(|| {
-            self.device.poll(PollType::wait_indefinitely())
-        }));
+        let polled =
+            catch_unwind(AssertUnwindSafe(|| self.device.poll(PollType::wait_indefinitely())));
         if let Some(failure) = self.failure.lock().ok().and_then(|mut failure| failure.take()) {
             return Err(failure);
         }
@@ -127,6 +124,8 @@ fn note(place: &Mutex<Option<GpuError>>, failure: GpuError) {
 fn refusal(error: wgpu::Error) -> GpuError {
     match error {
         wgpu::Error::OutOfMemory { source } => GpuError::OutOfMemory(source.to_string()),
-        other => GpuError::Refused(other.to_string().split_whitespace().collect::<Vec<_>>().join(" ")),
+        other => {
+            GpuError::Refused(other.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
+        }
     }
 }

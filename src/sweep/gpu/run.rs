@@ -43,7 +43,11 @@ impl<'a> Sweeper<'a> {
     ///
     /// # Errors
     /// [`GpuError::Refused`].
-    pub fn new(gpu: &'a Gpu, precision: Precision, variant: Variant) -> Result<Sweeper<'a>, GpuError> {
+    pub fn new(
+        gpu: &'a Gpu,
+        precision: Precision,
+        variant: Variant,
+    ) -> Result<Sweeper<'a>, GpuError> {
         Sweeper::from_source(gpu, &shader::source(precision), variant)
     }
 
@@ -51,7 +55,11 @@ impl<'a> Sweeper<'a> {
     ///
     /// # Errors
     /// [`GpuError::Refused`].
-    pub fn from_source(gpu: &'a Gpu, source: &str, variant: Variant) -> Result<Sweeper<'a>, GpuError> {
+    pub fn from_source(
+        gpu: &'a Gpu,
+        source: &str,
+        variant: Variant,
+    ) -> Result<Sweeper<'a>, GpuError> {
         let constants = [
             ("isolated_h", f64::from(u8::from(variant.isolated_h))),
             ("isolated_v", f64::from(u8::from(variant.isolated_v))),
@@ -143,7 +151,8 @@ impl<'a> Sweeper<'a> {
         let bytes = self.gpu.read(&self.copy_back(&buffers)?)?;
         let states: &[State<R>] = bytemuck::cast_slice(&bytes);
         // A cell that is still running, or in no status at all, was never computed.
-        let unfinished = states.iter().filter(|s| s.status == RUNNING || s.status > DIVERGED).count();
+        let unfinished =
+            states.iter().filter(|s| s.status == RUNNING || s.status > DIVERGED).count();
         if unfinished > 0 || states.len() != count {
             return Err(GpuError::Unfinished(unfinished.max(count - states.len().min(count))));
         }
@@ -166,8 +175,9 @@ impl<'a> Sweeper<'a> {
                 layout: &self.pipeline.get_bind_group_layout(0),
                 entries: &buffers.entries(),
             });
-            let mut encoder =
-                gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some("chunk") });
+            let mut encoder = gpu
+                .device
+                .create_command_encoder(&CommandEncoderDescriptor { label: Some("chunk") });
             encoder.clear_buffer(&buffers.running, 0, None);
             let mut pass = encoder
                 .begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: None });
@@ -192,8 +202,9 @@ impl<'a> Sweeper<'a> {
                 usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             });
-            let mut encoder =
-                gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some("back") });
+            let mut encoder = gpu
+                .device
+                .create_command_encoder(&CommandEncoderDescriptor { label: Some("back") });
             encoder.copy_buffer_to_buffer(&buffers.states, 0, &back, 0, None);
             gpu.queue.submit([encoder.finish()]);
             back
@@ -214,7 +225,11 @@ struct Buffers {
 impl Buffers {
     fn new<R: Real>(gpu: &Gpu, plan: &Plan, cells: &[Cell<R>], states: &[State<R>]) -> Buffers {
         let filled = |label, contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.device.create_buffer_init(&BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
         };
         let empty = |label, usage| {
             let mapped_at_creation = false;

@@ -1,0 +1,22 @@
+//! `topple adapters`.
+
+use topple::sweep::gpu::adapter::{self, Description};
+
+/// Lists the adapters, the one that `--backend gpu` takes first.
+pub fn run() -> anyhow::Result<()> {
+    let adapters = adapter::all();
+    if adapters.is_empty() {
+        println!("no GPU adapter (Vulkan, Metal, DX12) was found; topple computes on the CPU");
+        return Ok(());
+    }
+    println!("{:<44} {:<10} {:<7} {:<8} driver", "adapter", "kind", "api", "numbers");
+    for adapter in &adapters {
+        let Description { name, kind, api, driver, f64 } = Description::of(adapter);
+        let numbers = if f64 { "f32 f64" } else { "f32" };
+        println!("{name:<44} {kind:<10} {api:<7} {numbers:<8} {driver}");
+    }
+    if adapters.iter().all(adapter::is_software) {
+        println!("\nonly software adapters: --backend auto computes on the CPU");
+    }
+    Ok(())
+}

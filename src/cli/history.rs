@@ -1,0 +1,89 @@
+//! `topple history`.
+
+use serde::Serialize;
+use topple::integrate::outcome::Outcome;
+use topple::map::figure::{document, history as figure};
+use topple::map::history::{self as table};
+use topple::scene::{Grid, Point, Scene};
+use topple::sweep::backend::{Choice, Precision};
+use topple::sweep::cells::Plan;
+use topple::sweep::history as motion;
+
+use super::InputError;
+use super::options::{RunOptions, SceneFlags, flag_error};
+use super::report;
+
+/// The motion of one cell: every parameter a single number.
+#[derive(clap::Args)]
+pub struct HistoryCommand {
+    #[command(flatten)]
+    scene: SceneFlags,
+    #[command(flatten, next_help_heading = "Run")]
+    options: RunOptions,
+}
+
+/// run.json of a history.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    version: &'static str,
+    scene: &'a Scene,
+    backend: &'static str,
+    precision: Precision,
+    largest_step: f64,
+    outcome: &'a Outcome,
+}
+
+impl HistoryCommand {
+    /// Runs the cell.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        let scene = self.scene.scene("Time history")?;
+        let grid = Grid::of(&scene);
+        for axis in [&grid.x, &grid.y] {
+            if axis.range.count > 1 {
+                let flag = axis.key.replace('_', "-");
+                let problem = format!("--{flag}: a history is of one cell; give a single number");
+                return Err(InputError(problem).into());
+            }
+        }
+        if options.backend == Choice::Gpu {
+            let problem = "--backend: the shader keeps no history; use cpu or reference";
+            return Err(InputError(problem.into()).into());
+        }
+        let plan = Plan::new(&scene, options.step).map_err(|e| flag_error(&e))?;
+        let out = report::open(options)?;
+        let point: Point = grid.point(0);
+        let (rows, outcome) = match (options.backend, options.precision) {
+            (Choice::Reference, _) => motion::by_reference(&scene, &point),
+            (_, Precision::F32) => motion::by_steps::<f32>(&plan, &point),
+            (_, Precision::F64) => motion::by_steps::<f64>(&plan, &point),
+        };
+        let svg = figure::draw(&scene, &point, &rows, &outcome)?;
+        let png = document::render(&svg, 2.0)?;
+        out.write("history.csv", |w| table::write(&rows, w))?;
+        report::write_figure(&out, "history", &svg, &png)?;
+        let backend = if options.backend == Choice::Reference { "reference" } else { "cpu" };
+        let manifest = Manifest {
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &scene,
+            backend,
+            precision: options.precision,
+            largest_step: options.step,
+            outcome: &outcome,
+        };
+        report::write_json(&out, &manifest)?;
+        if !options.quiet {
+            let name = outcome.class.name().replace('_', " ");
+            println!(
+                "outcome    {name} after {} impacts, t_end = {:.6} s",
+                outcome.impacts, outcome.t_end
+            );
+            if let Some(t) = outcome.t_uplift {
+                println!("uplift     {t:.6} s, zeta = {:.6}", outcome.zeta);
+            }
+            println!("picture    {}", out.file("history.png").display());
+            println!("data       {} with history.svg, run.json", out.file("history.csv").display());
+        }
+        Ok(())
+    }
+}

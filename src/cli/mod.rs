@@ -1,0 +1,70 @@
+//! The command line: one file a command.
+
+mod adapters;
+mod history;
+mod options;
+mod progress;
+mod pulse;
+mod report;
+mod scene;
+
+use clap::{Parser, Subcommand};
+
+/// Bad input, in one line: what is wrong, where, and what to do. Exit status 2.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct InputError(pub String);
+
+/// Overturning and rocking maps of rigid blocks on an isolated base.
+///
+/// Without a command, runs the default scene into ./topple-out.
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: options::RunOptions,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Map the outcomes of one-sine pulses over (omega, a_h)
+    Pulse(pulse::PulseCommand),
+    /// The motion of one cell: every parameter a single number
+    History(history::HistoryCommand),
+    /// Run a scene from a TOML file
+    Run(scene::RunCommand),
+    /// List the GPU adapters of this machine
+    Adapters,
+}
+
+/// Parses the command line and does what it says.
+pub fn run() -> anyhow::Result<()> {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => return Err(InputError(one_line(&error)).into()),
+        Err(help) => {
+            help.print()?;
+            return Ok(());
+        }
+    };
+    match arguments.command {
+        Some(Command::Pulse(command)) => command.run(),
+        Some(Command::History(command)) => command.run(),
+        Some(Command::Run(command)) => command.run(),
+        Some(Command::Adapters) => adapters::run(),
+        None => scene::run_default(&arguments.options),
+    }
+}
+
+/// A parser's message on one line, without its usage.
+fn one_line(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    let said = text.split("Usage:").next().unwrap_or_default();
+    let said = said.split("For more information").next().unwrap_or_default();
+    let words: Vec<&str> = said.split_whitespace().collect();
+    let line = words.join(" ");
+    let line = line.strip_prefix("error: ").unwrap_or(&line);
+    format!("{line}; see topple --help")
+}

@@ -1,0 +1,190 @@
+//! A map from scene to files, and what is said about it.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use sysinfo::{MemoryRefreshKind, RefreshKind, System};
+use topple::integrate::outcome::{Class, Outcome};
+use topple::map::figure::{document, overturning};
+use topple::map::files::{Directory, WriteError};
+use topple::map::manifest::{self, Manifest, Steps, Timings};
+use topple::map::{self, Map};
+use topple::scene::{Grid, Scene};
+use topple::sweep::backend::Backend;
+use topple::sweep::cells::Plan;
+use topple::sweep::verification::{self, Verification};
+
+use super::InputError;
+use super::options::{RunOptions, flag_error};
+use super::progress::Progress;
+
+/// Bytes that a cell takes at most while it is swept and written: its outcome, a column of the
+/// archive, and its row of the picture.
+const BYTES_A_CELL: usize = size_of::<Outcome>() + 32;
+
+/// Pixels of map.png for each of map.svg's units.
+const PNG_SCALE: f32 = 2.0;
+
+/// Runs a scene's map and writes its files.
+pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
+    let plan = Plan::new(scene, options.step).map_err(|e| flag_error(&e))?;
+    let grid = Grid::of(scene);
+    check_memory(&grid)?;
+    let out = open(options)?;
+    let began = Instant::now();
+    let backend = options.open_backend()?;
+    let opened = began.elapsed();
+    let say = |line: String| {
+        if !options.quiet {
+            println!("{line}");
+        }
+    };
+    let (columns, rows) = grid.shape();
+    let precision = format!("{:?}", options.precision).to_lowercase();
+    say(format!("scene      {}, {columns} x {rows} cells", scene.title));
+    say(format!("           {}", overturning::caption(scene)));
+    say(format!("backend    {}", describe(&backend, &precision)));
+    let progress = Progress::new(grid.len(), options.quiet);
+    let swept = backend.sweep(&plan, &grid, options.precision, &|cells| progress.advance(cells));
+    progress.finish();
+    let swept = swept?;
+    let seconds = swept.elapsed.as_secs_f64();
+    let rate = grid.len() as f64 / seconds.max(1.0e-9);
+    say(format!("sweep      {seconds:.2} s, {rate:.0} cells/s"));
+    let map = Map { scene, grid, outcomes: swept.outcomes };
+    say(format!("outcomes   {}", shares(&map)));
+    let judged = Instant::now();
+    let verification = verification::verify(scene, &grid, &map.outcomes, verification::SAMPLE);
+    let timings = Timings {
+        start: (opened + swept.compile).as_secs_f64(),
+        sweep: seconds,
+        verification: judged.elapsed().as_secs_f64(),
+    };
+    say(format!("reference  {}", agreement(&verification)));
+    let steps = steps(&plan, &grid);
+    let manifest = Manifest {
+        version: env!("CARGO_PKG_VERSION"),
+        scene,
+        cells: grid.len(),
+        backend: backend.name(),
+        adapter: backend.adapter(),
+        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        precision: options.precision,
+        steps,
+        timings,
+        cells_per_second: rate,
+        outcomes: manifest::outcomes(&map),
+        tensile_cells: map.tensile(),
+        verification: &verification,
+    };
+    let picture = write(&out, &map, &manifest)?;
+    say(format!("picture    {}", picture.display()));
+    say(format!("data       {} with map.npz, map.svg, run.json", out.file("map.csv").display()));
+    Ok(())
+}
+
+/// Opens the directory for the results.
+pub fn open(options: &RunOptions) -> Result<Directory, InputError> {
+    Directory::open(&options.out).map_err(|error| InputError(format!("--out: {error}")))
+}
+
+fn check_memory(grid: &Grid) -> Result<(), InputError> {
+    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
+    let available =
+        System::new_with_specifics(memory).map_or(0, |system| system.available_memory());
+    let needed = grid.len() as u64 * BYTES_A_CELL as u64;
+    // A machine that does not tell has the benefit of the doubt.
+    if available == 0 || needed <= available {
+        return Ok(());
+    }
+    let (columns, rows) = grid.shape();
+    let giga = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+    Err(InputError(format!(
+        "--{}, --{}: {columns} x {rows} cells take {:.1} GiB and {:.1} GiB are free; give fewer points",
+        grid.x.key.replace('_', "-"),
+        grid.y.key.replace('_', "-"),
+        giga(needed),
+        giga(available)
+    )))
+}
+
+fn describe(backend: &Backend, precision: &str) -> String {
+    match backend {
+        Backend::Gpu(gpu) => {
+            let adapter = &gpu.description;
+            format!("gpu, {precision}, {} ({}, {})", adapter.name, adapter.kind, adapter.api)
+        }
+        Backend::Cpu => {
+            let threads = std::thread::available_parallelism().map_or(1, usize::from);
+            format!("cpu, {precision}, {threads} threads")
+        }
+        Backend::Reference => "reference, f64, adaptive".into(),
+    }
+}
+
+fn shares(map: &Map) -> String {
+    let total = map.outcomes.len() as f64;
+    let mut parts = Vec::new();
+    for class in [
+        Class::FullContact,
+        Class::Rocking,
+        Class::OverturnedLeft,
+        Class::OverturnedRight,
+        Class::Unresolved,
+    ] {
+        let count = map.count(class);
+        if count > 0 {
+            let percent = 100.0 * count as f64 / total;
+            parts.push(format!("{} {percent:.1} %", class.name().replace('_', " ")));
+        }
+    }
+    let tensile = map.tensile();
+    if tensile > 0 {
+        let percent = 100.0 * tensile as f64 / total;
+        parts.push(format!("contact force tensile in {percent:.1} %"));
+    }
+    parts.join(", ")
+}
+
+fn agreement(v: &Verification) -> String {
+    format!(
+        "{} cells again, {} beside a boundary: {} differ in outcome, {} in impacts; \
+         t_end within {:.0e} s, zeta within {:.0e}",
+        v.sampled, v.beside_boundary, v.differ, v.impacts_differ, v.worst_t_end, v.worst_zeta
+    )
+}
+
+fn steps(plan: &Plan, grid: &Grid) -> Steps {
+    let mut steps = Steps { largest: plan.largest_step, shortest: f64::INFINITY, most: 0 };
+    for index in 0..grid.len() {
+        let clock = plan.clock(&grid.point(index));
+        let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };
+        steps.shortest = steps.shortest.min(step);
+        steps.most = steps.most.max(clock.steps);
+    }
+    steps
+}
+
+fn write(out: &Directory, map: &Map, manifest: &Manifest) -> anyhow::Result<PathBuf> {
+    let svg = overturning::draw(map)?;
+    let png = document::render(&svg, PNG_SCALE)?;
+    out.write("map.csv", |w| map::csv::write(map, w))?;
+    out.write("map.npz", |w| map::npz::write(map, w))?;
+    write_figure(out, "map", &svg, &png)?;
+    write_json(out, manifest)?;
+    Ok(out.file("map.png"))
+}
+
+/// Writes a picture as NAME.svg and NAME.png.
+pub fn write_figure(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
+    use std::io::Write;
+    out.write(&format!("{name}.svg"), |w| w.write_all(svg.as_bytes()))?;
+    out.write(&format!("{name}.png"), |w| w.write_all(png))?;
+    Ok(())
+}
+
+/// Writes run.json.
+pub fn write_json(out: &Directory, manifest: &impl serde::Serialize) -> Result<(), WriteError> {
+    out.write("run.json", |w| serde_json::to_writer_pretty(w, manifest))?;
+    Ok(())
+}

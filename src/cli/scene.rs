@@ -1,0 +1,52 @@
+//! `topple run SCENE.toml`, and `topple` alone.
+
+use std::path::PathBuf;
+
+use anyhow::Context;
+use topple::scene::text::SceneText;
+
+use super::InputError;
+use super::options::RunOptions;
+use super::report;
+
+const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
+
+/// Largest scene file that is read, bytes.
+const LARGEST: u64 = 1 << 20;
+
+/// Run a scene from a TOML file.
+#[derive(clap::Args)]
+pub struct RunCommand {
+    /// The scene
+    #[arg(value_name = "SCENE.toml")]
+    scene: PathBuf,
+    #[command(flatten)]
+    options: RunOptions,
+}
+
+impl RunCommand {
+    /// Runs the scene.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let path = self.scene.display();
+        let refused = |reason: String| InputError(format!("{path}: {reason}"));
+        let size = std::fs::metadata(&self.scene)
+            .map_err(|e| refused(format!("{e}; give a scene that can be read")))?
+            .len();
+        if size > LARGEST {
+            return Err(refused("larger than 1 MiB; this is no scene".into()).into());
+        }
+        let text = std::fs::read_to_string(&self.scene)
+            .map_err(|e| refused(format!("{e}; give a scene that can be read")))?;
+        let scene = SceneText::from_toml(&text).map_err(refused)?;
+        let scene = scene.check().map_err(|e| refused(e.to_string()))?;
+        report::run_map(&scene, &self.options)
+    }
+}
+
+/// Runs the default scene.
+pub fn run_default(options: &RunOptions) -> anyhow::Result<()> {
+    // The scene is part of the binary; a test reads it.
+    let text = SceneText::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
+    let scene = text.check().context("the default scene")?;
+    report::run_map(&scene, options)
+}

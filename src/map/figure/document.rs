@@ -1,0 +1,81 @@
+//! The SVG document: pictures of cells below, a drawn frame above; and its PNG.
+
+use std::sync::{Arc, LazyLock};
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb};
+
+use super::FigureError;
+use super::raster::data_url;
+
+/// A rectangle of the document, px.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Left edge.
+    pub x: i32,
+    /// Upper edge.
+    pub y: i32,
+    /// Width.
+    pub width: i32,
+    /// Height.
+    pub height: i32,
+}
+
+/// Puts an SVG together: white paper, images at their places, and `drawing`, an SVG of the same
+/// size, on top.
+pub fn compose(size: (u32, u32), images: &[(Place, Vec<u8>)], drawing: &str) -> String {
+    let (width, height) = size;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+    );
+    for (place, png) in images {
+        let Place { x, y, width, height } = place;
+        svg.push_str(&format!(
+            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
+             preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{}\"/>\n",
+            data_url(png)
+        ));
+    }
+    svg.push_str(&with_subscripts(drawing));
+    svg.push_str("</svg>\n");
+    svg
+}
+
+/// Symbols with an index, set as such: `A_h` becomes A with a lowered h.
+fn with_subscripts(drawing: &str) -> String {
+    let mut text = drawing.to_string();
+    for symbol in ["A_h", "A_v", "T_h", "T_v"] {
+        let (letter, index) = symbol.split_at(1);
+        let set = format!(
+            "{letter}<tspan baseline-shift=\"sub\" font-size=\"75%\">{}</tspan>",
+            &index[1..]
+        );
+        text = text.replace(symbol, &set);
+    }
+    text
+}
+
+/// The fonts of the PNG: one that travels with topple, so that a picture is the same everywhere.
+static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
+    let mut fonts = fontdb::Database::new();
+    fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+    fonts.set_sans_serif_family("Ubuntu");
+    Arc::new(fonts)
+});
+
+/// Renders an SVG at `scale` pixels a unit.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn render(svg: &str, scale: f32) -> Result<Vec<u8>, FigureError> {
+    let failed = |e: String| FigureError::Encode(e);
+    let options = Options { fontdb: Arc::clone(&FONTS), ..Options::default() };
+    let tree = Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
+    let size = tree.size();
+    let pixels = |length: f32| (length * scale).ceil() as u32;
+    let mut pixmap = Pixmap::new(pixels(size.width()), pixels(size.height()))
+        .ok_or_else(|| failed("no memory for the picture".into()))?;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
+    pixmap.encode_png().map_err(|e| failed(e.to_string()))
+}

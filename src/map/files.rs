@@ -1,0 +1,87 @@
+//! The directory that a run leaves its files in.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+/// Why a file was not written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The directory cannot be made or written to.
+    #[error("{path}: {reason}; give a directory that can be written")]
+    Directory {
+        /// The directory.
+        path: PathBuf,
+        /// What the system says.
+        reason: io::Error,
+    },
+    /// A file failed while it was written.
+    #[error("{path}: {reason}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What went wrong.
+        reason: String,
+    },
+}
+
+/// A directory in which files appear whole or not at all.
+#[derive(Debug)]
+pub struct Directory {
+    path: PathBuf,
+}
+
+impl Directory {
+    /// Makes the directory if need be, and tries it out.
+    ///
+    /// # Errors
+    /// [`WriteError::Directory`].
+    pub fn open(path: &Path) -> Result<Directory, WriteError> {
+        let refused = |reason| WriteError::Directory { path: path.to_path_buf(), reason };
+        fs::create_dir_all(path).map_err(refused)?;
+        tempfile::tempfile_in(path).map_err(refused)?;
+        Ok(Directory { path: path.to_path_buf() })
+    }
+
+    /// Path of a file in the directory.
+    pub fn file(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+
+    /// Writes a file under a temporary name and renames it once it is whole and on disk.
+    ///
+    /// # Errors
+    /// [`WriteError::File`], with nothing left behind.
+    pub fn write<E: std::fmt::Display>(
+        &self,
+        name: &str,
+        contents: impl FnOnce(&mut BufWriter<&mut fs::File>) -> Result<(), E>,
+    ) -> Result<PathBuf, WriteError> {
+        let path = self.file(name);
+        let failed = |reason: String| WriteError::File { path: path.clone(), reason };
+        let mut file = NamedTempFile::with_prefix_in(format!(".{name}."), &self.path)
+            .map_err(|e| failed(e.to_string()))?;
+        let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
+        contents(&mut writer).map_err(|e| failed(e.to_string()))?;
+        writer.flush().map_err(|e| failed(e.to_string()))?;
+        drop(writer);
+        file.as_file().sync_all().map_err(|e| failed(e.to_string()))?;
+        share(file.path()).map_err(|e| failed(e.to_string()))?;
+        file.persist(&path).map_err(|e| failed(e.to_string()))?;
+        Ok(path)
+    }
+}
+
+/// Gives a temporary file, which is private, the rights of an ordinary one.
+#[cfg(unix)]
+fn share(path: &Path) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(path, fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn share(_: &Path) -> io::Result<()> {
+    Ok(())
+}

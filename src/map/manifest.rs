@@ -1,0 +1,79 @@
+//! run.json: what was run, on what, and how well it agrees with the reference.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::Map;
+use crate::integrate::outcome::Class;
+use crate::scene::Scene;
+use crate::sweep::backend::Precision;
+use crate::sweep::gpu::adapter::Description;
+use crate::sweep::verification::Verification;
+
+/// Everything about a run that its data do not hold.
+#[derive(Debug, Serialize)]
+pub struct Manifest<'a> {
+    /// Version of topple.
+    pub version: &'static str,
+    /// The scene as run, defaults filled in.
+    pub scene: &'a Scene,
+    /// Number of cells.
+    pub cells: usize,
+    /// gpu, cpu or reference.
+    pub backend: &'static str,
+    /// The adapter, for a GPU.
+    pub adapter: Option<&'a Description>,
+    /// Threads of the CPU.
+    pub threads: usize,
+    /// Number type of the sweep.
+    pub precision: Precision,
+    /// Steps of the sweep.
+    pub steps: Steps,
+    /// Seconds of each part of the run.
+    pub timings: Timings,
+    /// Cells a second of the sweep.
+    pub cells_per_second: f64,
+    /// Cells of each outcome.
+    pub outcomes: BTreeMap<&'static str, usize>,
+    /// Cells in which the contact force turned tensile, where the model does not hold.
+    pub tensile_cells: usize,
+    /// The sample that the reference ran again.
+    pub verification: &'a Verification,
+}
+
+/// Steps of a sweep, s.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Steps {
+    /// Largest step allowed.
+    pub largest: f64,
+    /// Shortest free step of any cell.
+    pub shortest: f64,
+    /// Most steps of any cell.
+    pub most: u32,
+}
+
+/// Seconds of each part of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Timings {
+    /// Opening the backend and compiling the shader.
+    pub start: f64,
+    /// The sweep.
+    pub sweep: f64,
+    /// The reference's sample.
+    pub verification: f64,
+}
+
+/// Cells of each class, by name.
+pub fn outcomes(map: &Map) -> BTreeMap<&'static str, usize> {
+    [
+        Class::FullContact,
+        Class::Rocking,
+        Class::OverturnedLeft,
+        Class::OverturnedRight,
+        Class::Unresolved,
+    ]
+    .into_iter()
+    .map(|class| (class.name(), map.count(class)))
+    .collect()
+}

@@ -1,0 +1,33 @@
+//! Outcomes over a grid, and the files that hold them.
+
+pub mod csv;
+pub mod figure;
+pub mod files;
+pub mod history;
+pub mod manifest;
+pub mod npz;
+
+use crate::integrate::outcome::{Class, Outcome};
+use crate::scene::{Grid, Scene};
+
+/// A finished sweep.
+pub struct Map<'a> {
+    /// What was simulated.
+    pub scene: &'a Scene,
+    /// Its cells.
+    pub grid: Grid,
+    /// One outcome a cell, in the grid's order.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Map<'_> {
+    /// Number of cells of a class.
+    pub fn count(&self, class: Class) -> usize {
+        self.outcomes.iter().filter(|outcome| outcome.class == class).count()
+    }
+
+    /// Number of cells in which the contact force turned tensile, where the model does not hold.
+    pub fn tensile(&self) -> usize {
+        self.outcomes.iter().filter(|outcome| outcome.min_contact < 0.0).count()
+    }
+}

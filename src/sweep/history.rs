@@ -1,0 +1,101 @@
+//! The motion of one cell, step by step.
+
+use crate::integrate::outcome::Outcome;
+use crate::integrate::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
+use crate::integrate::reference::{self, Settings};
+use crate::integrate::state::{RUNNING, State};
+use crate::integrate::switching::{Log, advance};
+use crate::model::Setting;
+use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
+use crate::model::real::Real;
+use crate::scene::{Point, Scene};
+
+use super::cells::{Clock, Plan};
+
+/// An instant of a motion. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// Time, s.
+    pub t: f64,
+    /// full_contact, rocking_left or rocking_right, from this instant on.
+    pub mode: &'static str,
+    /// u, m.
+    pub u: f64,
+    /// du/dt, m/s.
+    pub du: f64,
+    /// v, m.
+    pub v: f64,
+    /// dv/dt, m/s.
+    pub dv: f64,
+    /// z.
+    pub z: f64,
+    /// phi, rad.
+    pub phi: f64,
+    /// dphi/dt, rad/s.
+    pub dphi: f64,
+}
+
+/// Rows at the switches of a cell.
+struct Switches<'a> {
+    clock: &'a Clock,
+    rows: &'a mut Vec<Row>,
+}
+
+impl<R: Real> Log<R> for Switches<'_> {
+    fn switched(&mut self, _: u32, fraction: R, state: &State<R>) {
+        let t = self.clock.time(state.step, fraction.to_f64());
+        self.rows.push(row(t, state));
+    }
+}
+
+fn row<R: Real>(t: f64, state: &State<R>) -> Row {
+    let mode = match state.mode {
+        ROCKING_LEFT => "rocking_left",
+        ROCKING_RIGHT => "rocking_right",
+        _ => "full_contact",
+    };
+    let [u, du, v, dv, z, phi, dphi] = state.motion.coordinates().map(R::to_f64);
+    Row { t, mode, u, du, v, dv, z, phi, dphi }
+}
+
+/// The motion by fixed steps: a row a step, and one a switch.
+pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
+    let model = plan.model::<R>();
+    let clock = plan.clock(point);
+    let (cell, mut state) = plan.cell::<R>(point);
+    let set = Setting { variant: plan.variant(), model: &model, cell: &cell };
+    let mut rows = vec![row(0.0, &state)];
+    while state.status == RUNNING {
+        let before = state.step;
+        advance(&set, &mut state, &mut Switches { clock: &clock, rows: &mut rows });
+        if state.step > before {
+            rows.push(row(clock.time(state.step, 0.0), &state));
+        }
+    }
+    (rows, plan.outcome(point, &state))
+}
+
+/// The motion by the reference: a row a step of its own choice, and one a switch.
+pub fn by_reference(scene: &Scene, point: &Point) -> (Vec<Row>, Outcome) {
+    let mut rows = Vec::new();
+    let name = |phase: Phase| match phase {
+        None => "full_contact",
+        Some(Pole::Left) => "rocking_left",
+        Some(Pole::Right) => "rocking_right",
+    };
+    let outcome = reference::observe(scene, point, &Settings::default(), &mut |instant| {
+        let y = instant.y;
+        rows.push(Row {
+            t: instant.t,
+            mode: name(instant.phase),
+            u: y[U],
+            du: y[DU],
+            v: y[V],
+            dv: y[DV],
+            z: y[Z],
+            phi: y[PHI],
+            dphi: y[DPHI],
+        });
+    });
+    (rows, outcome)
+}

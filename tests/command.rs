@@ -1,0 +1,320 @@
+//! The command from outside: files, columns, exit status, and one line for every bad input.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use proptest::prelude::*;
+use tempfile::TempDir;
+
+fn topple() -> Command {
+    Command::cargo_bin("topple").unwrap()
+}
+
+const PULSE: [&str; 11] = [
+    "pulse",
+    "--object",
+    "1",
+    "--eccentricity",
+    "0.2",
+    "--t-h",
+    "1.75",
+    "--t-v",
+    "0.75",
+    "--t-max",
+    "5",
+];
+
+/// A small map in a fresh directory.
+fn small_map(extra: &[&str]) -> (TempDir, String) {
+    let out = TempDir::new().unwrap();
+    let run = topple()
+        .args(PULSE)
+        .args(["--omega", "3:12:7", "--a-h", "1:12:9"])
+        .args(extra)
+        .args(if extra.contains(&"--backend") { &[] } else { &["--backend", "cpu"][..] })
+        .arg("--out")
+        .arg(out.path())
+        .assert()
+        .success();
+    let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    (out, said)
+}
+
+fn names(directory: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(directory)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_map_leaves_the_files_of_the_contract() {
+    let (out, said) = small_map(&[]);
+    assert_eq!(names(out.path()), ["map.csv", "map.npz", "map.png", "map.svg", "run.json"]);
+    assert!(said.contains("map.png"), "{said}");
+
+    let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
+    let header: Vec<&str> = table.headers().unwrap().iter().collect();
+    assert_eq!(
+        header.join(","),
+        "omega,a_h,outcome,impacts,uplifts,t_end,t_uplift,zeta,max_phi_left,max_phi_right,max_u,\
+         max_v,min_contact,friction,status"
+    );
+    let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 63);
+    // x fastest, both ends included.
+    assert_eq!((&rows[0][0], &rows[0][1]), ("3", "1"));
+    assert_eq!((&rows[6][0], &rows[6][1]), ("12", "1"));
+    assert_eq!((&rows[62][0], &rows[62][1]), ("12", "12"));
+    for row in &rows {
+        let outcome = &row[2];
+        assert!(
+            ["full_contact", "rocking", "overturned_left", "overturned_right"].contains(&outcome)
+        );
+        assert_eq!(&row[14], "ok");
+        assert_eq!(outcome == "full_contact", row[6].is_empty(), "{row:?}");
+        if outcome.starts_with("overturned") {
+            assert_eq!(&row[7], "1");
+        }
+    }
+
+    let json: serde_json::Value =
+        serde_json::from_slice(&fs::read(out.path().join("run.json")).unwrap()).unwrap();
+    assert_eq!(json["cells"], 63);
+    assert_eq!(json["backend"], "cpu");
+    assert_eq!(json["verification"]["sampled"], 63);
+    assert_eq!(json["verification"]["differ"], 0);
+    assert!(json["cells_per_second"].as_f64().unwrap() > 0.0);
+
+    let png = fs::read(out.path().join("map.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn the_archive_holds_the_table_as_arrays() {
+    let (out, _) = small_map(&[]);
+    let file = fs::File::open(out.path().join("map.npz")).unwrap();
+    let mut archive = ndarray_npy::NpzReader::new(file).unwrap();
+    let omega: ndarray::Array1<f64> = archive.by_name("omega").unwrap();
+    let a_h: ndarray::Array1<f64> = archive.by_name("a_h").unwrap();
+    let zeta: ndarray::Array2<f64> = archive.by_name("zeta").unwrap();
+    let outcome: ndarray::Array2<u8> = archive.by_name("outcome").unwrap();
+    assert_eq!((omega.len(), a_h.len()), (7, 9));
+    assert_eq!(zeta.dim(), (9, 7));
+    let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
+    for (index, row) in table.records().map(Result::unwrap).enumerate() {
+        let at = (index / 7, index % 7);
+        // The table prints f32 results in f32's digits.
+        assert_eq!(row[7].parse::<f32>().unwrap(), zeta[at] as f32);
+        assert_eq!(outcome[at] >= 2, row[2].starts_with("overturned"));
+    }
+}
+
+#[test]
+fn quiet_says_nothing() {
+    let (_, said) = small_map(&["--quiet"]);
+    assert_eq!(said, "");
+}
+
+#[test]
+fn backends_and_precisions_agree_on_a_small_map() {
+    let outcomes = |extra: &[&str]| -> Vec<String> {
+        let (out, _) = small_map(extra);
+        let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
+        table.records().map(|row| row.unwrap()[2].to_string()).collect()
+    };
+    let reference = outcomes(&["--backend", "reference"]);
+    assert_eq!(outcomes(&["--precision", "f32"]), reference);
+    assert_eq!(outcomes(&["--precision", "f64"]), reference);
+}
+
+#[test]
+fn a_scene_file_runs_like_its_flags() {
+    let directory = TempDir::new().unwrap();
+    let path = directory.path().join("scene.toml");
+    fs::write(
+        &path,
+        "title = \"A small map\"\n[block]\nobject = 1\neccentricity = 0.2\n\
+         [base]\nt_h = 1.75\nt_v = 0.75\n[pulse]\nomega = \"3:12:7\"\na_h = \"1:12:9\"\n\
+         [run]\nt_max = 5\n",
+    )
+    .unwrap();
+    let out = directory.path().join("out");
+    topple().arg("run").arg(&path).args(["--backend", "cpu", "--out"]).arg(&out).assert().success();
+    let (flags, _) = small_map(&[]);
+    let table = |at: &Path| fs::read(at.join("map.csv")).unwrap();
+    assert_eq!(table(&out), table(flags.path()));
+}
+
+#[test]
+fn a_history_leaves_the_motion_of_its_cell() {
+    let out = TempDir::new().unwrap();
+    let run = |backend: &str| {
+        topple()
+            .args(["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "5"])
+            .args(["--a-h", "3.5", "--backend", backend, "--out"])
+            .arg(out.path())
+            .assert()
+            .success();
+        let mut table = csv::Reader::from_path(out.path().join("history.csv")).unwrap();
+        let header: Vec<String> = table.headers().unwrap().iter().map(String::from).collect();
+        assert_eq!(header, ["t", "mode", "u", "u̇", "v", "v̇", "z", "φ", "φ̇"]);
+        let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+        rows
+    };
+    for backend in ["cpu", "reference"] {
+        let rows = run(backend);
+        assert_eq!(&rows[0][1], "full_contact");
+        let last = rows.last().unwrap();
+        let number = |column: usize| last[column].parse::<f64>().unwrap();
+        assert_eq!(&last[1], "rocking_right");
+        assert!((number(0) - 2.6255).abs() < 1e-3, "{backend}: {last:?}");
+        assert!((number(7) + f64::atan2(0.175, 0.95)).abs() < 1e-6, "{backend}: {last:?}");
+    }
+    let expected = ["history.csv", "history.png", "history.svg", "run.json"];
+    assert_eq!(names(out.path()), expected);
+}
+
+#[test]
+fn adapters_are_listed_or_their_absence_told() {
+    let run = topple().arg("adapters").assert().success();
+    let said = String::from_utf8_lossy(&run.get_output().stdout).to_string();
+    assert!(said.contains("adapter"), "{said}");
+}
+
+/// Runs with arguments that are wrong: exit status 2, one line, nothing in the directory.
+fn refused(arguments: &[&str], said: &[&str]) {
+    let out = TempDir::new().unwrap();
+    let run = topple().args(arguments).arg("--out").arg(out.path().join("made")).assert().code(2);
+    let output = run.get_output();
+    let error = String::from_utf8(output.stderr.clone()).unwrap();
+    let lines: Vec<&str> = error.lines().filter(|l| !l.starts_with("error: XDG_")).collect();
+    assert_eq!(lines.len(), 1, "{arguments:?}: {error}");
+    for part in said {
+        assert!(lines[0].contains(part), "{arguments:?} should name {part}: {error}");
+    }
+    assert!(output.stdout.is_empty());
+    let made = out.path().join("made");
+    assert!(!made.exists() || names(&made).is_empty(), "{arguments:?} left files");
+}
+
+#[test]
+fn bad_input_is_refused_in_one_line() {
+    let base = |extra: &[&'static str]| [&PULSE[..], extra].concat();
+    let grid = ["--omega", "3:12:7", "--a-h", "1:12:9"];
+    let with = |extra: &[&'static str]| base(&[&grid[..], extra].concat());
+    refused(&base(&["--omega", "1:2:0", "--a-h", "3"]), &["--omega", "points"]);
+    refused(&base(&["--omega", "2:2:5", "--a-h", "3"]), &["--omega", "same"]);
+    refused(&base(&["--omega", "nan", "--a-h", "3"]), &["--omega", "finite"]);
+    refused(&base(&["--omega", "0:5:6", "--a-h", "3"]), &["--omega", "positive"]);
+    refused(&base(&["--omega", "5"]), &["--a-h", "missing"]);
+    refused(&base(&["--omega", "1:9:1000000", "--a-h", "1:9:1000000"]), &["--omega", "GiB"]);
+    refused(&with(&["--eccentricity", "1"]), &["--eccentricity", "cannot be used multiple"]);
+    refused(&with(&["--overturn", "never"]), &["--overturn", "critical-angle"]);
+    refused(&with(&["--step", "0"]), &["--step", "positive"]);
+    refused(&with(&["--step", "-1"]), &["--step", "positive"]);
+    refused(&with(&["--step", "1e-12"]), &["--t-max", "steps"]);
+    refused(&with(&["--restitution", "0.9"]), &["--restitution", "isolation none"]);
+    refused(&with(&["--psi", "1.5"]), &["--psi", "between 0 and 1"]);
+    refused(&with(&["--bouc-wen-n", "0"]), &["--bouc-wen-n"]);
+    refused(&with(&["--half-width", "0.2"]), &["--half-width", "object"]);
+    refused(&with(&["--isolation", "none"]), &["--t-h", "locked"]);
+    refused(&with(&["--colour"]), &["--colour"]);
+    refused(&["topple"], &["topple"]);
+    let block = ["pulse", "--t-h", "1.75", "--t-v", "0.75", "--omega", "5", "--a-h", "3"];
+    let other = |extra: &[&'static str]| [&block[..], extra].concat();
+    refused(&other(&[]), &["--object"]);
+    refused(&other(&["--object", "4"]), &["--object", "1, 2 or 3"]);
+    for e in ["1", "-1", "1.5", "NaN"] {
+        refused(&other(&["--object", "1", "--eccentricity", e]), &["--eccentricity", "base"]);
+    }
+    refused(&other(&["--half-width", "0.2", "--height", "0"]), &["--height", "positive"]);
+    refused(&other(&["--half-width", "0.2", "--height", "1", "--plate-h", "5"]), &["--mass"]);
+    let periods = |t_h: &'static str, t_v: &'static str| {
+        ["pulse", "--object", "1", "--omega", "5", "--a-h", "3", "--t-h", t_h, "--t-v", t_v]
+    };
+    refused(&periods("0", "1"), &["--t-h", "positive"]);
+    refused(&periods("1", "-0.5"), &["--t-v", "positive"]);
+    refused(&periods("1", "1e-9"), &["--t-v", "stiff"]);
+    refused(&periods("1:2:5", "1"), &["--t-h", "single"]);
+    let history = ["history", "--object", "1", "--t-h", "1", "--t-v", "1", "--omega", "1:2:3"];
+    refused(&[&history[..], &["--a-h", "3"]].concat(), &["--omega", "single"]);
+}
+
+#[test]
+fn a_bad_scene_file_is_refused_with_its_line() {
+    let directory = TempDir::new().unwrap();
+    let path = directory.path().join("scene.toml");
+    let good = "[block]\nobject = 1\n[base]\nt_h = 1.75\nt_v = 0.75\n[pulse]\nomega = 5\na_h = 3\n";
+    for (text, said) in [
+        ("[block]\nobject = 1\nweight = 3\n", "line 3"),
+        ("[block]\nobject = 1\n[bases]\n", "bases"),
+        ("[block\n", "line 1"),
+        ("[pulse]\nomega = \"1:2:0\"\n", "line 2"),
+        ("[pulse]\nomega = nan\n", "finite"),
+        ("[block]\nobject = 1\n", "t_h"),
+    ] {
+        fs::write(&path, text).unwrap();
+        refused(&["run", path.to_str().unwrap()], &["scene.toml", said]);
+    }
+    refused(&["run", directory.path().join("none.toml").to_str().unwrap()], &["none.toml"]);
+    fs::write(&path, good).unwrap();
+    let out = directory.path().join("out");
+    topple().arg("run").arg(&path).args(["--backend", "cpu", "--out"]).arg(&out).assert().success();
+}
+
+#[test]
+fn a_directory_that_cannot_be_made_is_refused() {
+    let directory = TempDir::new().unwrap();
+    let file = directory.path().join("file");
+    fs::write(&file, "").unwrap();
+    let run = topple()
+        .args(PULSE)
+        .args(["--omega", "5", "--a-h", "3", "--out"])
+        .arg(file.join("below"))
+        .assert()
+        .code(2);
+    let error = String::from_utf8_lossy(&run.get_output().stderr).to_string();
+    assert!(error.contains("--out"), "{error}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Any text is a scene or an error, never a panic.
+    #[test]
+    fn any_scene_text_is_read_or_refused(text in "(?s).{0,200}") {
+        if let Ok(scene) = topple::scene::text::SceneText::from_toml(&text) {
+            let _ = scene.check();
+        }
+    }
+
+    /// Any numbers in a scene make a scene or an error, and a scene can be planned or is refused.
+    #[test]
+    fn any_numbers_are_checked(
+        numbers in prop::collection::vec(prop_oneof![
+            any::<f64>(), -2.0..2.0_f64, 0.0..40.0_f64, Just(0.0), Just(1.0)
+        ], 9),
+        count in 0..50_u32,
+    ) {
+        let n = |i: usize| match numbers[i] {
+            x if x.is_nan() => "nan".to_string(),
+            x if x.is_infinite() => "inf".to_string(),
+            x => format!("{x:?}"),
+        };
+        let text = format!(
+            "[block]\nhalf_width = {}\nheight = {}\neccentricity = {}\n[base]\nt_h = {}\nt_v = {}\n\
+             [pulse]\nomega = \"{}:{}:{count}\"\na_h = {}\n[run]\nt_max = {}\n",
+            n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7), n(8)
+        );
+        let scene = topple::scene::text::SceneText::from_toml(&text);
+        if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
+            let _ = topple::sweep::cells::Plan::new(&scene, 0.004);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What the tests share.
+
+#![allow(dead_code, clippy::unwrap_used)] // each test binary uses a part of it
+
+use std::io::Write;
+
+use topple::integrate::outcome::Outcome;
+use topple::integrate::reference::{self, Settings};
+use topple::scene::text::SceneText;
+use topple::scene::{Grid, Scene};
+use topple::sweep::backend::Precision;
+use topple::sweep::gpu::adapter;
+use topple::sweep::gpu::device::Gpu;
+
+/// The scene of a TOML text.
+pub fn scene(text: &str) -> Scene {
+    SceneText::from_toml(text).unwrap().check().unwrap()
+}
+
+/// A pulse scene of a block of Table 1 on dual isolation.
+pub fn object(
+    number: u32,
+    eccentricity: f64,
+    (t_h, t_v): (f64, f64),
+    a_v: f64,
+    omega: &str,
+    a_h: &str,
+) -> Scene {
+    scene(&format!(
+        "[block]\nobject = {number}\neccentricity = {eccentricity}\n\
+         [base]\nt_h = {t_h}\nt_v = {t_v}\n\
+         [pulse]\nomega = \"{omega}\"\na_h = \"{a_h}\"\na_v = {a_v}\n"
+    ))
+}
+
+/// The reference's outcome of a scene of one cell.
+pub fn judge(scene: &Scene) -> Outcome {
+    reference::run(scene, &Grid::of(scene).point(0), &Settings::default())
+}
+
+/// Says something past the test harness, which keeps quiet what passing tests print.
+pub fn say(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// The adapter to test the shader on. Without one the test is skipped, and says so; where
+/// TOPPLE_REQUIRE_ADAPTER is set, that is a failure.
+pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
+    match adapter::choose(precision).and_then(|adapter| Gpu::open(&adapter)) {
+        Ok(gpu) => {
+            let d = &gpu.description;
+            say(&format!("{test} ({precision:?}): adapter {} ({}, {})", d.name, d.kind, d.api));
+            Some(gpu)
+        }
+        Err(error) => {
+            let required = std::env::var_os("TOPPLE_REQUIRE_ADAPTER").is_some();
+            assert!(!required, "{test}: an adapter is required, but: {error}");
+            say(&format!("{test} ({precision:?}): SKIPPED, {error}"));
+            None
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! The shader's text: it parses, it holds no function that a driver may get wrong, and its
+//! structs are laid out as the host's.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{Module, TypeInner};
+use topple::integrate::state::State;
+use topple::model::block::{Corner, Model};
+use topple::model::dynamics::Motion;
+use topple::model::excitation::Cell;
+use topple::sweep::backend::Precision;
+use topple::sweep::gpu::shader;
+
+fn parse(precision: Precision) -> Module {
+    let source = shader::source(precision);
+    naga::front::wgsl::parse_str(&source)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)))
+}
+
+#[test]
+fn both_precisions_validate() {
+    for precision in [Precision::F32, Precision::F64] {
+        let module = parse(precision);
+        Validator::new(ValidationFlags::all(), Capabilities::FLOAT64).validate(&module).unwrap();
+        assert_eq!(module.entry_points.len(), 1);
+    }
+}
+
+#[test]
+fn no_built_in_that_has_no_f64_form_is_called() {
+    let banned = [
+        "sin(",
+        "cos(",
+        "tan(",
+        "asin(",
+        "acos(",
+        "atan(",
+        "atan2(",
+        "exp(",
+        "exp2(",
+        "log(",
+        "log2(",
+        "pow(",
+        "sinh(",
+        "cosh(",
+        "tanh(",
+        "fma(",
+        "inverseSqrt(",
+        "smoothstep(",
+    ];
+    for (name, text) in shader::files(Precision::F64) {
+        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            for function in banned {
+                let called = line.match_indices(function).any(|(at, _)| {
+                    let before = line[..at].chars().next_back();
+                    !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+                });
+                assert!(!called, "{name} calls {function}): {line}");
+            }
+        }
+    }
+}
+
+/// Offsets of a struct's members in a shader, and its size.
+fn layout(module: &Module, name: &str) -> (Vec<(String, u32)>, u32) {
+    let found = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name));
+    match &found.unwrap_or_else(|| panic!("no struct {name}")).1.inner {
+        TypeInner::Struct { members, span } => {
+            let members = members.iter().map(|m| (m.name.clone().unwrap(), m.offset)).collect();
+            (members, *span)
+        }
+        _ => panic!("{name} is no struct"),
+    }
+}
+
+macro_rules! same_layout {
+    ($precision:expr, $real:ty, $name:ident { $($field:ident),* $(,)? }) => {
+        let (members, size) = layout(&parse($precision), stringify!($name));
+        let host: Vec<(String, u32)> = vec![
+            $((stringify!($field).to_string(), std::mem::offset_of!($name<$real>, $field) as u32)),*
+        ];
+        assert_eq!(members, host, "{} in {}", stringify!($name), stringify!($real));
+        assert_eq!(size as usize, size_of::<$name<$real>>(), "{}", stringify!($name));
+    };
+}
+
+macro_rules! same_layouts {
+    ($precision:expr, $real:ty) => {
+        same_layout!(
+            $precision,
+            $real,
+            Corner { side, arm, inertia, overturn, eta_phi, eta_u, eta_v }
+        );
+        same_layout!($precision, $real, Model { left, right, height, mu_h, mu_v, gravity });
+        same_layout!(
+            $precision,
+            $real,
+            Cell {
+                post_yield,
+                hysteretic,
+                damping_h,
+                inverse_yield,
+                stiffness_v,
+                damping_v,
+                amplitude_h,
+                amplitude_v,
+                phase_step,
+                step_forced,
+                step_free,
+                rest_speed,
+                steps_forced,
+                steps
+            }
+        );
+        same_layout!($precision, $real, Motion { u, du, v, dv, z, phi, dphi });
+        same_layout!(
+            $precision,
+            $real,
+            State {
+                motion,
+                max_phi_left,
+                max_phi_right,
+                max_u,
+                max_v,
+                min_contact,
+                friction,
+                uplift_fraction,
+                end_fraction,
+                mode,
+                step,
+                impacts,
+                uplifts,
+                uplift_step,
+                status
+            }
+        );
+    };
+}
+
+#[test]
+fn host_structs_are_laid_out_as_the_shaders() {
+    same_layouts!(Precision::F32, f32);
+    same_layouts!(Precision::F64, f64);
+}
+
+/// Constants that stand in both twins.
+#[test]
+fn constants_agree_with_the_twin() {
+    use topple::integrate::{state, switching};
+    use topple::model::block;
+    let module = parse(Precision::F32);
+    let value = |name: &str| {
+        let (_, constant) = module
+            .constants
+            .iter()
+            .find(|(_, c)| c.name.as_deref() == Some(name))
+            .unwrap_or_else(|| panic!("no constant {name}"));
+        match module.global_expressions[constant.init] {
+            naga::Expression::Literal(naga::Literal::U32(value)) => value,
+            ref other => panic!("{name} is {other:?}"),
+        }
+    };
+    for (name, twin) in [
+        ("FULL_CONTACT", block::FULL_CONTACT),
+        ("ROCKING_LEFT", block::ROCKING_LEFT),
+        ("ROCKING_RIGHT", block::ROCKING_RIGHT),
+        ("RUNNING", state::RUNNING),
+        ("FINISHED", state::FINISHED),
+        ("OVERTURNED_LEFT", state::OVERTURNED_LEFT),
+        ("OVERTURNED_RIGHT", state::OVERTURNED_RIGHT),
+        ("EVENT_LIMIT", state::EVENT_LIMIT),
+        ("DIVERGED", state::DIVERGED),
+        ("NOTHING", switching::NOTHING),
+        ("UPLIFT_LEFT", switching::UPLIFT_LEFT),
+        ("UPLIFT_RIGHT", switching::UPLIFT_RIGHT),
+        ("IMPACT", switching::IMPACT),
+        ("OVERTURN", switching::OVERTURN),
+        ("EVENT_BOUND", switching::EVENT_BOUND),
+        ("LOCATE_BOUND", switching::LOCATE_BOUND),
+        ("GUESS_BOUND", switching::GUESS_BOUND),
+    ] {
+        assert_eq!(value(name), twin, "{name}");
+    }
+}
