@@ -45,7 +45,6 @@ fn map_scene(a_v: f64, e: f64) -> Scene {
 type Judged = (Scene, Vec<(usize, Outcome)>);
 
 /// The ten maps by the reference, made once: 36,000 cells of 30 s.
-
 static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
     let judge = |(a_v, e)| {
         let scene = map_scene(a_v, e);
