@@ -3,7 +3,7 @@
 //! A [`Scene`](scene::Scene) says what is simulated; its [`Grid`](scene::Grid) names the cells,
 //! each one simulation. A [backend](sweep) runs them, by the same fixed-step method on a GPU or a
 //! CPU, and gives one [`Outcome`](integrate::outcome::Outcome) a cell; the adaptive
-//! [reference](integrate::reference) judges a sample of them. The [map](map) of outcomes goes to
+//! [reference](integrate::reference) judges a sample of them. The [map] of outcomes goes to
 //! files.
 //!
 //! ```text
