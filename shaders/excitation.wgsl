@@ -15,12 +15,19 @@ struct Cell {
     rest_speed: real,
     steps_forced: u32,
     steps: u32,
+    substeps: u32,
+    padding: u32,
 }
 
 struct Ground {
     h: real,
     v: real,
 }
+
+override recorded: bool = false;
+
+// Samples of the record.
+@group(0) @binding(5) var<storage, read> record: array<Ground>;
 
 // sin(2 pi tau) for 0 <= tau <= 1 (in the twin: src/model/real.rs).
 fn pulse_sine(tau: real) -> real {
@@ -42,10 +49,22 @@ fn step_length(cell: Cell, step: u32) -> real {
     return cell.step_free;
 }
 
-// The one-sine pulse (22) at a fraction of a step.
+// The ground at a fraction of a step: the one-sine pulse (22), or the record, linear between its
+// samples.
 fn ground_at(cell: Cell, step: u32, fraction: real) -> Ground {
     if step >= cell.steps_forced {
         return Ground(real(0.0), real(0.0));
+    }
+    if recorded {
+        let sample = step / cell.substeps;
+        let part = step - sample * cell.substeps;
+        let share = (real(part) + fraction) * cell.phase_step;
+        let before = record[sample];
+        let after = record[sample + 1u];
+        return Ground(
+            before.h + share * (after.h - before.h),
+            before.v + share * (after.v - before.v),
+        );
     }
     let wave = pulse_sine((real(step) + fraction) * cell.phase_step);
     return Ground(cell.amplitude_h * wave, cell.amplitude_v * wave);

@@ -9,7 +9,7 @@ use common::{object, scene};
 use proptest::prelude::*;
 use topple::integrate::outcome::Class;
 use topple::integrate::reference::system::{
-    DPHI, DU, DV, PHI, Pole, State as Cell, System, U, V, Z,
+    DPHI, DU, DV, Drive, PHI, Pole, State as Cell, System, U, V, Z,
 };
 use topple::integrate::state::State;
 use topple::integrate::switching::{IMPACT, Log};
@@ -71,7 +71,7 @@ fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     cell.steps_forced = 0;
     state.mode = ROCKING_LEFT;
     state.motion.phi = phi0;
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell };
+    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
     let mut log = Impacts(Vec::new(), cell.step_free);
     sweep_cell(&set, &mut state, u32::MAX, &mut log);
     log.0
@@ -170,16 +170,16 @@ proptest! {
         let point = Grid::of(&scene).point(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
-        let set = Setting { variant: plan.variant(), model: &model, cell: &cell };
+        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
         for (pole, corner) in [(Pole::Left, model.left), (Pole::Right, model.right)] {
             let mut y = before(pole, velocity);
             y[PHI] = pole.sign() * phi;
             let fraction = 0.37;
             let t = (5.0 + fraction) * cell.step_forced;
-            let ground = topple::model::excitation::ground_at(&cell, 5, fraction);
+            let ground = topple::model::excitation::ground_at(&set, 5, fraction);
             let k = topple::model::dynamics::rates(&set, &corner, true, &as_motion(&y), ground);
-            let slow = system.derivative(Some(pole), t, true, &y);
-            let (normal, shear) = system.contact(Some(pole), t, true, &y);
+            let slow = system.derivative(Some(pole), t, Drive::Pulse, &y);
+            let (normal, shear) = system.contact(Some(pole), t, Drive::Pulse, &y);
             let pairs = [
                 (k.ddu, slow[DU]), (k.ddv, slow[DV]), (k.ddphi, slow[DPHI]), (k.dz, slow[Z]),
                 (k.normal, normal), (k.shear, shear),
@@ -226,7 +226,7 @@ fn without_eccentricity_the_block_is_symmetric() {
     assert_eq!(left, right);
     let outcome = |a_h: &str| {
         let scene = object(1, 0.0, (1.75, 0.75), 0.0, "5", a_h);
-        cpu::sweep::<f64>(&Plan::new(&scene, 0.004).unwrap(), &Grid::of(&scene), 0..1, &|_| ())[0]
+        cpu::sweep::<f64>(&Plan::new(&scene, 0.004).unwrap(), &Grid::of(&scene), &[0], &|_| ())[0]
     };
     let (one, other) = (outcome("3.5"), outcome("-3.5"));
     assert_eq!((one.class, other.class), (Class::OverturnedRight, Class::OverturnedLeft));

@@ -8,7 +8,7 @@ use approx::assert_abs_diff_eq;
 use common::{judge, object};
 use differential_equations::prelude::*;
 use topple::integrate::outcome::Class;
-use topple::integrate::reference::system::{PHI, Phase, State as Cell, System};
+use topple::integrate::reference::system::{Drive, PHI, Phase, State as Cell, System};
 use topple::integrate::reference::{self, Settings, Switch, run};
 use topple::scene::{Grid, Scene};
 
@@ -71,12 +71,12 @@ fn the_first_overturnings_as_the_amplitude_grows() {
 struct Motion<'a> {
     system: &'a System,
     phase: Phase,
-    forced: bool,
+    drive: Drive,
 }
 
 impl ODE<f64, Cell> for Motion<'_> {
     fn diff(&self, t: f64, y: &Cell, dydt: &mut Cell) {
-        *dydt = self.system.derivative(self.phase, t, self.forced, y);
+        *dydt = self.system.derivative(self.phase, t, self.drive, y);
     }
 }
 
@@ -110,10 +110,10 @@ fn every_step_again_by_another_projects_integrator() {
         let mut switches = 0;
         for pair in watch(&scene).windows(2) {
             let (from, to) = (&pair[0], &pair[1]);
-            let forced = to.t <= system.pulse_end();
+            let drive = if to.t <= system.pulse_end() { Drive::Pulse } else { Drive::Free };
             let mut y = from.y;
             if to.t > from.t {
-                let motion = Motion { system: &system, phase: from.phase, forced };
+                let motion = Motion { system: &system, phase: from.phase, drive };
                 let method = ExplicitRungeKutta::dopri5().rtol(1e-12).atol(1e-14);
                 let problem = IVP::ode(&motion, from.t, to.t, from.y);
                 let solution = problem.method(method.max_steps(1_000_000)).solve().unwrap();
@@ -122,7 +122,7 @@ fn every_step_again_by_another_projects_integrator() {
             match to.switch {
                 Some(Switch::Uplift(pole)) => {
                     // The uplift's two sides change by some m/s^2 in a tenth of a second.
-                    assert_abs_diff_eq!(system.uplift(pole, to.t, forced, &y), 0.0, epsilon = 1e-8);
+                    assert_abs_diff_eq!(system.uplift(pole, to.t, drive, &y), 0.0, epsilon = 1e-8);
                 }
                 Some(Switch::Impact(pole)) => {
                     assert_abs_diff_eq!(y[PHI], 0.0, epsilon = 1e-11);

@@ -110,7 +110,9 @@ macro_rules! same_layouts {
                 step_free,
                 rest_speed,
                 steps_forced,
-                steps
+                steps,
+                substeps,
+                padding
             }
         );
         same_layout!($precision, $real, Motion { u, du, v, dv, z, phi, dphi });

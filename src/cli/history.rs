@@ -4,20 +4,26 @@ use serde::Serialize;
 use topple::integrate::outcome::Outcome;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
+use topple::scene::excitation::{PulseText, RecordText};
+use topple::scene::text::SceneText;
 use topple::scene::{Grid, Point, Scene};
 use topple::sweep::backend::{Choice, Precision};
 use topple::sweep::cells::Plan;
 use topple::sweep::history as motion;
 
 use super::InputError;
-use super::options::{RunOptions, SceneFlags, flag_error};
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::report;
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]
 pub struct HistoryCommand {
     #[command(flatten)]
-    scene: SceneFlags,
+    common: CommonFlags,
+    #[command(flatten, next_help_heading = "Pulse")]
+    pulse: PulseText,
+    #[command(flatten, next_help_heading = "Record")]
+    record: RecordText,
     #[command(flatten, next_help_heading = "Run")]
     options: RunOptions,
 }
@@ -37,7 +43,19 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let scene = self.scene.scene("Time history")?;
+        let given = |pulse: bool| {
+            if pulse {
+                self.pulse != PulseText::default()
+            } else {
+                self.record != RecordText::default()
+            }
+        };
+        let text = SceneText {
+            pulse: given(true).then(|| self.pulse.clone()),
+            record: given(false).then(|| self.record.clone()),
+            ..self.common.text(Some("Time history"))
+        };
+        let scene = text.check().map_err(|error| flag_error(&error))?;
         let grid = Grid::of(&scene);
         for axis in [&grid.x, &grid.y] {
             if axis.range.count > 1 {

@@ -7,6 +7,7 @@ mod progress;
 mod pulse;
 mod report;
 mod scene;
+mod seismic;
 
 use clap::{Parser, Subcommand};
 
@@ -31,6 +32,8 @@ struct Arguments {
 enum Command {
     /// Map the outcomes of one-sine pulses over (omega, a_h)
     Pulse(pulse::PulseCommand),
+    /// Map the response to a ground-motion record over (T_h, T_v)
+    Seismic(seismic::SeismicCommand),
     /// The motion of one cell: every parameter a single number
     History(history::HistoryCommand),
     /// Run a scene from a TOML file
@@ -51,6 +54,7 @@ pub fn run() -> anyhow::Result<()> {
     };
     match arguments.command {
         Some(Command::Pulse(command)) => command.run(),
+        Some(Command::Seismic(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
         Some(Command::Adapters) => adapters::run(),

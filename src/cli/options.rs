@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use topple::scene::SceneError;
-use topple::scene::text::RunText;
-use topple::scene::text::SceneText;
-use topple::scene::{Scene, block::BlockText, excitation::PulseText, isolation::IsolationText};
+use topple::scene::block::BlockText;
+use topple::scene::isolation::IsolationText;
+use topple::scene::text::{RunText, SceneText};
 use topple::sweep::backend::{Backend, Choice, Precision};
 use topple::sweep::cells::DEFAULT_STEP;
 
@@ -38,30 +38,28 @@ impl RunOptions {
     }
 }
 
-/// A scene given by flags.
+/// The flags that every scene has.
 #[derive(clap::Args)]
-pub struct SceneFlags {
+pub struct CommonFlags {
     #[command(flatten, next_help_heading = "Block")]
     block: BlockText,
     #[command(flatten, next_help_heading = "Base")]
     base: IsolationText,
-    #[command(flatten, next_help_heading = "Pulse")]
-    pulse: PulseText,
     #[command(flatten, next_help_heading = "Simulation")]
     run: RunText,
 }
 
-impl SceneFlags {
-    /// The checked scene.
-    pub fn scene(&self, title: &str) -> Result<Scene, InputError> {
-        let text = SceneText {
-            title: Some(title.into()),
+impl CommonFlags {
+    /// The scene so far, without its excitation.
+    pub fn text(&self, title: Option<&str>) -> SceneText {
+        SceneText {
+            title: title.map(String::from),
             block: self.block.clone(),
             base: self.base.clone(),
-            pulse: self.pulse.clone(),
+            pulse: None,
+            record: None,
             run: self.run.clone(),
-        };
-        text.check().map_err(|error| flag_error(&error))
+        }
     }
 }
 

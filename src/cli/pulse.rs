@@ -1,13 +1,18 @@
 //! `topple pulse`.
 
-use super::options::{RunOptions, SceneFlags};
+use topple::scene::excitation::PulseText;
+use topple::scene::text::SceneText;
+
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::report;
 
 /// Map the outcomes of one-sine pulses over (omega, a_h).
 #[derive(clap::Args)]
 pub struct PulseCommand {
     #[command(flatten)]
-    scene: SceneFlags,
+    common: CommonFlags,
+    #[command(flatten, next_help_heading = "Pulse")]
+    pulse: PulseText,
     #[command(flatten, next_help_heading = "Run")]
     options: RunOptions,
 }
@@ -15,7 +20,8 @@ pub struct PulseCommand {
 impl PulseCommand {
     /// Runs the map.
     pub fn run(&self) -> anyhow::Result<()> {
-        let scene = self.scene.scene("Overturning spectral map")?;
+        let text = SceneText { pulse: Some(self.pulse.clone()), ..self.common.text(None) };
+        let scene = text.check().map_err(|error| flag_error(&error))?;
         report::run_map(&scene, &self.options)
     }
 }

@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use rayon::prelude::*;
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 use topple::integrate::outcome::{Class, Outcome};
-use topple::map::figure::{document, overturning};
+use topple::map::figure::FigureError;
+use topple::map::figure::{document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::{self, Manifest, Steps, Timings};
 use topple::map::{self, Map};
-use topple::scene::{Grid, Scene};
+use topple::scene::{Excitation, Grid, Scene};
 use topple::sweep::backend::Backend;
 use topple::sweep::cells::Plan;
 use topple::sweep::verification::{self, Verification};
@@ -42,7 +44,13 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let (columns, rows) = grid.shape();
     let precision = format!("{:?}", options.precision).to_lowercase();
     say(format!("scene      {}, {columns} x {rows} cells", scene.title));
-    say(format!("           {}", overturning::caption(scene)));
+    say(format!("           {}", frame::caption(scene)));
+    if let Excitation::Record(pair) = &scene.excitation {
+        say(format!("record     {}, {} samples at {} s", pair.title, pair.len(), pair.dt));
+        for note in &pair.notes {
+            say(format!("           {note}"));
+        }
+    }
     say(format!("backend    {}", describe(&backend, &precision)));
     let progress = Progress::new(grid.len(), options.quiet);
     let swept = backend.sweep(&plan, &grid, options.precision, &|cells| progress.advance(cells));
@@ -54,7 +62,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let map = Map { scene, grid, outcomes: swept.outcomes };
     say(format!("outcomes   {}", shares(&map)));
     let judged = Instant::now();
-    let verification = verification::verify(scene, &grid, &map.outcomes, verification::SAMPLE);
+    let verification = verification::verify(&plan, &grid, &map.outcomes, verification::SAMPLE);
     let timings = Timings {
         start: (opened + swept.compile).as_secs_f64(),
         sweep: seconds,
@@ -166,13 +174,35 @@ fn steps(plan: &Plan, grid: &Grid) -> Steps {
 }
 
 fn write(out: &Directory, map: &Map, manifest: &Manifest) -> anyhow::Result<PathBuf> {
-    let svg = overturning::draw(map)?;
-    let png = document::render(&svg, PNG_SCALE)?;
+    let figures = figures(map)?;
     out.write("map.csv", |w| map::csv::write(map, w))?;
     out.write("map.npz", |w| map::npz::write(map, w))?;
-    write_figure(out, "map", &svg, &png)?;
+    if matches!(map.scene.excitation, Excitation::Record(_)) {
+        out.write("boundaries.csv", |w| map::boundaries::write(map, w))?;
+    }
+    for (name, svg, png) in &figures {
+        write_figure(out, name, svg, png)?;
+    }
     write_json(out, manifest)?;
     Ok(out.file("map.png"))
+}
+
+/// A picture's name, its SVG and its PNG.
+type Figure = (&'static str, String, Vec<u8>);
+
+/// The pictures of a map: its outcomes for a pulse, its fields for a record.
+fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
+    let finish = |name, svg: String| {
+        let png = document::render(&svg, PNG_SCALE)?;
+        Ok((name, svg, png))
+    };
+    match map.scene.excitation {
+        Excitation::Pulse(_) => Ok(vec![finish("map", overturning::draw(map)?)?]),
+        Excitation::Record(_) => field::FIELDS
+            .par_iter()
+            .map(|field| finish(field.name, field::draw(map, field)?))
+            .collect(),
+    }
 }
 
 /// Writes a picture as NAME.svg and NAME.png.

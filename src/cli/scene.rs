@@ -1,6 +1,6 @@
 //! `topple run SCENE.toml`, and `topple` alone.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use topple::scene::text::SceneText;
@@ -38,7 +38,8 @@ impl RunCommand {
         let text = std::fs::read_to_string(&self.scene)
             .map_err(|e| refused(format!("{e}; give a scene that can be read")))?;
         let scene = SceneText::from_toml(&text).map_err(refused)?;
-        let scene = scene.check().map_err(|e| refused(e.to_string()))?;
+        let directory = self.scene.parent().unwrap_or(Path::new(""));
+        let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
         report::run_map(&scene, &self.options)
     }
 }

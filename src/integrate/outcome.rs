@@ -48,6 +48,8 @@ pub enum Status {
     Diverged,
     /// In more steps than the reference allows itself.
     StepLimit,
+    /// To its end, with the vertical direction locked: its isolation is rigid for the record.
+    VerticalLocked,
 }
 
 impl Status {
@@ -58,6 +60,7 @@ impl Status {
             Status::EventLimit => "event_limit",
             Status::Diverged => "diverged",
             Status::StepLimit => "step_limit",
+            Status::VerticalLocked => "vertical_locked",
         }
     }
 }

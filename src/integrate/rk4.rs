@@ -56,8 +56,8 @@ pub fn rk4<R: Real>(
     let cell = set.cell;
     let h = length * step_length(cell, span.step);
     let half = R::of(0.5) * h;
-    let ground_mid = ground_at(cell, span.step, span.start + R::of(0.5) * length);
-    let ground_end = ground_at(cell, span.step, span.start + length);
+    let ground_mid = ground_at(set, span.step, span.start + R::of(0.5) * length);
+    let ground_end = ground_at(set, span.step, span.start + length);
     let (corner, rocking) = (&span.corner, span.rocking);
     let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);
     let k3 = rates(set, corner, rocking, &shift(y, &k2, half), ground_mid);

@@ -260,7 +260,7 @@ fn locate_uplift<R: Real>(
     let mut trial = 0;
     while trial < LOCATE_BOUND {
         let y_at = rk4(set, span, y, k1, at * rest).y;
-        let ground = ground_at(set.cell, span.step, span.start + at * rest);
+        let ground = ground_at(set, span.step, span.start + at * rest);
         let k = rates(set, &corner, false, &y_at, ground);
         let moment = uplift_moment(set, &corner, k.shear, k.normal);
         if moment > zero {
@@ -307,7 +307,7 @@ fn land<R: Real>(set: &Setting<R>, state: &mut State<R>, leaving: &Corner<R>, fr
     state.impacts += 1;
     let rebound = landing.eta_phi * y.dphi;
     let resting = come_to_rest(set, leaving, &y);
-    let k = rates(set, leaving, false, &resting, ground_at(set.cell, state.step, fraction));
+    let k = rates(set, leaving, false, &resting, ground_at(set, state.step, fraction));
     let slow = rebound.abs() < set.cell.rest_speed && uplift_now(set, &k) == NOTHING;
     if slow || landing.eta_phi <= R::of(0.0) {
         state.motion = resting;
@@ -341,7 +341,7 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         let rest = one - start;
         let h = rest * step_length(set.cell, state.step);
         let y = state.motion;
-        let k1 = rates(set, &corner, rocking, &y, ground_at(set.cell, state.step, start));
+        let k1 = rates(set, &corner, rocking, &y, ground_at(set, state.step, start));
         observe_contact(state, &k1);
         if !rocking {
             let kind = uplift_now(set, &k1);
@@ -362,8 +362,7 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 located = locate_angle(set, &span, &y, &k1, &stepped.y, &crossing);
             }
         } else {
-            let k_end =
-                rates(set, &corner, false, &stepped.y, ground_at(set.cell, state.step, one));
+            let k_end = rates(set, &corner, false, &stepped.y, ground_at(set, state.step, one));
             let crossing = find_uplift(set, &k1, stepped.shear_mid, stepped.normal_mid, &k_end);
             kind = crossing.kind;
             if kind != NOTHING {
@@ -378,7 +377,7 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         observe_motion(state, &y, &located.y, located.at * h);
         state.motion = located.y;
         start = start + located.at * rest;
-        let k = rates(set, &corner, rocking, &located.y, ground_at(set.cell, state.step, start));
+        let k = rates(set, &corner, rocking, &located.y, ground_at(set, state.step, start));
         observe_contact(state, &k);
         if kind == OVERTURN {
             overturn(state, &corner, start);

@@ -1,5 +1,6 @@
 //! Outcomes over a grid, and the files that hold them.
 
+pub mod boundaries;
 pub mod csv;
 pub mod figure;
 pub mod files;

@@ -2,6 +2,7 @@
 
 use bytemuck::Zeroable;
 
+use super::Setting;
 use super::real::{Real, pod};
 
 /// What one cell of the grid has of its own.
@@ -28,7 +29,7 @@ pub struct Cell<R> {
     pub amplitude_h: R,
     /// A_v of (22b), m/s^2.
     pub amplitude_v: R,
-    /// Periods of the pulse in one forced step.
+    /// Periods of the pulse, or gaps between samples of the record, in one forced step.
     pub phase_step: R,
     /// Length of a forced step, s.
     pub step_forced: R,
@@ -40,18 +41,25 @@ pub struct Cell<R> {
     pub steps_forced: u32,
     /// Number of steps in all.
     pub steps: u32,
+    /// Steps between two samples of a record.
+    pub substeps: u32,
+    /// Fills the struct to whole 8 bytes.
+    pub padding: u32,
 }
 
-pod!(Cell, reals: 12, words: 2);
+pod!(Cell, reals: 12, words: 4);
 
-/// The ground's accelerations, m/s^2.
-#[derive(Debug, Clone, Copy)]
+/// The ground's accelerations, m/s^2; also a sample of a record.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Ground<R> {
     /// Horizontal, second derivative of u_g.
     pub h: R,
     /// Vertical, second derivative of v_g.
     pub v: R,
 }
+
+pod!(Ground, reals: 2, words: 0);
 
 /// Length of a step, s.
 #[inline(always)]
@@ -62,11 +70,24 @@ pub fn step_length<R: Real>(cell: &Cell<R>, step: u32) -> R {
     cell.step_free
 }
 
-/// The one-sine pulse (22) at a fraction of a step.
+/// The ground at a fraction of a step: the one-sine pulse (22), or the record, linear between its
+/// samples.
 #[inline(always)]
-pub fn ground_at<R: Real>(cell: &Cell<R>, step: u32, fraction: R) -> Ground<R> {
+pub fn ground_at<R: Real>(set: &Setting<R>, step: u32, fraction: R) -> Ground<R> {
+    let cell = set.cell;
     if step >= cell.steps_forced {
         return Ground { h: R::of(0.0), v: R::of(0.0) };
+    }
+    if set.variant.recorded {
+        let sample = step / cell.substeps;
+        let part = step - sample * cell.substeps;
+        let share = (R::of(f64::from(part)) + fraction) * cell.phase_step;
+        let before = set.record[sample as usize];
+        let after = set.record[sample as usize + 1];
+        return Ground {
+            h: before.h + share * (after.h - before.h),
+            v: before.v + share * (after.v - before.v),
+        };
     }
     let wave = R::pulse_sine((R::of(f64::from(step)) + fraction) * cell.phase_step);
     Ground { h: cell.amplitude_h * wave, v: cell.amplitude_v * wave }

@@ -10,6 +10,8 @@ use super::real::Real;
 /// a pipeline holds only the branches it takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Variant {
+    /// A record shakes the base, not a pulse.
+    pub recorded: bool,
     /// The base moves horizontally.
     pub isolated_h: bool,
     /// The base moves vertically.

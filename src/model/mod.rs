@@ -16,7 +16,7 @@ pub mod isolation;
 pub mod real;
 
 use block::Model;
-use excitation::Cell;
+use excitation::{Cell, Ground};
 use isolation::Variant;
 
 /// Everything that one cell's equations are made of; globals and arguments in the shaders.
@@ -28,4 +28,6 @@ pub struct Setting<'a, R> {
     pub model: &'a Model<R>,
     /// What this cell has of its own.
     pub cell: &'a Cell<R>,
+    /// Samples of the record; two at least where there is one.
+    pub record: &'a [Ground<R>],
 }

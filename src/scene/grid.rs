@@ -23,9 +23,17 @@ pub struct Grid {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    t_h: f64,
-    t_v: f64,
-    pulse: super::Pulse,
+    fixed: Point,
+    sweeps: Sweeps,
+}
+
+/// What the axes of a grid are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sweeps {
+    /// Omega and A_h.
+    Pulse,
+    /// T_h and T_v.
+    Periods,
 }
 
 /// The parameters of one cell, SI.
@@ -35,23 +43,36 @@ pub struct Point {
     pub t_h: f64,
     /// T_v, s; of no meaning where the direction is locked.
     pub t_v: f64,
-    /// Omega, rad/s.
+    /// Omega, rad/s; of no meaning for a record.
     pub omega: f64,
-    /// A_h, m/s^2.
+    /// A_h, m/s^2; a record's PGA_h, for (21) asks for it.
     pub a_h: f64,
-    /// A_v, m/s^2.
+    /// A_v, m/s^2; a record's PGA_v.
     pub a_v: f64,
 }
 
 impl Grid {
-    /// The grid of a scene: (Omega, A_h) for a pulse.
+    /// The grid of a scene: (Omega, A_h) for a pulse, (T_h, T_v) for a record.
     pub fn of(scene: &Scene) -> Grid {
-        let Excitation::Pulse(pulse) = scene.excitation;
-        let x = Axis { key: "omega", symbol: "Ω", unit: "rad/s", range: pulse.omega };
-        let y = Axis { key: "a_h", symbol: "A_h", unit: "m/s²", range: pulse.a_h };
-        let t_h = scene.isolation.horizontal.map_or(1.0, |base| base.t_h.start);
-        let t_v = scene.isolation.vertical.map_or(1.0, |base| base.t_v.start);
-        Grid { x, y, t_h, t_v, pulse }
+        // A locked direction has no period: one value stands for it, which nothing reads.
+        let one = Range::single(1.0);
+        let t_h = scene.isolation.horizontal.map_or(one, |base| base.t_h);
+        let t_v = scene.isolation.vertical.map_or(one, |base| base.t_v);
+        let fixed = Point { t_h: t_h.start, t_v: t_v.start, omega: 1.0, a_h: 0.0, a_v: 0.0 };
+        match &scene.excitation {
+            Excitation::Pulse(pulse) => Grid {
+                x: Axis { key: "omega", symbol: "Ω", unit: "rad/s", range: pulse.omega },
+                y: Axis { key: "a_h", symbol: "A_h", unit: "m/s²", range: pulse.a_h },
+                fixed: Point { a_v: pulse.a_v, ..fixed },
+                sweeps: Sweeps::Pulse,
+            },
+            Excitation::Record(pair) => Grid {
+                x: Axis { key: "t_h", symbol: "T_h", unit: "s", range: t_h },
+                y: Axis { key: "t_v", symbol: "T_v", unit: "s", range: t_v },
+                fixed: Point { a_h: pair.pga_h, a_v: pair.pga_v, ..fixed },
+                sweeps: Sweeps::Periods,
+            },
+        }
     }
 
     /// Columns and rows.
@@ -61,7 +82,11 @@ impl Grid {
 
     /// The point that takes the most steps: every period at its shortest, the pulse at its fastest.
     pub fn extreme(&self) -> Point {
-        Point { omega: self.x.range.start.max(self.x.range.stop), ..self.point(0) }
+        let (x, y) = (&self.x.range, &self.y.range);
+        match self.sweeps {
+            Sweeps::Pulse => Point { omega: x.start.max(x.stop), ..self.point(0) },
+            Sweeps::Periods => Point { t_h: x.least(), t_v: y.least(), ..self.fixed },
+        }
     }
 
     /// Number of cells. At most 2^40, which fits on every machine with 64-bit addresses; smaller
@@ -87,6 +112,9 @@ impl Grid {
     /// Parameters of a cell.
     pub fn point(&self, cell: usize) -> Point {
         let (x, y) = self.coordinates(cell);
-        Point { t_h: self.t_h, t_v: self.t_v, omega: x, a_h: y, a_v: self.pulse.a_v }
+        match self.sweeps {
+            Sweeps::Pulse => Point { omega: x, a_h: y, ..self.fixed },
+            Sweeps::Periods => Point { t_h: x, t_v: y, ..self.fixed },
+        }
     }
 }

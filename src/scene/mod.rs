@@ -8,6 +8,7 @@ pub mod excitation;
 pub mod grid;
 pub mod isolation;
 pub mod range;
+pub mod record;
 pub mod text;
 
 use serde::Serialize;

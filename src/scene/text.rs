@@ -1,9 +1,11 @@
 //! Scenes as written: TOML files and, with the same keys as flags, the command line.
 
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 
 use super::block::{self, BlockText};
-use super::excitation::{self, Excitation, PulseText};
+use super::excitation::{self, Excitation, PulseText, RecordText};
 use super::isolation::{self, IsolationText};
 use super::{Overturn, Scene, SceneError, positive};
 
@@ -20,8 +22,9 @@ pub struct SceneText {
     #[serde(default)]
     pub base: IsolationText,
     /// The pulse.
-    #[serde(default)]
-    pub pulse: PulseText,
+    pub pulse: Option<PulseText>,
+    /// The record; either this or the pulse.
+    pub record: Option<RecordText>,
     /// Duration and criteria.
     #[serde(default)]
     pub run: RunText,
@@ -31,7 +34,7 @@ pub struct SceneText {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
 #[serde(deny_unknown_fields)]
 pub struct RunText {
-    /// Simulated time, s [default: 30]
+    /// Simulated time, s [default: 30, or a record's duration]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub t_max: Option<f64>,
     /// When a block counts as overturned [default: critical-angle]
@@ -64,24 +67,50 @@ impl SceneText {
         })
     }
 
-    /// Checks the scene.
+    /// Checks the scene; a record's files are looked for from the working directory.
     ///
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check(&self) -> Result<Scene, SceneError> {
+        self.check_in(Path::new(""))
+    }
+
+    /// Checks the scene; a record's files are looked for from `directory`.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check_in(&self, directory: &Path) -> Result<Scene, SceneError> {
         let (block, plate_h, plate_v) = block::check(&self.block)?;
         let isolation = isolation::check(&self.base, plate_h, plate_v)?;
         for (key, range) in [
             ("t_h", isolation.horizontal.map(|base| base.t_h)),
             ("t_v", isolation.vertical.map(|base| base.t_v)),
         ] {
-            if range.is_some_and(|range| range.count > 1) {
+            if self.record.is_none() && range.is_some_and(|range| range.count > 1) {
                 let problem = "a pulse map sweeps omega and a_h; give this a single number";
                 return Err(SceneError::new(key, problem));
             }
         }
-        let pulse = excitation::check(&self.pulse)?;
-        let t_max = positive("t_max", self.run.t_max.unwrap_or(30.0))?;
+        let excitation = match (&self.pulse, &self.record) {
+            (Some(_), Some(_)) => {
+                let problem = "a scene has a pulse or a record; leave one out";
+                return Err(SceneError::new("record", problem));
+            }
+            (_, Some(record)) => Excitation::Record(excitation::check_record(record, directory)?),
+            (pulse, None) => {
+                let pulse = pulse.clone().unwrap_or_default();
+                Excitation::Pulse(excitation::check_pulse(&pulse)?)
+            }
+        };
+        let (default_title, shortest) = match &excitation {
+            Excitation::Pulse(_) => ("Overturning spectral map", 30.0),
+            Excitation::Record(pair) => ("Rocking map", pair.duration()),
+        };
+        let t_max = positive("t_max", self.run.t_max.unwrap_or(shortest))?;
+        if matches!(excitation, Excitation::Record(_)) && t_max < shortest {
+            let problem = format!("{t_max} s ends before the record, {shortest} s; lengthen it");
+            return Err(SceneError::new("t_max", problem));
+        }
         if t_max > LONGEST {
             return Err(SceneError::new("t_max", format!("{t_max} s is over {LONGEST} s")));
         }
@@ -96,10 +125,10 @@ impl SceneText {
             }
         }
         Ok(Scene {
-            title: self.title.clone().unwrap_or_else(|| "Overturning spectral map".into()),
+            title: self.title.clone().unwrap_or_else(|| default_title.into()),
             block,
             isolation,
-            excitation: Excitation::Pulse(pulse),
+            excitation,
             t_max,
             overturn: self.run.overturn.unwrap_or(Overturn::CriticalAngle),
             restitution: self.run.restitution,

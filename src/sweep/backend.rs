@@ -11,7 +11,7 @@ use super::gpu::GpuError;
 use super::gpu::adapter::{self, Description};
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
-use crate::integrate::outcome::Outcome;
+use crate::integrate::outcome::{Outcome, Status};
 use crate::integrate::reference;
 use crate::scene::Grid;
 
@@ -111,28 +111,47 @@ impl Backend {
     ) -> Result<Swept, GpuError> {
         let began = Instant::now();
         let mut compile = Duration::ZERO;
-        let cells = 0..grid.len();
-        let outcomes = match (self, precision) {
-            (Backend::Gpu(gpu), _) => {
-                let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-                compile = began.elapsed();
-                match precision {
-                    Precision::F32 => sweeper.sweep::<f32>(plan, grid, cells, progress)?,
-                    Precision::F64 => sweeper.sweep::<f64>(plan, grid, cells, progress)?,
+        let mut outcomes: Vec<Option<Outcome>> = vec![None; grid.len()];
+        for part in plan.parts(grid) {
+            let (plan, cells) = (&part.plan, part.cells.as_slice());
+            let swept = match (self, precision) {
+                (Backend::Gpu(gpu), _) => {
+                    let compiling = Instant::now();
+                    let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
+                    compile += compiling.elapsed();
+                    match precision {
+                        Precision::F32 => sweeper.sweep::<f32>(plan, grid, cells, progress)?,
+                        Precision::F64 => sweeper.sweep::<f64>(plan, grid, cells, progress)?,
+                    }
                 }
+                (Backend::Cpu, Precision::F32) => cpu::sweep::<f32>(plan, grid, cells, progress),
+                (Backend::Cpu, Precision::F64) => cpu::sweep::<f64>(plan, grid, cells, progress),
+                (Backend::Reference, _) => by_reference(plan, grid, cells, progress),
+            };
+            for (&index, mut outcome) in cells.iter().zip(swept) {
+                if part.vertical_locked && outcome.status == Status::Ok {
+                    outcome.status = Status::VerticalLocked;
+                }
+                outcomes[index] = Some(outcome);
             }
-            (Backend::Cpu, Precision::F32) => cpu::sweep::<f32>(plan, grid, cells, progress),
-            (Backend::Cpu, Precision::F64) => cpu::sweep::<f64>(plan, grid, cells, progress),
-            (Backend::Reference, _) => {
-                let settings = reference::Settings::default();
-                let run = |index| {
-                    let outcome = reference::run(plan.scene, &grid.point(index), &settings);
-                    progress(1);
-                    outcome
-                };
-                cells.into_par_iter().map(run).collect()
-            }
-        };
+        }
+        // The parts of a plan hold every cell once.
+        let outcomes = outcomes.into_iter().flatten().collect();
         Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile })
     }
+}
+
+fn by_reference(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &(dyn Fn(usize) + Sync),
+) -> Vec<Outcome> {
+    let settings = reference::Settings::default();
+    let run = |&index: &usize| {
+        let outcome = reference::run(&plan.scene, &grid.point(index), &settings);
+        progress(1);
+        outcome
+    };
+    cells.par_iter().map(run).collect()
 }

@@ -7,10 +7,10 @@ use bytemuck::Zeroable;
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
 use crate::model::block::{Corner, Model};
-use crate::model::excitation::Cell;
+use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
-use crate::scene::{GRAVITY, Grid, Overturn, Point, Scene, SceneError, positive};
+use crate::scene::{Excitation, GRAVITY, Grid, Overturn, Point, Scene, SceneError, positive};
 
 /// Largest step by default, s.
 pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
@@ -22,7 +22,11 @@ pub const STEPS_A_PULSE: f64 = 32.0;
 /// A landing block comes to rest when its next flight would last less than this share of a step.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
 
-/// Most steps that a cell may take: an hour of one core.
+/// A vertical isolation whose period is below this share of a record's time step is rigid for that
+/// record, which holds nothing faster than two steps.
+pub const RIGID_SHARE: f64 = 0.2;
+
+/// Most steps that a cell may take: some minutes of one core.
 pub const MOST_STEPS: f64 = 1.0e9;
 
 /// The lengths and numbers of a cell's steps, in `f64`.
@@ -34,6 +38,8 @@ pub struct Clock {
     pub step_free: f64,
     /// Number of forced steps.
     pub steps_forced: u32,
+    /// Steps between two samples of a record; 1 for a pulse.
+    pub substeps: u32,
     /// Number of steps in all.
     pub steps: u32,
 }
@@ -49,34 +55,48 @@ impl Clock {
     }
 }
 
+/// Cells that run one model.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// The plan of these cells.
+    pub plan: Plan,
+    /// The cells' numbers in the grid.
+    pub cells: Vec<usize>,
+    /// Their vertical isolation is rigid for the record, and is locked.
+    pub vertical_locked: bool,
+}
+
 /// A scene made ready for its cells.
 #[derive(Debug, Clone)]
-pub struct Plan<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
+pub struct Plan {
+    /// The scene; of a part, what the part simulates.
+    pub scene: Scene,
     /// Largest step, s.
     pub largest_step: f64,
-    mass_h: f64,
-    mass_v: f64,
     mu_h: f64,
     mu_v: f64,
 }
 
-impl<'a> Plan<'a> {
+impl Plan {
     /// The plan of a scene with steps of at most `largest_step` seconds.
     ///
     /// # Errors
     /// A step that is no positive number, and a duration of more than [`MOST_STEPS`] steps.
-    pub fn new(scene: &'a Scene, largest_step: f64) -> Result<Plan<'a>, SceneError> {
+    pub fn new(scene: &Scene, largest_step: f64) -> Result<Plan, SceneError> {
         positive("step", largest_step)?;
         let (block, base) = (&scene.block, &scene.isolation);
         let mass_v = block.mass + base.plate_v;
         let mass_h = mass_v + base.plate_h;
         let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
         let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
-        let plan = Plan { scene, largest_step, mass_h, mass_v, mu_h, mu_v };
-        let shortest = Grid::of(scene).extreme();
-        let steps = f64::from(plan.clock(&shortest).steps);
+        let plan = Plan { scene: scene.clone(), largest_step, mu_h, mu_v };
+        let mut shortest = Grid::of(scene).extreme();
+        if let Some(rigid) = plan.rigid_period() {
+            // Stiffer cells run without the vertical direction.
+            shortest.t_v = shortest.t_v.max(rigid);
+        }
+        let clock = plan.clock(&shortest);
+        let steps = plan.scene.t_max / clock.step_forced.max(f64::MIN_POSITIVE);
         if steps > MOST_STEPS {
             let problem = format!(
                 "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, or \
@@ -88,10 +108,58 @@ impl<'a> Plan<'a> {
         Ok(plan)
     }
 
+    /// T_v below which the vertical isolation is rigid for the scene's record, s.
+    pub fn rigid_period(&self) -> Option<f64> {
+        match &self.scene.excitation {
+            Excitation::Record(pair) if self.scene.isolation.vertical.is_some() => {
+                Some(RIGID_SHARE * pair.dt)
+            }
+            _ => None,
+        }
+    }
+
+    /// The plan in parts that each run one model: cells as they are, and those whose vertical
+    /// isolation is rigid for the record, with that direction locked.
+    pub fn parts(&self, grid: &Grid) -> Vec<Part> {
+        let rigid = self.rigid_period().unwrap_or(0.0);
+        let (stiff, cells): (Vec<usize>, Vec<usize>) =
+            (0..grid.len()).partition(|&index| grid.point(index).t_v < rigid);
+        let mut parts = Vec::new();
+        if !cells.is_empty() {
+            parts.push(Part { plan: self.clone(), cells, vertical_locked: false });
+        }
+        if !stiff.is_empty() {
+            parts.push(Part { plan: self.locked(), cells: stiff, vertical_locked: true });
+        }
+        parts
+    }
+
+    /// The same with the vertical direction locked.
+    fn locked(&self) -> Plan {
+        let mut plan = self.clone();
+        plan.scene.isolation.vertical = None;
+        plan.mu_v = 0.0;
+        plan
+    }
+
+    /// The samples of the record, and two zeros where there is none.
+    pub fn record<R: Real>(&self) -> Vec<Ground<R>> {
+        match &self.scene.excitation {
+            Excitation::Record(pair) => pair
+                .horizontal
+                .iter()
+                .zip(pair.vertical.iter())
+                .map(|(h, v)| Ground { h: R::of(*h), v: R::of(*v) })
+                .collect(),
+            Excitation::Pulse(_) => vec![Ground::zeroed(); 2],
+        }
+    }
+
     /// What the scene switches on.
     pub fn variant(&self) -> Variant {
         let base = &self.scene.isolation;
         Variant {
+            recorded: matches!(self.scene.excitation, Excitation::Record(_)),
             isolated_h: base.horizontal.is_some(),
             isolated_v: base.vertical.is_some(),
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
@@ -183,17 +251,28 @@ impl<'a> Plan<'a> {
 
     /// The steps of a cell: the pulse's end is a step boundary.
     pub fn clock(&self, point: &Point) -> Clock {
-        let pulse = TAU / point.omega;
-        let forced = pulse.min(self.scene.t_max);
-        let free = self.scene.t_max - forced;
         let longest = self.longest_step(point);
-        let steps_forced = (forced / longest.min(pulse / STEPS_A_PULSE)).ceil().max(1.0);
-        let steps_free = (free / longest).ceil();
+        let (forced, steps_forced, substeps) = match &self.scene.excitation {
+            Excitation::Pulse(_) => {
+                let pulse = TAU / point.omega;
+                let forced = pulse.min(self.scene.t_max);
+                let steps = (forced / longest.min(pulse / STEPS_A_PULSE)).ceil().max(1.0);
+                (forced, steps, 1.0)
+            }
+            Excitation::Record(pair) => {
+                let substeps = (pair.dt / longest).ceil().max(1.0);
+                (pair.duration(), substeps * (pair.len() - 1) as f64, substeps)
+            }
+        };
+        let free = self.scene.t_max - forced;
+        // What rounding leaves of a duration is no step.
+        let steps_free = (free / longest - 1.0e-9).ceil().max(0.0);
         Clock {
             step_forced: forced / steps_forced,
             step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
             // `as` saturates; `Plan::new` refuses a scene that comes near.
             steps_forced: steps_forced as u32,
+            substeps: substeps as u32,
             steps: (steps_forced + steps_free) as u32,
         }
     }
@@ -202,17 +281,21 @@ impl<'a> Plan<'a> {
     pub fn cell<R: Real>(&self, point: &Point) -> (Cell<R>, State<R>) {
         let clock = self.clock(point);
         let mut cell = Cell::<R>::zeroed();
-        let pulse = TAU / point.omega;
+        let phase_step = match &self.scene.excitation {
+            Excitation::Pulse(_) => clock.step_forced * point.omega / TAU,
+            Excitation::Record(_) => 1.0 / f64::from(clock.substeps),
+        };
         cell.amplitude_h = R::of(point.a_h);
         cell.amplitude_v = R::of(point.a_v);
-        cell.phase_step = R::of(clock.step_forced / pulse);
+        cell.phase_step = R::of(phase_step);
+        cell.substeps = clock.substeps;
         cell.step_forced = R::of(clock.step_forced);
         cell.step_free = R::of(clock.step_free);
         cell.steps_forced = clock.steps_forced;
         cell.steps = clock.steps;
         if let Some(base) = &self.scene.isolation.horizontal {
             let omega_h = TAU / point.t_h;
-            // (21): u_y = alpha_y PGA_h / omega_h^2, and PGA_h = |A_h| for a pulse.
+            // (21): u_y = alpha_y PGA_h / omega_h^2; PGA_h is |A_h| for a pulse.
             let yield_force = base.alpha_y * point.a_h.abs();
             cell.post_yield = R::of(base.psi * omega_h * omega_h);
             cell.hysteretic = R::of((1.0 - base.psi) * yield_force);
@@ -280,10 +363,5 @@ impl<'a> Plan<'a> {
             friction: state.friction.to_f64(),
             status,
         }
-    }
-
-    /// M + m_h + m_v and M + m_v, kg.
-    pub fn masses(&self) -> (f64, f64) {
-        (self.mass_h, self.mass_v)
     }
 }

@@ -1,7 +1,5 @@
 //! The sweep on the CPU. Its loop is the twin of `shaders/sweep.wgsl`.
 
-use std::ops::Range;
-
 use rayon::prelude::*;
 
 use super::cells::Plan;
@@ -29,23 +27,24 @@ pub fn sweep_cell<R: Real>(
 /// Cells that a thread takes at once.
 const BLOCK: usize = 16;
 
-/// Runs a range of a grid's cells on all cores; `progress` hears of each batch of cells done.
+/// Runs cells of a grid on all cores; `progress` hears of each cell done.
 pub fn sweep<R: Real>(
     plan: &Plan,
     grid: &Grid,
-    cells: Range<usize>,
+    cells: &[usize],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Vec<Outcome> {
     let model = plan.model::<R>();
     let variant = plan.variant();
+    let record = plan.record::<R>();
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
-        .into_par_iter()
-        .with_min_len(BLOCK)
-        .map(|index| {
+        .par_iter()
+        .with_max_len(BLOCK)
+        .map(|&index| {
             let point = grid.point(index);
             let (cell, mut state) = plan.cell::<R>(&point);
-            let set = Setting { variant, model: &model, cell: &cell };
+            let set = Setting { variant, model: &model, cell: &cell, record: &record };
             sweep_cell(&set, &mut state, u32::MAX, &mut ());
             progress(1);
             plan.outcome(&point, &state)

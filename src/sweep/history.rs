@@ -63,7 +63,8 @@ pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
     let model = plan.model::<R>();
     let clock = plan.clock(point);
     let (cell, mut state) = plan.cell::<R>(point);
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell };
+    let record = plan.record::<R>();
+    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &record };
     let mut rows = vec![row(0.0, &state)];
     while state.status == RUNNING {
         let before = state.step;

@@ -5,7 +5,9 @@ use serde::Serialize;
 
 use crate::integrate::outcome::{Class, Outcome};
 use crate::integrate::reference::{self, Settings};
-use crate::scene::{Grid, Scene};
+use crate::scene::Grid;
+
+use super::cells::Plan;
 
 /// Cells that are run again by default.
 pub const SAMPLE: usize = 128;
@@ -80,12 +82,17 @@ pub fn sample(grid: &Grid, outcomes: &[Outcome], size: usize) -> Vec<usize> {
 }
 
 /// Runs a sample of a sweep's cells again by the reference and compares.
-pub fn verify(scene: &Scene, grid: &Grid, outcomes: &[Outcome], size: usize) -> Verification {
+pub fn verify(plan: &Plan, grid: &Grid, outcomes: &[Outcome], size: usize) -> Verification {
     let cells = sample(grid, outcomes, size);
+    let parts = plan.parts(grid);
+    let scene = |index: usize| {
+        let part = parts.iter().find(|part| part.cells.binary_search(&index).is_ok());
+        part.map_or(&plan.scene, |part| &part.plan.scene)
+    };
     let settings = Settings::default();
     let judged: Vec<(usize, Outcome)> = cells
         .par_iter()
-        .map(|&index| (index, reference::run(scene, &grid.point(index), &settings)))
+        .map(|&index| (index, reference::run(scene(index), &grid.point(index), &settings)))
         .collect();
     let mut report = compare(grid, &judged, |index| outcomes[index]);
     report.beside_boundary =

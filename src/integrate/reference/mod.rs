@@ -12,7 +12,7 @@ use crate::scene::{Point, Scene};
 
 use super::outcome::{Class, Outcome, Status};
 use step::{Guard, Stepper};
-use system::{DPHI, Phase, Pole, State, System, V};
+use system::{DPHI, Drive, Phase, Pole, State, System, V};
 
 /// Switches are located to within this time, s.
 pub const EVENT_TIME: f64 = 1.0e-12;
@@ -74,10 +74,12 @@ pub fn observe(
     let system = System::new(scene, point);
     let mut y = system.at_rest();
     observer(&Instant { t: 0.0, phase: None, y: &y, switch: None });
-    let pulse_end = system.pulse_end().min(scene.t_max);
     let mut cell = Cell::new(&system, settings, point, observer);
-    y = cell.integrate(y, 0.0, pulse_end, true);
-    cell.integrate(y, pulse_end, scene.t_max, false);
+    let mut from = 0.0;
+    for (to, drive) in system.stretches(scene.t_max) {
+        y = cell.integrate(y, from, to, drive);
+        from = to;
+    }
     cell.outcome(scene.t_max)
 }
 
@@ -131,15 +133,15 @@ impl<'a> Cell<'a> {
     }
 
     /// Integrates from `t` to `stop`, or to the cell's end.
-    fn integrate(&mut self, mut y: State, mut t: f64, stop: f64, forced: bool) -> State {
+    fn integrate(&mut self, mut y: State, mut t: f64, stop: f64, drive: Drive) -> State {
         while t < stop && self.class.is_none() {
             if self.phase.is_none()
-                && let Some(pole) = self.lifts_now(t, forced, &y)
+                && let Some(pole) = self.lifts_now(t, drive, &y)
             {
                 self.lift(pole, t, &y);
             }
-            self.see_contact(t, forced, &y);
-            let taken = self.stepper.step(self.phase, t, stop, forced, &y);
+            self.see_contact(t, drive, &y);
+            let taken = self.stepper.step(self.phase, t, stop, drive, &y);
             self.steps += 1;
             if self.steps > self.settings.most_steps || !taken.y.iter().all(|x| x.is_finite()) {
                 let diverged = self.steps <= self.settings.most_steps;
@@ -149,7 +151,7 @@ impl<'a> Cell<'a> {
                 break;
             }
             self.see_motion(&taken.peaks);
-            self.see_contact(taken.t, forced, &taken.y);
+            self.see_contact(taken.t, drive, &taken.y);
             t = taken.t;
             y = taken.y;
             let mut switch = None;
@@ -159,7 +161,7 @@ impl<'a> Cell<'a> {
                     continue;
                 }
                 (Some(Guard::Impact), Some(pole)) => {
-                    y = self.land(pole, t, forced, &y);
+                    y = self.land(pole, t, drive, &y);
                     switch = Some(Switch::Impact(pole));
                 }
                 (Some(Guard::Overturn), Some(pole)) => {
@@ -178,9 +180,9 @@ impl<'a> Cell<'a> {
         y
     }
 
-    fn lifts_now(&self, t: f64, forced: bool, y: &State) -> Option<Pole> {
-        let left = self.system.uplift(Pole::Left, t, forced, y);
-        let right = self.system.uplift(Pole::Right, t, forced, y);
+    fn lifts_now(&self, t: f64, drive: Drive, y: &State) -> Option<Pole> {
+        let left = self.system.uplift(Pole::Left, t, drive, y);
+        let right = self.system.uplift(Pole::Right, t, drive, y);
         if left > 0.0 && left >= right {
             return Some(Pole::Left);
         }
@@ -196,13 +198,13 @@ impl<'a> Cell<'a> {
     }
 
     /// Section 2.5; a block too slow to lift again, or without a rebound, settles.
-    fn land(&mut self, pole: Pole, t: f64, forced: bool, y: &State) -> State {
+    fn land(&mut self, pole: Pole, t: f64, drive: Drive, y: &State) -> State {
         self.impacts += 1;
         let landed = self.system.impact(pole, y);
         let settled = self.system.settle(pole, y);
         let no_rebound = landed[DPHI] * y[DPHI] <= 0.0;
         let slow = landed[DPHI].abs() < self.settings.rest_speed;
-        if no_rebound || (slow && self.lifts_now(t, forced, &settled).is_none()) {
+        if no_rebound || (slow && self.lifts_now(t, drive, &settled).is_none()) {
             self.phase = None;
             return settled;
         }
@@ -219,8 +221,8 @@ impl<'a> Cell<'a> {
         }
     }
 
-    fn see_contact(&mut self, t: f64, forced: bool, y: &State) {
-        let (normal, shear) = self.system.contact(self.phase, t, forced, y);
+    fn see_contact(&mut self, t: f64, drive: Drive, y: &State) {
+        let (normal, shear) = self.system.contact(self.phase, t, drive, y);
         self.min_contact = self.min_contact.min(normal);
         if normal > 0.0 {
             self.friction = self.friction.max(shear.abs() / normal);

@@ -1,7 +1,7 @@
 //! One adaptive step, cut at the first switch or kink inside it.
 
 use super::EVENT_TIME;
-use super::system::{DPHI, DU, PHI, Phase, Pole, State, System, U, V, Z};
+use super::system::{DPHI, DU, Drive, PHI, Phase, Pole, State, System, U, V, Z};
 use super::tableau::{A, B, C, E3, E5, STAGES};
 use crate::scene::Point;
 
@@ -101,8 +101,8 @@ impl<'a> Stepper<'a> {
     }
 
     /// Takes a step from `t` towards `stop`, up to the first guard that changes sign.
-    pub fn step(&mut self, phase: Phase, t: f64, stop: f64, forced: bool, y: &State) -> Taken {
-        let rhs = |t: f64, y: &State| self.system.derivative(phase, t, forced, y);
+    pub fn step(&mut self, phase: Phase, t: f64, stop: f64, drive: Drive, y: &State) -> Taken {
+        let rhs = |t: f64, y: &State| self.system.derivative(phase, t, drive, y);
         let d0 = rhs(t, y);
         loop {
             let left = stop - t;
@@ -112,17 +112,16 @@ impl<'a> Stepper<'a> {
             if last {
                 h = left;
             }
-            let (mut y1, mut error) = self.try_step(phase, t, forced, y, &d0, h);
+            let (mut y1, mut error) = self.try_step(phase, t, drive, y, &d0, h);
             let mut d1 = rhs(t + h, &y1);
             let mut guard = None;
             let mut cut = h;
-            if let Some((which, bracket)) = self.first_guard(phase, t, forced, y, &d0, &y1, &d1, h)
-            {
-                let place = self.locate(which, phase, t, forced, y, &d0, bracket);
+            if let Some((which, bracket)) = self.first_guard(phase, t, drive, y, &d0, &y1, &d1, h) {
+                let place = self.locate(which, phase, t, drive, y, &d0, bracket);
                 if let Some(place) = place {
                     guard = Some(which);
                     cut = place;
-                    (y1, error) = self.try_step(phase, t, forced, y, &d0, cut);
+                    (y1, error) = self.try_step(phase, t, drive, y, &d0, cut);
                     d1 = rhs(t + cut, &y1);
                 }
             }
@@ -149,7 +148,7 @@ impl<'a> Stepper<'a> {
         &self,
         phase: Phase,
         t: f64,
-        forced: bool,
+        drive: Drive,
         y: &State,
         d0: &State,
         h: f64,
@@ -161,7 +160,7 @@ impl<'a> Stepper<'a> {
             for (a, slope) in A[i].iter().zip(&k) {
                 at += slope * (h * a);
             }
-            k[i] = self.system.derivative(phase, t + C[i] * h, forced, &at);
+            k[i] = self.system.derivative(phase, t + C[i] * h, drive, &at);
         }
         let sum = |weights: &[f64; STAGES]| {
             weights.iter().zip(&k).fold(State::zeros(), |sum, (w, slope)| sum + slope * *w)
@@ -186,13 +185,13 @@ impl<'a> Stepper<'a> {
         guard: Guard,
         phase: Phase,
         t: f64,
-        forced: bool,
+        drive: Drive,
         y: &State,
         start: &State,
     ) -> f64 {
         let side = phase.map_or(0.0, Pole::sign);
         match guard {
-            Guard::Uplift(pole) => self.system.uplift(pole, t, forced, y),
+            Guard::Uplift(pole) => self.system.uplift(pole, t, drive, y),
             Guard::Impact => -side * y[PHI],
             Guard::Overturn => {
                 side * y[PHI] - phase.map_or(f64::INFINITY, |p| self.system.overturning_angle(p))
@@ -227,7 +226,7 @@ impl<'a> Stepper<'a> {
         &self,
         phase: Phase,
         t: f64,
-        forced: bool,
+        drive: Drive,
         y: &State,
         d0: &State,
         y1: &State,
@@ -240,8 +239,8 @@ impl<'a> Stepper<'a> {
             let at = if x < 1.0 { cubic.at(x) } else { *y1 };
             let happened = self
                 .guards(phase, y)
-                .filter(|&g| self.value(g, phase, t + x * h, forced, &at, y) > 0.0)
-                .map(|g| (g, self.root(g, phase, t, forced, y, &cubic, (before, x))))
+                .filter(|&g| self.value(g, phase, t + x * h, drive, &at, y) > 0.0)
+                .map(|g| (g, self.root(g, phase, t, drive, y, &cubic, (before, x))))
                 .min_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((guard, _)) = happened {
                 return Some((guard, (before * h, x * h)));
@@ -258,14 +257,14 @@ impl<'a> Stepper<'a> {
         guard: Guard,
         phase: Phase,
         t: f64,
-        forced: bool,
+        drive: Drive,
         start: &State,
         cubic: &Cubic,
         (mut low, mut high): (f64, f64),
     ) -> f64 {
         for _ in 0..50 {
             let mid = 0.5 * (low + high);
-            if self.value(guard, phase, t + mid * cubic.h, forced, &cubic.at(mid), start) > 0.0 {
+            if self.value(guard, phase, t + mid * cubic.h, drive, &cubic.at(mid), start) > 0.0 {
                 high = mid;
             } else {
                 low = mid;
@@ -283,26 +282,26 @@ impl<'a> Stepper<'a> {
         guard: Guard,
         phase: Phase,
         t: f64,
-        forced: bool,
+        drive: Drive,
         y: &State,
         d0: &State,
         (mut low, mut high): (f64, f64),
     ) -> Option<f64> {
         let redo = |x: f64| {
-            let at = self.try_step(phase, t, forced, y, d0, x).0;
-            let slope = self.system.derivative(phase, t + x, forced, &at);
+            let at = self.try_step(phase, t, drive, y, d0, x).0;
+            let slope = self.system.derivative(phase, t + x, drive, &at);
             (at, slope)
         };
         let (mut y_low, mut d_low) = if low > 0.0 { redo(low) } else { (*y, *d0) };
         let (mut y_high, mut d_high) = redo(high);
-        if self.value(guard, phase, t + high, forced, &y_high, y) <= 0.0 {
+        if self.value(guard, phase, t + high, drive, &y_high, y) <= 0.0 {
             return None;
         }
         let mut aside = -0.25;
         while high - low > EVENT_TIME {
             let width = high - low;
             let cubic = Cubic { y0: &y_low, d0: &d_low, y1: &y_high, d1: &d_high, h: width };
-            let estimate = self.root(guard, phase, t + low, forced, y, &cubic, (0.0, 1.0));
+            let estimate = self.root(guard, phase, t + low, drive, y, &cubic, (0.0, 1.0));
             // A little to either side in turn, so that the bracket closes from both.
             let mut x = low + estimate * width + aside * EVENT_TIME;
             aside = -aside;
@@ -313,7 +312,7 @@ impl<'a> Stepper<'a> {
                 break;
             }
             let (at, slope) = redo(x);
-            if self.value(guard, phase, t + x, forced, &at, y) > 0.0 {
+            if self.value(guard, phase, t + x, drive, &at, y) > 0.0 {
                 (high, y_high, d_high) = (x, at, slope);
             } else {
                 (low, y_low, d_low) = (x, at, slope);

@@ -8,7 +8,8 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
 
-use crate::scene::{GRAVITY, Overturn, Point, Scene};
+use crate::scene::record::Pair;
+use crate::scene::{Excitation, GRAVITY, Overturn, Point, Scene};
 
 /// u, v, phi, their rates, and z.
 pub type State = SVector<f64, 7>;
@@ -55,6 +56,17 @@ impl Pole {
     }
 }
 
+/// What moves the ground, in a stretch of time in which it does so smoothly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drive {
+    /// The pulse (22).
+    Pulse,
+    /// The record, from its sample of this number (from 0) to the next.
+    Between(usize),
+    /// Nothing.
+    Free,
+}
+
 /// Full contact (`None`), or rocking about a corner.
 pub type Phase = Option<Pole>;
 
@@ -82,6 +94,7 @@ pub struct System {
     omega: f64,
     a_h: f64,
     a_v: f64,
+    record: Option<Pair>,
 }
 
 impl System {
@@ -112,6 +125,10 @@ impl System {
             omega: point.omega,
             a_h: point.a_h,
             a_v: point.a_v,
+            record: match &scene.excitation {
+                Excitation::Record(pair) => Some(pair.clone()),
+                Excitation::Pulse(_) => None,
+            },
         };
         if let Some(law) = &base.horizontal {
             let omega_h = TAU / point.t_h;
@@ -132,6 +149,21 @@ impl System {
     /// T_S, end of the pulse, s.
     pub fn pulse_end(&self) -> f64 {
         TAU / self.omega
+    }
+
+    /// The stretches of a run up to `t_max` in which the ground's motion is smooth: their ends,
+    /// and what drives them.
+    pub fn stretches(&self, t_max: f64) -> Vec<(f64, Drive)> {
+        let mut stretches = Vec::new();
+        match &self.record {
+            None => stretches.push((self.pulse_end().min(t_max), Drive::Pulse)),
+            Some(pair) => {
+                let samples = 1..pair.horizontal.len();
+                stretches.extend(samples.map(|i| (i as f64 * pair.dt, Drive::Between(i - 1))));
+            }
+        }
+        stretches.push((t_max, Drive::Free));
+        stretches
     }
 
     /// True where the base yields: z is a state, and its law has kinks where u' or z change sign.
@@ -166,13 +198,20 @@ impl System {
         }
     }
 
-    /// Accelerations of the ground (22); `forced` tells the two sides of the pulse's end apart.
-    fn ground(&self, t: f64, forced: bool) -> (f64, f64) {
-        if !forced {
-            return (0.0, 0.0);
+    /// Accelerations of the ground.
+    fn ground(&self, t: f64, drive: Drive) -> (f64, f64) {
+        match (drive, &self.record) {
+            (Drive::Pulse, _) => {
+                let wave = (self.omega * t).sin();
+                (self.a_h * wave, self.a_v * wave)
+            }
+            (Drive::Between(i), Some(pair)) => {
+                let share = t / pair.dt - i as f64;
+                let at = |a: &[f64]| a[i] * (1.0 - share) + a[i + 1] * share;
+                (at(&pair.horizontal), at(&pair.vertical))
+            }
+            _ => (0.0, 0.0),
         }
-        let wave = (self.omega * t).sin();
-        (self.a_h * wave, self.a_v * wave)
     }
 
     /// F_h and F_v of (10), N.
@@ -184,8 +223,8 @@ impl System {
     }
 
     /// Accelerations of u, v and phi.
-    pub fn accelerations(&self, phase: Phase, t: f64, forced: bool, y: &State) -> Vector3<f64> {
-        let (ug, vg) = self.ground(t, forced);
+    pub fn accelerations(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> Vector3<f64> {
+        let (ug, vg) = self.ground(t, drive);
         let (f_h, f_v) = self.forces(y);
         let total_h = self.mass + self.plate_h + self.plate_v;
         let total_v = self.mass + self.plate_v;
@@ -220,8 +259,8 @@ impl System {
     }
 
     /// Time derivative of a state; (11) for z.
-    pub fn derivative(&self, phase: Phase, t: f64, forced: bool, y: &State) -> State {
-        let a = self.accelerations(phase, t, forced, y);
+    pub fn derivative(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> State {
+        let a = self.accelerations(phase, t, drive, y);
         let mut dz = 0.0;
         if self.yields() {
             let direction = (y[DU] * y[Z].signum()).signum();
@@ -231,17 +270,17 @@ impl System {
     }
 
     /// (14) about a corner: the left side less the right, m/s^2; positive where the block lifts.
-    pub fn uplift(&self, pole: Pole, t: f64, forced: bool, y: &State) -> f64 {
-        let (ug, vg) = self.ground(t, forced);
-        let a = self.accelerations(None, t, forced, y);
+    pub fn uplift(&self, pole: Pole, t: f64, drive: Drive, y: &State) -> f64 {
+        let (ug, vg) = self.ground(t, drive);
+        let a = self.accelerations(None, t, drive, y);
         pole.sign() * (a[0] + ug) - self.arm(pole) / self.height * (a[1] + vg + GRAVITY)
     }
 
     /// Normal and horizontal force between block and base over M, m/s^2, from the acceleration of
     /// the centre of mass, the second derivative of (6).
-    pub fn contact(&self, phase: Phase, t: f64, forced: bool, y: &State) -> (f64, f64) {
-        let (ug, vg) = self.ground(t, forced);
-        let a = self.accelerations(phase, t, forced, y);
+    pub fn contact(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> (f64, f64) {
+        let (ug, vg) = self.ground(t, drive);
+        let a = self.accelerations(phase, t, drive, y);
         let mut centre = Vector2::new(a[0] + ug, a[1] + vg + GRAVITY);
         if let Some(pole) = phase {
             let (sin, cos) = y[PHI].sin_cos();

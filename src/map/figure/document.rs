@@ -6,6 +6,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
 use super::FigureError;
+use super::frame::FINE;
 use super::raster::data_url;
 
 /// A rectangle of the document, px.
@@ -21,8 +22,8 @@ pub struct Place {
     pub height: i32,
 }
 
-/// Puts an SVG together: white paper, images at their places, and `drawing`, an SVG of the same
-/// size, on top.
+/// Puts an SVG together: white paper, images at their places, and `drawing`, an SVG in
+/// fine units, on top.
 pub fn compose(size: (u32, u32), images: &[(Place, Vec<u8>)], drawing: &str) -> String {
     let (width, height) = size;
     let mut svg = format!(
@@ -37,7 +38,11 @@ pub fn compose(size: (u32, u32), images: &[(Place, Vec<u8>)], drawing: &str) -> 
             data_url(png)
         ));
     }
-    svg.push_str(&with_subscripts(drawing));
+    // The drawing is in fine units: set to the document's size, its own view box scales it.
+    let fine = FINE as u32;
+    let own = format!("width=\"{}\" height=\"{}\"", width * fine, height * fine);
+    let set = format!("width=\"{width}\" height=\"{height}\"");
+    svg.push_str(&with_subscripts(&drawing.replacen(&own, &set, 1)));
     svg.push_str("</svg>\n");
     svg
 }

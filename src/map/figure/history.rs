@@ -4,10 +4,10 @@ use plotters::prelude::*;
 
 use super::FigureError;
 use super::document::compose;
-use super::overturning::caption;
+use super::frame::{Drawn, FINE, area, at, caption, stroke, text};
 use super::tick;
 use crate::integrate::outcome::Outcome;
-use crate::scene::{Point, Scene};
+use crate::scene::{Excitation, Point, Scene};
 use crate::sweep::history::Row;
 
 const SIZE: (u32, u32) = (960, 820);
@@ -44,23 +44,24 @@ fn strips(
     rows: &[Row],
     outcome: &Outcome,
     drawing: &mut String,
-) -> Result<(), Box<dyn std::error::Error>> {
-    let root = SVGBackend::with_string(drawing, SIZE).into_drawing_area();
-    let text = |size: i32| ("sans-serif", size).into_font().color(&BLACK);
+) -> Drawn<()> {
+    let root = area(drawing, SIZE);
+    let cell = match &scene.excitation {
+        Excitation::Pulse(_) => format!("Ω = {} rad/s,  A_h = {} m/s²", point.omega, point.a_h),
+        Excitation::Record(pair) => pair.title.clone(),
+    };
     let what = format!(
-        "Ω = {} rad/s,  A_h = {} m/s²:  {}, {} impacts, ζ = {:.4}",
-        point.omega,
-        point.a_h,
+        "{cell}:  {}, {} impacts, ζ = {:.4}",
         outcome.class.name().replace('_', " "),
         outcome.impacts,
         outcome.zeta
     );
-    root.draw(&Text::new(what, (84, 16), text(20)))?;
-    root.draw(&Text::new(caption(scene), (84, 44), text(15)))?;
+    root.draw(&Text::new(what, at(84, 16), text(20)))?;
+    root.draw(&Text::new(caption(scene), at(84, 44), text(15)))?;
     let end = rows.last().map_or(1.0, |row| row.t).max(f64::MIN_POSITIVE);
-    let (_, below) = root.split_vertically(66);
+    let (_, below) = root.split_vertically(66 * FINE);
     let areas = below.split_evenly((STRIPS.len(), 1));
-    for (k, (area, (label, value))) in areas.iter().zip(STRIPS).enumerate() {
+    for (k, (strip, (label, value))) in areas.iter().zip(STRIPS).enumerate() {
         let last = k + 1 == STRIPS.len();
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for y in rows.iter().map(value) {
@@ -71,18 +72,20 @@ fn strips(
             (low, high) = if low.is_finite() { (low, low) } else { (0.0, 0.0) };
             margin = 0.5 * low.abs().max(1.0e-3);
         }
-        let mut chart = ChartBuilder::on(area)
-            .margin_right(24)
-            .margin_left(16)
-            .margin_top(8)
-            .set_label_area_size(LabelAreaPosition::Left, 74)
-            .set_label_area_size(LabelAreaPosition::Bottom, if last { 44 } else { 8 })
+        let mut chart = ChartBuilder::on(strip)
+            .margin_right(24 * FINE)
+            .margin_left(16 * FINE)
+            .margin_top(8 * FINE)
+            .set_label_area_size(LabelAreaPosition::Left, 74 * FINE)
+            .set_label_area_size(LabelAreaPosition::Bottom, if last { 44 } else { 8 } * FINE)
             .build_cartesian_2d(0.0..end, low - margin..high + margin)?;
         let format_y = |value: &f64| tick(*value, high - low);
         let format_x = |value: &f64| if last { tick(*value, end) } else { String::new() };
         let mut mesh = chart.configure_mesh();
         mesh.light_line_style(TRANSPARENT)
-            .bold_line_style(BLACK.mix(0.12))
+            .bold_line_style(BLACK.mix(0.12).stroke_width(FINE as u32))
+            .set_all_tick_mark_size(5 * FINE)
+            .axis_style(stroke(BLACK, 10))
             .label_style(text(14))
             .axis_desc_style(text(16))
             .y_labels(5)
@@ -95,12 +98,12 @@ fn strips(
         }
         mesh.draw()?;
         let line = rows.iter().map(|row| (row.t, value(row)));
-        chart.draw_series(LineSeries::new(line, RGBColor(0x2c, 0x5f, 0xb8).stroke_width(1)))?;
+        chart.draw_series(LineSeries::new(line, stroke(RGBColor(0x2c, 0x5f, 0xb8), 12)))?;
         if k == 0 {
             // Where the phase changes: uplifts and impacts.
             let switches = rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode);
-            let dots =
-                switches.map(|pair| Circle::new((pair[1].t, value(&pair[1])), 2, RED.filled()));
+            let dots = switches
+                .map(|pair| Circle::new((pair[1].t, value(&pair[1])), 2 * FINE, RED.filled()));
             chart.draw_series(dots)?;
         }
     }

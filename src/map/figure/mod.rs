@@ -1,6 +1,8 @@
 //! Pictures: a raster of the cells under a vector frame, as SVG, and the same as PNG.
 
 pub mod document;
+pub mod field;
+pub mod frame;
 pub mod history;
 pub mod overturning;
 pub mod palette;

@@ -1,6 +1,5 @@
 //! A sweep on a device: tiles of cells, chunks of steps.
 
-use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -61,6 +60,7 @@ impl<'a> Sweeper<'a> {
         variant: Variant,
     ) -> Result<Sweeper<'a>, GpuError> {
         let constants = [
+            ("recorded", f64::from(u8::from(variant.recorded))),
             ("isolated_h", f64::from(u8::from(variant.isolated_h))),
             ("isolated_v", f64::from(u8::from(variant.isolated_v))),
             ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
@@ -86,7 +86,7 @@ impl<'a> Sweeper<'a> {
         Ok(Sweeper { gpu, pipeline })
     }
 
-    /// Runs a range of a grid's cells; `progress` hears of cells as they are done, a running one
+    /// Runs cells of a grid; `progress` hears of cells as they are done, a running one
     /// by the share of its steps.
     ///
     /// # Errors
@@ -95,15 +95,12 @@ impl<'a> Sweeper<'a> {
         &self,
         plan: &Plan,
         grid: &Grid,
-        cells: Range<usize>,
+        cells: &[usize],
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<Outcome>, GpuError> {
         let mut outcomes = Vec::with_capacity(cells.len());
-        let mut first = cells.start;
-        while first < cells.end {
-            let last = cells.end.min(first + self.tile_size::<R>());
-            outcomes.extend(self.tile::<R>(plan, grid, first..last, progress)?);
-            first = last;
+        for tile in cells.chunks(self.tile_size::<R>()) {
+            outcomes.extend(self.tile::<R>(plan, grid, tile, progress)?);
         }
         Ok(outcomes)
     }
@@ -120,12 +117,12 @@ impl<'a> Sweeper<'a> {
         &self,
         plan: &Plan,
         grid: &Grid,
-        range: Range<usize>,
+        indices: &[usize],
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<Outcome>, GpuError> {
-        let count = range.len();
+        let count = indices.len();
         let (cells, states): (Vec<Cell<R>>, Vec<State<R>>) =
-            range.clone().into_par_iter().map(|index| plan.cell::<R>(&grid.point(index))).unzip();
+            indices.par_iter().map(|&index| plan.cell::<R>(&grid.point(index))).unzip();
         let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
         let buffers = self.gpu.checked(|| Buffers::new(self.gpu, plan, &cells, &states))?;
         let mut chunk = FIRST_CHUNK;
@@ -158,8 +155,8 @@ impl<'a> Sweeper<'a> {
         }
         Ok(states
             .par_iter()
-            .zip(range)
-            .map(|(state, index)| plan.outcome(&grid.point(index), state))
+            .zip(indices)
+            .map(|(state, &index)| plan.outcome(&grid.point(index), state))
             .collect())
     }
 
@@ -219,6 +216,7 @@ struct Buffers {
     states: Buffer,
     chunk: Buffer,
     running: Buffer,
+    record: Buffer,
     running_back: Buffer,
 }
 
@@ -241,6 +239,7 @@ impl Buffers {
             })
         };
         let model = plan.model::<R>();
+        let record = plan.record::<R>();
         Buffers {
             model: filled("model", bytemuck::bytes_of(&model), BufferUsages::STORAGE),
             cells: filled("cells", bytemuck::cast_slice(cells), BufferUsages::STORAGE),
@@ -254,6 +253,7 @@ impl Buffers {
                 "running",
                 BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
             ),
+            record: filled("record", bytemuck::cast_slice(&record), BufferUsages::STORAGE),
             running_back: gpu.device.create_buffer(&BufferDescriptor {
                 label: Some("running back"),
                 size: 4,
@@ -263,8 +263,9 @@ impl Buffers {
         }
     }
 
-    fn entries(&self) -> [BindGroupEntry<'_>; 5] {
-        let buffers = [&self.model, &self.cells, &self.states, &self.chunk, &self.running];
+    fn entries(&self) -> [BindGroupEntry<'_>; 6] {
+        let buffers =
+            [&self.model, &self.cells, &self.states, &self.chunk, &self.running, &self.record];
         let mut binding = 0;
         buffers.map(|buffer| {
             let entry = BindGroupEntry { binding, resource: buffer.as_entire_binding() };

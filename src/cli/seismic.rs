@@ -1,0 +1,47 @@
+//! `topple seismic`.
+
+use topple::map::files::Directory;
+use topple::scene::excitation::RecordText;
+use topple::scene::record::synthetic;
+use topple::scene::text::SceneText;
+
+use super::options::{CommonFlags, RunOptions, flag_error};
+use super::report;
+
+/// Map the response to a ground-motion record over (T_h, T_v).
+#[derive(clap::Args)]
+pub struct SeismicCommand {
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten, next_help_heading = "Record")]
+    record: RecordText,
+    #[command(flatten, next_help_heading = "Run")]
+    options: RunOptions,
+}
+
+impl SeismicCommand {
+    /// Runs the map.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let mut record = self.record.clone();
+        if record.horizontal.is_none() && record.vertical.is_none() {
+            let out = report::open(&self.options)?;
+            record = write_synthetic(&out, record)?;
+        }
+        let text = SceneText { record: Some(record), ..self.common.text(None) };
+        let scene = text.check().map_err(|error| flag_error(&error))?;
+        report::run_map(&scene, &self.options)
+    }
+}
+
+/// Writes the synthetic pair into the results' directory; the run then reads it like any other.
+fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Result<RecordText> {
+    use std::io::Write;
+    for (name, title, parameters, place) in [
+        ("synthetic_h.at2", "SYNTHETIC, HORIZONTAL", synthetic::HORIZONTAL, &mut record.horizontal),
+        ("synthetic_v.at2", "SYNTHETIC, VERTICAL", synthetic::VERTICAL, &mut record.vertical),
+    ] {
+        let text = synthetic::at2(&synthetic::make(title, &parameters));
+        *place = Some(out.write(name, |w| w.write_all(text.as_bytes()))?);
+    }
+    Ok(record)
+}

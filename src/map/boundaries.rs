@@ -1,0 +1,110 @@
+//! Lines of a map: around overturning, around full contact, and levels of a value.
+
+use std::io::Write;
+
+use contour::ContourBuilder;
+
+use super::Map;
+use super::csv::number;
+use crate::integrate::outcome::{Class, Outcome};
+
+/// A line in the units of the axes.
+pub type Line = Vec<(f64, f64)>;
+
+/// A boundary between outcomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// Around the cells that overturn.
+    Overturning,
+    /// Around the cells that stay in full contact.
+    FullContact,
+}
+
+impl Boundary {
+    /// Name in boundaries.csv.
+    pub fn name(self) -> &'static str {
+        match self {
+            Boundary::Overturning => "overturning",
+            Boundary::FullContact => "full_contact",
+        }
+    }
+
+    fn holds(self, outcome: &Outcome) -> bool {
+        match self {
+            Boundary::Overturning => outcome.class.overturned(),
+            Boundary::FullContact => outcome.class == Class::FullContact,
+        }
+    }
+
+    /// Its lines, halfway between cells on either side.
+    pub fn lines(self, map: &Map) -> Vec<Line> {
+        let inside = |outcome: &Outcome| if self.holds(outcome) { 1.0 } else { 0.0 };
+        levels(map, inside, &[0.5]).pop().unwrap_or_default()
+    }
+}
+
+/// For each level the lines on which a value has it, linear between cells. A grid of a single row
+/// or column has none.
+pub fn levels(map: &Map, value: impl Fn(&Outcome) -> f64, levels: &[f64]) -> Vec<Vec<Line>> {
+    let (columns, rows) = map.grid.shape();
+    if columns < 2 || rows < 2 {
+        return vec![Vec::new(); levels.len()];
+    }
+    let values: Vec<f64> = map.outcomes.iter().map(value).collect();
+    let Ok(found) = ContourBuilder::new(columns, rows, true).lines(&values, levels) else {
+        return vec![Vec::new(); levels.len()];
+    };
+    // The library puts a cell's value half a cell beyond its number, and closes rings around the
+    // grid's edge; those stretches are no part of a boundary.
+    let along = |range: &crate::scene::Range, place: f64| {
+        let share = (place - 0.5) / f64::from(range.count - 1);
+        range.start + (range.stop - range.start) * share
+    };
+    let on_edge =
+        |x: f64, y: f64| x < 0.5 || y < 0.5 || x > columns as f64 - 0.5 || y > rows as f64 - 0.5;
+    found
+        .iter()
+        .map(|level| {
+            let mut lines = Vec::new();
+            for ring in &level.geometry().0 {
+                let mut line = Line::new();
+                for place in &ring.0 {
+                    if on_edge(place.x, place.y) {
+                        if line.len() > 1 {
+                            lines.push(std::mem::take(&mut line));
+                        }
+                        line.clear();
+                    } else {
+                        line.push((
+                            along(&map.grid.x.range, place.x),
+                            along(&map.grid.y.range, place.y),
+                        ));
+                    }
+                }
+                if line.len() > 1 {
+                    lines.push(line);
+                }
+            }
+            lines
+        })
+        .collect()
+}
+
+/// Writes boundaries.csv: a row a point, `boundary,line` and the two axes.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write(map: &Map, writer: impl Write) -> Result<(), csv::Error> {
+    let mut table = csv::Writer::from_writer(writer);
+    table.write_record(["boundary", "line", map.grid.x.key, map.grid.y.key])?;
+    for boundary in [Boundary::Overturning, Boundary::FullContact] {
+        for (index, line) in boundary.lines(map).iter().enumerate() {
+            for (x, y) in line {
+                let place = [number(*x), number(*y)];
+                table.write_record([boundary.name(), &index.to_string(), &place[0], &place[1]])?;
+            }
+        }
+    }
+    table.flush()?;
+    Ok(())
+}

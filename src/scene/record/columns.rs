@@ -1,0 +1,75 @@
+//! Plain numbers: one column of values, or time and value, with blanks, tabs or commas between.
+
+use super::lines::{MOST_SAMPLES, free, number};
+use super::{Raw, RecordError};
+
+/// Largest part of a step by which a time may miss its place.
+const JITTER: f64 = 0.02;
+
+pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
+    let mut title = String::new();
+    let (mut times, mut values) = (Vec::new(), Vec::new());
+    let mut columns = 0;
+    for (index, line) in text.lines().enumerate() {
+        let at = index + 1;
+        let line = line.trim();
+        if line.is_empty() || line.starts_with(['#', '%', '!']) {
+            continue;
+        }
+        let fields = free(line);
+        let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field)).collect();
+        let Some(numbers) = numbers else {
+            // Words before the first number are a heading.
+            if values.is_empty() && title.is_empty() {
+                title = line.chars().take(80).collect();
+                continue;
+            }
+            return Err(RecordError::line(
+                at,
+                "this is not a number; is the file of a known format?",
+            ));
+        };
+        if columns == 0 {
+            columns = numbers.len();
+        }
+        if numbers.len() != columns || columns > 2 {
+            let problem = format!(
+                "{} numbers; one column of values, or two of time and value, are read",
+                numbers.len()
+            );
+            return Err(RecordError::line(at, problem));
+        }
+        if columns == 2 {
+            times.push(numbers[0]);
+        }
+        values.push(numbers[columns - 1]);
+        if values.len() > MOST_SAMPLES {
+            return Err(RecordError::line(at, format!("more than {MOST_SAMPLES} samples")));
+        }
+    }
+    let dt = if columns == 2 { Some(even_step(&times)?) } else { None };
+    Ok(Raw { title, dt, units: None, values, notes: Vec::new() })
+}
+
+/// The step of evenly spaced times.
+fn even_step(times: &[f64]) -> Result<f64, RecordError> {
+    let (Some(first), Some(last)) = (times.first(), times.last()) else {
+        return Err(RecordError::whole("no samples"));
+    };
+    let step = (last - first) / (times.len().max(2) - 1) as f64;
+    if !(step > 0.0) {
+        return Err(RecordError::whole("the times in the first column do not grow"));
+    }
+    for (index, time) in times.iter().enumerate() {
+        let place = first + step * index as f64;
+        if !((time - place).abs() <= JITTER * step) {
+            let problem = format!(
+                "sample {}: the time {time} is not where even steps of {step} s put it ({place}); \
+                 resample the record evenly",
+                index + 1
+            );
+            return Err(RecordError::whole(problem));
+        }
+    }
+    Ok(step)
+}

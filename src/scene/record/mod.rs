@@ -1,0 +1,122 @@
+//! Ground-motion records.
+
+pub mod at2;
+pub mod columns;
+pub mod cosmos;
+pub mod csmip;
+pub mod esm;
+pub mod knet;
+pub mod lines;
+pub mod pair;
+pub mod read;
+pub mod smc;
+pub mod synthetic;
+
+use serde::{Deserialize, Serialize};
+
+pub use pair::Pair;
+
+/// An acceleration record, evenly sampled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// What the file says that it is.
+    pub title: String,
+    /// Time between samples, s.
+    pub dt: f64,
+    /// Accelerations, m/s^2.
+    pub samples: Vec<f64>,
+    /// What the reader had to decide, in a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl Record {
+    /// Largest |acceleration|, m/s^2.
+    pub fn peak(&self) -> f64 {
+        self.samples.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
+    }
+
+    /// Time of the last sample, s.
+    pub fn duration(&self) -> f64 {
+        self.dt * (self.samples.len().saturating_sub(1)) as f64
+    }
+}
+
+/// Units of the numbers in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+pub enum Units {
+    /// Multiples of 9.81 m/s^2.
+    #[serde(rename = "g")]
+    #[value(name = "g")]
+    G,
+    /// m/s^2.
+    #[serde(rename = "m/s2")]
+    #[value(name = "m/s2")]
+    MetresPerSecondSquared,
+    /// cm/s^2, gal.
+    #[serde(rename = "cm/s2")]
+    #[value(name = "cm/s2")]
+    CentimetresPerSecondSquared,
+}
+
+impl Units {
+    /// m/s^2 in one of them.
+    pub fn factor(self) -> f64 {
+        match self {
+            Units::G => super::GRAVITY,
+            Units::MetresPerSecondSquared => 1.0,
+            Units::CentimetresPerSecondSquared => 0.01,
+        }
+    }
+
+    /// The units that a header's words mean, if they are an acceleration's.
+    pub fn named(text: &str) -> Option<Units> {
+        let plain: String =
+            text.to_lowercase().chars().filter(|c| !c.is_whitespace() && *c != '^').collect();
+        match plain.as_str() {
+            "g" | "(g)" => Some(Units::G),
+            "m/s2" | "m/s/s" | "m/sec2" | "m/sec/sec" => Some(Units::MetresPerSecondSquared),
+            "cm/s2" | "cm/s/s" | "cm/sec2" | "cm/sec/sec" | "gal" => {
+                Some(Units::CentimetresPerSecondSquared)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Why bytes are no record.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RecordError {
+    /// Something is wrong in a line, counted from 1.
+    #[error("line {line}: {problem}")]
+    Line {
+        /// The line.
+        line: usize,
+        /// What is wrong and what to do.
+        problem: String,
+    },
+    /// Something is wrong with the whole.
+    #[error("{0}")]
+    Whole(String),
+}
+
+impl RecordError {
+    pub(crate) fn line(line: usize, problem: impl Into<String>) -> RecordError {
+        RecordError::Line { line, problem: problem.into() }
+    }
+
+    pub(crate) fn whole(problem: impl Into<String>) -> RecordError {
+        RecordError::Whole(problem.into())
+    }
+}
+
+/// Samples as a file has them: in its units, before any check.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Raw {
+    pub title: String,
+    /// Time between samples, s, where the file tells.
+    pub dt: Option<f64>,
+    /// Units, where the file tells.
+    pub units: Option<Units>,
+    pub values: Vec<f64>,
+    pub notes: Vec<String>,
+}

@@ -1,0 +1,116 @@
+//! A horizontal record and a vertical one on common time steps.
+
+use std::sync::Arc;
+
+use serde::{Serialize, Serializer};
+
+use super::Record;
+
+/// The ground motion of a scene: both components, evenly sampled, of equal length.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Pair {
+    /// Titles of the components.
+    pub title: String,
+    /// Time between samples, s.
+    pub dt: f64,
+    /// Horizontal accelerations, m/s^2.
+    #[serde(serialize_with = "count")]
+    pub horizontal: Arc<[f64]>,
+    /// Vertical accelerations, m/s^2; zeros where there is no vertical record.
+    #[serde(serialize_with = "count")]
+    pub vertical: Arc<[f64]>,
+    /// PGA_h of (21), m/s^2.
+    pub pga_h: f64,
+    /// PGA_v, m/s^2.
+    pub pga_v: f64,
+    /// What had to be decided, in a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// A manifest tells how many samples there are.
+fn count<S: Serializer>(samples: &Arc<[f64]>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_u64(samples.len() as u64)
+}
+
+impl Pair {
+    /// Brings a horizontal and a vertical record together: the finer time step of both, by linear
+    /// interpolation; the longer duration, with zeros after the shorter one's end.
+    pub fn new(horizontal: Record, vertical: Option<Record>) -> Pair {
+        let mut notes: Vec<String> = Vec::new();
+        notes.extend(horizontal.notes.iter().map(|note| format!("horizontal: {note}")));
+        let mut title = horizontal.title.clone();
+        let mut dt = horizontal.dt;
+        let mut duration = horizontal.duration();
+        if let Some(vertical) = &vertical {
+            notes.extend(vertical.notes.iter().map(|note| format!("vertical: {note}")));
+            title = format!("{title} + {}", vertical.title);
+            dt = dt.min(vertical.dt);
+            duration = duration.max(vertical.duration());
+        }
+        // A thousandth of a step, so that a length that is a whole number of steps stays one.
+        let count = (duration / dt + 1.0e-3).floor() as usize + 1;
+        let mut bring = |name: &str, record: &Record| -> Arc<[f64]> {
+            if record.dt != dt {
+                notes.push(format!("{name} resampled from {} s to {dt} s", record.dt));
+            }
+            if record.duration() < duration - 0.5 * dt {
+                let gap = duration - record.duration();
+                notes.push(format!("{name} padded with {gap:.3} s of zeros at its end"));
+            }
+            (0..count).map(|k| interpolated(record, k as f64 * dt)).collect()
+        };
+        let horizontal = bring("horizontal", &horizontal);
+        let vertical = match &vertical {
+            Some(vertical) => bring("vertical", vertical),
+            None => std::iter::repeat_n(0.0, count).collect(),
+        };
+        let mut pair = Pair { title, dt, horizontal, vertical, pga_h: 0.0, pga_v: 0.0, notes };
+        pair.measure();
+        pair
+    }
+
+    /// The same motion, every acceleration times `factor`.
+    pub fn scaled(mut self, factor: f64) -> Pair {
+        self.horizontal = self.horizontal.iter().map(|a| a * factor).collect();
+        self.vertical = self.vertical.iter().map(|a| a * factor).collect();
+        self.notes.push(format!("both components scaled by {factor:.6}"));
+        self.measure();
+        self
+    }
+
+    fn measure(&mut self) {
+        let peak = |samples: &[f64]| samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
+        self.pga_h = peak(&self.horizontal);
+        self.pga_v = peak(&self.vertical);
+    }
+
+    /// Time of the last sample, s.
+    pub fn duration(&self) -> f64 {
+        self.dt * (self.horizontal.len().saturating_sub(1)) as f64
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.horizontal.len()
+    }
+
+    /// False: a record has two samples at least.
+    pub fn is_empty(&self) -> bool {
+        self.horizontal.is_empty()
+    }
+}
+
+/// A record at a time, linear between its samples and zero after its end.
+fn interpolated(record: &Record, t: f64) -> f64 {
+    let place = t / record.dt;
+    let nearest = place.round();
+    // Exactly on a sample, whatever the rounding of t.
+    if (place - nearest).abs() < 1.0e-6 {
+        return record.samples.get(nearest as usize).copied().unwrap_or(0.0);
+    }
+    let before = place.floor() as usize;
+    match (record.samples.get(before), record.samples.get(before + 1)) {
+        (Some(a), Some(b)) => a + (b - a) * (place - place.floor()),
+        _ => 0.0,
+    }
+}

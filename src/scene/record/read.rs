@@ -1,0 +1,110 @@
+//! From bytes to a record: which format, which units, and is it plausible.
+
+use std::path::Path;
+
+use super::{Raw, Record, RecordError, Units};
+use super::{at2, columns, cosmos, csmip, esm, knet, smc};
+use crate::scene::GRAVITY;
+
+/// What the user says of a file.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Told {
+    /// Time between samples, s.
+    pub dt: Option<f64>,
+    /// Units of the values.
+    pub units: Option<Units>,
+    /// The record is scaled to a known peak, so that its own is not questioned.
+    pub scaled: bool,
+}
+
+/// Largest file that is read, bytes.
+const LARGEST: u64 = 256 << 20;
+
+/// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
+
+/// Reads a file.
+///
+/// # Errors
+/// A [`RecordError`] that names the line at fault.
+pub fn file(path: &Path, told: &Told) -> Result<Record, RecordError> {
+    let refused =
+        |e: std::io::Error| RecordError::whole(format!("{e}; give a file that can be read"));
+    let size = std::fs::metadata(path).map_err(refused)?.len();
+    if size > LARGEST {
+        return Err(RecordError::whole("larger than 256 MiB; this is no record"));
+    }
+    bytes(&std::fs::read(path).map_err(refused)?, told)
+}
+
+/// Reads the bytes of a file.
+///
+/// # Errors
+/// A [`RecordError`] that names the line at fault.
+pub fn bytes(bytes: &[u8], told: &Told) -> Result<Record, RecordError> {
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let raw = if knet::matches(text) {
+        knet::read(text)?
+    } else if esm::matches(text) {
+        esm::read(text)?
+    } else if cosmos::matches(text) {
+        cosmos::read(text)?
+    } else if smc::matches(text) {
+        smc::read(text)?
+    } else if csmip::matches(text) {
+        csmip::read(text)?
+    } else if at2::matches(text) {
+        at2::read(text)?
+    } else {
+        columns::read(text)?
+    };
+    check(raw, told)
+}
+
+fn check(raw: Raw, told: &Told) -> Result<Record, RecordError> {
+    let Raw { title, dt, units, values, mut notes } = raw;
+    if values.len() < 2 {
+        return Err(RecordError::whole("fewer than two samples; this is no record"));
+    }
+    let dt = match (dt, told.dt) {
+        (Some(read), Some(given)) if (read - given).abs() > 1.0e-6 * read.abs() => {
+            let problem = format!("the file's step is {read} s, dt says {given} s; leave dt out");
+            return Err(RecordError::whole(problem));
+        }
+        (Some(read), _) => read,
+        (None, Some(given)) => given,
+        (None, None) => {
+            return Err(RecordError::whole("the file does not tell its time step; give dt"));
+        }
+    };
+    if !(dt.is_finite() && dt > 0.0 && dt <= 1.0) {
+        return Err(RecordError::whole(format!("a time step of {dt} s is no record's")));
+    }
+    let units = match (units, told.units) {
+        (Some(read), Some(given)) if read != given => {
+            notes.push(format!("read as {given:?}, though the file says {read:?}"));
+            given
+        }
+        (Some(units), _) | (None, Some(units)) => units,
+        (None, None) => {
+            let problem = "the file does not tell its units; give units (g, m/s2 or cm/s2)";
+            return Err(RecordError::whole(problem));
+        }
+    };
+    let samples: Vec<f64> = values.iter().map(|value| value * units.factor()).collect();
+    let record = Record { title, dt, samples, notes };
+    let peak = record.peak() / GRAVITY;
+    if !(peak > 0.0 && peak.is_finite()) {
+        return Err(RecordError::whole("every sample is zero; this is no record"));
+    }
+    if !told.scaled && !PLAUSIBLE.contains(&peak) {
+        let problem = format!(
+            "a peak of {peak:.3e} g is not plausible for an acceleration in these units; give the \
+             right units (or another file, if this is velocity or displacement), or scale it to a \
+             known peak by pga"
+        );
+        return Err(RecordError::whole(problem));
+    }
+    Ok(record)
+}
