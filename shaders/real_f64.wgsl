@@ -4,6 +4,8 @@ alias real = f64;
 
 // A switch is located to within this fraction of its step.
 const EVENT_TOLERANCE = 1.0e-10;
+// A kink of the Bouc-Wen law is located to within this fraction of its step.
+const KINK_TOLERANCE = 1.0e-5;
 
 // sin x for |x| <= 1.65 rad.
 fn sine(x: real) -> real {

@@ -5,6 +5,7 @@ struct Span {
     rocking: bool,
     step: u32,
     start: real,
+    length: real,
 }
 
 struct Stepped {

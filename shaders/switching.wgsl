@@ -6,6 +6,7 @@ const UPLIFT_LEFT = 1u;
 const UPLIFT_RIGHT = 2u;
 const IMPACT = 3u;
 const OVERTURN = 4u;
+const KINK = 5u;
 
 const EVENT_BOUND = 128u;
 const LOCATE_BOUND = 60u;
@@ -101,6 +102,69 @@ fn find_crossing(corner: Corner, y: Motion, end: Motion, h: real) -> Crossing {
     return Crossing(NOTHING, real(0.0));
 }
 
+// True where a number goes from one side of zero to the other; zero itself is on neither.
+fn crosses(start: real, end: real) -> bool {
+    return (start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0);
+}
+
+// What changes sign at a kink, positive before it: z or du.
+fn before_kink(start: Motion, of_z: bool, y: Motion) -> real {
+    var before = start.du;
+    var value = y.du;
+    if of_z {
+        before = start.z;
+        value = y.z;
+    }
+    if before > 0.0 {
+        return value;
+    }
+    return -value;
+}
+
+// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
+// on the redone step.
+fn locate_kink(cell: Cell, span: Span, y: Motion, k1: Rates, end: Motion) -> real {
+    // Where both cross, the one whose chord does so first.
+    var of_z = crosses(y.z, end.z);
+    if of_z && crosses(y.du, end.du) {
+        of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
+    }
+    var low: real = 0.0;
+    var value_low = before_kink(y, of_z, y);
+    var high: real = 1.0;
+    var value_high = before_kink(y, of_z, end);
+    var last = 0u;
+    var trial = 0u;
+    while trial < LOCATE_BOUND {
+        var at = high - value_high * (high - low) / (value_high - value_low);
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let value = before_kink(y, of_z, y_at);
+        if value < 0.0 {
+            high = at;
+            value_high = value;
+            if last == 1u {
+                value_low = 0.5 * value_low;
+            }
+            last = 1u;
+        } else {
+            low = at;
+            value_low = value;
+            if last == 2u {
+                value_high = 0.5 * value_high;
+            }
+            last = 2u;
+        }
+        if high - low <= KINK_TOLERANCE {
+            break;
+        }
+        trial += 1u;
+    }
+    return high;
+}
+
 // Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
 // redone step, inside a bracket.
 fn locate_angle(
@@ -111,8 +175,7 @@ fn locate_angle(
     end: Motion,
     crossing: Crossing,
 ) -> Located {
-    let rest = 1.0 - span.start;
-    let h = rest * step_length(cell, span.step);
+    let h = span.length * step_length(cell, span.step);
     // `beyond` is positive on the far side of the switch.
     var sense = -span.corner.side;
     var target_angle: real = 0.0;
@@ -155,7 +218,7 @@ fn locate_angle(
     var verified = crossing.upper >= 1.0;
     trial = 0u;
     while trial < LOCATE_BOUND {
-        let y_at = rk4(cell, span, y, k1, at * rest).y;
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
         let beyond = sense * y_at.phi - target_angle;
         let change = beyond / (h * sense * y_at.dphi);
         if abs(change) <= EVENT_TOLERANCE {
@@ -182,7 +245,6 @@ fn locate_angle(
 
 // Locates an uplift by the Illinois method on the redone step, and lands on its far side.
 fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossing) -> Located {
-    let rest = 1.0 - span.start;
     var corner = model.left;
     if crossing.kind == UPLIFT_RIGHT {
         corner = model.right;
@@ -196,8 +258,8 @@ fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossin
     var last = 0u;
     var trial = 0u;
     while trial < LOCATE_BOUND {
-        let y_at = rk4(cell, span, y, k1, at * rest).y;
-        let ground = ground_at(cell, span.step, span.start + at * rest);
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let ground = ground_at(cell, span.step, span.start + at * span.length);
         let k = rates(cell, corner, false, y_at, ground);
         let moment = uplift_moment(corner, k.shear, k.normal);
         if moment > 0.0 {
@@ -272,9 +334,7 @@ fn advance(cell: Cell, state: ptr<function, State>) {
     while events < EVENT_BOUND {
         let corner = pivot((*state).mode);
         let rocking = (*state).mode != FULL_CONTACT;
-        let span = Span(corner, rocking, (*state).step, start);
-        let rest = 1.0 - start;
-        let h = rest * step_length(cell, (*state).step);
+        var span = Span(corner, rocking, (*state).step, start, 1.0 - start);
         let y = (*state).motion;
         let k1 = rates(cell, corner, rocking, y, ground_at(cell, (*state).step, start));
         observe_contact(state, k1);
@@ -286,7 +346,15 @@ fn advance(cell: Cell, state: ptr<function, State>) {
                 continue;
             }
         }
-        let stepped = rk4(cell, span, y, k1, rest);
+        var stepped = rk4(cell, span, y, k1, span.length);
+        var cut = false;
+        if kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
+            // Up to the kink the law is smooth; the rest of the step follows from there.
+            span.length = locate_kink(cell, span, y, k1, stepped.y) * span.length;
+            stepped = rk4(cell, span, y, k1, span.length);
+            cut = true;
+        }
+        let h = span.length * step_length(cell, (*state).step);
         var located = Located(false, real(1.0), stepped.y);
         var kind = NOTHING;
         if rocking {
@@ -296,7 +364,7 @@ fn advance(cell: Cell, state: ptr<function, State>) {
                 located = locate_angle(cell, span, y, k1, stepped.y, crossing);
             }
         } else {
-            let ground = ground_at(cell, (*state).step, real(1.0));
+            let ground = ground_at(cell, (*state).step, start + span.length);
             let k_end = rates(cell, corner, false, stepped.y, ground);
             let crossing = find_uplift(k1, stepped.shear_mid, stepped.normal_mid, k_end);
             kind = crossing.kind;
@@ -307,11 +375,19 @@ fn advance(cell: Cell, state: ptr<function, State>) {
         if !located.found {
             observe_motion(state, y, stepped.y, h);
             (*state).motion = stepped.y;
-            break;
+            if !cut {
+                break;
+            }
+            start = start + span.length;
+            events += 1u;
+            if start >= 1.0 {
+                break;
+            }
+            continue;
         }
         observe_motion(state, y, located.y, located.at * h);
         (*state).motion = located.y;
-        start = start + located.at * rest;
+        start = start + located.at * span.length;
         let k = rates(cell, corner, rocking, located.y, ground_at(cell, (*state).step, start));
         observe_contact(state, k);
         if kind == OVERTURN {

@@ -178,6 +178,7 @@ fn constants_agree_with_the_twin() {
         ("UPLIFT_RIGHT", switching::UPLIFT_RIGHT),
         ("IMPACT", switching::IMPACT),
         ("OVERTURN", switching::OVERTURN),
+        ("KINK", switching::KINK),
         ("EVENT_BOUND", switching::EVENT_BOUND),
         ("LOCATE_BOUND", switching::LOCATE_BOUND),
         ("GUESS_BOUND", switching::GUESS_BOUND),

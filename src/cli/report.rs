@@ -198,10 +198,16 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
     };
     match map.scene.excitation {
         Excitation::Pulse(_) => Ok(vec![finish("map", overturning::draw(map)?)?]),
-        Excitation::Record(_) => field::FIELDS
-            .par_iter()
-            .map(|field| finish(field.name, field::draw(map, field)?))
-            .collect(),
+        Excitation::Record(_) => {
+            let mut figures: Vec<Figure> = field::FIELDS
+                .par_iter()
+                .map(|field| finish(field.name, field::draw(map, field)?))
+                .collect::<Result<_, _>>()?;
+            let [normal, friction] = &field::CONTACT;
+            let (left, right) = (field::draw(map, normal)?, field::draw(map, friction)?);
+            figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
+            Ok(figures)
+        }
     }
 }
 

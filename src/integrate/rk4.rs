@@ -17,6 +17,8 @@ pub struct Span<R> {
     pub step: u32,
     /// Fraction of the step already done.
     pub start: R,
+    /// Fraction of the step that is looked at: the rest of it, or what is left up to a kink.
+    pub length: R,
 }
 
 /// Where a (sub)step ends.

@@ -26,6 +26,9 @@ pub const UPLIFT_RIGHT: u32 = 2;
 pub const IMPACT: u32 = 3;
 /// The block passes the overturning angle.
 pub const OVERTURN: u32 = 4;
+/// The Bouc-Wen law has a kink: du or z changes sign. The phase stays; the step is cut there, for
+/// a step across it is of second order only.
+pub const KINK: u32 = 5;
 
 /// Switches that one step may hold. A block that chatters to rest makes about
 /// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
@@ -156,6 +159,79 @@ fn find_crossing<R: Real>(corner: &Corner<R>, y: &Motion<R>, end: &Motion<R>, h:
     Crossing { kind: NOTHING, upper: zero }
 }
 
+/// True where a number goes from one side of zero to the other; zero itself is on neither.
+#[inline(always)]
+fn crosses<R: Real>(from: R, to: R) -> bool {
+    let zero = R::of(0.0);
+    (from > zero && to < zero) || (from < zero && to > zero)
+}
+
+/// What changes sign at a kink, positive before it: z or du.
+#[inline(always)]
+fn before_kink<R: Real>(start: &Motion<R>, of_z: bool, y: &Motion<R>) -> R {
+    let mut from = start.du;
+    let mut value = y.du;
+    if of_z {
+        from = start.z;
+        value = y.z;
+    }
+    if from > R::of(0.0) {
+        return value;
+    }
+    -value
+}
+
+/// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
+/// on the redone step.
+fn locate_kink<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    end: &Motion<R>,
+) -> R {
+    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
+    // Where both cross, the one whose chord does so first.
+    let mut of_z = crosses(y.z, end.z);
+    if of_z && crosses(y.du, end.du) {
+        of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
+    }
+    let mut low = zero;
+    let mut value_low = before_kink(y, of_z, y);
+    let mut high = one;
+    let mut value_high = before_kink(y, of_z, end);
+    let mut last = 0;
+    let mut trial = 0;
+    while trial < LOCATE_BOUND {
+        let mut at = high - value_high * (high - low) / (value_high - value_low);
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let value = before_kink(y, of_z, &y_at);
+        if value < zero {
+            high = at;
+            value_high = value;
+            if last == 1 {
+                value_low = half * value_low;
+            }
+            last = 1;
+        } else {
+            low = at;
+            value_low = value;
+            if last == 2 {
+                value_high = half * value_high;
+            }
+            last = 2;
+        }
+        if high - low <= R::KINK_TOLERANCE {
+            break;
+        }
+        trial += 1;
+    }
+    high
+}
+
 /// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
 /// redone step, inside a bracket.
 fn locate_angle<R: Real>(
@@ -167,8 +243,7 @@ fn locate_angle<R: Real>(
     crossing: &Crossing<R>,
 ) -> Located<R> {
     let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
-    let rest = one - span.start;
-    let h = rest * step_length(set.cell, span.step);
+    let h = span.length * step_length(set.cell, span.step);
     // `beyond` is positive on the far side of the switch.
     let mut sense = -span.corner.side;
     let mut target = zero;
@@ -211,7 +286,7 @@ fn locate_angle<R: Real>(
     let mut verified = crossing.upper >= one;
     trial = 0;
     while trial < LOCATE_BOUND {
-        let y_at = rk4(set, span, y, k1, at * rest).y;
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
         let beyond = sense * y_at.phi - target;
         let change = beyond / (h * sense * y_at.dphi);
         if change.abs() <= R::EVENT_TOLERANCE {
@@ -244,8 +319,7 @@ fn locate_uplift<R: Real>(
     k1: &Rates<R>,
     crossing: &Crossing<R>,
 ) -> Located<R> {
-    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
-    let rest = one - span.start;
+    let (zero, half) = (R::of(0.0), R::of(0.5));
     let mut corner = set.model.left;
     if crossing.kind == UPLIFT_RIGHT {
         corner = set.model.right;
@@ -259,8 +333,8 @@ fn locate_uplift<R: Real>(
     let mut last = 0;
     let mut trial = 0;
     while trial < LOCATE_BOUND {
-        let y_at = rk4(set, span, y, k1, at * rest).y;
-        let ground = ground_at(set, span.step, span.start + at * rest);
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let ground = ground_at(set, span.step, span.start + at * span.length);
         let k = rates(set, &corner, false, &y_at, ground);
         let moment = uplift_moment(set, &corner, k.shear, k.normal);
         if moment > zero {
@@ -337,9 +411,7 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
     while events < EVENT_BOUND {
         let corner = pivot(set.model, state.mode);
         let rocking = state.mode != FULL_CONTACT;
-        let span = Span { corner, rocking, step: state.step, start };
-        let rest = one - start;
-        let h = rest * step_length(set.cell, state.step);
+        let mut span = Span { corner, rocking, step: state.step, start, length: one - start };
         let y = state.motion;
         let k1 = rates(set, &corner, rocking, &y, ground_at(set, state.step, start));
         observe_contact(state, &k1);
@@ -352,7 +424,15 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 continue;
             }
         }
-        let stepped = rk4(set, &span, &y, &k1, rest);
+        let mut stepped = rk4(set, &span, &y, &k1, span.length);
+        let mut cut = false;
+        if set.variant.kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
+            // Up to the kink the law is smooth; the rest of the step follows from there.
+            span.length = locate_kink(set, &span, &y, &k1, &stepped.y) * span.length;
+            stepped = rk4(set, &span, &y, &k1, span.length);
+            cut = true;
+        }
+        let h = span.length * step_length(set.cell, state.step);
         let mut located = Located { found: false, at: one, y: stepped.y };
         let kind;
         if rocking {
@@ -362,7 +442,8 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 located = locate_angle(set, &span, &y, &k1, &stepped.y, &crossing);
             }
         } else {
-            let k_end = rates(set, &corner, false, &stepped.y, ground_at(set, state.step, one));
+            let ground = ground_at(set, state.step, start + span.length);
+            let k_end = rates(set, &corner, false, &stepped.y, ground);
             let crossing = find_uplift(set, &k1, stepped.shear_mid, stepped.normal_mid, &k_end);
             kind = crossing.kind;
             if kind != NOTHING {
@@ -372,11 +453,20 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         if !located.found {
             observe_motion(state, &y, &stepped.y, h);
             state.motion = stepped.y;
-            break;
+            if !cut {
+                break;
+            }
+            start = start + span.length;
+            log.switched(KINK, start, state);
+            events += 1;
+            if start >= one {
+                break;
+            }
+            continue;
         }
         observe_motion(state, &y, &located.y, located.at * h);
         state.motion = located.y;
-        start = start + located.at * rest;
+        start = start + located.at * span.length;
         let k = rates(set, &corner, rocking, &located.y, ground_at(set, state.step, start));
         observe_contact(state, &k);
         if kind == OVERTURN {

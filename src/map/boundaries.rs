@@ -38,30 +38,45 @@ impl Boundary {
 
     /// Its lines, halfway between cells on either side.
     pub fn lines(self, map: &Map) -> Vec<Line> {
-        let inside = |outcome: &Outcome| if self.holds(outcome) { 1.0 } else { 0.0 };
+        let inside = |outcome: &Outcome| Some(if self.holds(outcome) { 1.0 } else { 0.0 });
         levels(map, inside, &[0.5]).pop().unwrap_or_default()
     }
 }
 
-/// For each level the lines on which a value has it, linear between cells. A grid of a single row
-/// or column has none.
-pub fn levels(map: &Map, value: impl Fn(&Outcome) -> f64, levels: &[f64]) -> Vec<Vec<Line>> {
+/// For each level the lines on which a value has it, linear between cells. They end beside cells
+/// that have no value. A grid of a single row or column has none.
+pub fn levels(
+    map: &Map,
+    value: impl Fn(&Outcome) -> Option<f64>,
+    levels: &[f64],
+) -> Vec<Vec<Line>> {
     let (columns, rows) = map.grid.shape();
     if columns < 2 || rows < 2 {
         return vec![Vec::new(); levels.len()];
     }
-    let values: Vec<f64> = map.outcomes.iter().map(value).collect();
+    let known: Vec<Option<f64>> = map.outcomes.iter().map(value).collect();
+    let values: Vec<f64> = known.iter().map(|value| value.unwrap_or(f64::MAX)).collect();
     let Ok(found) = ContourBuilder::new(columns, rows, true).lines(&values, levels) else {
         return vec![Vec::new(); levels.len()];
     };
     // The library puts a cell's value half a cell beyond its number, and closes rings around the
-    // grid's edge; those stretches are no part of a boundary.
+    // grid's edge; those stretches, and those beside unknown cells, are no part of a level.
     let along = |range: &crate::scene::Range, place: f64| {
         let share = (place - 0.5) / f64::from(range.count - 1);
         range.start + (range.stop - range.start) * share
     };
-    let on_edge =
-        |x: f64, y: f64| x < 0.5 || y < 0.5 || x > columns as f64 - 0.5 || y > rows as f64 - 0.5;
+    let apart = |x: f64, y: f64| {
+        let ends = |place: f64, count: usize| {
+            // A line beside an unknown cell lies on the known one's centre: look beyond it.
+            let cell = place - 0.5;
+            let low = (cell - 1.0e-6).max(0.0).floor() as usize;
+            (low, ((cell + 1.0e-6).max(0.0).ceil() as usize).min(count - 1))
+        };
+        let ((i0, i1), (j0, j1)) = (ends(x, columns), ends(y, rows));
+        let outside = x < 0.5 || y < 0.5 || x > columns as f64 - 0.5 || y > rows as f64 - 0.5;
+        outside
+            || [j0, j1].iter().any(|j| [i0, i1].iter().any(|i| known[j * columns + i].is_none()))
+    };
     found
         .iter()
         .map(|level| {
@@ -69,7 +84,7 @@ pub fn levels(map: &Map, value: impl Fn(&Outcome) -> f64, levels: &[f64]) -> Vec
             for ring in &level.geometry().0 {
                 let mut line = Line::new();
                 for place in &ring.0 {
-                    if on_edge(place.x, place.y) {
+                    if apart(place.x, place.y) {
                         if line.len() > 1 {
                             lines.push(std::mem::take(&mut line));
                         }

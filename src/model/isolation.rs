@@ -16,6 +16,8 @@ pub struct Variant {
     pub isolated_h: bool,
     /// The base moves vertically.
     pub isolated_v: bool,
+    /// Steps are cut at the kinks of the Bouc-Wen law.
+    pub kinks: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
 }

@@ -22,6 +22,9 @@ pub trait Real:
 {
     /// A switch is located to within this fraction of its step.
     const EVENT_TOLERANCE: Self;
+    /// A kink of the Bouc-Wen law is located to within this fraction of its step; what is left of
+    /// its error is of second order in that.
+    const KINK_TOLERANCE: Self;
 
     /// The nearest number of this type.
     fn of(value: f64) -> Self;
@@ -79,6 +82,7 @@ pub(crate) use pod;
 // and 4e-10 in f32, below 1e-21 in f64.
 impl Real for f32 {
     const EVENT_TOLERANCE: f32 = 1.0e-6;
+    const KINK_TOLERANCE: f32 = 1.0e-3;
 
     #[inline(always)]
     fn of(value: f64) -> f32 {
@@ -123,6 +127,7 @@ impl Real for f32 {
 
 impl Real for f64 {
     const EVENT_TOLERANCE: f64 = 1.0e-10;
+    const KINK_TOLERANCE: f64 = 1.0e-5;
 
     #[inline(always)]
     fn of(value: f64) -> f64 {

@@ -16,7 +16,7 @@ use crate::scene::{Excitation, GRAVITY, Grid, Overturn, Point, Scene, SceneError
 pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
 /// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
 /// (omega h = 2.83).
-pub const STEPS_A_PERIOD: f64 = 20.0;
+pub const STEPS_A_PERIOD: f64 = 160.0;
 /// Steps that a pulse holds at least.
 pub const STEPS_A_PULSE: f64 = 32.0;
 /// A landing block comes to rest when its next flight would last less than this share of a step.
@@ -162,6 +162,7 @@ impl Plan {
             recorded: matches!(self.scene.excitation, Excitation::Record(_)),
             isolated_h: base.horizontal.is_some(),
             isolated_v: base.vertical.is_some(),
+            kinks: base.horizontal.is_some_and(|law| law.psi < 1.0),
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
         }
     }

@@ -47,6 +47,18 @@ pub fn compose(size: (u32, u32), images: &[(Place, Vec<u8>)], drawing: &str) -> 
     svg
 }
 
+/// Two documents side by side.
+pub fn beside(size: (u32, u32), left: &str, right: &str) -> String {
+    let (width, height) = size;
+    let placed = right.replacen("<svg ", &format!("<svg x=\"{width}\" "), 1);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{height}\" \
+         viewBox=\"0 0 {} {height}\">\n{left}{placed}</svg>\n",
+        2 * width,
+        2 * width
+    )
+}
+
 /// Symbols with an index, set as such: `A_h` becomes A with a lowered h.
 fn with_subscripts(drawing: &str) -> String {
     let mut text = drawing.to_string();

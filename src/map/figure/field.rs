@@ -6,7 +6,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::super::Map;
 use super::super::boundaries::{Boundary, Line, levels};
 use super::document::{Place, compose};
-use super::frame::{Area, Drawn, FINE, PLOT, Plot, SIZE, area, at, map_frame, stroke, text};
+use super::frame::{
+    Area, Drawn, FINE, PLOT, Plot, SIZE, area, at, map_frame, outline, stroke, text,
+};
 use super::overturning::{TENSILE, hatch};
 use super::raster::png;
 use super::{FigureError, tick};
@@ -30,8 +32,8 @@ pub struct Field {
     pub standing_only: bool,
 }
 
-/// The four figures of a record's map.
-pub const FIELDS: [Field; 5] = [
+/// The rocking index and the displacements, a figure each.
+pub const FIELDS: [Field; 3] = [
     Field {
         name: "map",
         title: "rocking index",
@@ -56,18 +58,22 @@ pub const FIELDS: [Field; 5] = [
         ends: None,
         standing_only: true,
     },
+];
+
+/// The contact forces, the two halves of a figure.
+pub const CONTACT: [Field; 2] = [
     Field {
         name: "contact",
         title: "least contact force",
         label: "min N/M [m/s²]",
         value: |cell| cell.min_contact,
-        ends: None,
+        ends: Some((0.0, 10.0)),
         standing_only: true,
     },
     Field {
         name: "friction",
         title: "friction coefficient asked for",
-        label: "max |horizontal| / N",
+        label: "max |T| / N (up to 1)",
         value: |cell| cell.friction.min(FRICTION),
         ends: None,
         standing_only: true,
@@ -75,9 +81,9 @@ pub const FIELDS: [Field; 5] = [
 ];
 
 /// Friction above which all values are alike: nothing holds there.
-const FRICTION: f64 = 2.0;
-/// Levels drawn between the ends of a scale.
-const LEVELS: usize = 9;
+const FRICTION: f64 = 1.0;
+/// Steps of a scale at most.
+const MOST_STEPS: f64 = 10.0;
 /// Shades of the lightest and the darkest value.
 const LIGHT: f64 = 0.96;
 const DARK: f64 = 0.38;
@@ -98,8 +104,17 @@ fn ends(map: &Map, field: &Field) -> (f64, f64) {
         return (0.0, 1.0);
     }
     let span = (high - low).max(1.0e-9 + 1.0e-6 * high.abs());
-    let unit = 10.0_f64.powf(span.log10().floor()) / 2.0;
-    ((low / unit).floor() * unit, (high / unit).ceil() * unit)
+    let step = level_step(low, low + span);
+    ((low / step).floor() * step, (high / step).ceil() * step)
+}
+
+/// The step of a scale's levels: 1, 2 or 5 of a decimal place.
+fn level_step(low: f64, high: f64) -> f64 {
+    let rough = (high - low) / MOST_STEPS;
+    let place = 10.0_f64.powf(rough.log10().floor());
+    let digits = [1.0, 2.0, 5.0, 10.0];
+    let fits = digits.into_iter().find(|digit| digit * place >= rough * (1.0 - 1.0e-9));
+    fits.unwrap_or(10.0) * place
 }
 
 fn counts(field: &Field, cell: &Outcome) -> bool {
@@ -155,10 +170,13 @@ fn frame(
 ) -> Drawn<()> {
     let root = area(drawing, SIZE);
     let mut plot = map_frame(&root, map, &format!("{}: {}", map.scene.title, field.title))?;
-    let values: Vec<f64> =
-        (1..=LEVELS).map(|k| low + (high - low) * k as f64 / (LEVELS + 1) as f64).collect();
-    // A cell that does not count is far above every level, so that lines end at its edge.
-    let value = |cell: &Outcome| if counts(field, cell) { (field.value)(cell) } else { high };
+    let step = level_step(low, high);
+    let count = ((high - low) / step).round() as usize;
+    let values: Vec<f64> = (1..count).map(|k| low + step * k as f64).collect();
+    let value = |cell: &Outcome| {
+        (counts(field, cell) && !cell.class.overturned()).then(|| (field.value)(cell))
+    };
+    let mut labelled = Vec::new();
     for (level, lines) in values.iter().zip(levels(map, value, &values)) {
         for line in &lines {
             plot.draw_series(LineSeries::new(
@@ -166,8 +184,8 @@ fn frame(
                 stroke(RGBColor(40, 40, 40), 6),
             ))?;
         }
-        if let Some(longest) = lines.iter().max_by_key(|line| line.len()) {
-            label(&mut plot, longest, &tick(*level, high - low))?;
+        if let Some(longest) = lines.into_iter().max_by_key(|line| line.len()) {
+            labelled.push((tick(*level, high - low), longest));
         }
     }
     let thick = stroke(BLACK, 26);
@@ -177,24 +195,79 @@ fn frame(
     for line in Boundary::FullContact.lines(map) {
         plot.draw_series(DashedLineSeries::new(line, (9 * FINE) as u32, (6 * FINE) as u32, thick))?;
     }
+    let mut labels = Labels { map, field, placed: Vec::new() };
+    for (text, line) in &labelled {
+        labels.draw(&mut plot, line, text)?;
+    }
     legend(&root, map, field, (low, high), hatched)?;
     root.present()?;
     Ok(())
 }
 
-/// Writes a level's value on its line.
-fn label(plot: &mut Plot, line: &Line, value: &str) -> Drawn<()> {
-    const SHORTEST: usize = 8;
-    if line.len() < SHORTEST {
-        return Ok(());
+/// Values written on their lines: none on top of another, none near a cell without a value.
+struct Labels<'a> {
+    map: &'a Map<'a>,
+    field: &'a Field,
+    /// Places taken, as shares of the axes.
+    placed: Vec<(f64, f64)>,
+}
+
+impl Labels<'_> {
+    /// Points that a line has at least to be labelled.
+    const SHORTEST: usize = 12;
+    /// Distance of two labels, as a share of the axes.
+    const APART: (f64, f64) = (0.09, 0.04);
+    /// Half of the room of a label, as a share of the axes.
+    const ROOM: (f64, f64) = (0.035, 0.015);
+
+    fn draw(&mut self, plot: &mut Plot, line: &Line, value: &str) -> Drawn<()> {
+        if line.len() < Self::SHORTEST {
+            return Ok(());
+        }
+        let middle = line.len() / 2;
+        let outwards = (0..middle).flat_map(|k| [line[middle - k], line[middle + k]]);
+        let Some(place) = outwards.into_iter().find(|place| self.free(self.share(*place))) else {
+            return Ok(());
+        };
+        self.placed.push(self.share(place));
+        let style = text(12).pos(Pos::new(HPos::Center, VPos::Center));
+        let half = (4 * value.len() as i32 + 2) * FINE;
+        plot.draw_series([EmptyElement::at(place)
+            + Rectangle::new([(-half, -7 * FINE), (half, 7 * FINE)], WHITE.mix(0.8).filled())
+            + Text::new(value.to_string(), (0, 0), style)])?;
+        Ok(())
     }
-    let (x, y) = line[line.len() / 2];
-    let style = text(12).pos(Pos::new(HPos::Center, VPos::Center));
-    let half = (4 * value.len() as i32 + 2) * FINE;
-    plot.draw_series([EmptyElement::at((x, y))
-        + Rectangle::new([(-half, -7 * FINE), (half, 7 * FINE)], WHITE.mix(0.8).filled())
-        + Text::new(value.to_string(), (0, 0), style)])?;
-    Ok(())
+
+    fn share(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let of = |range: &crate::scene::Range, value: f64| {
+            (value - range.start) / (range.stop - range.start)
+        };
+        (of(&self.map.grid.x.range, x), of(&self.map.grid.y.range, y))
+    }
+
+    fn free(&self, (x, y): (f64, f64)) -> bool {
+        let apart =
+            |(a, b): &(f64, f64)| (x - a).abs() > Self::APART.0 || (y - b).abs() > Self::APART.1;
+        if !self.placed.iter().all(apart) {
+            return false;
+        }
+        let (columns, rows) = self.map.grid.shape();
+        let cell = |share: f64, count: usize| (share * (count - 1) as f64).round();
+        for dx in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            for dy in [-1.0, 0.0, 1.0] {
+                let i = cell(x + dx * Self::ROOM.0, columns);
+                let j = cell(y + dy * Self::ROOM.1, rows);
+                if !(i >= 0.0 && j >= 0.0 && i < columns as f64 && j < rows as f64) {
+                    return false;
+                }
+                let outcome = &self.map.outcomes[j as usize * columns + i as usize];
+                if outcome.class.overturned() || !counts(self.field, outcome) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
 }
 
 fn legend(
@@ -206,11 +279,12 @@ fn legend(
 ) -> Drawn<()> {
     let line = stroke(BLACK, 10);
     root.draw(&Text::new(field.label, at(BAR.x, BAR.y - 24), text(16)))?;
-    let corner = at(BAR.x + BAR.width, BAR.y + BAR.height);
-    root.draw(&Rectangle::new([at(BAR.x, BAR.y), corner], line))?;
-    for k in 0..=5 {
-        let y = BAR.y + BAR.height - BAR.height * k / 5;
-        let value = low + (high - low) * f64::from(k) / 5.0;
+    outline(root, BAR, 10)?;
+    let step = level_step(low, high);
+    let count = ((high - low) / step).round() as i32;
+    for k in 0..=count {
+        let y = BAR.y + BAR.height - BAR.height * k / count.max(1);
+        let value = low + step * f64::from(k);
         let right = BAR.x + BAR.width;
         root.draw(&PathElement::new(vec![at(right, y), at(right + 5, y)], line))?;
         let style = text(14).pos(Pos::new(HPos::Left, VPos::Center));

@@ -93,6 +93,15 @@ pub fn caption(scene: &Scene) -> String {
     parts.join(",  ")
 }
 
+/// Draws a place's outline; the library's own rectangles have hairlines only.
+pub fn outline(root: &Area, place: Place, tenths: i32) -> Drawn<()> {
+    let Place { x, y, width, height } = place;
+    let corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)];
+    let path = corners.map(|(x, y)| at(x, y)).to_vec();
+    root.draw(&PathElement::new(path, stroke(BLACK, tenths)))?;
+    Ok(())
+}
+
 /// Draws title and caption, and the frame of a map's plot with its axes.
 pub fn map_frame<'b>(root: &Area<'b>, map: &Map, title: &str) -> Drawn<Plot<'b, 'b>> {
     root.draw(&Text::new(title.to_string(), at(PLOT.x, 20), text(22)))?;
@@ -121,7 +130,6 @@ pub fn map_frame<'b>(root: &Area<'b>, map: &Map, title: &str) -> Drawn<Plot<'b, 
         .x_label_formatter(&|value| tick(*value, width(&x.range)))
         .y_label_formatter(&|value| tick(*value, width(&y.range)))
         .draw()?;
-    let corner = at(PLOT.x + PLOT.width, PLOT.y + PLOT.height);
-    root.draw(&Rectangle::new([at(PLOT.x, PLOT.y), corner], stroke(BLACK, 10)))?;
+    outline(root, PLOT, 10)?;
     Ok(chart)
 }

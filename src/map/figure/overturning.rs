@@ -6,8 +6,10 @@ use plotters::prelude::*;
 
 use super::super::Map;
 use super::FigureError;
-use super::document::compose;
-use super::frame::{Area, Drawn, PLOT, SIZE, area, at, map_frame, stroke, text, text_left_of};
+use super::document::{Place, compose};
+use super::frame::{
+    Area, Drawn, PLOT, SIZE, area, at, map_frame, outline, stroke, text, text_left_of,
+};
 use super::palette::Kind;
 use super::raster::png;
 
@@ -83,7 +85,7 @@ fn legend(root: &Area, kinds: &BTreeSet<Kind>, hatched: bool, map: &Map) -> Draw
             root.draw(&PathElement::new(swatch.to_vec(), line))?;
             root.draw(&PathElement::new(vec![at(left, top + 16), at(left + 24, top)], line))?;
         }
-        root.draw(&Rectangle::new(swatch, line))?;
+        outline(root, Place { x: left, y: top, width: 24, height: 16 }, 10)?;
         let count = map.outcomes.iter().filter(|outcome| Kind::of(outcome) == kind).count();
         root.draw(&Text::new(kind.label(), at(left + 32, top + 1), text(15)))?;
         let share = share(count as f64 / total);
@@ -96,7 +98,7 @@ fn legend(root: &Area, kinds: &BTreeSet<Kind>, hatched: bool, map: &Map) -> Draw
             let (y0, y1) = (top + 16 - (x0 - left - offset), top + 16 - (x1 - left - offset));
             root.draw(&PathElement::new(vec![at(x0, y0), at(x1, y1)], line))?;
         }
-        root.draw(&Rectangle::new([at(left, top), at(left + 24, top + 16)], line))?;
+        outline(root, Place { x: left, y: top, width: 24, height: 16 }, 10)?;
         for (row, label) in TENSILE.into_iter().enumerate() {
             root.draw(&Text::new(label, at(left + 32, top + 1 + 18 * row as i32), text(15)))?;
         }

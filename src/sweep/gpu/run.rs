@@ -63,6 +63,7 @@ impl<'a> Sweeper<'a> {
             ("recorded", f64::from(u8::from(variant.recorded))),
             ("isolated_h", f64::from(u8::from(variant.isolated_h))),
             ("isolated_v", f64::from(u8::from(variant.isolated_v))),
+            ("kinks", f64::from(u8::from(variant.kinks))),
             ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
             ("workgroup_size", WORKGROUP as f64),
         ];
