@@ -4,14 +4,21 @@ override workgroup_size: u32 = 64u;
 
 struct Chunk {
     cells: u32,
-    steps: u32,
+    // Steps and switches of a cell at most.
+    work: u32,
+}
+
+struct Progress {
+    // Cells that still run after this chunk.
+    running: atomic<u32>,
+    // Steps that all cells took in it.
+    steps: atomic<u32>,
 }
 
 @group(0) @binding(1) var<storage, read> cells: array<Cell>;
 @group(0) @binding(2) var<storage, read_write> states: array<State>;
 @group(0) @binding(3) var<uniform> chunk: Chunk;
-// Cells that still run after this chunk.
-@group(0) @binding(4) var<storage, read_write> running: atomic<u32>;
+@group(0) @binding(4) var<storage, read_write> progress: Progress;
 
 @compute @workgroup_size(workgroup_size)
 fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -20,15 +27,16 @@ fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let cell = cells[id.x];
     var state = states[id.x];
+    let first = state.step;
     var done = 0u;
-    while done < chunk.steps && state.status == RUNNING {
-        advance(cell, &state);
-        done += 1u;
+    while done < chunk.work && state.status == RUNNING {
+        done += 1u + advance(cell, &state);
     }
     if done > 0u {
         states[id.x] = state;
+        atomicAdd(&progress.steps, state.step - first);
     }
     if state.status == RUNNING {
-        atomicAdd(&running, 1u);
+        atomicAdd(&progress.running, 1u);
     }
 }

@@ -327,8 +327,8 @@ fn lift(state: ptr<function, State>, kind: u32, fraction: real) {
     (*state).mode = kind;
 }
 
-// Takes a cell over one step.
-fn advance(cell: Cell, state: ptr<function, State>) {
+// Takes a cell over one step; the number of switches in it.
+fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
     var start: real = 0.0;
     var events = 0u;
     while events < EVENT_BOUND {
@@ -392,7 +392,7 @@ fn advance(cell: Cell, state: ptr<function, State>) {
         observe_contact(state, k);
         if kind == OVERTURN {
             overturn(state, corner, start);
-            return;
+            return events;
         }
         if kind == IMPACT {
             land(cell, state, corner, start);
@@ -406,11 +406,12 @@ fn advance(cell: Cell, state: ptr<function, State>) {
     }
     if events >= EVENT_BOUND {
         (*state).status = EVENT_LIMIT;
-        return;
+        return events;
     }
     check_range(state);
     (*state).step += 1u;
     if (*state).step >= cell.steps && (*state).status == RUNNING {
         (*state).status = FINISHED;
     }
+    return events;
 }

@@ -73,7 +73,7 @@ fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     state.motion.phi = phi0;
     let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
     let mut log = Impacts(Vec::new(), cell.step_free);
-    sweep_cell(&set, &mut state, u32::MAX, &mut log);
+    sweep_cell(&set, &mut state, 1 << 30, &mut log);
     log.0
 }
 

@@ -73,8 +73,8 @@ impl HistoryCommand {
         let point: Point = grid.point(0);
         let (rows, outcome) = match (options.backend, options.precision) {
             (Choice::Reference, _) => motion::by_reference(&scene, &point),
-            (_, Precision::F32) => motion::by_steps::<f32>(&plan, &point),
-            (_, Precision::F64) => motion::by_steps::<f64>(&plan, &point),
+            (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &point),
+            (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &point),
         };
         let svg = figure::draw(&scene, &point, &rows, &outcome)?;
         let png = document::render(&svg, 2.0)?;

@@ -69,7 +69,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         verification: judged.elapsed().as_secs_f64(),
     };
     say(format!("reference  {}", agreement(&verification)));
-    let steps = steps(&plan, &grid);
+    let steps = steps(&plan.at(options.precision), &grid);
     let manifest = Manifest {
         version: env!("CARGO_PKG_VERSION"),
         scene,

@@ -403,8 +403,8 @@ fn lift<R: Real>(state: &mut State<R>, kind: u32, fraction: R) {
     state.mode = kind;
 }
 
-/// Takes a cell over one step.
-pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl Log<R>) {
+/// Takes a cell over one step; the number of switches in it.
+pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl Log<R>) -> u32 {
     let one = R::of(1.0);
     let mut start = R::of(0.0);
     let mut events = 0;
@@ -472,7 +472,7 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         if kind == OVERTURN {
             overturn(state, &corner, start);
             log.switched(kind, start, state);
-            return;
+            return events;
         }
         if kind == IMPACT {
             land(set, state, &corner, start);
@@ -487,11 +487,12 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
     }
     if events >= EVENT_BOUND {
         state.status = EVENT_LIMIT;
-        return;
+        return events;
     }
     check_range(state);
     state.step += 1;
     if state.step >= set.cell.steps && state.status == RUNNING {
         state.status = FINISHED;
     }
+    events
 }

@@ -112,7 +112,7 @@ impl Backend {
         let began = Instant::now();
         let mut compile = Duration::ZERO;
         let mut outcomes: Vec<Option<Outcome>> = vec![None; grid.len()];
-        for part in plan.parts(grid) {
+        for part in plan.at(precision).parts(grid) {
             let (plan, cells) = (&part.plan, part.cells.as_slice());
             let swept = match (self, precision) {
                 (Backend::Gpu(gpu), _) => {

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use bytemuck::Zeroable;
 
+use super::backend::Precision;
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
 use crate::model::block::{Corner, Model};
@@ -15,8 +16,16 @@ use crate::scene::{Excitation, GRAVITY, Grid, Overturn, Point, Scene, SceneError
 /// Largest step by default, s.
 pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
 /// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
-/// (omega h = 2.83).
+/// (omega h = 2.83); the rest is for accuracy, which a stiff vertical isolation needs most: a
+/// block on it rocks chaotically, and what a step errs by grows from impact to impact.
 pub const STEPS_A_PERIOD: f64 = 160.0;
+/// The same in f64 for periods around [`SHORT_PERIOD`]. In f32 rounding errs by more.
+pub const FINEST_STEPS_A_PERIOD: f64 = 640.0;
+/// See [`FINEST_STEPS_A_PERIOD`], s; beyond, steps a period fall as it grows.
+pub const SHORT_PERIOD: f64 = 1.0 / 16.0;
+/// Below this period, s, the vertical isolation acts as if it were rigid, nothing is chaotic, and
+/// steps a period fall again.
+pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
 /// Steps that a pulse holds at least.
 pub const STEPS_A_PULSE: f64 = 32.0;
 /// A landing block comes to rest when its next flight would last less than this share of a step.
@@ -75,6 +84,8 @@ pub struct Plan {
     pub largest_step: f64,
     mu_h: f64,
     mu_v: f64,
+    /// Short periods are resolved as f64 deserves.
+    fine: bool,
 }
 
 impl Plan {
@@ -89,7 +100,7 @@ impl Plan {
         let mass_h = mass_v + base.plate_h;
         let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
         let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
-        let plan = Plan { scene: scene.clone(), largest_step, mu_h, mu_v };
+        let plan = Plan { scene: scene.clone(), largest_step, mu_h, mu_v, fine: false };
         let mut shortest = Grid::of(scene).extreme();
         if let Some(rigid) = plan.rigid_period() {
             // Stiffer cells run without the vertical direction.
@@ -106,6 +117,11 @@ impl Plan {
             return Err(SceneError::new("t_max", problem));
         }
         Ok(plan)
+    }
+
+    /// The plan for a number type: short periods take more steps in f64.
+    pub fn at(&self, precision: Precision) -> Plan {
+        Plan { fine: precision == Precision::F64, ..self.clone() }
     }
 
     /// T_v below which the vertical isolation is rigid for the scene's record, s.
@@ -240,7 +256,11 @@ impl Plan {
         if square == 0.0 {
             return self.largest_step;
         }
-        self.largest_step.min(TAU / square.sqrt() / STEPS_A_PERIOD)
+        let period = TAU / square.sqrt();
+        let share = (SHORT_PERIOD / period).min(period / STIFF_PERIOD);
+        let steps = FINEST_STEPS_A_PERIOD * share;
+        let most = if self.fine { FINEST_STEPS_A_PERIOD } else { STEPS_A_PERIOD };
+        self.largest_step.min(period / steps.clamp(STEPS_A_PERIOD, most))
     }
 
     /// The least that I/M - mu_h P^2 - mu_v Q^2 can be about a corner.

@@ -10,19 +10,21 @@ use crate::model::Setting;
 use crate::model::real::Real;
 use crate::scene::Grid;
 
-/// Takes a cell over at most `steps` steps.
+/// Takes a cell on until its steps and switches come to `work`.
 pub fn sweep_cell<R: Real>(
     set: &Setting<R>,
     state: &mut State<R>,
-    steps: u32,
+    work: u32,
     log: &mut impl Log<R>,
 ) {
     let mut done = 0;
-    while done < steps && state.status == RUNNING {
-        advance(set, state, log);
-        done += 1;
+    while done < work && state.status == RUNNING {
+        done += 1 + advance(set, state, log);
     }
 }
+
+/// Steps and switches of a cell at a time.
+const CHUNK: u32 = 1 << 20;
 
 /// Cells that a thread takes at once.
 const BLOCK: usize = 16;
@@ -45,7 +47,9 @@ pub fn sweep<R: Real>(
             let point = grid.point(index);
             let (cell, mut state) = plan.cell::<R>(&point);
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
-            sweep_cell(&set, &mut state, u32::MAX, &mut ());
+            while state.status == RUNNING {
+                sweep_cell(&set, &mut state, CHUNK, &mut ());
+            }
             progress(1);
             plan.outcome(&point, &state)
         })

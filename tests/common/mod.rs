@@ -60,3 +60,23 @@ pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
         }
     }
 }
+
+/// A file of the strong-motion records that TOPPLE_RECORDS names the directory of. They are not
+/// this project's to ship: without them a test is skipped, and says so.
+pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
+    let Some(directory) = std::env::var_os("TOPPLE_RECORDS") else {
+        say(&format!("{test}: SKIPPED, TOPPLE_RECORDS names no directory with {name}"));
+        return None;
+    };
+    let path = std::path::Path::new(&directory).join(name);
+    if !path.exists() {
+        say(&format!("{test}: SKIPPED, no {}", path.display()));
+        return None;
+    }
+    Some(path)
+}
+
+/// Every cell of a grid.
+pub fn all(grid: &Grid) -> Vec<usize> {
+    (0..grid.len()).collect()
+}

@@ -157,13 +157,17 @@ impl<'a> Stepper<'a> {
         k[0] = *d0;
         for i in 1..STAGES {
             let mut at = *y;
-            for (a, slope) in A[i].iter().zip(&k) {
+            for (a, slope) in A[i].iter().zip(&k).filter(|(a, _)| **a != 0.0) {
                 at += slope * (h * a);
             }
             k[i] = self.system.derivative(phase, t + C[i] * h, drive, &at);
         }
         let sum = |weights: &[f64; STAGES]| {
-            weights.iter().zip(&k).fold(State::zeros(), |sum, (w, slope)| sum + slope * *w)
+            weights
+                .iter()
+                .zip(&k)
+                .filter(|(w, _)| **w != 0.0)
+                .fold(State::zeros(), |sum, (w, slope)| sum + slope * *w)
         };
         let y1 = y + sum(&B) * h;
         let (e3, e5) = (sum(&E3), sum(&E5));

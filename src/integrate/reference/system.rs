@@ -229,23 +229,30 @@ impl System {
         let total_h = self.mass + self.plate_h + self.plate_v;
         let total_v = self.mass + self.plate_v;
         let m = self.mass;
-        let mut matrix = Matrix3::from_diagonal(&Vector3::new(total_h, total_v, 1.0));
         let mut right = Vector3::new(f_h - total_h * ug, f_v - total_v * (vg + GRAVITY), 0.0);
-        if let Some(pole) = phase {
-            // (9a)-(9c), the unknown accelerations on the left.
-            let (s, b, h) = (pole.sign(), self.arm(pole), self.height);
-            let (sin, cos) = y[PHI].sin_cos();
-            let w = y[DPHI] * y[DPHI];
-            matrix[(0, 2)] = -m * (h * cos + s * b * sin);
-            matrix[(1, 2)] = s * m * (b * cos - s * h * sin);
-            matrix[(2, 0)] = -m * (h * cos + s * b * sin);
-            matrix[(2, 1)] = -m * (h * sin - s * b * cos);
-            matrix[(2, 2)] = self.inertia + m * (b * b + h * h);
-            right[0] += s * m * (b * cos - s * h * sin) * w;
-            right[1] += m * (h * cos + s * b * sin) * w;
-            right[2] = m * cos * (h * ug - s * b * (GRAVITY + vg))
-                + m * sin * (s * b * ug + h * (GRAVITY + vg));
-        }
+        let Some(pole) = phase else {
+            // (5): each direction for itself.
+            let free = |moves: bool, force: f64, mass: f64| if moves { force / mass } else { 0.0 };
+            return Vector3::new(
+                free(self.moves_h, right[0], total_h),
+                free(self.moves_v, right[1], total_v),
+                0.0,
+            );
+        };
+        // (9a)-(9c), the unknown accelerations on the left.
+        let mut matrix = Matrix3::from_diagonal(&Vector3::new(total_h, total_v, 1.0));
+        let (s, b, h) = (pole.sign(), self.arm(pole), self.height);
+        let (sin, cos) = y[PHI].sin_cos();
+        let w = y[DPHI] * y[DPHI];
+        matrix[(0, 2)] = -m * (h * cos + s * b * sin);
+        matrix[(1, 2)] = s * m * (b * cos - s * h * sin);
+        matrix[(2, 0)] = -m * (h * cos + s * b * sin);
+        matrix[(2, 1)] = -m * (h * sin - s * b * cos);
+        matrix[(2, 2)] = self.inertia + m * (b * b + h * h);
+        right[0] += s * m * (b * cos - s * h * sin) * w;
+        right[1] += m * (h * cos + s * b * sin) * w;
+        right[2] = m * cos * (h * ug - s * b * (GRAVITY + vg))
+            + m * sin * (s * b * ug + h * (GRAVITY + vg));
         for (row, moves) in [(0, self.moves_h), (1, self.moves_v)] {
             if !moves {
                 matrix.set_row(row, &nalgebra::RowVector3::zeros());

@@ -29,6 +29,10 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
                 "this is not a number; is the file of a known format?",
             ));
         };
+        if numbers.is_empty() {
+            // Nothing but separators, as a spreadsheet leaves below its last row.
+            continue;
+        }
         if columns == 0 {
             columns = numbers.len();
         }

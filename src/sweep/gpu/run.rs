@@ -28,8 +28,11 @@ const WORKGROUP: usize = 64;
 const MOST_CELLS: usize = 1 << 20;
 /// What a chunk should take: well below the two seconds after which a desktop driver ends it.
 const CHUNK_TIME: Duration = Duration::from_millis(100);
-/// Steps of the first chunk.
+/// Steps and switches of a cell in the first chunk.
 const FIRST_CHUNK: u32 = 16;
+/// The same in the longest one. Drivers bound the iterations of a shader's loops, the software one
+/// silently at 65,535 for all loops together: a switch takes about 15, a hundred at the worst.
+const LONGEST_CHUNK: f64 = 2048.0;
 
 /// The compiled sweep of a scene.
 pub struct Sweeper<'a> {
@@ -127,24 +130,29 @@ impl<'a> Sweeper<'a> {
         let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
         let buffers = self.gpu.checked(|| Buffers::new(self.gpu, plan, &cells, &states))?;
         let mut chunk = FIRST_CHUNK;
-        let mut steps_done = 0_u64;
+        let all_steps: u64 = cells.iter().map(|cell| u64::from(cell.steps)).sum();
+        let mut steps_taken = 0_u64;
+        let mut most_done = 0_u64;
         let mut told = 0;
         loop {
             let began = Instant::now();
-            let running = self.chunk(&buffers, count, chunk)?;
-            steps_done += u64::from(chunk);
-            let share = (steps_done as f64 / f64::from(most_steps.max(1))).min(1.0);
+            let [running, steps] = self.chunk(&buffers, count, chunk)?;
+            // Switches count as work too, so that this is an upper bound.
+            most_done += u64::from(chunk);
+            let share = (most_done as f64 / f64::from(most_steps.max(1))).min(0.99);
             let done = count - running + (share * running as f64) as usize;
             progress(done.saturating_sub(told));
             told = told.max(done);
             if running == 0 {
                 break;
             }
-            if steps_done >= u64::from(most_steps) {
+            // A device that stands still, or whose states do not come to stay.
+            steps_taken += steps as u64;
+            if steps == 0 || steps_taken > all_steps {
                 return Err(GpuError::Unfinished(running));
             }
             let ratio = CHUNK_TIME.as_secs_f64() / began.elapsed().as_secs_f64().max(1.0e-6);
-            chunk = (f64::from(chunk) * ratio.clamp(0.25, 4.0)).clamp(1.0, 1.0e6) as u32;
+            chunk = (f64::from(chunk) * ratio.clamp(0.25, 4.0)).clamp(1.0, LONGEST_CHUNK) as u32;
         }
         let bytes = self.gpu.read(&self.copy_back(&buffers)?)?;
         let states: &[State<R>] = bytemuck::cast_slice(&bytes);
@@ -161,12 +169,12 @@ impl<'a> Sweeper<'a> {
             .collect())
     }
 
-    /// Runs a chunk of steps of every cell; the number of cells that still run.
-    fn chunk(&self, buffers: &Buffers, count: usize, steps: u32) -> Result<usize, GpuError> {
+    /// Runs a chunk of every cell: how many still run, and the steps that all took.
+    fn chunk(&self, buffers: &Buffers, count: usize, work: u32) -> Result<[usize; 2], GpuError> {
         let gpu = self.gpu;
         gpu.checked(|| {
             // A tile has fewer than 2^32 cells.
-            let chunk = [count as u32, steps, 0, 0];
+            let chunk = [count as u32, work, 0, 0];
             gpu.queue.write_buffer(&buffers.chunk, 0, bytemuck::cast_slice(&chunk));
             let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
                 label: Some("sweep"),
@@ -176,18 +184,18 @@ impl<'a> Sweeper<'a> {
             let mut encoder = gpu
                 .device
                 .create_command_encoder(&CommandEncoderDescriptor { label: Some("chunk") });
-            encoder.clear_buffer(&buffers.running, 0, None);
+            encoder.clear_buffer(&buffers.progress, 0, None);
             let mut pass = encoder
                 .begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: None });
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &bind_group, &[]);
             pass.dispatch_workgroups(count.div_ceil(WORKGROUP) as u32, 1, 1);
             drop(pass);
-            encoder.copy_buffer_to_buffer(&buffers.running, 0, &buffers.running_back, 0, Some(4));
+            encoder.copy_buffer_to_buffer(&buffers.progress, 0, &buffers.progress_back, 0, Some(8));
             gpu.queue.submit([encoder.finish()]);
         })?;
-        let bytes = gpu.read(&buffers.running_back)?;
-        Ok(bytemuck::pod_read_unaligned::<u32>(&bytes) as usize)
+        let bytes = gpu.read(&buffers.progress_back)?;
+        Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(&bytes).map(|count| count as usize))
     }
 
     /// The states in a buffer that can be read.
@@ -216,9 +224,9 @@ struct Buffers {
     cells: Buffer,
     states: Buffer,
     chunk: Buffer,
-    running: Buffer,
+    progress: Buffer,
     record: Buffer,
-    running_back: Buffer,
+    progress_back: Buffer,
 }
 
 impl Buffers {
@@ -250,14 +258,14 @@ impl Buffers {
                 BufferUsages::STORAGE | BufferUsages::COPY_SRC,
             ),
             chunk: empty("chunk", BufferUsages::UNIFORM | BufferUsages::COPY_DST),
-            running: empty(
-                "running",
+            progress: empty(
+                "progress",
                 BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
             ),
             record: filled("record", bytemuck::cast_slice(&record), BufferUsages::STORAGE),
-            running_back: gpu.device.create_buffer(&BufferDescriptor {
-                label: Some("running back"),
-                size: 4,
+            progress_back: gpu.device.create_buffer(&BufferDescriptor {
+                label: Some("progress back"),
+                size: 8,
                 usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             }),
@@ -266,7 +274,7 @@ impl Buffers {
 
     fn entries(&self) -> [BindGroupEntry<'_>; 6] {
         let buffers =
-            [&self.model, &self.cells, &self.states, &self.chunk, &self.running, &self.record];
+            [&self.model, &self.cells, &self.states, &self.chunk, &self.progress, &self.record];
         let mut binding = 0;
         buffers.map(|buffer| {
             let entry = BindGroupEntry { binding, resource: buffer.as_entire_binding() };

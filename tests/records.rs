@@ -1,0 +1,341 @@
+//! Readers of records: every format, every dialect, and any bytes at all.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+mod common;
+
+use approx::{assert_abs_diff_eq, assert_relative_eq};
+use common::record;
+use proptest::prelude::*;
+use topple::scene::GRAVITY;
+use topple::scene::record::read::{self, Told};
+use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
+
+fn told(dt: Option<f64>, units: Option<Units>) -> Told {
+    Told { dt, units, scaled: false }
+}
+
+fn read(text: &str) -> Result<Record, RecordError> {
+    read::bytes(text.as_bytes(), &Told::default())
+}
+
+const AT2: &str = "PEER NGA STRONG MOTION DATABASE RECORD\nA STATION, 90\n\
+    ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=      7, DT=   .0100 SEC,   0 POLE @ 30. HZ\n  \
+    .1000000E+00  -.2000000E+00   .3000000E-01-.4000000E-01-.5000000E-01\n   .6000000E-01   .7E-1\n";
+
+const KNET: &str = "Origin Time       2018/01/24 19:51:00\nLat.              41.0\n\
+    Long.             142.5\nDepth. (km)       30\nMag.              6.2\n\
+    Station Code      AOM001\nStation Lat.      41.5267\nStation Long.     140.9244\n\
+    Station Height(m) 39\nRecord Time       2018/01/24 19:51:43\nSampling Freq(Hz) 100Hz\n\
+    Duration Time(s)  1\nDir.              E-W\nScale Factor      3920(gal)/6182761\n\
+    Max. Acc. (gal)   4.078\nLast Correction   2018/01/24 19:51:43\nMemo.             \n  \
+    -12085    3000   -12070   -12060\n   9000   -12083\n";
+
+fn esm() -> String {
+    let mut lines: Vec<String> = vec!["EVENT_NAME: A QUAKE".into()];
+    lines.extend((0..57).map(|k| format!("KEY_{k}: ")));
+    lines.extend(
+        [
+            "STATION_CODE: ARS1",
+            "SAMPLING_INTERVAL_S: 0.005000",
+            "NDATA: 3",
+            "STREAM: HNE",
+            "UNITS: cm/s^2",
+            "DATA_TYPE: ACCELERATION",
+        ]
+        .map(String::from),
+    );
+    assert_eq!(lines.len(), 64);
+    format!("{}\n10.0\n-25.0\n0.3\n", lines.join("\n"))
+}
+
+fn smc() -> String {
+    let mut text =
+        String::from("2 CORRECTED ACCELEROGRAM\n*\nSAF0A\nA QUAKE\nMag\nstation\na\nb\n*\n*\n*\n");
+    let mut integers = [-32768; 48];
+    (integers[15], integers[16]) = (2, 5);
+    for line in integers.chunks(8) {
+        text.extend(line.iter().map(|i| format!("{i:10}")));
+        text.push('\n');
+    }
+    let mut reals = [1.7e38; 50];
+    reals[1] = 200.0;
+    for line in reals.chunks(5) {
+        text.extend(line.iter().map(|r| format!("{r:15.7E}")));
+        text.push('\n');
+    }
+    text + "|\n| a comment 1.0\n 1.5057E+0-2.2223E+0-1.9234E+1-3.1562E+0\n-3.2440E+0\n"
+}
+
+const CSMIP: &str = "CORRECTED ACCELEROGRAM   36456  CHAN  1:  90 DEG\nUNCORRECTED\nA QUAKE\n\
+    3 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n    \
+    -3.038   -99.787     2.288\n 3 POINTS OF VELOC DATA\n     1.0\n/&\nCORRECTED\n\
+    3 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.\n";
+
+fn cosmos() -> String {
+    let mut text = String::from(
+        "Corrected acceleration    (Format v01.20 with 13 text lines)\nRecord of A Quake\n\
+         100 Real-header values follow on  20 lines, Format= (5F15.6)\n",
+    );
+    let mut reals = [-999.0; 100];
+    reals[62] = 5.0;
+    for line in reals.chunks(5) {
+        text.extend(line.iter().map(|r| format!("{r:15.6}")));
+        text.push('\n');
+    }
+    text + "1 Comment line(s) follow\n| 3 words\n       4 acceleration pts, approx  0.02 secs, \
+            units=cm/sec2(04),Format=(2E12.4)\n  1.0000e+01-2.0000e+01\n -3.0000e+01 4.0000e+00\n"
+}
+
+#[test]
+fn at2_in_all_its_dialects() {
+    let record = read(AT2).unwrap();
+    assert_eq!((record.dt, record.samples.len()), (0.01, 7));
+    assert_relative_eq!(record.samples[3], -0.04 * GRAVITY);
+    assert_eq!(record.title, "A STATION, 90");
+    let same = |text: String| assert_eq!(read(&text).unwrap().samples, record.samples, "{text}");
+    same(AT2.replace('\n', "\r\n"));
+    same(AT2.replace("NPTS=      7, DT=   .0100 SEC", "DT= .0100, NPTS= 7"));
+    same(AT2.replace("NPTS=      7, DT=   .0100 SEC", "npts=7,dt=0.01sec"));
+    same(
+        AT2.replace("NPTS=      7, DT=   .0100 SEC,   0 POLE @ 30. HZ", "7    0.0100    NPTS, DT"),
+    );
+    same(AT2.replace("-.5000000E-01\n", "-.5000000E-01").replace("  .7E-1", "  .7D-1"));
+}
+
+#[test]
+fn every_other_format() {
+    let knet = read(KNET).unwrap();
+    assert_eq!((knet.dt, knet.samples.len()), (0.01, 6));
+    let span = knet.samples[4] - knet.samples[0];
+    assert_relative_eq!(span, 21085.0 * 39.2 / 6182761.0, max_relative = 1e-12);
+    assert_abs_diff_eq!(knet.samples.iter().sum::<f64>(), 0.0, epsilon = 1e-12);
+
+    let esm = read(&esm()).unwrap();
+    assert_eq!((esm.dt, esm.samples.as_slice()), (0.005, &[0.1, -0.25, 0.003][..]));
+
+    let smc = read(&smc()).unwrap();
+    assert_eq!((smc.dt, smc.samples.len()), (0.005, 5));
+    assert_relative_eq!(smc.samples[2], -0.19234);
+
+    let csmip = read(CSMIP).unwrap();
+    assert_eq!((csmip.dt, csmip.samples.len()), (0.02, 3));
+    assert_relative_eq!(csmip.samples[1], -0.99787);
+    assert!(csmip.notes[0].contains("first of 2 channels"));
+
+    let cosmos = read(&cosmos()).unwrap();
+    assert_eq!((cosmos.dt, cosmos.samples.as_slice()), (0.005, &[0.1, -0.2, -0.3, 0.04][..]));
+
+    let dt = told(Some(0.02), Some(Units::G));
+    let one = read::bytes(b"# heading\n0.1\n\n-0.2\n0.3\n", &dt).unwrap();
+    assert_eq!((one.dt, one.samples[1]), (0.02, -0.2 * GRAVITY));
+    let units = told(None, Some(Units::MetresPerSecondSquared));
+    for text in
+        ["0 1\n0.01 2\n0.02 3\n", "time,acc\n0,1\n0.01,2\n0.02,3\n", "0\t1\r\n0.01\t2\r\n0.02\t3"]
+    {
+        let two = read::bytes(text.as_bytes(), &units).unwrap();
+        assert_abs_diff_eq!(two.dt, 0.01, epsilon = 1e-12);
+        assert_eq!(two.samples, [1.0, 2.0, 3.0]);
+    }
+}
+
+#[test]
+fn what_is_no_record_is_refused_with_its_line() {
+    let refused = |text: &str, told: &Told, said: &str| {
+        let error = read::bytes(text.as_bytes(), told).unwrap_err().to_string();
+        assert!(error.contains(said), "{said}: {error}");
+    };
+    let nothing = Told::default();
+    refused("", &nothing, "fewer than two");
+    refused("1\n2\n3\n", &nothing, "dt");
+    refused("1\n2\n3\n", &told(Some(0.01), None), "units");
+    refused("1\nx\n3\n", &told(Some(0.01), Some(Units::G)), "line 2");
+    refused("0 1\n1 2\n5 3\n", &told(None, Some(Units::G)), "sample 2");
+    refused(",\t\n;\n", &told(Some(0.01), Some(Units::G)), "fewer than two");
+    refused("1 2 3\n", &nothing, "line 1");
+    refused(&AT2.replace(".3000000E-01", ".3x"), &nothing, "line 5");
+    refused(&AT2.replace("      7", "     70"), &nothing, "ends after 7 of its 70");
+    refused(&AT2.replace("      7", "   99e9"), &nothing, "line");
+    refused(&AT2.replace(".0100", "0.0"), &nothing, "time step");
+    refused(&AT2.replace("ACCELERATION", "VELOCITY"), &nothing, "line 3");
+    refused(&esm().replace("DATA_TYPE: ACC", "DATA_TYPE: VEL"), &nothing, "line 64");
+    refused(&KNET.replace("(gal)/", " per "), &nothing, "line 14");
+    refused(AT2, &told(Some(0.02), None), "leave dt out");
+    // Numbers in the wrong units are questioned, not believed.
+    refused("100\n-150\n20\n", &told(Some(0.01), Some(Units::G)), "not plausible");
+    refused(
+        "1e-4\n-2e-5\n",
+        &told(Some(0.01), Some(Units::CentimetresPerSecondSquared)),
+        "not plausible",
+    );
+}
+
+#[test]
+fn unequal_components_are_brought_together() {
+    let record = |dt: f64, samples: &[f64]| Record {
+        title: "x".into(),
+        dt,
+        samples: samples.to_vec(),
+        notes: Vec::new(),
+    };
+    let pair = Pair::new(record(0.02, &[0.0, 2.0, -4.0]), Some(record(0.01, &[1.0, 1.0])));
+    assert_eq!((pair.dt, &*pair.horizontal), (0.01, &[0.0, 1.0, 2.0, -1.0, -4.0][..]));
+    assert_eq!(&*pair.vertical, &[1.0, 1.0, 0.0, 0.0, 0.0][..]);
+    assert_eq!((pair.pga_h, pair.pga_v), (4.0, 1.0));
+    assert!(pair.notes.iter().any(|note| note.contains("resampled")), "{:?}", pair.notes);
+    assert!(pair.notes.iter().any(|note| note.contains("padded")), "{:?}", pair.notes);
+    let scaled = pair.scaled(-0.5);
+    assert_eq!((scaled.pga_h, scaled.horizontal[4]), (2.0, 2.0));
+}
+
+#[test]
+fn the_synthetic_record_survives_its_file_and_never_changes() {
+    for parameters in [synthetic::HORIZONTAL, synthetic::VERTICAL] {
+        let made = synthetic::make("A", &parameters);
+        let back = read(&synthetic::at2(&made)).unwrap();
+        assert_eq!((back.dt, back.samples.len()), (synthetic::DT, synthetic::COUNT));
+        for (a, b) in made.samples.iter().zip(&back.samples) {
+            // Eight digits in g.
+            assert_abs_diff_eq!(a, b, epsilon = 1e-7 * parameters.peak);
+        }
+        assert_relative_eq!(made.peak(), parameters.peak, max_relative = 1e-12);
+        let drift: f64 = made.samples.iter().sum::<f64>() * made.dt;
+        assert!(drift.abs() < 0.5, "a velocity of {drift} m/s is left");
+    }
+    // The same noise on every machine and from version to version.
+    let first = synthetic::make("A", &synthetic::HORIZONTAL).samples[400];
+    assert_relative_eq!(first, FIRST, max_relative = 1e-9);
+}
+
+/// Sample 400 of the horizontal synthetic record, m/s^2.
+const FIRST: f64 = 4.093306683591208;
+
+/// Real files with the check values that came with them.
+#[test]
+fn real_files_of_each_format() {
+    let cm = Some(Units::CentimetresPerSecondSquared);
+    let cases: [(&str, Told, usize, f64, f64); 13] = [
+        (
+            "at2-oldnga-kobe-1995-nishiakashi-090.at2",
+            told(None, None),
+            4096,
+            0.01,
+            0.5027 * GRAVITY,
+        ),
+        ("at2-peer1999-borrego-1968-elcentro9-180.at2", told(None, None), 4000, 0.01, f64::NAN),
+        ("knet-AOM0011801241951.EW", told(None, None), 10200, 0.01, 0.04078),
+        ("knet-AOM0011801241951.NS", told(None, None), 10200, 0.01, 0.04954),
+        ("knet-AOM0011801241951.UD", told(None, None), 10200, 0.01, 0.0224),
+        ("esm-HI.ARS1..HNE.ASC", told(None, None), 19128, 0.005, 0.00300022),
+        ("esm-HI.ARS1..HNZ.ASC", told(None, None), 19128, 0.005, f64::NAN),
+        ("smc-lomaprieta-1989-0111a.smc", told(None, None), 6001, 0.005, 1.044078),
+        ("csmip-v2-coalinga-1983-CE36456.V2", told(None, None), 3251, 0.02, 2.67957),
+        ("cosmos-v2c-anchorage-2018-AKBMR-BNZ.V2c", told(None, None), 42000, 0.005, 0.06852),
+        (
+            "twocol-tab-christchurch-2011-hvps-up.dat",
+            told(None, Some(Units::MetresPerSecondSquared)),
+            5401,
+            0.005,
+            21.40,
+        ),
+        ("twocol-space-northridge-1994-rinaldi-228.txt", told(None, cm), 1991, 0.01, 1.479),
+        (
+            "../kobe-1995-takarazuka-000.slammer.txt",
+            told(Some(0.01), Some(Units::G)),
+            3930,
+            0.01,
+            0.6934 * GRAVITY,
+        ),
+    ];
+    for (name, told, count, dt, peak) in cases {
+        let Some(path) = record("real files", &format!("formats/{name}")) else { return };
+        let record = read::file(&path, &told).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(record.samples.len(), count, "{name}");
+        assert_abs_diff_eq!(record.dt, dt, epsilon = 1e-9);
+        if !peak.is_nan() {
+            // The check values have four digits.
+            assert_relative_eq!(record.peak(), peak, max_relative = 2e-3);
+        }
+    }
+    // A velocity in cm/s read as an acceleration in m/s^2 or g is questioned.
+    let Some(path) = record("real files", "formats/twocol-space-northridge-1994-rinaldi-228.txt")
+    else {
+        return;
+    };
+    for units in [Units::G, Units::MetresPerSecondSquared] {
+        let error = read::file(&path, &told(None, Some(units))).unwrap_err().to_string();
+        assert!(error.contains("not plausible"), "{error}");
+    }
+}
+
+/// A valid file of some format with a few bytes changed, cut, or doubled.
+fn mangled() -> impl Strategy<Value = Vec<u8>> {
+    let texts = vec![
+        AT2.to_string(),
+        KNET.into(),
+        CSMIP.into(),
+        esm(),
+        smc(),
+        cosmos(),
+        "0 1\n0.01 2\n0.02 3\n".into(),
+        "0.1\n0.2\n-0.3\n".into(),
+    ];
+    let changes = prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..4_u8), 1..6);
+    (prop::sample::select(texts), changes).prop_map(|(text, changes)| {
+        let mut bytes = text.into_bytes();
+        for (place, byte, how) in changes {
+            if bytes.is_empty() {
+                break;
+            }
+            let at = place.index(bytes.len());
+            match how {
+                0 => bytes[at] = byte,
+                1 => bytes.truncate(at),
+                2 => bytes.insert(at, byte),
+                _ => {
+                    let tail = bytes[at..].to_vec();
+                    bytes.extend(tail);
+                }
+            }
+        }
+        bytes
+    })
+}
+
+/// A record that was read is one: finite samples, a sane step.
+fn sane(result: Result<Record, RecordError>) -> Result<(), TestCaseError> {
+    if let Ok(record) = result {
+        prop_assert!(record.dt > 0.0 && record.dt <= 1.0);
+        prop_assert!(record.samples.len() >= 2 && record.samples.iter().all(|a| a.is_finite()));
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn any_bytes_are_a_record_or_an_error(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        sane(read::bytes(&bytes, &told(Some(0.01), Some(Units::G))))?;
+    }
+
+    #[test]
+    fn any_mangled_file_is_a_record_or_an_error(bytes in mangled()) {
+        sane(read::bytes(&bytes, &Told::default()))?;
+        sane(read::bytes(&bytes, &told(Some(0.01), Some(Units::G))))?;
+    }
+
+    #[test]
+    fn any_samples_survive_an_at2_file(
+        samples in prop::collection::vec(-20.0..20.0_f64, 2..40), dt in 0.001..0.1_f64
+    ) {
+        prop_assume!(samples.iter().any(|a| a.abs() > 0.1));
+        let dt = (dt * 1e4).round() / 1e4;
+        let record = Record { title: "x".into(), dt, samples, notes: Vec::new() };
+        let back = read(&synthetic::at2(&record)).unwrap();
+        prop_assert_eq!(back.dt, dt);
+        for (a, b) in record.samples.iter().zip(&back.samples) {
+            prop_assert!((a - b).abs() <= 1e-6, "{} {}", a, b);
+        }
+    }
+}
