@@ -8,7 +8,7 @@ use naga::{Module, TypeInner};
 use topple::integrate::state::State;
 use topple::model::block::{Corner, Model};
 use topple::model::dynamics::Motion;
-use topple::model::excitation::Cell;
+use topple::model::excitation::{Cell, Ground};
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::shader;
 
@@ -115,6 +115,7 @@ macro_rules! same_layouts {
                 padding
             }
         );
+        same_layout!($precision, $real, Ground { h, v });
         same_layout!($precision, $real, Motion { u, du, v, dv, z, phi, dphi });
         same_layout!(
             $precision,
