@@ -150,7 +150,7 @@ fn host_structs_are_laid_out_as_the_shaders() {
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
-    use topple::integrate::{state, switching};
+    use topple::integrate::{locate, state, switching};
     use topple::model::block;
     let module = parse(Precision::F32);
     let value = |name: &str| {
@@ -181,8 +181,8 @@ fn constants_agree_with_the_twin() {
         ("OVERTURN", switching::OVERTURN),
         ("KINK", switching::KINK),
         ("EVENT_BOUND", switching::EVENT_BOUND),
-        ("LOCATE_BOUND", switching::LOCATE_BOUND),
-        ("GUESS_BOUND", switching::GUESS_BOUND),
+        ("LOCATE_BOUND", locate::LOCATE_BOUND),
+        ("GUESS_BOUND", locate::GUESS_BOUND),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

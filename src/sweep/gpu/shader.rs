@@ -3,7 +3,7 @@
 use super::super::backend::Precision;
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision) -> [(&'static str, &'static str); 10] {
+pub fn files(precision: Precision) -> [(&'static str, &'static str); 11] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -17,6 +17,7 @@ pub fn files(precision: Precision) -> [(&'static str, &'static str); 10] {
         ("impact.wgsl", include_str!("../../../shaders/impact.wgsl")),
         ("rk4.wgsl", include_str!("../../../shaders/rk4.wgsl")),
         ("state.wgsl", include_str!("../../../shaders/state.wgsl")),
+        ("locate.wgsl", include_str!("../../../shaders/locate.wgsl")),
         ("switching.wgsl", include_str!("../../../shaders/switching.wgsl")),
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
     ]

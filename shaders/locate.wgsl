@@ -1,0 +1,206 @@
+// Where in a step a switch or a kink is. Twin: src/integrate/locate.rs.
+
+const LOCATE_BOUND = 60u;
+const GUESS_BOUND = 12u;
+
+struct Crossing {
+    kind: u32,
+    upper: real,
+}
+
+struct Located {
+    found: bool,
+    at: real,
+    y: Motion,
+}
+
+// True where a number goes from one side of zero to the other; zero itself is on neither.
+fn crosses(start: real, end: real) -> bool {
+    return (start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0);
+}
+
+// What changes sign at a kink, positive before it: z or du.
+fn before_kink(start: Motion, of_z: bool, y: Motion) -> real {
+    var before = start.du;
+    var value = y.du;
+    if of_z {
+        before = start.z;
+        value = y.z;
+    }
+    if before > 0.0 {
+        return value;
+    }
+    return -value;
+}
+
+// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
+// on the redone step.
+fn locate_kink(cell: Cell, span: Span, y: Motion, k1: Rates, end: Motion) -> real {
+    // Where both cross, the one whose chord does so first.
+    var of_z = crosses(y.z, end.z);
+    if of_z && crosses(y.du, end.du) {
+        of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
+    }
+    var low: real = 0.0;
+    var value_low = before_kink(y, of_z, y);
+    var high: real = 1.0;
+    var value_high = before_kink(y, of_z, end);
+    var last = 0u;
+    var trial = 0u;
+    while trial < LOCATE_BOUND {
+        var at = high - value_high * (high - low) / (value_high - value_low);
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let value = before_kink(y, of_z, y_at);
+        if value < 0.0 {
+            high = at;
+            value_high = value;
+            if last == 1u {
+                value_low = 0.5 * value_low;
+            }
+            last = 1u;
+        } else {
+            low = at;
+            value_low = value;
+            if last == 2u {
+                value_high = 0.5 * value_high;
+            }
+            last = 2u;
+        }
+        if high - low <= KINK_TOLERANCE {
+            break;
+        }
+        trial += 1u;
+    }
+    return high;
+}
+
+// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
+// redone step, inside a bracket.
+fn locate_angle(
+    cell: Cell,
+    span: Span,
+    y: Motion,
+    k1: Rates,
+    end: Motion,
+    crossing: Crossing,
+) -> Located {
+    let h = span.length * step_length(cell, span.step);
+    // `beyond` is positive on the far side of the switch.
+    var sense = -span.corner.side;
+    var target_angle: real = 0.0;
+    if crossing.kind == OVERTURN {
+        sense = span.corner.side;
+        target_angle = span.corner.overturn;
+    }
+    let x0 = sense * y.phi - target_angle;
+    let x1 = sense * end.phi - target_angle;
+    let slope0 = h * sense * y.dphi;
+    let slope1 = h * sense * end.dphi;
+    var low: real = 0.0;
+    var high = crossing.upper;
+    var at = crossing.upper;
+    var trial = 0u;
+    while trial < GUESS_BOUND {
+        let beyond = hermite(x0, slope0, x1, slope1, at);
+        let rise = x1 - x0;
+        let c2 = 3.0 * rise - 2.0 * slope0 - slope1;
+        let c3 = slope0 + slope1 - 2.0 * rise;
+        let slope = slope0 + at * (2.0 * c2 + at * 3.0 * c3);
+        if beyond >= 0.0 {
+            high = at;
+        } else {
+            low = at;
+        }
+        let change = beyond / slope;
+        at = at - change;
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        if abs(change) < 1.0e-3 {
+            break;
+        }
+        trial += 1u;
+    }
+    low = 0.0;
+    high = crossing.upper;
+    var y_high = end;
+    var verified = crossing.upper >= 1.0;
+    trial = 0u;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let beyond = sense * y_at.phi - target_angle;
+        let change = beyond / (h * sense * y_at.dphi);
+        if abs(change) <= EVENT_TOLERANCE {
+            return Located(true, at, y_at);
+        }
+        if beyond >= 0.0 {
+            high = at;
+            y_high = y_at;
+            verified = true;
+        } else {
+            low = at;
+        }
+        if high - low <= EVENT_TOLERANCE {
+            break;
+        }
+        at = at - change;
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        trial += 1u;
+    }
+    return Located(verified, high, y_high);
+}
+
+// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossing) -> Located {
+    var corner = model.left;
+    if crossing.kind == UPLIFT_RIGHT {
+        corner = model.right;
+    }
+    var low: real = 0.0;
+    var moment_low = uplift_moment(corner, k1.shear, k1.normal);
+    var high = crossing.upper;
+    var moment_high: real = 0.0;
+    var y_high = y;
+    var at = crossing.upper;
+    var last = 0u;
+    var trial = 0u;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let ground = ground_at(cell, span.step, span.start + at * span.length);
+        let k = rates(cell, corner, false, y_at, ground);
+        let moment = uplift_moment(corner, k.shear, k.normal);
+        if moment > 0.0 {
+            high = at;
+            moment_high = moment;
+            y_high = y_at;
+            if last == 1u {
+                moment_low = 0.5 * moment_low;
+            }
+            last = 1u;
+        } else {
+            if trial == 0u {
+                return Located(false, real(0.0), y);
+            }
+            low = at;
+            moment_low = moment;
+            if last == 2u {
+                moment_high = 0.5 * moment_high;
+            }
+            last = 2u;
+        }
+        if high - low <= EVENT_TOLERANCE {
+            break;
+        }
+        at = high - moment_high * (high - low) / (moment_high - moment_low);
+        if !(at > low && at < high) {
+            at = 0.5 * (low + high);
+        }
+        trial += 1u;
+    }
+    return Located(true, high, y_high);
+}

@@ -1,0 +1,242 @@
+//! Where in a step a switch or a kink is. Twin of `shaders/locate.wgsl`.
+
+use super::rk4::{Span, hermite, rk4};
+use super::switching::{OVERTURN, UPLIFT_RIGHT};
+use crate::model::Setting;
+use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
+use crate::model::excitation::{ground_at, step_length};
+use crate::model::real::Real;
+
+/// Trials to locate a switch: enough for bisection down to the tolerance, should all else fail.
+pub const LOCATE_BOUND: u32 = 60;
+/// Newton's steps on the cubic that gives the first guess.
+pub const GUESS_BOUND: u32 = 12;
+
+/// A switch somewhere in a span.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing<R> {
+    /// What kind of switch.
+    pub kind: u32,
+    /// A fraction of the span at which it has happened.
+    pub upper: R,
+}
+
+/// Where in the span a switch is.
+#[derive(Debug, Clone, Copy)]
+pub struct Located<R> {
+    /// False where it turned out not to happen.
+    pub found: bool,
+    /// Fraction of the span.
+    pub at: R,
+    /// The motion there, before the switch.
+    pub y: Motion<R>,
+}
+
+/// True where a number goes from one side of zero to the other; zero itself is on neither.
+#[inline(always)]
+pub fn crosses<R: Real>(from: R, to: R) -> bool {
+    let zero = R::of(0.0);
+    (from > zero && to < zero) || (from < zero && to > zero)
+}
+
+/// What changes sign at a kink, positive before it: z or du.
+#[inline(always)]
+fn before_kink<R: Real>(start: &Motion<R>, of_z: bool, y: &Motion<R>) -> R {
+    let mut from = start.du;
+    let mut value = y.du;
+    if of_z {
+        from = start.z;
+        value = y.z;
+    }
+    if from > R::of(0.0) {
+        return value;
+    }
+    -value
+}
+
+/// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
+/// on the redone step.
+pub fn locate_kink<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    end: &Motion<R>,
+) -> R {
+    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
+    // Where both cross, the one whose chord does so first.
+    let mut of_z = crosses(y.z, end.z);
+    if of_z && crosses(y.du, end.du) {
+        of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
+    }
+    let mut low = zero;
+    let mut value_low = before_kink(y, of_z, y);
+    let mut high = one;
+    let mut value_high = before_kink(y, of_z, end);
+    let mut last = 0;
+    let mut trial = 0;
+    while trial < LOCATE_BOUND {
+        let mut at = high - value_high * (high - low) / (value_high - value_low);
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let value = before_kink(y, of_z, &y_at);
+        if value < zero {
+            high = at;
+            value_high = value;
+            if last == 1 {
+                value_low = half * value_low;
+            }
+            last = 1;
+        } else {
+            low = at;
+            value_low = value;
+            if last == 2 {
+                value_high = half * value_high;
+            }
+            last = 2;
+        }
+        if high - low <= R::KINK_TOLERANCE {
+            break;
+        }
+        trial += 1;
+    }
+    high
+}
+
+/// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
+/// redone step, inside a bracket.
+pub fn locate_angle<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    end: &Motion<R>,
+    crossing: &Crossing<R>,
+) -> Located<R> {
+    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
+    let h = span.length * step_length(set.cell, span.step);
+    // `beyond` is positive on the far side of the switch.
+    let mut sense = -span.corner.side;
+    let mut target = zero;
+    if crossing.kind == OVERTURN {
+        sense = span.corner.side;
+        target = span.corner.overturn;
+    }
+    let x0 = sense * y.phi - target;
+    let x1 = sense * end.phi - target;
+    let slope0 = h * sense * y.dphi;
+    let slope1 = h * sense * end.dphi;
+    let mut low = zero;
+    let mut high = crossing.upper;
+    let mut at = crossing.upper;
+    let mut trial = 0;
+    while trial < GUESS_BOUND {
+        let beyond = hermite(x0, slope0, x1, slope1, at);
+        let rise = x1 - x0;
+        let c2 = R::of(3.0) * rise - R::of(2.0) * slope0 - slope1;
+        let c3 = slope0 + slope1 - R::of(2.0) * rise;
+        let slope = slope0 + at * (R::of(2.0) * c2 + at * R::of(3.0) * c3);
+        if beyond >= zero {
+            high = at;
+        } else {
+            low = at;
+        }
+        let change = beyond / slope;
+        at = at - change;
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        if change.abs() < R::of(1.0e-3) {
+            break;
+        }
+        trial += 1;
+    }
+    low = zero;
+    high = crossing.upper;
+    let mut y_high = *end;
+    let mut verified = crossing.upper >= one;
+    trial = 0;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let beyond = sense * y_at.phi - target;
+        let change = beyond / (h * sense * y_at.dphi);
+        if change.abs() <= R::EVENT_TOLERANCE {
+            return Located { found: true, at, y: y_at };
+        }
+        if beyond >= zero {
+            high = at;
+            y_high = y_at;
+            verified = true;
+        } else {
+            low = at;
+        }
+        if high - low <= R::EVENT_TOLERANCE {
+            break;
+        }
+        at = at - change;
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        trial += 1;
+    }
+    Located { found: verified, at: high, y: y_high }
+}
+
+/// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+pub fn locate_uplift<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    crossing: &Crossing<R>,
+) -> Located<R> {
+    let (zero, half) = (R::of(0.0), R::of(0.5));
+    let mut corner = set.model.left;
+    if crossing.kind == UPLIFT_RIGHT {
+        corner = set.model.right;
+    }
+    let mut low = zero;
+    let mut moment_low = uplift_moment(set, &corner, k1.shear, k1.normal);
+    let mut high = crossing.upper;
+    let mut moment_high = zero;
+    let mut y_high = *y;
+    let mut at = crossing.upper;
+    let mut last = 0;
+    let mut trial = 0;
+    while trial < LOCATE_BOUND {
+        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let ground = ground_at(set, span.step, span.start + at * span.length);
+        let k = rates(set, &corner, false, &y_at, ground);
+        let moment = uplift_moment(set, &corner, k.shear, k.normal);
+        if moment > zero {
+            high = at;
+            moment_high = moment;
+            y_high = y_at;
+            if last == 1 {
+                moment_low = half * moment_low;
+            }
+            last = 1;
+        } else {
+            if trial == 0 {
+                return Located { found: false, at: zero, y: *y };
+            }
+            low = at;
+            moment_low = moment;
+            if last == 2 {
+                moment_high = half * moment_high;
+            }
+            last = 2;
+        }
+        if high - low <= R::EVENT_TOLERANCE {
+            break;
+        }
+        at = high - moment_high * (high - low) / (moment_high - moment_low);
+        if !(at > low && at < high) {
+            at = half * (low + high);
+        }
+        trial += 1;
+    }
+    Located { found: true, at: high, y: y_high }
+}
