@@ -16,7 +16,7 @@ use topple::integrate::switching::{IMPACT, Log};
 use topple::model::Setting;
 use topple::model::block::ROCKING_LEFT;
 use topple::model::dynamics::Motion;
-use topple::model::impact::change_corner;
+use topple::model::impact::{change_corner, come_to_rest};
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::sweep::cells::Plan;
 use topple::sweep::cpu::{self, sweep_cell};
@@ -131,18 +131,27 @@ fn as_motion(y: &Cell) -> Motion<f64> {
 }
 
 proptest! {
-    /// The closed form (16)-(18) against (15) solved as the linear system that it is.
+    /// The closed form (16)-(18), and that of a block coming to rest, against (15) solved as the
+    /// linear system that it is.
     #[test]
     fn the_impact_law_is_the_balance_of_momenta((scene, velocity) in blocks()) {
         let plan = Plan::new(&scene, 0.004).unwrap();
         let model = plan.model::<f64>();
-        let system = System::new(&scene, &Grid::of(&scene).point(0));
-        for (pole, landing) in [(Pole::Left, model.right), (Pole::Right, model.left)] {
+        let point = Grid::of(&scene).point(0);
+        let system = System::new(&scene, &point);
+        let (cell, _) = plan.cell::<f64>(&point);
+        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        for (pole, leaving, landing) in
+            [(Pole::Left, model.left, model.right), (Pole::Right, model.right, model.left)]
+        {
             let y = before(pole, velocity);
-            let solved = as_motion(&system.impact(pole, &y)).coordinates();
-            let closed = change_corner(&landing, &as_motion(&y)).coordinates();
-            for (a, b) in solved.iter().zip(closed) {
-                assert_abs_diff_eq!(*a, b, epsilon = 1e-10);
+            for (solved, closed) in [
+                (system.impact(pole, &y), change_corner(&landing, &as_motion(&y))),
+                (system.settle(pole, &y), come_to_rest(&set, &leaving, &as_motion(&y))),
+            ] {
+                for (a, b) in as_motion(&solved).coordinates().iter().zip(closed.coordinates()) {
+                    assert_abs_diff_eq!(*a, b, epsilon = 1e-10);
+                }
             }
         }
     }
