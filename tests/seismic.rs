@@ -12,7 +12,8 @@ use topple::integrate::outcome::{Class, Outcome, Status};
 use topple::integrate::reference::{self, Settings};
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::sweep::backend::{Backend, Precision};
-use topple::sweep::cells::{DEFAULT_STEP, Plan};
+use topple::sweep::cells::Plan;
+use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 

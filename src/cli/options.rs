@@ -7,7 +7,7 @@ use topple::scene::block::BlockText;
 use topple::scene::isolation::IsolationText;
 use topple::scene::text::{RunText, SceneText};
 use topple::sweep::backend::{Backend, Choice, Precision};
-use topple::sweep::cells::DEFAULT_STEP;
+use topple::sweep::clock::DEFAULT_STEP;
 
 use super::InputError;
 

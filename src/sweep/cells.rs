@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use bytemuck::Zeroable;
 
 use super::backend::Precision;
+use super::clock::{Clock, Resolution};
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
 use crate::model::block::{Corner, Model};
@@ -13,21 +14,6 @@ use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, GRAVITY, Grid, Overturn, Point, Scene, SceneError, positive};
 
-/// Largest step by default, s.
-pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
-/// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
-/// (omega h = 2.83); the rest is for accuracy, which a stiff vertical isolation needs most: a
-/// block on it rocks chaotically, and what a step errs by grows from impact to impact.
-pub const STEPS_A_PERIOD: f64 = 160.0;
-/// The same in f64 for periods around [`SHORT_PERIOD`]. In f32 rounding errs by more.
-pub const FINEST_STEPS_A_PERIOD: f64 = 640.0;
-/// See [`FINEST_STEPS_A_PERIOD`], s; beyond, steps a period fall as it grows.
-pub const SHORT_PERIOD: f64 = 1.0 / 16.0;
-/// Below this period, s, the vertical isolation acts as if it were rigid, nothing is chaotic, and
-/// steps a period fall again.
-pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
-/// Steps that a pulse holds at least.
-pub const STEPS_A_PULSE: f64 = 32.0;
 /// A landing block comes to rest when its next flight would last less than this share of a step.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
 
@@ -37,32 +23,6 @@ pub const RIGID_SHARE: f64 = 0.2;
 
 /// Most steps that a cell may take: some minutes of one core.
 pub const MOST_STEPS: f64 = 1.0e9;
-
-/// The lengths and numbers of a cell's steps, in `f64`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clock {
-    /// Length of a forced step, s.
-    pub step_forced: f64,
-    /// Length of a free step, s.
-    pub step_free: f64,
-    /// Number of forced steps.
-    pub steps_forced: u32,
-    /// Steps between two samples of a record; 1 for a pulse.
-    pub substeps: u32,
-    /// Number of steps in all.
-    pub steps: u32,
-}
-
-impl Clock {
-    /// Time at a fraction of a step, s.
-    pub fn time(&self, step: u32, fraction: f64) -> f64 {
-        if step < self.steps_forced {
-            return (f64::from(step) + fraction) * self.step_forced;
-        }
-        let free = f64::from(step - self.steps_forced) + fraction;
-        f64::from(self.steps_forced) * self.step_forced + free * self.step_free
-    }
-}
 
 /// Cells that run one model.
 #[derive(Debug, Clone)]
@@ -80,12 +40,10 @@ pub struct Part {
 pub struct Plan {
     /// The scene; of a part, what the part simulates.
     pub scene: Scene,
-    /// Largest step, s.
-    pub largest_step: f64,
+    /// How finely its cells are stepped.
+    pub resolution: Resolution,
     mu_h: f64,
     mu_v: f64,
-    /// Short periods are resolved as f64 deserves.
-    fine: bool,
 }
 
 impl Plan {
@@ -94,13 +52,21 @@ impl Plan {
     /// # Errors
     /// A step that is no positive number, and a duration of more than [`MOST_STEPS`] steps.
     pub fn new(scene: &Scene, largest_step: f64) -> Result<Plan, SceneError> {
-        positive("step", largest_step)?;
+        Plan::resolved(scene, Resolution::bounded(largest_step))
+    }
+
+    /// The plan of a scene with steps of a given resolution.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
+        positive("step", resolution.largest_step)?;
         let (block, base) = (&scene.block, &scene.isolation);
         let mass_v = block.mass + base.plate_v;
         let mass_h = mass_v + base.plate_h;
         let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
         let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
-        let plan = Plan { scene: scene.clone(), largest_step, mu_h, mu_v, fine: false };
+        let plan = Plan { scene: scene.clone(), resolution, mu_h, mu_v };
         let mut shortest = Grid::of(scene).extreme();
         if let Some(rigid) = plan.rigid_period() {
             // Stiffer cells run without the vertical direction.
@@ -121,7 +87,7 @@ impl Plan {
 
     /// The plan for a number type: short periods take more steps in f64.
     pub fn at(&self, precision: Precision) -> Plan {
-        Plan { fine: precision == Precision::F64, ..self.clone() }
+        Plan { resolution: self.resolution.at(precision), ..self.clone() }
     }
 
     /// T_v below which the vertical isolation is rigid for the scene's record, s.
@@ -253,14 +219,8 @@ impl Plan {
             }
             square = square.max(sum);
         }
-        if square == 0.0 {
-            return self.largest_step;
-        }
-        let period = TAU / square.sqrt();
-        let share = (SHORT_PERIOD / period).min(period / STIFF_PERIOD);
-        let steps = FINEST_STEPS_A_PERIOD * share;
-        let most = if self.fine { FINEST_STEPS_A_PERIOD } else { STEPS_A_PERIOD };
-        self.largest_step.min(period / steps.clamp(STEPS_A_PERIOD, most))
+        // Infinite where nothing oscillates.
+        self.resolution.longest_step(TAU / square.sqrt())
     }
 
     /// The least that I/M - mu_h P^2 - mu_v Q^2 can be about a corner.
@@ -277,7 +237,7 @@ impl Plan {
             Excitation::Pulse(_) => {
                 let pulse = TAU / point.omega;
                 let forced = pulse.min(self.scene.t_max);
-                let steps = (forced / longest.min(pulse / STEPS_A_PULSE)).ceil().max(1.0);
+                let steps = (forced / longest.min(self.resolution.longest_in_pulse(pulse))).ceil().max(1.0);
                 (forced, steps, 1.0)
             }
             Excitation::Record(pair) => {

@@ -2,6 +2,7 @@
 
 pub mod backend;
 pub mod cells;
+pub mod clock;
 pub mod cpu;
 pub mod gpu;
 pub mod history;

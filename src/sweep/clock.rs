@@ -1,0 +1,103 @@
+//! How finely a motion is stepped, and the lengths and numbers of a cell's steps.
+
+use super::backend::Precision;
+
+/// Largest step by default, s.
+pub const DEFAULT_STEP: f64 = 1.0 / 256.0;
+/// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
+/// (omega h = 2.83); the rest is for accuracy, which a stiff vertical isolation needs most: a
+/// block on it rocks chaotically, and what a step errs by grows from impact to impact.
+pub const STEPS_A_PERIOD: f64 = 160.0;
+/// The same in f64 for periods around [`SHORT_PERIOD`]. In f32 rounding errs by more.
+pub const FINEST_STEPS_A_PERIOD: f64 = 640.0;
+/// See [`FINEST_STEPS_A_PERIOD`], s; beyond, steps a period fall as it grows.
+pub const SHORT_PERIOD: f64 = 1.0 / 16.0;
+/// Below this period, s, the vertical isolation acts as if it were rigid, nothing is chaotic, and
+/// steps a period fall again.
+pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
+/// Steps that a pulse holds at least.
+pub const STEPS_A_PULSE: f64 = 32.0;
+
+/// How finely a motion is stepped.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolution {
+    /// Largest step, s.
+    pub largest_step: f64,
+    /// Steps that the fastest period of a cell holds at least.
+    steps_a_period: f64,
+    /// The same for periods around [`SHORT_PERIOD`].
+    finest_steps_a_period: f64,
+    /// Steps that a pulse holds at least.
+    steps_a_pulse: f64,
+}
+
+impl Resolution {
+    /// Steps of at most `largest_step` seconds, and shorter ones where a cell's fastest period or
+    /// its pulse asks for them.
+    pub fn bounded(largest_step: f64) -> Resolution {
+        Resolution {
+            largest_step,
+            steps_a_period: STEPS_A_PERIOD,
+            finest_steps_a_period: STEPS_A_PERIOD,
+            steps_a_pulse: STEPS_A_PULSE,
+        }
+    }
+
+    /// Steps of `step` seconds, but for what makes the excitation's ends and samples fall on
+    /// steps, however badly they resolve the motion: for charts and tests of what breaks.
+    pub fn exactly(step: f64) -> Resolution {
+        Resolution {
+            largest_step: step,
+            steps_a_period: 0.0,
+            finest_steps_a_period: 0.0,
+            steps_a_pulse: 1.0,
+        }
+    }
+
+    /// The resolution for a number type: short periods take more steps in f64.
+    pub fn at(self, precision: Precision) -> Resolution {
+        let bounded = self.steps_a_period > 0.0;
+        if bounded && precision == Precision::F64 {
+            return Resolution { finest_steps_a_period: FINEST_STEPS_A_PERIOD, ..self };
+        }
+        self
+    }
+
+    /// Longest step of a cell whose fastest period is `period`, s; infinite where it has none.
+    pub fn longest_step(&self, period: f64) -> f64 {
+        let share = (SHORT_PERIOD / period).min(period / STIFF_PERIOD);
+        let steps = (FINEST_STEPS_A_PERIOD * share).min(self.finest_steps_a_period);
+        self.largest_step.min(period / steps.max(self.steps_a_period))
+    }
+
+    /// Longest step of a pulse of this duration, s.
+    pub fn longest_in_pulse(&self, pulse: f64) -> f64 {
+        pulse / self.steps_a_pulse
+    }
+}
+
+/// The lengths and numbers of a cell's steps, in `f64`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// Length of a forced step, s.
+    pub step_forced: f64,
+    /// Length of a free step, s.
+    pub step_free: f64,
+    /// Number of forced steps.
+    pub steps_forced: u32,
+    /// Steps between two samples of a record; 1 for a pulse.
+    pub substeps: u32,
+    /// Number of steps in all.
+    pub steps: u32,
+}
+
+impl Clock {
+    /// Time at a fraction of a step, s.
+    pub fn time(&self, step: u32, fraction: f64) -> f64 {
+        if step < self.steps_forced {
+            return (f64::from(step) + fraction) * self.step_forced;
+        }
+        let free = f64::from(step - self.steps_forced) + fraction;
+        f64::from(self.steps_forced) * self.step_forced + free * self.step_free
+    }
+}
