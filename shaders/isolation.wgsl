@@ -4,6 +4,7 @@
 override isolated_h: bool = true;
 override isolated_v: bool = true;
 override kinks: bool = true;
+override in_step: bool = true;
 override bouc_wen_n: u32 = 2u;
 
 struct Support {

@@ -33,48 +33,69 @@ fn before_kink(start: Motion, of_z: bool, y: Motion) -> real {
     return -value;
 }
 
-// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
-// on the redone step.
+// A bracket around a root, narrowed by the Illinois method.
+struct Bracket {
+    low: real,
+    value_low: real,
+    high: real,
+    value_high: real,
+    // The end that moved last: 1 the high one, 2 the low one.
+    last: u32,
+}
+
+// Where to look next.
+fn next_trial(bracket: Bracket) -> real {
+    let low = bracket.low;
+    let high = bracket.high;
+    let at = high - bracket.value_high * (high - low) / (bracket.value_high - bracket.value_low);
+    if at > low && at < high {
+        return at;
+    }
+    return 0.5 * (low + high);
+}
+
+// Takes in what was found there.
+fn narrow(bracket: ptr<function, Bracket>, at: real, value: real, beyond: bool) {
+    if beyond {
+        (*bracket).high = at;
+        (*bracket).value_high = value;
+        if (*bracket).last == 1u {
+            (*bracket).value_low = 0.5 * (*bracket).value_low;
+        }
+        (*bracket).last = 1u;
+    } else {
+        (*bracket).low = at;
+        (*bracket).value_low = value;
+        if (*bracket).last == 2u {
+            (*bracket).value_high = 0.5 * (*bracket).value_high;
+        }
+        (*bracket).last = 2u;
+    }
+}
+
+// The fraction of a span at which its first kink is, just on its far side, on the redone step.
 fn locate_kink(cell: Cell, span: Span, y: Motion, k1: Rates, end: Motion) -> real {
     // Where both cross, the one whose chord does so first.
     var of_z = crosses(y.z, end.z);
     if of_z && crosses(y.du, end.du) {
         of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
     }
-    var low: real = 0.0;
-    var value_low = before_kink(y, of_z, y);
-    var high: real = 1.0;
-    var value_high = before_kink(y, of_z, end);
-    var last = 0u;
+    var bracket = Bracket(
+        real(0.0),
+        before_kink(y, of_z, y),
+        real(1.0),
+        before_kink(y, of_z, end),
+        0u,
+    );
     var trial = 0u;
-    while trial < LOCATE_BOUND {
-        var at = high - value_high * (high - low) / (value_high - value_low);
-        if !(at > low && at < high) {
-            at = 0.5 * (low + high);
-        }
+    while trial < LOCATE_BOUND && bracket.high - bracket.low > KINK_TOLERANCE {
+        let at = next_trial(bracket);
         let y_at = rk4(cell, span, y, k1, at * span.length).y;
         let value = before_kink(y, of_z, y_at);
-        if value < 0.0 {
-            high = at;
-            value_high = value;
-            if last == 1u {
-                value_low = 0.5 * value_low;
-            }
-            last = 1u;
-        } else {
-            low = at;
-            value_low = value;
-            if last == 2u {
-                value_high = 0.5 * value_high;
-            }
-            last = 2u;
-        }
-        if high - low <= KINK_TOLERANCE {
-            break;
-        }
+        narrow(&bracket, at, value, value < 0.0);
         trial += 1u;
     }
-    return high;
+    return bracket.high;
 }
 
 // Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
@@ -155,19 +176,16 @@ fn locate_angle(
     return Located(verified, high, y_high);
 }
 
-// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+// Locates an uplift on the redone step, and lands on its far side.
 fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossing) -> Located {
     var corner = model.left;
     if crossing.kind == UPLIFT_RIGHT {
         corner = model.right;
     }
-    var low: real = 0.0;
-    var moment_low = uplift_moment(corner, k1.shear, k1.normal);
-    var high = crossing.upper;
-    var moment_high: real = 0.0;
+    let moment_low = uplift_moment(corner, k1.shear, k1.normal);
+    var bracket = Bracket(real(0.0), moment_low, crossing.upper, real(0.0), 0u);
     var y_high = y;
     var at = crossing.upper;
-    var last = 0u;
     var trial = 0u;
     while trial < LOCATE_BOUND {
         let y_at = rk4(cell, span, y, k1, at * span.length).y;
@@ -175,32 +193,16 @@ fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossin
         let k = rates(cell, corner, false, y_at, ground);
         let moment = uplift_moment(corner, k.shear, k.normal);
         if moment > 0.0 {
-            high = at;
-            moment_high = moment;
             y_high = y_at;
-            if last == 1u {
-                moment_low = 0.5 * moment_low;
-            }
-            last = 1u;
-        } else {
-            if trial == 0u {
-                return Located(false, real(0.0), y);
-            }
-            low = at;
-            moment_low = moment;
-            if last == 2u {
-                moment_high = 0.5 * moment_high;
-            }
-            last = 2u;
+        } else if trial == 0u {
+            return Located(false, real(0.0), y);
         }
-        if high - low <= EVENT_TOLERANCE {
+        narrow(&bracket, at, moment, moment > 0.0);
+        if bracket.high - bracket.low <= EVENT_TOLERANCE {
             break;
         }
-        at = high - moment_high * (high - low) / (moment_high - moment_low);
-        if !(at > low && at < high) {
-            at = 0.5 * (low + high);
-        }
+        at = next_trial(bracket);
         trial += 1u;
     }
-    return Located(true, high, y_high);
+    return Located(true, bracket.high, y_high);
 }

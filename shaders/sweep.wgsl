@@ -20,11 +20,15 @@ struct Progress {
 @group(0) @binding(3) var<uniform> chunk: Chunk;
 @group(0) @binding(4) var<storage, read_write> progress: Progress;
 
+// This thread's cell.
+var<private> lane: u32;
+
 @compute @workgroup_size(workgroup_size)
 fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= chunk.cells {
         return;
     }
+    lane = id.x;
     let cell = cells[id.x];
     var state = states[id.x];
     let first = state.step;

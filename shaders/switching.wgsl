@@ -138,6 +138,7 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
             let kind = uplift_now(k1);
             if kind != NOTHING {
                 lift(state, kind, start);
+                switched(state, kind, start);
                 events += 1u;
                 continue;
             }
@@ -156,7 +157,9 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
         if rocking {
             let crossing = find_crossing(corner, y, stepped.y, h);
             kind = crossing.kind;
-            if kind != NOTHING {
+            if kind != NOTHING && !in_step {
+                located.found = crossing.upper >= 1.0;
+            } else if kind != NOTHING {
                 located = locate_angle(cell, span, y, k1, stepped.y, crossing);
             }
         } else {
@@ -164,7 +167,9 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
             let k_end = rates(cell, corner, false, stepped.y, ground);
             let crossing = find_uplift(k1, stepped.shear_mid, stepped.normal_mid, k_end);
             kind = crossing.kind;
-            if kind != NOTHING {
+            if kind != NOTHING && !in_step {
+                located.found = crossing.upper >= 1.0;
+            } else if kind != NOTHING {
                 located = locate_uplift(cell, span, y, k1, crossing);
             }
         }
@@ -175,6 +180,7 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
                 break;
             }
             start = start + span.length;
+            switched(state, KINK, start);
             events += 1u;
             if start >= 1.0 {
                 break;
@@ -188,6 +194,7 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
         observe_contact(state, k);
         if kind == OVERTURN {
             overturn(state, corner, start);
+            switched(state, kind, start);
             return events;
         }
         if kind == IMPACT {
@@ -195,6 +202,7 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
         } else {
             lift(state, kind, start);
         }
+        switched(state, kind, start);
         events += 1u;
         if start >= 1.0 {
             break;

@@ -18,7 +18,7 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::GpuError;
 use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader;
+use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::verification::compare;
 
 /// (A_v, e) of the six maps of Fig. 11 and the four of Fig. 13.
@@ -99,7 +99,7 @@ fn hold_gpu<R: Real>(precision: Precision, allowed: usize) {
     let Some(gpu) = gpu("agreement of the shader with the reference", precision) else { return };
     hold(&format!("gpu {precision:?}"), allowed, |plan, grid| {
         let sweeper = Sweeper::new(&gpu, precision, plan.variant()).unwrap();
-        sweeper.sweep::<R>(plan, grid, &all(grid), &|_| ()).unwrap()
+        sweeper.sweep::<R>(plan, grid, &all(grid), &|_| ()).unwrap().outcomes
     });
 }
 
@@ -124,14 +124,14 @@ fn a_wrong_sign_in_the_shader_shows() {
     let run = |index| (index, reference::run(&scene, &grid.point(index), &Settings::default()));
     let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
     let differ = |source: &str| {
-        let sweeper = Sweeper::from_source(&gpu, source, plan.variant()).unwrap();
-        let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap();
+        let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
+        let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
         let report = compare(&grid, &judged, |index| cells[index]);
         (report.differ, report.median_zeta)
     };
     let passes =
         |(differ, median): (usize, f64)| 3600 * differ <= 4 * grid.len() && median <= MEDIAN_ZETA;
-    let source = shader::source(Precision::F32);
+    let source = shader::source(Precision::F32, Switches::Forgotten);
     assert!(passes(differ(&source)), "without a mistake: {:?}", differ(&source));
     for (right, wrong) in [
         ("p * push_h - q * push_v", "p * push_h + q * push_v"),
@@ -173,7 +173,7 @@ fn locked_directions_agree_with_the_reference() {
         assert_eq!(report.differ, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
-            let shader = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap();
+            let shader = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
             let report = compare(&grid, &judged, |index| shader[index]);
             assert!(report.differ <= 1, "{isolation}: {:?}", report.differences);
         }
@@ -187,12 +187,12 @@ fn a_shader_that_does_nothing_is_an_error() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5:6:8", "3:4:8");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(&scene);
-    let source = shader::source(Precision::F32);
+    let source = shader::source(Precision::F32, Switches::Forgotten);
     let sweep = |from: &str, to: &str| {
         assert_eq!(source.matches(from).count(), 1, "{from}");
         let sweeper =
-            Sweeper::from_source(&gpu, &source.replace(from, to), plan.variant()).unwrap();
-        sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ())
+            Sweeper::from_source(&gpu, &source.replace(from, to), plan.variant(), 0).unwrap();
+        sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).map(|ran| ran.outcomes)
     };
     let idle = sweep(
         "done += 1u + advance(cell, &state);",
@@ -202,6 +202,27 @@ fn a_shader_that_does_nothing_is_an_error() {
     // States zeroed behind the sweep's back.
     let zeroed = sweep("states[id.x] = state;", "states[id.x] = State();");
     assert!(matches!(zeroed, Err(GpuError::Unfinished(_))), "{zeroed:?}");
-    let refused = Sweeper::from_source(&gpu, "no shader", plan.variant());
+    let refused = Sweeper::from_source(&gpu, "no shader", plan.variant(), 0);
     assert!(matches!(refused, Err(GpuError::Refused(_))));
+}
+
+/// The switches that the shader keeps are those of its twin, one by one: kinds, steps, phases, and
+/// in f64 the motion after each.
+#[test]
+fn the_shader_keeps_the_switches_of_its_twin() {
+    let Some(gpu) = gpu("switches", Precision::F64) else { return };
+    let scene = object(1, 0.2, (1.75, 0.75), 0.5, "2:15:8", "3:15:8");
+    let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+    let sweeper = Sweeper::keeping(&gpu, Precision::F64, plan.variant(), 8).unwrap();
+    let shader = sweeper.sweep::<f64>(&plan, &grid, &all(&grid), &|_| ()).unwrap().events;
+    let (_, twin) = cpu::sweep_keeping::<f64>(&plan, &grid, &all(&grid), 8);
+    assert_eq!(shader.len(), 64 * 8);
+    assert!(twin.iter().filter(|event| event.kind != 0).count() > 100, "too few to tell");
+    for (a, b) in shader.iter().zip(&twin) {
+        assert_eq!((a.kind, a.step, a.mode), (b.kind, b.step, b.mode));
+        // Eight switches amplify a driver's other rounding by less than 1e5.
+        for (x, y) in a.motion.coordinates().iter().zip(b.motion.coordinates()) {
+            assert!((x - y).abs() < 1e-9, "{a:?} {b:?}");
+        }
+    }
 }

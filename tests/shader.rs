@@ -5,15 +5,16 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
+use topple::integrate::log::Event;
 use topple::integrate::state::State;
 use topple::model::block::{Corner, Model};
 use topple::model::dynamics::Motion;
 use topple::model::excitation::{Cell, Ground};
 use topple::sweep::backend::Precision;
-use topple::sweep::gpu::shader;
+use topple::sweep::gpu::shader::{self, Switches};
 
-fn parse(precision: Precision) -> Module {
-    let source = shader::source(precision);
+fn parse(precision: Precision, switches: Switches) -> Module {
+    let source = shader::source(precision, switches);
     naga::front::wgsl::parse_str(&source)
         .unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)))
 }
@@ -21,9 +22,12 @@ fn parse(precision: Precision) -> Module {
 #[test]
 fn both_precisions_validate() {
     for precision in [Precision::F32, Precision::F64] {
-        let module = parse(precision);
-        Validator::new(ValidationFlags::all(), Capabilities::FLOAT64).validate(&module).unwrap();
-        assert_eq!(module.entry_points.len(), 1);
+        for switches in [Switches::Forgotten, Switches::Kept] {
+            let module = parse(precision, switches);
+            let mut validator = Validator::new(ValidationFlags::all(), Capabilities::FLOAT64);
+            validator.validate(&module).unwrap();
+            assert_eq!(module.entry_points.len(), 1);
+        }
     }
 }
 
@@ -49,7 +53,7 @@ fn no_built_in_that_has_no_f64_form_is_called() {
         "inverseSqrt(",
         "smoothstep(",
     ];
-    for (name, text) in shader::files(Precision::F64) {
+    for (name, text) in shader::files(Precision::F64, Switches::Kept) {
         for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
             for function in banned {
                 let called = line.match_indices(function).any(|(at, _)| {
@@ -76,7 +80,7 @@ fn layout(module: &Module, name: &str) -> (Vec<(String, u32)>, u32) {
 
 macro_rules! same_layout {
     ($precision:expr, $real:ty, $name:ident { $($field:ident),* $(,)? }) => {
-        let (members, size) = layout(&parse($precision), stringify!($name));
+        let (members, size) = layout(&parse($precision, Switches::Kept), stringify!($name));
         let host: Vec<(String, u32)> = vec![
             $((stringify!($field).to_string(), std::mem::offset_of!($name<$real>, $field) as u32)),*
         ];
@@ -117,6 +121,7 @@ macro_rules! same_layouts {
         );
         same_layout!($precision, $real, Ground { h, v });
         same_layout!($precision, $real, Motion { u, du, v, dv, z, phi, dphi });
+        same_layout!($precision, $real, Event { motion, fraction, kind, step, mode, padding });
         same_layout!(
             $precision,
             $real,
@@ -152,7 +157,7 @@ fn host_structs_are_laid_out_as_the_shaders() {
 fn constants_agree_with_the_twin() {
     use topple::integrate::{locate, state, switching};
     use topple::model::block;
-    let module = parse(Precision::F32);
+    let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module
             .constants

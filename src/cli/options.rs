@@ -26,6 +26,9 @@ pub struct RunOptions {
     /// Largest step, s
     #[arg(long, value_name = "S", default_value_t = DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
+    /// Run each cell at the step and at half of it, and mark those whose outcome differs unresolved
+    #[arg(long)]
+    pub resolve: bool,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

@@ -52,8 +52,14 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         }
     }
     say(format!("backend    {}", describe(&backend, &precision)));
-    let progress = Progress::new(grid.len(), options.quiet);
-    let swept = backend.sweep(&plan, &grid, options.precision, &|cells| progress.advance(cells));
+    let runs = if options.resolve { 2 } else { 1 };
+    let progress = Progress::new(runs * grid.len(), options.quiet);
+    let advance = |cells| progress.advance(cells);
+    let swept = if options.resolve {
+        backend.sweep_resolved(&plan, &grid, options.precision, &advance)
+    } else {
+        backend.sweep(&plan, &grid, options.precision, &advance)
+    };
     progress.finish();
     let swept = swept?;
     let seconds = swept.elapsed.as_secs_f64();
@@ -78,6 +84,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         adapter: backend.adapter(),
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         precision: options.precision,
+        resolve: options.resolve,
         steps,
         timings,
         cells_per_second: rate,

@@ -54,8 +54,53 @@ fn before_kink<R: Real>(start: &Motion<R>, of_z: bool, y: &Motion<R>) -> R {
     -value
 }
 
-/// The fraction of a span at which its first kink is, just on its far side, by the Illinois method
-/// on the redone step.
+/// A bracket around a root, narrowed by the Illinois method: false position, with the value at an
+/// end that stays twice halved.
+struct Bracket<R> {
+    /// Not beyond the root.
+    low: R,
+    value_low: R,
+    /// Beyond it.
+    high: R,
+    value_high: R,
+    /// The end that moved last: 1 the high one, 2 the low one.
+    last: u32,
+}
+
+/// Where to look next.
+#[inline(always)]
+fn next_trial<R: Real>(bracket: &Bracket<R>) -> R {
+    let (low, high) = (bracket.low, bracket.high);
+    let at =
+        high - bracket.value_high * (high - low) / (bracket.value_high - bracket.value_low);
+    if at > low && at < high {
+        return at;
+    }
+    R::of(0.5) * (low + high)
+}
+
+/// Takes in what was found there.
+#[inline(always)]
+fn narrow<R: Real>(bracket: &mut Bracket<R>, at: R, value: R, beyond: bool) {
+    let half = R::of(0.5);
+    if beyond {
+        bracket.high = at;
+        bracket.value_high = value;
+        if bracket.last == 1 {
+            bracket.value_low = half * bracket.value_low;
+        }
+        bracket.last = 1;
+    } else {
+        bracket.low = at;
+        bracket.value_low = value;
+        if bracket.last == 2 {
+            bracket.value_high = half * bracket.value_high;
+        }
+        bracket.last = 2;
+    }
+}
+
+/// The fraction of a span at which its first kink is, just on its far side, on the redone step.
 pub fn locate_kink<R: Real>(
     set: &Setting<R>,
     span: &Span<R>,
@@ -63,46 +108,27 @@ pub fn locate_kink<R: Real>(
     k1: &Rates<R>,
     end: &Motion<R>,
 ) -> R {
-    let (zero, one, half) = (R::of(0.0), R::of(1.0), R::of(0.5));
     // Where both cross, the one whose chord does so first.
     let mut of_z = crosses(y.z, end.z);
     if of_z && crosses(y.du, end.du) {
         of_z = y.z / (y.z - end.z) < y.du / (y.du - end.du);
     }
-    let mut low = zero;
-    let mut value_low = before_kink(y, of_z, y);
-    let mut high = one;
-    let mut value_high = before_kink(y, of_z, end);
-    let mut last = 0;
+    let mut bracket = Bracket {
+        low: R::of(0.0),
+        value_low: before_kink(y, of_z, y),
+        high: R::of(1.0),
+        value_high: before_kink(y, of_z, end),
+        last: 0,
+    };
     let mut trial = 0;
-    while trial < LOCATE_BOUND {
-        let mut at = high - value_high * (high - low) / (value_high - value_low);
-        if !(at > low && at < high) {
-            at = half * (low + high);
-        }
+    while trial < LOCATE_BOUND && bracket.high - bracket.low > R::KINK_TOLERANCE {
+        let at = next_trial(&bracket);
         let y_at = rk4(set, span, y, k1, at * span.length).y;
         let value = before_kink(y, of_z, &y_at);
-        if value < zero {
-            high = at;
-            value_high = value;
-            if last == 1 {
-                value_low = half * value_low;
-            }
-            last = 1;
-        } else {
-            low = at;
-            value_low = value;
-            if last == 2 {
-                value_high = half * value_high;
-            }
-            last = 2;
-        }
-        if high - low <= R::KINK_TOLERANCE {
-            break;
-        }
+        narrow(&mut bracket, at, value, value < R::of(0.0));
         trial += 1;
     }
-    high
+    bracket.high
 }
 
 /// Locates an impact or an overturning: Newton on the cubic through the span's ends, then on the
@@ -184,7 +210,7 @@ pub fn locate_angle<R: Real>(
     Located { found: verified, at: high, y: y_high }
 }
 
-/// Locates an uplift by the Illinois method on the redone step, and lands on its far side.
+/// Locates an uplift on the redone step, and lands on its far side.
 pub fn locate_uplift<R: Real>(
     set: &Setting<R>,
     span: &Span<R>,
@@ -192,18 +218,20 @@ pub fn locate_uplift<R: Real>(
     k1: &Rates<R>,
     crossing: &Crossing<R>,
 ) -> Located<R> {
-    let (zero, half) = (R::of(0.0), R::of(0.5));
+    let zero = R::of(0.0);
     let mut corner = set.model.left;
     if crossing.kind == UPLIFT_RIGHT {
         corner = set.model.right;
     }
-    let mut low = zero;
-    let mut moment_low = uplift_moment(set, &corner, k1.shear, k1.normal);
-    let mut high = crossing.upper;
-    let mut moment_high = zero;
+    let mut bracket = Bracket {
+        low: zero,
+        value_low: uplift_moment(set, &corner, k1.shear, k1.normal),
+        high: crossing.upper,
+        value_high: zero,
+        last: 0,
+    };
     let mut y_high = *y;
     let mut at = crossing.upper;
-    let mut last = 0;
     let mut trial = 0;
     while trial < LOCATE_BOUND {
         let y_at = rk4(set, span, y, k1, at * span.length).y;
@@ -211,32 +239,16 @@ pub fn locate_uplift<R: Real>(
         let k = rates(set, &corner, false, &y_at, ground);
         let moment = uplift_moment(set, &corner, k.shear, k.normal);
         if moment > zero {
-            high = at;
-            moment_high = moment;
             y_high = y_at;
-            if last == 1 {
-                moment_low = half * moment_low;
-            }
-            last = 1;
-        } else {
-            if trial == 0 {
-                return Located { found: false, at: zero, y: *y };
-            }
-            low = at;
-            moment_low = moment;
-            if last == 2 {
-                moment_high = half * moment_high;
-            }
-            last = 2;
+        } else if trial == 0 {
+            return Located { found: false, at: zero, y: *y };
         }
-        if high - low <= R::EVENT_TOLERANCE {
+        narrow(&mut bracket, at, moment, moment > zero);
+        if bracket.high - bracket.low <= R::EVENT_TOLERANCE {
             break;
         }
-        at = high - moment_high * (high - low) / (moment_high - moment_low);
-        if !(at > low && at < high) {
-            at = half * (low + high);
-        }
+        at = next_trial(&bracket);
         trial += 1;
     }
-    Located { found: true, at: high, y: y_high }
+    Located { found: true, at: bracket.high, y: y_high }
 }

@@ -50,6 +50,8 @@ pub enum Status {
     StepLimit,
     /// To its end, with the vertical direction locked: its isolation is rigid for the record.
     VerticalLocked,
+    /// To its end, but with another outcome than with steps half as long.
+    Undecided,
 }
 
 impl Status {
@@ -61,6 +63,7 @@ impl Status {
             Status::Diverged => "diverged",
             Status::StepLimit => "step_limit",
             Status::VerticalLocked => "vertical_locked",
+            Status::Undecided => "undecided",
         }
     }
 }

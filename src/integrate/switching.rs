@@ -209,7 +209,9 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         if rocking {
             let crossing = find_crossing(&corner, &y, &stepped.y, h);
             kind = crossing.kind;
-            if kind != NOTHING {
+            if kind != NOTHING && !set.variant.in_step {
+                located.found = crossing.upper >= one;
+            } else if kind != NOTHING {
                 located = locate_angle(set, &span, &y, &k1, &stepped.y, &crossing);
             }
         } else {
@@ -217,7 +219,9 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
             let k_end = rates(set, &corner, false, &stepped.y, ground);
             let crossing = find_uplift(set, &k1, stepped.shear_mid, stepped.normal_mid, &k_end);
             kind = crossing.kind;
-            if kind != NOTHING {
+            if kind != NOTHING && !set.variant.in_step {
+                located.found = crossing.upper >= one;
+            } else if kind != NOTHING {
                 located = locate_uplift(set, &span, &y, &k1, &crossing);
             }
         }

@@ -27,13 +27,14 @@ pub fn status_code(status: Status) -> u8 {
         Status::Diverged => 2,
         Status::StepLimit => 3,
         Status::VerticalLocked => 4,
+        Status::Undecided => 5,
     }
 }
 
 /// Writes the archive. `outcome` is 0 full contact, 1 rocking, 2 overturned left, 3 overturned
 /// right, 4 unresolved; `status` is 0 ok, 1 event limit, 2 diverged, 3 step limit,
-/// 4 ok with the vertical direction locked; `t_uplift` is
-/// not a number where there is no uplift.
+/// 4 ok with the vertical direction locked, 5 undecided; `t_uplift` is not a number where there is
+/// no uplift.
 ///
 /// # Errors
 /// Those of the writer.

@@ -18,6 +18,9 @@ pub struct Variant {
     pub isolated_v: bool,
     /// Steps are cut at the kinks of the Bouc-Wen law.
     pub kinks: bool,
+    /// Uplifts, impacts and overturning are switched where they happen, not at the end of the
+    /// step: false only to show what that is worth.
+    pub in_step: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
 }

@@ -11,6 +11,8 @@ pub mod range;
 pub mod record;
 pub mod text;
 
+use std::f64::consts::FRAC_PI_2;
+
 use serde::Serialize;
 
 pub use block::Block;
@@ -45,6 +47,8 @@ pub struct Scene {
     pub excitation: Excitation,
     /// Simulated time, s.
     pub t_max: f64,
+    /// phi at the start, rad; other than zero, the block begins tilted, at rest about a corner.
+    pub tilt: f64,
     /// When the block counts as overturned.
     pub overturn: Overturn,
     /// eta_phi given in place of the law of impact (no isolation only).
@@ -60,6 +64,16 @@ pub struct SceneError {
     pub key: &'static str,
     /// What is wrong and what to do.
     pub problem: String,
+}
+
+impl Scene {
+    /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
+    pub fn overturning_angle(&self, side: f64) -> f64 {
+        match self.overturn {
+            Overturn::CriticalAngle => self.block.critical_angle(side),
+            Overturn::QuarterTurn => FRAC_PI_2,
+        }
+    }
 }
 
 impl SceneError {

@@ -37,6 +37,9 @@ pub struct RunText {
     /// Simulated time, s [default: 30, or a record's duration]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub t_max: Option<f64>,
+    /// Rotation of the block at the start, rad, positive about the left corner [default: 0]
+    #[arg(long, value_name = "PHI", allow_negative_numbers = true)]
+    pub tilt: Option<f64>,
     /// When a block counts as overturned [default: critical-angle]
     #[arg(long, value_name = "WHEN")]
     pub overturn: Option<Overturn>,
@@ -124,14 +127,22 @@ impl SceneText {
                 return Err(SceneError::new("restitution", problem));
             }
         }
-        Ok(Scene {
+        let scene = Scene {
             title: self.title.clone().unwrap_or_else(|| default_title.into()),
             block,
             isolation,
             excitation,
             t_max,
+            tilt: self.run.tilt.unwrap_or(0.0),
             overturn: self.run.overturn.unwrap_or(Overturn::CriticalAngle),
             restitution: self.run.restitution,
-        })
+        };
+        let most = scene.overturning_angle(scene.tilt.signum());
+        if !(scene.tilt.abs() < most) {
+            let problem =
+                format!("{} must be below the overturning angle, {most:.4} rad", scene.tilt);
+            return Err(SceneError::new("tilt", problem));
+        }
+        Ok(scene)
     }
 }

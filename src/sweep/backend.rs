@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::cells::Plan;
+use super::cells::{Part, Plan};
 use super::cpu;
 use super::gpu::GpuError;
 use super::gpu::adapter::{self, Description};
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
-use crate::integrate::outcome::{Outcome, Status};
+use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::reference;
 use crate::scene::Grid;
 
@@ -57,6 +57,8 @@ pub struct Swept {
     pub elapsed: Duration,
     /// Compilation of the shader.
     pub compile: Duration,
+    /// Time in the shader by the device's own clock, where it has one.
+    pub device: Option<Duration>,
 }
 
 impl Backend {
@@ -111,34 +113,103 @@ impl Backend {
     ) -> Result<Swept, GpuError> {
         let began = Instant::now();
         let mut compile = Duration::ZERO;
-        let mut outcomes: Vec<Option<Outcome>> = vec![None; grid.len()];
-        for part in plan.at(precision).parts(grid) {
-            let (plan, cells) = (&part.plan, part.cells.as_slice());
-            let swept = match (self, precision) {
-                (Backend::Gpu(gpu), _) => {
-                    let compiling = Instant::now();
-                    let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-                    compile += compiling.elapsed();
-                    match precision {
-                        Precision::F32 => sweeper.sweep::<f32>(plan, grid, cells, progress)?,
-                        Precision::F64 => sweeper.sweep::<f64>(plan, grid, cells, progress)?,
-                    }
-                }
-                (Backend::Cpu, Precision::F32) => cpu::sweep::<f32>(plan, grid, cells, progress),
-                (Backend::Cpu, Precision::F64) => cpu::sweep::<f64>(plan, grid, cells, progress),
-                (Backend::Reference, _) => by_reference(plan, grid, cells, progress),
-            };
-            for (&index, mut outcome) in cells.iter().zip(swept) {
-                if part.vertical_locked && outcome.status == Status::Ok {
+        let mut device = None;
+        let parts = plan.at(precision).parts(grid);
+        let mut ran = Vec::with_capacity(parts.len());
+        for part in &parts {
+            let mut outcomes = self.part(part, grid, precision, progress, &mut compile, &mut device)?;
+            if part.vertical_locked {
+                for outcome in outcomes.iter_mut().filter(|outcome| outcome.status == Status::Ok) {
                     outcome.status = Status::VerticalLocked;
                 }
-                outcomes[index] = Some(outcome);
+            }
+            ran.push(outcomes);
+        }
+        let outcomes = in_order(grid, &parts, ran);
+        Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile, device })
+    }
+
+    /// Runs all cells twice, the second time with steps half as long, and calls those unresolved
+    /// whose class the step decides; the rest is of the second run. `progress` hears of every
+    /// cell twice.
+    ///
+    /// # Errors
+    /// Those of [`Backend::sweep`].
+    pub fn sweep_resolved(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        precision: Precision,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Swept, GpuError> {
+        let coarse = self.sweep(plan, grid, precision, progress)?;
+        let mut fine = self.sweep(&plan.halved(), grid, precision, progress)?;
+        for (cell, other) in fine.outcomes.iter_mut().zip(&coarse.outcomes) {
+            if cell.class != other.class && cell.class != Class::Unresolved {
+                (cell.class, cell.status) = (Class::Unresolved, Status::Undecided);
             }
         }
-        // The parts of a plan hold every cell once.
-        let outcomes = outcomes.into_iter().flatten().collect();
-        Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile })
+        fine.elapsed += coarse.elapsed;
+        fine.compile += coarse.compile;
+        fine.device = fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse);
+        Ok(fine)
     }
+
+    /// Runs the cells of a part, in its order.
+    fn part(
+        &self,
+        part: &Part,
+        grid: &Grid,
+        precision: Precision,
+        progress: &(dyn Fn(usize) + Sync),
+        compile: &mut Duration,
+        device: &mut Option<Duration>,
+    ) -> Result<Vec<Outcome>, GpuError> {
+        let (plan, cells) = (&part.plan, part.cells.as_slice());
+        let gpu = match (self, precision) {
+            (Backend::Reference, _) => return Ok(by_reference(plan, grid, cells, progress)),
+            (Backend::Cpu, Precision::F32) => {
+                return Ok(cpu::sweep::<f32>(plan, grid, cells, progress));
+            }
+            (Backend::Cpu, Precision::F64) => {
+                return Ok(cpu::sweep::<f64>(plan, grid, cells, progress));
+            }
+            (Backend::Gpu(gpu), _) => gpu,
+        };
+        let compiling = Instant::now();
+        let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
+        *compile += compiling.elapsed();
+        let (outcomes, time) = match precision {
+            Precision::F32 => {
+                let ran = sweeper.sweep::<f32>(plan, grid, cells, progress)?;
+                (ran.outcomes, ran.device)
+            }
+            Precision::F64 => {
+                let ran = sweeper.sweep::<f64>(plan, grid, cells, progress)?;
+                (ran.outcomes, ran.device)
+            }
+        };
+        if let Some(time) = time {
+            *device = Some(device.unwrap_or_default() + time);
+        }
+        Ok(outcomes)
+    }
+}
+
+/// The outcomes of a plan's parts in the grid's order.
+fn in_order(grid: &Grid, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
+    if ran.len() == 1 {
+        // A part alone holds every cell, in order.
+        return ran.remove(0);
+    }
+    let mut outcomes: Vec<Option<Outcome>> = vec![None; grid.len()];
+    for (part, swept) in parts.iter().zip(ran) {
+        for (&index, outcome) in part.cells.iter().zip(swept) {
+            outcomes[index] = Some(outcome);
+        }
+    }
+    // The parts of a plan hold every cell once.
+    outcomes.into_iter().flatten().collect()
 }
 
 fn by_reference(

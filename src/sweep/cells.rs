@@ -1,6 +1,6 @@
 //! From a scene's grid to the numbers that a backend runs on, and back to outcomes.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 use bytemuck::Zeroable;
 
@@ -8,7 +8,7 @@ use super::backend::Precision;
 use super::clock::{Clock, Resolution};
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
-use crate::model::block::{Corner, Model};
+use crate::model::block::{Corner, Model, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
@@ -90,6 +90,11 @@ impl Plan {
         Plan { resolution: self.resolution.at(precision), ..self.clone() }
     }
 
+    /// The plan with steps half as long.
+    pub fn halved(&self) -> Plan {
+        Plan { resolution: self.resolution.halved(), ..self.clone() }
+    }
+
     /// T_v below which the vertical isolation is rigid for the scene's record, s.
     pub fn rigid_period(&self) -> Option<f64> {
         match &self.scene.excitation {
@@ -144,7 +149,8 @@ impl Plan {
             recorded: matches!(self.scene.excitation, Excitation::Record(_)),
             isolated_h: base.horizontal.is_some(),
             isolated_v: base.vertical.is_some(),
-            kinks: base.horizontal.is_some_and(|law| law.psi < 1.0),
+            kinks: self.resolution.kinks && base.horizontal.is_some_and(|law| law.psi < 1.0),
+            in_step: self.resolution.in_step,
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
         }
     }
@@ -169,15 +175,11 @@ impl Plan {
         if let Some(restitution) = self.scene.restitution {
             eta_phi = restitution;
         }
-        let overturn = match self.scene.overturn {
-            Overturn::CriticalAngle => block.critical_angle(side),
-            Overturn::QuarterTurn => FRAC_PI_2,
-        };
         Corner {
             side: R::of(side),
             arm: R::of(b),
             inertia: R::of(rho2 + b * b + h * h),
-            overturn: R::of(overturn),
+            overturn: R::of(self.scene.overturning_angle(side)),
             eta_phi: R::of(eta_phi),
             eta_u: R::of(width * b * h * self.mu_h * kappa_v / d),
             eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d),
@@ -258,7 +260,7 @@ impl Plan {
         }
     }
 
-    /// A cell's numbers and the state that it starts in: at rest in static equilibrium.
+    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium.
     pub fn cell<R: Real>(&self, point: &Point) -> (Cell<R>, State<R>) {
         let clock = self.clock(point);
         let mut cell = Cell::<R>::zeroed();
@@ -294,6 +296,13 @@ impl Plan {
             state.motion.v = R::of(-deflection);
             state.max_v = R::of(deflection);
         }
+        let tilt = self.scene.tilt;
+        state.motion.phi = R::of(tilt);
+        if tilt > 0.0 {
+            state.mode = ROCKING_LEFT;
+        } else if tilt < 0.0 {
+            state.mode = ROCKING_RIGHT;
+        }
         // A flight at the speed w lasts 2 w M D / (M g b): the corner with the shorter arm is the
         // quicker to land.
         let b = self.scene.block.arm(1.0).max(self.scene.block.arm(-1.0));
@@ -310,7 +319,7 @@ impl Plan {
         let block = &self.scene.block;
         let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
         let (mut class, mut status) = match state.status {
-            FINISHED if state.uplifts == 0 => (Class::FullContact, Status::Ok),
+            FINISHED if state.uplifts == 0 && self.scene.tilt == 0.0 => (Class::FullContact, Status::Ok),
             FINISHED => (Class::Rocking, Status::Ok),
             OVERTURNED_LEFT => (Class::OverturnedLeft, Status::Ok),
             OVERTURNED_RIGHT => (Class::OverturnedRight, Status::Ok),

@@ -29,6 +29,10 @@ pub struct Resolution {
     finest_steps_a_period: f64,
     /// Steps that a pulse holds at least.
     steps_a_pulse: f64,
+    /// Uplifts, impacts and overturnings are switched where they happen, not at the step's end.
+    pub in_step: bool,
+    /// Steps are cut at the kinks of the Bouc-Wen law.
+    pub kinks: bool,
 }
 
 impl Resolution {
@@ -40,6 +44,8 @@ impl Resolution {
             steps_a_period: STEPS_A_PERIOD,
             finest_steps_a_period: STEPS_A_PERIOD,
             steps_a_pulse: STEPS_A_PULSE,
+            in_step: true,
+            kinks: true,
         }
     }
 
@@ -51,6 +57,30 @@ impl Resolution {
             steps_a_period: 0.0,
             finest_steps_a_period: 0.0,
             steps_a_pulse: 1.0,
+            in_step: true,
+            kinks: true,
+        }
+    }
+
+    /// The same with steps taken across the kinks of the Bouc-Wen law.
+    pub fn across_kinks(self) -> Resolution {
+        Resolution { kinks: false, ..self }
+    }
+
+    /// The same with every switch moved to the end of its step, and kinks stepped across: how not
+    /// to do it.
+    pub fn naive(self) -> Resolution {
+        Resolution { in_step: false, kinks: false, ..self }
+    }
+
+    /// Steps half as long.
+    pub fn halved(self) -> Resolution {
+        Resolution {
+            largest_step: 0.5 * self.largest_step,
+            steps_a_period: 2.0 * self.steps_a_period,
+            finest_steps_a_period: 2.0 * self.finest_steps_a_period,
+            steps_a_pulse: 2.0 * self.steps_a_pulse,
+            ..self
         }
     }
 

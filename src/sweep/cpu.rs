@@ -1,8 +1,10 @@
 //! The sweep on the CPU. Its loop is the twin of `shaders/sweep.wgsl`.
 
+use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use super::cells::Plan;
+use crate::integrate::log::{Event, Kept};
 use crate::integrate::outcome::Outcome;
 use crate::integrate::state::{RUNNING, State};
 use crate::integrate::switching::{Log, advance};
@@ -36,6 +38,29 @@ pub fn sweep<R: Real>(
     cells: &[usize],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Vec<Outcome> {
+    let ran = each::<R, ()>(plan, grid, cells, progress, || ());
+    ran.into_iter().map(|(outcome, ())| outcome).collect()
+}
+
+/// The same, with the first `events_kept` switches of each cell.
+pub fn sweep_keeping<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    events_kept: usize,
+) -> (Vec<Outcome>, Vec<Event<R>>) {
+    let ran = each(plan, grid, cells, &|_| (), || Kept(vec![Event::zeroed(); events_kept]));
+    let (outcomes, events): (Vec<Outcome>, Vec<Kept<R>>) = ran.into_iter().unzip();
+    (outcomes, events.into_iter().flat_map(|kept| kept.0).collect())
+}
+
+fn each<R: Real, L: Log<R> + Send>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &(dyn Fn(usize) + Sync),
+    log: impl Fn() -> L + Sync,
+) -> Vec<(Outcome, L)> {
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
@@ -47,11 +72,12 @@ pub fn sweep<R: Real>(
             let point = grid.point(index);
             let (cell, mut state) = plan.cell::<R>(&point);
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
+            let mut log = log();
             while state.status == RUNNING {
-                sweep_cell(&set, &mut state, CHUNK, &mut ());
+                sweep_cell(&set, &mut state, CHUNK, &mut log);
             }
             progress(1);
-            plan.outcome(&point, &state)
+            (plan.outcome(&point, &state), log)
         })
         .collect_into_vec(&mut outcomes);
     outcomes

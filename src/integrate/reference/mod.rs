@@ -73,7 +73,7 @@ pub fn observe(
 ) -> Outcome {
     let system = System::new(scene, point);
     let mut y = system.at_rest();
-    observer(&Instant { t: 0.0, phase: None, y: &y, switch: None });
+    observer(&Instant { t: 0.0, phase: system.first_phase(), y: &y, switch: None });
     let mut cell = Cell::new(&system, settings, point, observer);
     let mut from = 0.0;
     for (to, drive) in system.stretches(scene.t_max) {
@@ -116,7 +116,7 @@ impl<'a> Cell<'a> {
             settings,
             observer,
             stepper: Stepper::new(system, settings.tolerance, point),
-            phase: None,
+            phase: system.first_phase(),
             steps: 0,
             class: None,
             status: Status::Ok,
@@ -230,7 +230,8 @@ impl<'a> Cell<'a> {
     }
 
     fn outcome(&self, t_max: f64) -> Outcome {
-        let rest = if self.uplifts == 0 { Class::FullContact } else { Class::Rocking };
+        let stood = self.uplifts == 0 && self.system.first_phase().is_none();
+        let rest = if stood { Class::FullContact } else { Class::Rocking };
         let class = self.class.unwrap_or(rest);
         let [left, right] = self.max_phi;
         let mut zeta = (left / self.system.critical_angle(Pole::Left))

@@ -90,6 +90,7 @@ pub struct System {
     moves_h: bool,
     moves_v: bool,
     restitution: Option<f64>,
+    tilt: f64,
     overturn: Overturn,
     omega: f64,
     a_h: f64,
@@ -121,6 +122,7 @@ impl System {
             moves_h: base.horizontal.is_some(),
             moves_v: base.vertical.is_some(),
             restitution: scene.restitution,
+            tilt: scene.tilt,
             overturn: scene.overturn,
             omega: point.omega,
             a_h: point.a_h,
@@ -171,12 +173,22 @@ impl System {
         self.moves_h && self.psi < 1.0 && self.u_y > 0.0
     }
 
-    /// Rest in static equilibrium.
+    /// The phase that a run starts in.
+    pub fn first_phase(&self) -> Phase {
+        match self.tilt {
+            tilt if tilt > 0.0 => Some(Pole::Left),
+            tilt if tilt < 0.0 => Some(Pole::Right),
+            _ => None,
+        }
+    }
+
+    /// Rest, the base in static equilibrium, the block tilted if it starts so.
     pub fn at_rest(&self) -> State {
         let mut y = State::zeros();
         if self.moves_v {
             y[V] = -(self.mass + self.plate_v) * GRAVITY / self.k_v;
         }
+        y[PHI] = self.tilt;
         y
     }
 

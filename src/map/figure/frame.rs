@@ -82,6 +82,9 @@ pub fn caption(scene: &Scene) -> String {
     if let Some(t_v) = base.vertical.as_ref().and_then(|law| fixed(&law.t_v)) {
         parts.push(format!("T_v = {t_v} s"));
     }
+    if scene.tilt != 0.0 {
+        parts.push(format!("tilt {} rad", scene.tilt));
+    }
     match &scene.excitation {
         Excitation::Pulse(pulse) => parts.push(format!("A_v = {} m/s²", pulse.a_v)),
         Excitation::Record(pair) => parts.push(format!(

@@ -24,15 +24,17 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Opens a device with all that its adapter allows in sizes, and `f64` where it has it.
+    /// Opens a device with all that its adapter allows in sizes, and with `f64` and time stamps
+    /// where it has them.
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
     pub fn open(adapter: &Adapter) -> Result<Gpu, GpuError> {
         let description = Description::of(adapter);
+        let wanted = Features::SHADER_F64 | Features::TIMESTAMP_QUERY;
         let descriptor = DeviceDescriptor {
             label: Some("topple"),
-            required_features: adapter.features() & Features::SHADER_F64,
+            required_features: adapter.features() & wanted,
             required_limits: adapter.limits(),
             experimental_features: ExperimentalFeatures::disabled(),
             memory_hints: MemoryHints::Performance,
@@ -50,6 +52,11 @@ impl Gpu {
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
         Ok(Gpu { device, queue, description, failure })
+    }
+
+    /// True where the device can tell the time that a pass took.
+    pub fn has_clock(&self) -> bool {
+        self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
     /// Runs `commands` and reports what the device refused of them.

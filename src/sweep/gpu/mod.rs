@@ -4,6 +4,7 @@ pub mod adapter;
 pub mod device;
 pub mod run;
 pub mod shader;
+pub mod tile;
 
 /// Why a sweep on a GPU failed.
 #[derive(Debug, thiserror::Error)]

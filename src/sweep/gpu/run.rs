@@ -3,10 +3,9 @@
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
-    BindGroupDescriptor, BindGroupEntry, Buffer, BufferDescriptor, BufferUsages,
-    CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor,
+    Buffer, BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor,
+    ComputePassTimestampWrites, ComputePipeline, ComputePipelineDescriptor,
     PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
@@ -14,7 +13,9 @@ use super::super::backend::Precision;
 use super::super::cells::Plan;
 use super::GpuError;
 use super::device::Gpu;
-use super::shader;
+use super::shader::{self, Switches};
+use super::tile::Tile;
+use crate::integrate::log::Event;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::state::{DIVERGED, RUNNING, State};
 use crate::model::excitation::Cell;
@@ -38,6 +39,17 @@ const LONGEST_CHUNK: f64 = 2048.0;
 pub struct Sweeper<'a> {
     gpu: &'a Gpu,
     pipeline: ComputePipeline,
+    events_kept: usize,
+}
+
+/// What a device made of cells.
+pub struct Ran<R> {
+    /// One a cell, in their order.
+    pub outcomes: Vec<Outcome>,
+    /// The first switches of each cell, as many for each as were asked for.
+    pub events: Vec<Event<R>>,
+    /// Time in the shader, by the device's clock; none on a device that has no such clock.
+    pub device: Option<Duration>,
 }
 
 impl<'a> Sweeper<'a> {
@@ -50,10 +62,25 @@ impl<'a> Sweeper<'a> {
         precision: Precision,
         variant: Variant,
     ) -> Result<Sweeper<'a>, GpuError> {
-        Sweeper::from_source(gpu, &shader::source(precision), variant)
+        Sweeper::from_source(gpu, &shader::source(precision, Switches::Forgotten), variant, 0)
     }
 
-    /// Compiles a shader given as text, such as an altered one.
+    /// Compiles a shader that keeps the first `events_kept` switches of each cell.
+    ///
+    /// # Errors
+    /// [`GpuError::Refused`].
+    pub fn keeping(
+        gpu: &'a Gpu,
+        precision: Precision,
+        variant: Variant,
+        events_kept: usize,
+    ) -> Result<Sweeper<'a>, GpuError> {
+        let source = shader::source(precision, Switches::Kept);
+        Sweeper::from_source(gpu, &source, variant, events_kept)
+    }
+
+    /// Compiles a shader given as text, such as an altered one. It must keep switches if
+    /// `events_kept` is not zero.
     ///
     /// # Errors
     /// [`GpuError::Refused`].
@@ -61,15 +88,20 @@ impl<'a> Sweeper<'a> {
         gpu: &'a Gpu,
         source: &str,
         variant: Variant,
+        events_kept: usize,
     ) -> Result<Sweeper<'a>, GpuError> {
-        let constants = [
+        let mut constants = vec![
             ("recorded", f64::from(u8::from(variant.recorded))),
             ("isolated_h", f64::from(u8::from(variant.isolated_h))),
             ("isolated_v", f64::from(u8::from(variant.isolated_v))),
             ("kinks", f64::from(u8::from(variant.kinks))),
+            ("in_step", f64::from(u8::from(variant.in_step))),
             ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
             ("workgroup_size", WORKGROUP as f64),
         ];
+        if events_kept > 0 {
+            constants.push(("events_kept", events_kept as f64));
+        }
         let pipeline = gpu.checked(|| {
             let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
                 label: Some("sweep"),
@@ -87,7 +119,7 @@ impl<'a> Sweeper<'a> {
                 cache: None,
             })
         })?;
-        Ok(Sweeper { gpu, pipeline })
+        Ok(Sweeper { gpu, pipeline, events_kept })
     }
 
     /// Runs cells of a grid; `progress` hears of cells as they are done, a running one
@@ -101,19 +133,24 @@ impl<'a> Sweeper<'a> {
         grid: &Grid,
         cells: &[usize],
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Vec<Outcome>, GpuError> {
-        let mut outcomes = Vec::with_capacity(cells.len());
-        for tile in cells.chunks(self.tile_size::<R>()) {
-            outcomes.extend(self.tile::<R>(plan, grid, tile, progress)?);
+    ) -> Result<Ran<R>, GpuError> {
+        let mut ran = Ran {
+            outcomes: Vec::with_capacity(cells.len()),
+            events: Vec::new(),
+            device: self.gpu.has_clock().then_some(Duration::ZERO),
+        };
+        let record = self.gpu.checked(|| Tile::record::<R>(self.gpu, plan))?;
+        for indices in cells.chunks(self.tile_size::<R>()) {
+            self.tile::<R>(plan, grid, indices, &record, &mut ran, progress)?;
         }
-        Ok(outcomes)
+        Ok(ran)
     }
 
     fn tile_size<R: Real>(&self) -> usize {
         let limits = self.gpu.device.limits();
         let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let groups = limits.max_compute_workgroups_per_dimension as usize;
-        let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / size_of::<State<R>>();
+        let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
         MOST_CELLS.min(by_memory).min(groups.saturating_mul(WORKGROUP)).max(1)
     }
 
@@ -122,13 +159,18 @@ impl<'a> Sweeper<'a> {
         plan: &Plan,
         grid: &Grid,
         indices: &[usize],
+        record: &Buffer,
+        ran: &mut Ran<R>,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Vec<Outcome>, GpuError> {
+    ) -> Result<(), GpuError> {
         let count = indices.len();
         let (cells, states): (Vec<Cell<R>>, Vec<State<R>>) =
             indices.par_iter().map(|&index| plan.cell::<R>(&grid.point(index))).unzip();
         let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
-        let buffers = self.gpu.checked(|| Buffers::new(self.gpu, plan, &cells, &states))?;
+        let kept = self.events_kept;
+        let tile = self.gpu.checked(|| {
+            Tile::new(self.gpu, &self.pipeline, &plan.model::<R>(), &cells, &states, record, kept)
+        })?;
         let mut chunk = FIRST_CHUNK;
         let all_steps: u64 = cells.iter().map(|cell| u64::from(cell.steps)).sum();
         let mut steps_taken = 0_u64;
@@ -136,7 +178,8 @@ impl<'a> Sweeper<'a> {
         let mut told = 0;
         loop {
             let began = Instant::now();
-            let [running, steps] = self.chunk(&buffers, count, chunk)?;
+            let Chunk { running, steps, device } = self.chunk(&tile, count, chunk)?;
+            ran.device = ran.device.zip(device).map(|(sum, chunk)| sum + chunk);
             // Switches count as work too, so that this is an upper bound.
             most_done += u64::from(chunk);
             let share = (most_done as f64 / f64::from(most_steps.max(1))).min(0.99);
@@ -147,14 +190,14 @@ impl<'a> Sweeper<'a> {
                 break;
             }
             // A device that stands still, or whose states do not come to stay.
-            steps_taken += steps as u64;
+            steps_taken += steps;
             if steps == 0 || steps_taken > all_steps {
                 return Err(GpuError::Unfinished(running));
             }
             let ratio = CHUNK_TIME.as_secs_f64() / began.elapsed().as_secs_f64().max(1.0e-6);
             chunk = (f64::from(chunk) * ratio.clamp(0.25, 4.0)).clamp(1.0, LONGEST_CHUNK) as u32;
         }
-        let bytes = self.gpu.read(&self.copy_back(&buffers)?)?;
+        let bytes = self.gpu.read(&self.copy_back(&tile.states)?)?;
         let states: &[State<R>] = bytemuck::cast_slice(&bytes);
         // A cell that is still running, or in no status at all, was never computed.
         let unfinished =
@@ -162,124 +205,86 @@ impl<'a> Sweeper<'a> {
         if unfinished > 0 || states.len() != count {
             return Err(GpuError::Unfinished(unfinished.max(count - states.len().min(count))));
         }
-        Ok(states
-            .par_iter()
-            .zip(indices)
-            .map(|(state, &index)| plan.outcome(&grid.point(index), state))
-            .collect())
+        ran.outcomes.par_extend(
+            states
+                .par_iter()
+                .zip(indices)
+                .map(|(state, &index)| plan.outcome(&grid.point(index), state)),
+        );
+        if let Some(events) = &tile.events {
+            let bytes = self.gpu.read(&self.copy_back(events)?)?;
+            ran.events.extend_from_slice(bytemuck::cast_slice(&bytes));
+        }
+        Ok(())
     }
 
-    /// Runs a chunk of every cell: how many still run, and the steps that all took.
-    fn chunk(&self, buffers: &Buffers, count: usize, work: u32) -> Result<[usize; 2], GpuError> {
+    /// Runs a chunk of every cell.
+    fn chunk(&self, tile: &Tile, count: usize, work: u32) -> Result<Chunk, GpuError> {
         let gpu = self.gpu;
         gpu.checked(|| {
             // A tile has fewer than 2^32 cells.
             let chunk = [count as u32, work, 0, 0];
-            gpu.queue.write_buffer(&buffers.chunk, 0, bytemuck::cast_slice(&chunk));
-            let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
-                label: Some("sweep"),
-                layout: &self.pipeline.get_bind_group_layout(0),
-                entries: &buffers.entries(),
-            });
+            gpu.queue.write_buffer(&tile.chunk, 0, bytemuck::cast_slice(&chunk));
             let mut encoder = gpu
                 .device
                 .create_command_encoder(&CommandEncoderDescriptor { label: Some("chunk") });
-            encoder.clear_buffer(&buffers.progress, 0, None);
-            let mut pass = encoder
-                .begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: None });
+            encoder.clear_buffer(&tile.progress, 0, None);
+            let clock = tile.clock.as_ref();
+            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
+                label: None,
+                timestamp_writes: clock.map(|clock| ComputePassTimestampWrites {
+                    query_set: &clock.queries,
+                    beginning_of_pass_write_index: Some(0),
+                    end_of_pass_write_index: Some(1),
+                }),
+            });
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &bind_group, &[]);
+            pass.set_bind_group(0, &tile.bind_group, &[]);
             pass.dispatch_workgroups(count.div_ceil(WORKGROUP) as u32, 1, 1);
             drop(pass);
-            encoder.copy_buffer_to_buffer(&buffers.progress, 0, &buffers.progress_back, 0, Some(8));
+            encoder.copy_buffer_to_buffer(&tile.progress, 0, &tile.back, 0, Some(8));
+            if let Some(clock) = clock {
+                encoder.resolve_query_set(&clock.queries, 0..2, &clock.ticks, 0);
+                encoder.copy_buffer_to_buffer(&clock.ticks, 0, &tile.back, 8, Some(16));
+            }
             gpu.queue.submit([encoder.finish()]);
         })?;
-        let bytes = gpu.read(&buffers.progress_back)?;
-        Ok(bytemuck::pod_read_unaligned::<[u32; 2]>(&bytes).map(|count| count as usize))
+        let bytes = gpu.read(&tile.back)?;
+        let [running, steps] = bytemuck::pod_read_unaligned::<[u32; 2]>(&bytes[..8]);
+        let device = tile.clock.as_ref().map(|_| {
+            let [began, ended] = bytemuck::pod_read_unaligned::<[u64; 2]>(&bytes[8..]);
+            let tick = f64::from(gpu.queue.get_timestamp_period());
+            Duration::from_nanos((ended.saturating_sub(began) as f64 * tick) as u64)
+        });
+        Ok(Chunk { running: running as usize, steps: u64::from(steps), device })
     }
 
-    /// The states in a buffer that can be read.
-    fn copy_back(&self, buffers: &Buffers) -> Result<Buffer, GpuError> {
+    /// The contents of a buffer in one that can be read.
+    fn copy_back(&self, buffer: &Buffer) -> Result<Buffer, GpuError> {
         let gpu = self.gpu;
         gpu.checked(|| {
             let back = gpu.device.create_buffer(&BufferDescriptor {
-                label: Some("states back"),
-                size: buffers.states.size(),
+                label: Some("back"),
+                size: buffer.size(),
                 usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             });
             let mut encoder = gpu
                 .device
                 .create_command_encoder(&CommandEncoderDescriptor { label: Some("back") });
-            encoder.copy_buffer_to_buffer(&buffers.states, 0, &back, 0, None);
+            encoder.copy_buffer_to_buffer(buffer, 0, &back, 0, None);
             gpu.queue.submit([encoder.finish()]);
             back
         })
     }
 }
 
-/// The buffers of a tile.
-struct Buffers {
-    model: Buffer,
-    cells: Buffer,
-    states: Buffer,
-    chunk: Buffer,
-    progress: Buffer,
-    record: Buffer,
-    progress_back: Buffer,
-}
-
-impl Buffers {
-    fn new<R: Real>(gpu: &Gpu, plan: &Plan, cells: &[Cell<R>], states: &[State<R>]) -> Buffers {
-        let filled = |label, contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
-        };
-        let empty = |label, usage| {
-            let mapped_at_creation = false;
-            gpu.device.create_buffer(&BufferDescriptor {
-                label: Some(label),
-                size: 16,
-                usage,
-                mapped_at_creation,
-            })
-        };
-        let model = plan.model::<R>();
-        let record = plan.record::<R>();
-        Buffers {
-            model: filled("model", bytemuck::bytes_of(&model), BufferUsages::STORAGE),
-            cells: filled("cells", bytemuck::cast_slice(cells), BufferUsages::STORAGE),
-            states: filled(
-                "states",
-                bytemuck::cast_slice(states),
-                BufferUsages::STORAGE | BufferUsages::COPY_SRC,
-            ),
-            chunk: empty("chunk", BufferUsages::UNIFORM | BufferUsages::COPY_DST),
-            progress: empty(
-                "progress",
-                BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
-            ),
-            record: filled("record", bytemuck::cast_slice(&record), BufferUsages::STORAGE),
-            progress_back: gpu.device.create_buffer(&BufferDescriptor {
-                label: Some("progress back"),
-                size: 8,
-                usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            }),
-        }
-    }
-
-    fn entries(&self) -> [BindGroupEntry<'_>; 6] {
-        let buffers =
-            [&self.model, &self.cells, &self.states, &self.chunk, &self.progress, &self.record];
-        let mut binding = 0;
-        buffers.map(|buffer| {
-            let entry = BindGroupEntry { binding, resource: buffer.as_entire_binding() };
-            binding += 1;
-            entry
-        })
-    }
+/// What a chunk tells.
+struct Chunk {
+    /// Cells that still run after it.
+    running: usize,
+    /// Steps that all cells took in it.
+    steps: u64,
+    /// Time in the shader.
+    device: Option<Duration>,
 }

@@ -2,11 +2,24 @@
 
 use super::super::backend::Precision;
 
+/// Whether a shader keeps the first switches of each cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Switches {
+    /// As any sweep does, it forgets them.
+    Forgotten,
+    /// It keeps them, for a chart or a test.
+    Kept,
+}
+
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision) -> [(&'static str, &'static str); 11] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 12] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
+    };
+    let log = match switches {
+        Switches::Forgotten => ("quiet.wgsl", include_str!("../../../shaders/quiet.wgsl")),
+        Switches::Kept => ("log.wgsl", include_str!("../../../shaders/log.wgsl")),
     };
     [
         real,
@@ -17,6 +30,7 @@ pub fn files(precision: Precision) -> [(&'static str, &'static str); 11] {
         ("impact.wgsl", include_str!("../../../shaders/impact.wgsl")),
         ("rk4.wgsl", include_str!("../../../shaders/rk4.wgsl")),
         ("state.wgsl", include_str!("../../../shaders/state.wgsl")),
+        log,
         ("locate.wgsl", include_str!("../../../shaders/locate.wgsl")),
         ("switching.wgsl", include_str!("../../../shaders/switching.wgsl")),
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
@@ -24,6 +38,6 @@ pub fn files(precision: Precision) -> [(&'static str, &'static str); 11] {
 }
 
 /// The whole text.
-pub fn source(precision: Precision) -> String {
-    files(precision).map(|(_, text)| text).join("\n")
+pub fn source(precision: Precision, switches: Switches) -> String {
+    files(precision, switches).map(|(_, text)| text).join("\n")
 }
