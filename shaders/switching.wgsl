@@ -10,6 +10,9 @@ const KINK = 5u;
 
 const EVENT_BOUND = 128u;
 
+// See longest_yield.
+const YIELD_LIMIT = 2.0;
+
 // The uplift that the contact forces call for now, if any.
 fn uplift_now(k: Rates) -> u32 {
     let left = uplift_moment(model.left, k.shear, k.normal);
@@ -21,6 +24,12 @@ fn uplift_now(k: Rates) -> u32 {
         return UPLIFT_RIGHT;
     }
     return NOTHING;
+}
+
+// The fraction of a step in which z can settle by YIELD_LIMIT times itself.
+fn longest_yield(cell: Cell, y: Motion, step: u32) -> real {
+    let rate = real(bouc_wen_n) * abs(y.du) * cell.inverse_yield;
+    return YIELD_LIMIT / (rate * step_length(cell, step) + 1.0e-30);
 }
 
 // A fraction of the span at which an uplift moment is positive; negative if there is none.
@@ -143,8 +152,15 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
                 continue;
             }
         }
-        var stepped = rk4(cell, span, y, k1, span.length);
         var cut = false;
+        if kinks {
+            let most = longest_yield(cell, y, (*state).step);
+            if span.length > most {
+                span.length = most;
+                cut = true;
+            }
+        }
+        var stepped = rk4(cell, span, y, k1, span.length);
         if kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
             // Up to the kink the law is smooth; the rest of the step follows from there.
             span.length = locate_kink(cell, span, y, k1, stepped.y) * span.length;

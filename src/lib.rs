@@ -10,6 +10,7 @@
 //! scene -> grid -> cells -> backend -> outcomes -> map -> files
 //! ```
 
+pub mod chart;
 pub mod integrate;
 pub mod map;
 pub mod model;

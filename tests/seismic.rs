@@ -116,7 +116,8 @@ fn rinaldi_maps_agree_with_the_reference() {
             if let Some(gpu) = &gpu {
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
                 let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
-                let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
+                let cells =
+                    sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
                 shader.add(&grid, &cells, &judged);
             }
         }

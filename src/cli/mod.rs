@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod adapters;
+mod chart;
 mod history;
 mod options;
 mod progress;
@@ -38,6 +39,8 @@ enum Command {
     History(history::HistoryCommand),
     /// Run a scene from a TOML file
     Run(scene::RunCommand),
+    /// Chart speed against accuracy: every method, over its steps or tolerances
+    Chart(chart::ChartCommand),
     /// List the GPU adapters of this machine
     Adapters,
 }
@@ -57,6 +60,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Seismic(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
+        Some(Command::Chart(command)) => command.run(),
         Some(Command::Adapters) => adapters::run(),
         None => scene::run_default(&arguments.options),
     }

@@ -26,7 +26,8 @@ pub struct RunOptions {
     /// Largest step, s
     #[arg(long, value_name = "S", default_value_t = DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
-    /// Run each cell at the step and at half of it, and mark those whose outcome differs unresolved
+    /// Run each cell again with half the step and in f64, and mark it unresolved where the outcome
+    /// differs
     #[arg(long)]
     pub resolve: bool,
     /// Print nothing but errors

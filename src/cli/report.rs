@@ -170,7 +170,8 @@ fn agreement(v: &Verification) -> String {
 }
 
 fn steps(plan: &Plan, grid: &Grid) -> Steps {
-    let mut steps = Steps { largest: plan.resolution.largest_step, shortest: f64::INFINITY, most: 0 };
+    let mut steps =
+        Steps { largest: plan.resolution.largest_step, shortest: f64::INFINITY, most: 0 };
     for index in 0..grid.len() {
         let clock = plan.clock(&grid.point(index));
         let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };

@@ -34,7 +34,7 @@ impl SeismicCommand {
 }
 
 /// Writes the synthetic pair into the results' directory; the run then reads it like any other.
-fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Result<RecordText> {
+pub fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Result<RecordText> {
     use std::io::Write;
     for (name, title, parameters, place) in [
         ("synthetic_h.at2", "SYNTHETIC, HORIZONTAL", synthetic::HORIZONTAL, &mut record.horizontal),

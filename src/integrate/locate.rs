@@ -71,8 +71,7 @@ struct Bracket<R> {
 #[inline(always)]
 fn next_trial<R: Real>(bracket: &Bracket<R>) -> R {
     let (low, high) = (bracket.low, bracket.high);
-    let at =
-        high - bracket.value_high * (high - low) / (bracket.value_high - bracket.value_low);
+    let at = high - bracket.value_high * (high - low) / (bracket.value_high - bracket.value_low);
     if at > low && at < high {
         return at;
     }

@@ -50,7 +50,7 @@ pub enum Status {
     StepLimit,
     /// To its end, with the vertical direction locked: its isolation is rigid for the record.
     VerticalLocked,
-    /// To its end, but with another outcome than with steps half as long.
+    /// To its end, but with another outcome than with steps half as long and in f64.
     Undecided,
 }
 

@@ -5,6 +5,7 @@ use bytemuck::Zeroable;
 use super::rk4::hermite;
 use crate::model::block::{Corner, ROCKING_LEFT};
 use crate::model::dynamics::{Motion, Rates};
+use crate::model::excitation::Cell;
 use crate::model::real::{Real, pod};
 
 /// The cell still runs.
@@ -102,6 +103,28 @@ pub fn overturn<R: Real>(state: &mut State<R>, corner: &Corner<R>, fraction: R) 
     state.status = OVERTURNED_RIGHT;
     if corner.side > R::of(0.0) {
         state.status = OVERTURNED_LEFT;
+    }
+}
+
+/// Ends a cell before it begins where one of its numbers is none: a parameter that the number type
+/// does not hold.
+pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
+    let numbers = [
+        cell.post_yield,
+        cell.hysteretic,
+        cell.damping_h,
+        cell.inverse_yield,
+        cell.stiffness_v,
+        cell.damping_v,
+        cell.amplitude_h,
+        cell.amplitude_v,
+        cell.phase_step,
+        cell.step_forced,
+        cell.step_free,
+        cell.rest_speed,
+    ];
+    if !numbers.iter().all(|number| number.to_f64().is_finite()) {
+        state.status = DIVERGED;
     }
 }
 

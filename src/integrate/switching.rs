@@ -35,6 +35,9 @@ pub const KINK: u32 = 5;
 /// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
 pub const EVENT_BOUND: u32 = 128;
 
+/// See [`longest_yield`].
+const YIELD_LIMIT: f64 = 2.0;
+
 /// What an observer of a cell's switches is told.
 pub trait Log<R> {
     /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
@@ -60,6 +63,15 @@ fn uplift_now<R: Real>(set: &Setting<R>, k: &Rates<R>) -> u32 {
         return UPLIFT_RIGHT;
     }
     NOTHING
+}
+
+/// The fraction of a step in which z can settle by [`YIELD_LIMIT`] times itself: RK4 is stable to
+/// 2.79 times.
+#[inline(always)]
+fn longest_yield<R: Real>(set: &Setting<R>, y: &Motion<R>, step: u32) -> R {
+    let n = R::of(f64::from(set.variant.bouc_wen_n));
+    let rate = n * y.du.abs() * set.cell.inverse_yield;
+    R::of(YIELD_LIMIT) / (rate * step_length(set.cell, step) + R::of(1.0e-30))
 }
 
 /// A fraction of the span at which an uplift moment is positive, from its values at the start,
@@ -195,8 +207,15 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 continue;
             }
         }
-        let mut stepped = rk4(set, &span, &y, &k1, span.length);
         let mut cut = false;
+        if set.variant.kinks {
+            let most = longest_yield(set, &y, state.step);
+            if span.length > most {
+                span.length = most;
+                cut = true;
+            }
+        }
+        let mut stepped = rk4(set, &span, &y, &k1, span.length);
         if set.variant.kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
             // Up to the kink the law is smooth; the rest of the step follows from there.
             span.length = locate_kink(set, &span, &y, &k1, &stepped.y) * span.length;

@@ -28,8 +28,8 @@ pub struct Manifest<'a> {
     pub threads: usize,
     /// Number type of the sweep.
     pub precision: Precision,
-    /// Each cell ran twice, the second time with half the step; where both disagree it is
-    /// unresolved.
+    /// Each cell ran twice, the second time with half the step and in f64; where both
+    /// disagree it is unresolved.
     pub resolve: bool,
     /// Steps of the sweep.
     pub steps: Steps,

@@ -117,7 +117,8 @@ impl Backend {
         let parts = plan.at(precision).parts(grid);
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let mut outcomes = self.part(part, grid, precision, progress, &mut compile, &mut device)?;
+            let mut outcomes =
+                self.part(part, grid, precision, progress, &mut compile, &mut device)?;
             if part.vertical_locked {
                 for outcome in outcomes.iter_mut().filter(|outcome| outcome.status == Status::Ok) {
                     outcome.status = Status::VerticalLocked;
@@ -129,9 +130,9 @@ impl Backend {
         Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile, device })
     }
 
-    /// Runs all cells twice, the second time with steps half as long, and calls those unresolved
-    /// whose class the step decides; the rest is of the second run. `progress` hears of every
-    /// cell twice.
+    /// Runs all cells twice, the second time with steps half as long and, where the backend has it,
+    /// in f64, and calls those unresolved whose class the step or the rounding decides; the rest is
+    /// of the second run. `progress` hears of every cell twice.
     ///
     /// # Errors
     /// Those of [`Backend::sweep`].
@@ -143,7 +144,11 @@ impl Backend {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Swept, GpuError> {
         let coarse = self.sweep(plan, grid, precision, progress)?;
-        let mut fine = self.sweep(&plan.halved(), grid, precision, progress)?;
+        let finer = match self {
+            Backend::Gpu(gpu) if !gpu.description.f64 => precision,
+            _ => Precision::F64,
+        };
+        let mut fine = self.sweep(&plan.halved(), grid, finer, progress)?;
         for (cell, other) in fine.outcomes.iter_mut().zip(&coarse.outcomes) {
             if cell.class != other.class && cell.class != Class::Unresolved {
                 (cell.class, cell.status) = (Class::Unresolved, Status::Undecided);

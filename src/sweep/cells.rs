@@ -7,7 +7,9 @@ use bytemuck::Zeroable;
 use super::backend::Precision;
 use super::clock::{Clock, Resolution};
 use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::state::{EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State};
+use crate::integrate::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State, check_cell,
+};
 use crate::model::block::{Corner, Model, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
@@ -222,7 +224,14 @@ impl Plan {
             square = square.max(sum);
         }
         // Infinite where nothing oscillates.
-        self.resolution.longest_step(TAU / square.sqrt())
+        let longest = self.resolution.longest_step(TAU / square.sqrt());
+        match &self.scene.isolation.horizontal {
+            Some(law) if law.psi < 1.0 => {
+                let yield_time = law.alpha_y * point.t_h / (TAU * f64::from(law.n));
+                longest.min(self.resolution.longest_in_yield(yield_time))
+            }
+            _ => longest,
+        }
     }
 
     /// The least that I/M - mu_h P^2 - mu_v Q^2 can be about a corner.
@@ -239,7 +248,8 @@ impl Plan {
             Excitation::Pulse(_) => {
                 let pulse = TAU / point.omega;
                 let forced = pulse.min(self.scene.t_max);
-                let steps = (forced / longest.min(self.resolution.longest_in_pulse(pulse))).ceil().max(1.0);
+                let steps =
+                    (forced / longest.min(self.resolution.longest_in_pulse(pulse))).ceil().max(1.0);
                 (forced, steps, 1.0)
             }
             Excitation::Record(pair) => {
@@ -284,8 +294,9 @@ impl Plan {
             cell.hysteretic = R::of((1.0 - base.psi) * yield_force);
             cell.damping_h = R::of(2.0 * base.xi_h * omega_h);
             // Without horizontal excitation u_y is zero, and so is the force that z carries.
-            let inverse = if yield_force > 0.0 { omega_h * omega_h / yield_force } else { 0.0 };
-            cell.inverse_yield = R::of(inverse);
+            // So they may be taken to be where the number type does not hold 1/u_y.
+            let inverse = R::of(omega_h * omega_h / yield_force);
+            cell.inverse_yield = if inverse.to_f64().is_finite() { inverse } else { R::of(0.0) };
         }
         let mut state = State::<R>::zeroed();
         if let Some(base) = &self.scene.isolation.vertical {
@@ -310,6 +321,7 @@ impl Plan {
         let step = clock.step_forced.max(clock.step_free);
         cell.rest_speed = R::of(0.5 * fall * step / FLIGHTS_A_STEP);
         state.min_contact = R::of(GRAVITY);
+        check_cell(&cell, &mut state);
         (cell, state)
     }
 
@@ -319,7 +331,9 @@ impl Plan {
         let block = &self.scene.block;
         let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
         let (mut class, mut status) = match state.status {
-            FINISHED if state.uplifts == 0 && self.scene.tilt == 0.0 => (Class::FullContact, Status::Ok),
+            FINISHED if state.uplifts == 0 && self.scene.tilt == 0.0 => {
+                (Class::FullContact, Status::Ok)
+            }
             FINISHED => (Class::Rocking, Status::Ok),
             OVERTURNED_LEFT => (Class::OverturnedLeft, Status::Ok),
             OVERTURNED_RIGHT => (Class::OverturnedRight, Status::Ok),

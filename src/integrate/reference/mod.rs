@@ -22,6 +22,9 @@ pub const EVENT_TIME: f64 = 1.0e-12;
 pub struct Settings {
     /// Relative tolerance of a step; the absolute one is a tenth to a hundredth of it.
     pub tolerance: f64,
+    /// Longest step, s: a pair of switches within a step is looked for at a quarter of it. A
+    /// sixteenth of the base's shortest period bounds it too.
+    pub longest: f64,
     /// |dphi| below which a landing block comes to rest, rad/s.
     pub rest_speed: f64,
     /// Steps after which a cell is given up.
@@ -30,7 +33,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { tolerance: 1.0e-10, rest_speed: 1.0e-5, most_steps: 20_000_000 }
+        Settings { tolerance: 1.0e-10, longest: 0.01, rest_speed: 1.0e-5, most_steps: 20_000_000 }
     }
 }
 
@@ -115,7 +118,7 @@ impl<'a> Cell<'a> {
             system,
             settings,
             observer,
-            stepper: Stepper::new(system, settings.tolerance, point),
+            stepper: Stepper::new(system, settings, point),
             phase: system.first_phase(),
             steps: 0,
             class: None,

@@ -1,8 +1,8 @@
 //! One adaptive step, cut at the first switch or kink inside it.
 
-use super::EVENT_TIME;
 use super::system::{DPHI, DU, Drive, PHI, Phase, Pole, State, System, U, V, Z};
 use super::tableau::{A, B, C, E3, E5, STAGES};
+use super::{EVENT_TIME, Settings};
 use crate::scene::Point;
 
 /// What cut a step short.
@@ -48,9 +48,6 @@ pub struct Taken {
 /// metre and of a radian, their rates and z about one.
 const SCALE: [f64; 7] = [0.01, 0.01, 0.01, 0.1, 0.1, 0.1, 0.1];
 
-/// Longest step, s: a pair of switches within a step is looked for at a quarter of it.
-const LONGEST: f64 = 0.01;
-
 /// Points of a step at which the guards are tested, as fractions of it.
 const TESTED: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
@@ -93,11 +90,11 @@ pub struct Stepper<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    /// Steps of `system` with the given relative tolerance.
-    pub fn new(system: &'a System, tolerance: f64, point: &Point) -> Stepper<'a> {
+    /// Steps of `system`.
+    pub fn new(system: &'a System, settings: &Settings, point: &Point) -> Stepper<'a> {
         // A sixteenth of the shortest period, so that an uplift at its crest is not passed over.
-        let longest = LONGEST.min(point.t_v / 16.0).min(point.t_h / 16.0);
-        Stepper { system, tolerance, next: 0.1 * longest, longest }
+        let longest = settings.longest.min(point.t_v / 16.0).min(point.t_h / 16.0);
+        Stepper { system, tolerance: settings.tolerance, next: 0.1 * longest, longest }
     }
 
     /// Takes a step from `t` towards `stop`, up to the first guard that changes sign.
@@ -124,6 +121,11 @@ impl<'a> Stepper<'a> {
                     (y1, error) = self.try_step(phase, t, drive, y, &d0, cut);
                     d1 = rhs(t + cut, &y1);
                 }
+            }
+            if !error.is_finite() && cut > 1.0e-14 {
+                // The trial left the range of its law, as |z|^n does soon for a large n.
+                self.next = 0.2 * cut;
+                continue;
             }
             let grown = cut * (0.9 * error.max(1.0e-10).powf(-1.0 / 8.0)).clamp(0.2, 5.0);
             if error > 1.0 && cut > 1.0e-14 {
@@ -178,7 +180,7 @@ impl<'a> Stepper<'a> {
             square5 += (e5[i] / scale).powi(2);
         }
         let bottom = (square5 + 0.01 * square3).sqrt();
-        let error = if bottom > 0.0 { h * square5 / bottom / 7.0_f64.sqrt() } else { 0.0 };
+        let error = if bottom == 0.0 { 0.0 } else { h * square5 / bottom / 7.0_f64.sqrt() };
         (y1, error)
     }
 

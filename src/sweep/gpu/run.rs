@@ -150,7 +150,8 @@ impl<'a> Sweeper<'a> {
         let limits = self.gpu.device.limits();
         let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let groups = limits.max_compute_workgroups_per_dimension as usize;
-        let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
+        let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX)
+            / size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
         MOST_CELLS.min(by_memory).min(groups.saturating_mul(WORKGROUP)).max(1)
     }
 

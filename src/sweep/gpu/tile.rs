@@ -83,12 +83,7 @@ impl Tile {
                 ty: QueryType::Timestamp,
                 count: 2,
             }),
-            ticks: empty(
-                gpu,
-                "ticks",
-                16,
-                BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC,
-            ),
+            ticks: empty(gpu, "ticks", 16, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
         });
         let back = empty(gpu, "back", 24, BufferUsages::COPY_DST | BufferUsages::MAP_READ);
         let bound = [&model, &cells_buffer, &states_buffer, &chunk, &progress, record];

@@ -1,0 +1,164 @@
+//! What the methods are tried on.
+
+use std::f64::consts::TAU;
+
+use crate::scene::excitation::{PulseText, RecordText};
+use crate::scene::isolation::{Directions, IsolationText};
+use crate::scene::text::{RunText, SceneText};
+use crate::scene::{Excitation, Grid, Range, Scene, SceneError, block::BlockText};
+
+/// Scenes that are charted together.
+#[derive(Debug, Clone)]
+pub struct Bench {
+    /// Short name, as in chart.csv.
+    pub name: &'static str,
+    /// One line for figures.
+    pub title: String,
+    /// The scenes; their cells are numbered on from one scene to the next.
+    pub scenes: Vec<Scene>,
+    /// Shortest step tried: 2 to the power of minus this, s.
+    pub finest: u32,
+    /// Every method is tried, and switches are compared; else only sweeps by their outcomes.
+    pub whole: bool,
+}
+
+impl Bench {
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.scenes.iter().map(|scene| Grid::of(scene).len()).sum()
+    }
+
+    /// True without cells.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Points of the grids' axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sides {
+    /// Of the pulse map.
+    pub pulse: u32,
+    /// Of the record map.
+    pub record: u32,
+    /// Of the ten maps.
+    pub maps: u32,
+}
+
+/// What the charts of the documentation are made with.
+pub const FULL: Sides = Sides { pulse: 16, record: 12, maps: 60 };
+/// Enough to see that everything works.
+pub const QUICK: Sides = Sides { pulse: 5, record: 4, maps: 5 };
+
+/// (A_v, e) of the six maps of the paper's Fig. 11 and the four of Fig. 13.
+pub const MAPS: [(f64, f64); 10] = [
+    (0.0, 0.0),
+    (0.0, 0.2),
+    (0.0, 0.4),
+    (0.5, 0.0),
+    (0.5, 0.2),
+    (0.5, 0.4),
+    (0.0, -0.2),
+    (0.0, -0.4),
+    (0.5, -0.2),
+    (0.5, -0.4),
+];
+
+fn range(start: f64, stop: f64, count: u32) -> Option<Range> {
+    Some(Range { start, stop, count })
+}
+
+fn object_1(eccentricity: f64) -> BlockText {
+    BlockText { object: Some(1), eccentricity: Some(eccentricity), ..BlockText::default() }
+}
+
+fn periods(t_h: Option<Range>, t_v: Option<Range>) -> IsolationText {
+    IsolationText { t_h, t_v, ..IsolationText::default() }
+}
+
+/// A map of Figs. 11 and 13.
+fn overturning_map(a_v: f64, e: f64, side: u32) -> Result<Scene, SceneError> {
+    SceneText {
+        block: object_1(e),
+        base: periods(range(1.75, 1.75, 1), range(0.75, 0.75, 1)),
+        pulse: Some(PulseText {
+            omega: range(0.2, 15.0, side),
+            a_h: range(0.1, 15.0, side),
+            a_v: Some(a_v),
+        }),
+        ..SceneText::default()
+    }
+    .check()
+}
+
+/// The pulse map of Fig. 11, lower row, middle.
+fn pulse(side: u32) -> Result<Bench, SceneError> {
+    Ok(Bench {
+        name: "pulse",
+        title: "Pulse map of Fig. 11: Object 1, ε = 0.2, A_v = 0.5 m/s², 30 s".into(),
+        scenes: vec![overturning_map(0.5, 0.2, side)?],
+        finest: 13,
+        whole: true,
+    })
+}
+
+/// A record's map, from T_v = 0.3 s on: below, rocking is chaotic and no method decides.
+fn record(side: u32, record: RecordText, finest: u32) -> Result<Bench, SceneError> {
+    let scene = SceneText {
+        block: object_1(-0.4),
+        base: periods(range(0.5, 4.0, side), range(0.3, 2.0, side)),
+        record: Some(record),
+        ..SceneText::default()
+    }
+    .check()?;
+    let name = match &scene.excitation {
+        Excitation::Record(pair) => pair.title.as_str(),
+        Excitation::Pulse(_) => "no record",
+    };
+    let title = format!("Record map: Object 1, ε = -0.4, {name}");
+    Ok(Bench { name: "record", title, scenes: vec![scene], finest, whole: true })
+}
+
+/// One block on the ground, let go at half its critical angle. The pulse is of no strength: it only
+/// makes each cell's steps differ a little in length, so that switches fall anywhere in a step.
+fn free() -> Result<Bench, SceneError> {
+    let scene = SceneText {
+        block: object_1(0.0),
+        base: IsolationText { isolation: Some(Directions::None), ..IsolationText::default() },
+        pulse: Some(PulseText {
+            omega: range(TAU / 0.9, TAU / 1.1, 64),
+            a_h: range(0.0, 0.0, 1),
+            a_v: None,
+        }),
+        run: RunText { t_max: Some(8.0), tilt: Some(0.1), ..RunText::default() },
+        ..SceneText::default()
+    }
+    .check()?;
+    Ok(Bench {
+        name: "free",
+        title: "Free rocking of Object 1 on the ground from φ = 0.1 rad, 8 s".into(),
+        scenes: vec![scene],
+        finest: 13,
+        whole: true,
+    })
+}
+
+/// The ten maps of Figs. 11 and 13, by which the default step is chosen.
+fn maps(side: u32) -> Result<Bench, SceneError> {
+    let scenes = MAPS.into_iter().map(|(a_v, e)| overturning_map(a_v, e, side));
+    Ok(Bench {
+        name: "maps",
+        title: "The ten maps of Figs. 11 and 13: Object 1, 30 s".into(),
+        scenes: scenes.collect::<Result<_, _>>()?,
+        finest: 9,
+        whole: false,
+    })
+}
+
+/// All benches; `motion` is the record to use.
+///
+/// # Errors
+/// Those of the record's files.
+pub fn all(sides: Sides, motion: RecordText) -> Result<Vec<Bench>, SceneError> {
+    Ok(vec![pulse(sides.pulse)?, record(sides.record, motion, 13)?, free()?, maps(sides.maps)?])
+}

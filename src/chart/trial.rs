@@ -1,0 +1,257 @@
+//! A method at one step or tolerance, timed.
+
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+
+use super::SWITCHES;
+use super::bench::Bench;
+use super::truth::{Told, of_bench, of_events};
+use crate::integrate::log::Event;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::reference::Settings;
+use crate::model::real::Real;
+use crate::scene::{Grid, Scene, SceneError};
+use crate::sweep::backend::Precision;
+use crate::sweep::cells::Plan;
+use crate::sweep::clock::Resolution;
+use crate::sweep::cpu;
+use crate::sweep::gpu::GpuError;
+use crate::sweep::gpu::device::Gpu;
+use crate::sweep::gpu::run::{Ran, Sweeper};
+
+/// A way to integrate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// The shader, on a device.
+    Shader,
+    /// Its twin, on all cores.
+    Cpu,
+    /// The twin with its switches moved to the end of the step.
+    Naive,
+    /// The adaptive reference, on all cores.
+    Reference,
+}
+
+impl Method {
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Shader => "shader",
+            Method::Cpu => "cpu",
+            Method::Naive => "naive",
+            Method::Reference => "reference",
+        }
+    }
+}
+
+/// A method with what it was set to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// The method.
+    pub method: Method,
+    /// Its number type.
+    pub precision: Precision,
+    /// Step, s; of the reference the tolerance.
+    pub setting: f64,
+}
+
+/// What a trial took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Time {
+    /// The whole, from cells to outcomes in memory: the least of the runs, s.
+    pub whole: f64,
+    /// In the shader alone, by the device's clock, in that run, s.
+    pub device: Option<f64>,
+    /// Compilation, s, before the first run.
+    pub start: f64,
+    /// Number of runs.
+    pub runs: u32,
+}
+
+/// Why a trial failed.
+#[derive(Debug, thiserror::Error)]
+pub enum TrialError {
+    /// The device failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The scene takes too many steps.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+}
+
+/// Fewest and most runs of a trial.
+const RUNS: (u32, u32) = (2, 5);
+/// A trial whose runs took this long together is not run again.
+const PATIENCE: Duration = Duration::from_millis(400);
+
+/// Runs `once` a few times; the least time counts.
+fn timed(
+    mut once: impl FnMut() -> Result<Option<Duration>, TrialError>,
+) -> Result<Time, TrialError> {
+    let began = Instant::now();
+    let mut time = Time { whole: f64::INFINITY, device: None, start: 0.0, runs: 0 };
+    while time.runs < RUNS.0 || (time.runs < RUNS.1 && began.elapsed() < PATIENCE) {
+        let start = Instant::now();
+        let device = once()?;
+        let whole = start.elapsed().as_secs_f64();
+        if whole < time.whole {
+            time.whole = whole;
+            time.device = device.map(|device| device.as_secs_f64());
+        }
+        time.runs += 1;
+    }
+    Ok(time)
+}
+
+impl Trial {
+    fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        let resolution = Resolution::exactly(self.setting);
+        let naive = self.method == Method::Naive;
+        Plan::resolved(scene, if naive { resolution.naive() } else { resolution })
+    }
+
+    /// The steps that a bench's cells really take, s: the samples of a record are steps, so that
+    /// steps longer than its gaps are all alike.
+    ///
+    /// # Errors
+    /// A scene that takes too many steps.
+    pub fn steps(&self, bench: &Bench) -> Result<Vec<f64>, TrialError> {
+        let mut steps = Vec::new();
+        for scene in &bench.scenes {
+            let grid = Grid::of(scene);
+            steps.push(self.plan(scene)?.clock(&grid.point(0)).step_forced);
+        }
+        Ok(steps)
+    }
+
+    /// Runs a bench's cells: what they told, and the time that it took. The runs that are timed keep
+    /// no switches.
+    ///
+    /// # Errors
+    /// Any [`TrialError`].
+    pub fn run(&self, bench: &Bench, gpu: Option<&Gpu>) -> Result<(Vec<Told>, Time), TrialError> {
+        match self.precision {
+            Precision::F32 => self.run_in::<f32>(bench, gpu),
+            Precision::F64 => self.run_in::<f64>(bench, gpu),
+        }
+    }
+
+    fn run_in<R: Real>(
+        &self,
+        bench: &Bench,
+        gpu: Option<&Gpu>,
+    ) -> Result<(Vec<Told>, Time), TrialError> {
+        if self.method == Method::Reference {
+            let tolerance = self.setting;
+            let settings = Settings { tolerance, longest: LONGEST, ..Settings::default() };
+            let mut told = Vec::new();
+            let time = timed(|| {
+                told = of_bench(bench, &settings, &|_| ());
+                Ok(None)
+            })?;
+            return Ok((told, time));
+        }
+        let mut plans = Vec::with_capacity(bench.scenes.len());
+        for scene in &bench.scenes {
+            plans.push((self.plan(scene)?, Grid::of(scene)));
+        }
+        let gpu = if self.method == Method::Shader { gpu } else { None };
+        let began = Instant::now();
+        let mut sweepers = Vec::new();
+        if let Some(gpu) = gpu {
+            for (plan, _) in &plans {
+                sweepers.push(Sweeper::new(gpu, self.precision, plan.variant())?);
+            }
+        }
+        let start = began.elapsed().as_secs_f64();
+        let mut outcomes: Vec<Vec<Outcome>> = Vec::new();
+        let mut time = timed(|| {
+            outcomes.clear();
+            let mut device = None;
+            for (index, (plan, grid)) in plans.iter().enumerate() {
+                let cells: Vec<usize> = (0..grid.len()).collect();
+                if let Some(sweeper) = sweepers.get(index) {
+                    let ran: Ran<R> = sweeper.sweep(plan, grid, &cells, &|_| ())?;
+                    device = ran.device.map(|time| time + device.unwrap_or_default());
+                    outcomes.push(ran.outcomes);
+                } else {
+                    outcomes.push(cpu::sweep::<R>(plan, grid, &cells, &|_| ()));
+                }
+            }
+            Ok(device)
+        })?;
+        time.start = start;
+        let mut told = Vec::with_capacity(bench.len());
+        for ((plan, grid), outcomes) in plans.iter().zip(outcomes) {
+            let events: Vec<Event<R>> =
+                if bench.whole { self.switches::<R>(plan, grid, gpu)? } else { Vec::new() };
+            for (index, outcome) in outcomes.into_iter().enumerate() {
+                let kept = events.get(index * SWITCHES..(index + 1) * SWITCHES);
+                let clock = plan.clock(&grid.point(index));
+                let switches = kept.map_or(Vec::new(), |kept| of_events(kept, &clock));
+                told.push(Told { outcome, switches });
+            }
+        }
+        Ok((told, time))
+    }
+
+    /// The first switches of each cell, from a run of their own.
+    fn switches<R: Real>(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        gpu: Option<&Gpu>,
+    ) -> Result<Vec<Event<R>>, TrialError> {
+        let cells: Vec<usize> = (0..grid.len()).collect();
+        if let Some(gpu) = gpu {
+            let sweeper = Sweeper::keeping(gpu, self.precision, plan.variant(), SWITCHES)?;
+            return Ok(sweeper.sweep::<R>(plan, grid, &cells, &|_| ())?.events);
+        }
+        Ok(cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1)
+    }
+}
+
+/// Longest step of a charted reference, s: so long that the tolerance decides.
+const LONGEST: f64 = 0.25;
+
+/// Coarsest step tried: 2 to the power of minus this, s.
+const COARSEST: u32 = 4;
+
+/// The trials of a bench, from cheap to dear; without a device there are none of the shader.
+///
+/// # Errors
+/// A scene that takes too many steps.
+pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Result<Vec<Trial>, TrialError> {
+    let mut methods = vec![(Method::Cpu, Precision::F32), (Method::Cpu, Precision::F64)];
+    if bench.whole {
+        methods.push((Method::Naive, Precision::F64));
+        for precision in [Precision::F32, Precision::F64] {
+            if gpu.is_some_and(|gpu| precision == Precision::F32 || gpu.description.f64) {
+                methods.push((Method::Shader, precision));
+            }
+        }
+    }
+    let mut trials = Vec::new();
+    for (method, precision) in methods {
+        let mut last = Vec::new();
+        for power in COARSEST..=bench.finest {
+            let trial = Trial { method, precision, setting: 0.5_f64.powi(power as i32) };
+            let steps = trial.steps(bench)?;
+            if steps != last {
+                trials.push(trial);
+            }
+            last = steps;
+        }
+    }
+    if bench.whole {
+        let tolerances = (3..=10).map(|power| 0.1_f64.powi(power));
+        trials.extend(tolerances.map(|setting| Trial {
+            method: Method::Reference,
+            precision: Precision::F64,
+            setting,
+        }));
+    }
+    Ok(trials)
+}

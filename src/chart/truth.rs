@@ -1,0 +1,117 @@
+//! What really happens in a bench's cells: the reference at a far tighter tolerance than charted.
+
+use rayon::prelude::*;
+
+use super::SWITCHES;
+use super::bench::Bench;
+use crate::integrate::log::Event;
+use crate::integrate::outcome::Outcome;
+use crate::integrate::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, State, U, V, Z};
+use crate::integrate::reference::{self, Settings, Switch};
+use crate::integrate::switching::{IMPACT, OVERTURN, UPLIFT_LEFT};
+use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
+use crate::model::real::Real;
+use crate::scene::{Grid, Point, Scene};
+use crate::sweep::clock::Clock;
+
+/// Settings of the truth: far tighter than any that is charted, and with steps so short that the
+/// cubic between them finds the crest of an angle to 1e-11. Where outcomes alone count, as on the
+/// many cells of the ten maps, the reference as it is.
+pub fn settings(bench: &Bench) -> Settings {
+    if bench.whole {
+        return Settings { tolerance: 1.0e-12, longest: 0.0025, ..Settings::default() };
+    }
+    Settings::default()
+}
+
+/// What switched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Uplift about a corner.
+    Uplift(Pole),
+    /// Impact, into this phase.
+    Impact(Phase),
+    /// Overturning.
+    Overturn,
+}
+
+/// A switch as any method saw it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seen {
+    /// What switched.
+    pub kind: Kind,
+    /// When, s.
+    pub t: f64,
+    /// u, u', v, v', z, phi, phi' after it.
+    pub motion: [f64; 7],
+}
+
+/// What became of a cell, and its first switches.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Told {
+    /// The outcome.
+    pub outcome: Outcome,
+    /// At most [`SWITCHES`] switches.
+    pub switches: Vec<Seen>,
+}
+
+/// A cell by the reference.
+pub fn by_reference(scene: &Scene, point: &Point, settings: &Settings) -> Told {
+    let mut switches = Vec::new();
+    let outcome = reference::observe(scene, point, settings, &mut |instant| {
+        let kind = match instant.switch {
+            Some(Switch::Uplift(pole)) => Kind::Uplift(pole),
+            Some(Switch::Impact(_)) => Kind::Impact(instant.phase),
+            Some(Switch::Overturn(_)) => Kind::Overturn,
+            None => return,
+        };
+        if switches.len() < SWITCHES {
+            let motion = in_order(instant.y);
+            switches.push(Seen { kind, t: instant.t, motion });
+        }
+    });
+    Told { outcome, switches }
+}
+
+fn in_order(y: &State) -> [f64; 7] {
+    [y[U], y[DU], y[V], y[DV], y[Z], y[PHI], y[DPHI]]
+}
+
+/// A sweep's switches as seen.
+pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock) -> Vec<Seen> {
+    let phase = |mode: u32| match mode {
+        ROCKING_LEFT => Some(Pole::Left),
+        ROCKING_RIGHT => Some(Pole::Right),
+        _ => {
+            debug_assert_eq!(mode, FULL_CONTACT);
+            None
+        }
+    };
+    let kept = events.iter().take_while(|event| event.kind != 0);
+    kept.map(|event| Seen {
+        kind: match event.kind {
+            OVERTURN => Kind::Overturn,
+            IMPACT => Kind::Impact(phase(event.mode)),
+            UPLIFT_LEFT => Kind::Uplift(Pole::Left),
+            _ => Kind::Uplift(Pole::Right),
+        },
+        t: clock.time(event.step, event.fraction.to_f64()),
+        motion: event.motion.coordinates().map(R::to_f64),
+    })
+    .collect()
+}
+
+/// Every cell of a bench by the reference.
+pub fn of_bench(bench: &Bench, settings: &Settings, done: &(dyn Fn(usize) + Sync)) -> Vec<Told> {
+    let mut told = Vec::with_capacity(bench.len());
+    for scene in &bench.scenes {
+        let grid = Grid::of(scene);
+        let cells = (0..grid.len()).into_par_iter().map(|index| {
+            let cell = by_reference(scene, &grid.point(index), settings);
+            done(1);
+            cell
+        });
+        told.par_extend(cells);
+    }
+    told
+}

@@ -1,0 +1,190 @@
+//! `topple chart`.
+
+use std::fs::File;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use topple::chart::bench::{self, Bench, FULL, QUICK};
+use topple::chart::errors::compare;
+use topple::chart::table::{self, Row};
+use topple::chart::trial::{self, Method, Trial};
+use topple::chart::truth::{self, Told};
+use topple::chart::{figure, peers};
+use topple::map::figure::document;
+use topple::map::files::Directory;
+use topple::scene::excitation::RecordText;
+use topple::sweep::backend::Precision;
+use topple::sweep::gpu::adapter;
+use topple::sweep::gpu::device::Gpu;
+
+use super::InputError;
+use super::options::flag_error;
+use super::progress::Progress;
+use super::report::write_figure;
+use super::seismic::write_synthetic;
+
+/// Chart speed against accuracy: every method, over its steps or tolerances.
+#[derive(clap::Args)]
+pub struct ChartCommand {
+    /// Directory for the results; made if need be
+    #[arg(long, value_name = "DIR", default_value = "topple-chart")]
+    out: PathBuf,
+    #[command(flatten, next_help_heading = "Record")]
+    record: RecordText,
+    /// Results of other programs on the cells of cells.csv, to chart beside topple's
+    #[arg(long, value_name = "FILE")]
+    peer: Vec<PathBuf>,
+    /// Write cells.csv and record.csv, for other programs, and nothing else
+    #[arg(long)]
+    cells_only: bool,
+    /// Few cells: to see that everything works
+    #[arg(long)]
+    quick: bool,
+    /// Leave out the shader
+    #[arg(long)]
+    no_shader: bool,
+    /// Print nothing but errors
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl ChartCommand {
+    /// Runs the trials and draws them.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let out =
+            Directory::open(&self.out).map_err(|error| InputError(format!("--out: {error}")))?;
+        let mut record = self.record.clone();
+        if record.horizontal.is_none() && record.vertical.is_none() {
+            record = write_synthetic(&out, record)?;
+        }
+        let sides = if self.quick { QUICK } else { FULL };
+        let benches = bench::all(sides, record).map_err(|error| flag_error(&error))?;
+        out.write("cells.csv", |w| peers::write_cells(&benches, w))?;
+        out.write("record.csv", |w| peers::write_record(&benches, w))?;
+        if self.cells_only {
+            self.say(format!("cells      {} with record.csv", out.file("cells.csv").display()));
+            return Ok(());
+        }
+        // Opened before anything long begins.
+        let mut results = Vec::new();
+        for path in &self.peer {
+            let file = File::open(path).map_err(|error| {
+                InputError(format!("--peer: {}: {error}; give a file to read", path.display()))
+            })?;
+            results.push((path, file));
+        }
+        let gpu = self.gpu()?;
+        let began = Instant::now();
+        let (mut rows, truths) = self.trials(&benches, gpu.as_ref())?;
+        for (path, file) in results {
+            let read = peers::read(file, &benches, &truths)
+                .map_err(|error| InputError(format!("--peer: {}: {error}", path.display())))?;
+            rows.extend(read);
+        }
+        out.write("chart.csv", |w| table::write(&rows, w))?;
+        for bench in &benches {
+            let of_bench: Vec<Row> =
+                rows.iter().filter(|row| row.bench == bench.name).cloned().collect();
+            let svg = figure::draw(&bench.title, &of_bench)?;
+            write_figure(&out, bench.name, &svg, &document::render(&svg, 2.0)?)?;
+        }
+        self.say(format!("done       in {:.0} s", began.elapsed().as_secs_f64()));
+        self.say(format!("pictures   {}", out.file("pulse.png").display()));
+        self.say("           with record.png, free.png, maps.png".into());
+        self.say(format!("data       {}", out.file("chart.csv").display()));
+        Ok(())
+    }
+
+    fn say(&self, line: String) {
+        if !self.quiet {
+            println!("{line}");
+        }
+    }
+
+    /// The device for the shader, a software one if there is no other.
+    fn gpu(&self) -> anyhow::Result<Option<Gpu>> {
+        if self.no_shader {
+            return Ok(None);
+        }
+        match adapter::choose(Precision::F32) {
+            Ok(adapter) => {
+                let gpu = Gpu::open(&adapter)?;
+                let d = &gpu.description;
+                self.say(format!("shader     {} ({}, {})", d.name, d.kind, d.api));
+                Ok(Some(gpu))
+            }
+            Err(error) => {
+                self.say(format!("shader     left out: {error}"));
+                Ok(None)
+            }
+        }
+    }
+
+    /// Every trial of every bench, and the benches' truths.
+    fn trials(
+        &self,
+        benches: &[Bench],
+        gpu: Option<&Gpu>,
+    ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Told>>)> {
+        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let (mut rows, mut truths) = (Vec::new(), Vec::new());
+        for bench in benches {
+            self.say(format!("{:<10} {} ({} cells)", bench.name, bench.title, bench.len()));
+            let progress = Progress::new(bench.len(), self.quiet);
+            let truth =
+                truth::of_bench(bench, &truth::settings(bench), &|cells| progress.advance(cells));
+            progress.finish();
+            for trial in trial::of(bench, gpu)? {
+                let (told, time) = trial.run(bench, gpu)?;
+                let cells = bench.len() as f64;
+                let row = Row {
+                    bench: bench.name,
+                    method: trial.method.name().into(),
+                    precision: name(trial.precision),
+                    steps: trial.method != Method::Reference,
+                    setting: trial.setting,
+                    threads,
+                    seconds: time.whole / cells,
+                    device: time.device.map(|device| device / cells),
+                    start: time.start,
+                    runs: time.runs,
+                    errors: compare(&truth, &told, bench.whole),
+                };
+                self.say(line(&trial, &row));
+                rows.push(row);
+            }
+            truths.push(truth);
+        }
+        Ok((rows, truths))
+    }
+}
+
+fn name(precision: Precision) -> &'static str {
+    match precision {
+        Precision::F32 => "f32",
+        Precision::F64 => "f64",
+    }
+}
+
+/// A trial in one line.
+fn line(trial: &Trial, row: &Row) -> String {
+    let setting = if row.steps {
+        format!("1/{:.0} s", 1.0 / trial.setting)
+    } else {
+        format!("{:.0e}", trial.setting)
+    };
+    let e = &row.errors;
+    let median = |spread: Option<topple::chart::errors::Spread>| {
+        spread.map_or("-".into(), |spread| format!("{:.1e}", spread.median))
+    };
+    format!(
+        "  {:<10}{} {setting:>9} {:>9.1e} s/cell {:>6} differ {:>4} failed   t {:>7}   zeta {:>7}",
+        row.method,
+        row.precision,
+        row.seconds,
+        e.differ,
+        e.failed,
+        median(e.time),
+        median(e.zeta)
+    )
+}

@@ -1,0 +1,97 @@
+//! Where methods fail: one test a way, each showing where it holds, where it breaks, and that the
+//! sweep does the right thing there. What each measures it prints; docs/stability.md has the table.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bouc_wen;
+mod boundaries;
+mod events;
+mod non_finite;
+mod numbers;
+mod restitution;
+mod stiffness;
+
+use topple::integrate::outcome::Outcome;
+use topple::integrate::reference::{self, Settings};
+use topple::integrate::state::{RUNNING, State};
+use topple::integrate::switching::Log;
+use topple::model::Setting;
+use topple::model::excitation::Cell;
+use topple::model::real::Real;
+use topple::scene::record::{Pair, Record};
+use topple::scene::{Excitation, Grid, Scene};
+use topple::sweep::cells::Plan;
+use topple::sweep::clock::{DEFAULT_STEP, Resolution};
+use topple::sweep::cpu::{self, sweep_cell};
+
+/// The first cell of a scene with steps as they are asked for.
+fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {
+    let plan = Plan::resolved(scene, Resolution::exactly(step)).unwrap();
+    cpu::sweep::<R>(&plan, &Grid::of(scene), &[0], &|_| ())[0]
+}
+
+/// The first cell of a scene as a sweep runs it.
+fn swept<R: Real>(scene: &Scene) -> Outcome {
+    all_swept::<R>(scene)[0]
+}
+
+/// Every cell of a scene as a sweep runs it.
+fn all_swept<R: Real>(scene: &Scene) -> Vec<Outcome> {
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
+    let grid = Grid::of(scene);
+    cpu::sweep::<R>(&plan, &grid, &common::all(&grid), &|_| ())
+}
+
+/// The reference at a tolerance far tighter than its default.
+fn truth(scene: &Scene) -> Outcome {
+    let settings = Settings { tolerance: 1.0e-12, ..Settings::default() };
+    reference::run(scene, &Grid::of(scene).point(0), &settings)
+}
+
+/// A scene of one block on the ground: a slender rectangle, its mass in the middle.
+fn on_the_ground(rest: &str) -> Scene {
+    common::scene(&format!(
+        "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n{rest}"
+    ))
+}
+
+/// The same scene under a record of these samples, m/s^2.
+fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
+    let record = Record { title: "made".into(), dt, samples, notes: Vec::new() };
+    scene.t_max = record.duration();
+    scene.excitation = Excitation::Record(Pair::new(record, None));
+    scene
+}
+
+/// The first cell of a scene, altered before it runs.
+fn altered<R: Real>(
+    plan: &Plan,
+    log: &mut impl Log<R>,
+    alter: impl FnOnce(&mut Cell<R>, &mut State<R>),
+) -> Outcome {
+    let point = Grid::of(&plan.scene).point(0);
+    let model = plan.model::<R>();
+    let record = plan.record::<R>();
+    let (mut cell, mut state) = plan.cell::<R>(&point);
+    alter(&mut cell, &mut state);
+    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+    while state.status == RUNNING {
+        sweep_cell(&set, &mut state, 1 << 20, log);
+    }
+    plan.outcome(&point, &state)
+}
+
+/// The value between a low end that is `true` of `holds` and a high one that is not, to a relative
+/// width of `width`.
+fn limit(mut low: f64, mut high: f64, width: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    assert!(holds(low), "does not hold at {low}");
+    assert!(!holds(high), "still holds at {high}");
+    while (high - low) > width * low.abs() {
+        let middle = 0.5 * (low + high);
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
