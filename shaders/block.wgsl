@@ -21,6 +21,10 @@ struct Model {
     mu_h: real,
     mu_v: real,
     gravity: real,
+    inverse_mu_h: real,
+    inverse_mu_v: real,
+    least_arm: real,
+    topple_energy: real,
 }
 
 @group(0) @binding(0) var<storage, read> model: Model;

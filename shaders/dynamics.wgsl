@@ -51,6 +51,8 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
     var dz: real = 0.0;
     if isolated_h {
         ddu = x_base - ground.h;
+    }
+    if yields {
         dz = hysteretic_rate(cell, y);
     }
     var ddv: real = 0.0;

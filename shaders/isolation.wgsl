@@ -5,6 +5,7 @@ override isolated_h: bool = true;
 override isolated_v: bool = true;
 override kinks: bool = true;
 override in_step: bool = true;
+override yields: bool = true;
 override bouc_wen_n: u32 = 2u;
 
 struct Support {
@@ -16,7 +17,11 @@ struct Support {
 fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
     var f_h = ground.h;
     if isolated_h {
-        f_h = -(cell.post_yield * y.u + cell.hysteretic * y.z + cell.damping_h * y.du);
+        var spring = cell.post_yield * y.u;
+        if yields {
+            spring = spring + cell.hysteretic * y.z;
+        }
+        f_h = -(spring + cell.damping_h * y.du);
     }
     var f_v = ground.v + model.gravity;
     if isolated_v {

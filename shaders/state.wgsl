@@ -6,6 +6,7 @@ const OVERTURNED_LEFT = 2u;
 const OVERTURNED_RIGHT = 3u;
 const EVENT_LIMIT = 4u;
 const DIVERGED = 5u;
+const PROVED = 6u;
 
 struct State {
     motion: Motion,

@@ -35,6 +35,9 @@ fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
     var done = 0u;
     while done < chunk.work && state.status == RUNNING {
         done += 1u + advance(cell, &state);
+        if state.status == RUNNING && is_due(cell, state) {
+            certify(cell, &state);
+        }
     }
     if done > 0u {
         states[id.x] = state;

@@ -96,7 +96,22 @@ macro_rules! same_layouts {
             $real,
             Corner { side, arm, inertia, overturn, eta_phi, eta_u, eta_v }
         );
-        same_layout!($precision, $real, Model { left, right, height, mu_h, mu_v, gravity });
+        same_layout!(
+            $precision,
+            $real,
+            Model {
+                left,
+                right,
+                height,
+                mu_h,
+                mu_v,
+                gravity,
+                inverse_mu_h,
+                inverse_mu_v,
+                least_arm,
+                topple_energy
+            }
+        );
         same_layout!(
             $precision,
             $real,
@@ -113,6 +128,10 @@ macro_rules! same_layouts {
                 step_forced,
                 step_free,
                 rest_speed,
+                yield_energy,
+                deflection,
+                reach_h,
+                reach_v,
                 steps_forced,
                 steps,
                 substeps,
@@ -155,7 +174,7 @@ fn host_structs_are_laid_out_as_the_shaders() {
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
-    use topple::integrate::{locate, state, switching};
+    use topple::integrate::{certificate, locate, state, switching};
     use topple::model::block;
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
@@ -179,6 +198,8 @@ fn constants_agree_with_the_twin() {
         ("OVERTURNED_RIGHT", state::OVERTURNED_RIGHT),
         ("EVENT_LIMIT", state::EVENT_LIMIT),
         ("DIVERGED", state::DIVERGED),
+        ("PROVED", state::PROVED),
+        ("TRIES", certificate::TRIES),
         ("NOTHING", switching::NOTHING),
         ("UPLIFT_LEFT", switching::UPLIFT_LEFT),
         ("UPLIFT_RIGHT", switching::UPLIFT_RIGHT),

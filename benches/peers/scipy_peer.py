@@ -16,6 +16,9 @@ import cells as common
 from cells import GRAVITY
 
 TOLERANCES = [1e-4, 1e-6, 1e-8]
+# Switches after which a cell is given up: terminal events restart the integration at the event, and
+# a block that chatters while the ground moves never gets away from it.
+MOST_EVENTS = 5000
 # |phi'| after an impact below which the block is taken to stand, rad/s.
 REST = 1e-4
 
@@ -102,8 +105,12 @@ def solve(c, record, tolerance):
         if len(switches) < common.SWITCHES:
             switches.append(common.switch(kind, t, y))
 
+    count = 0
     for stop in ([c.t_max] if c.recorded else [min(c.pulse_end, c.t_max), c.t_max]):
         while t < stop:
+            count += 1
+            if count > MOST_EVENTS:
+                return "unresolved", 0.0, switches
             rates, accelerations = phases[side]
             found = events(c, side, accelerations)
             if not side:

@@ -109,7 +109,9 @@ impl Trial {
     fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
         let resolution = Resolution::exactly(self.setting);
         let naive = self.method == Method::Naive;
-        Plan::resolved(scene, if naive { resolution.naive() } else { resolution })
+        let resolution = if naive { resolution.naive() } else { resolution };
+        // Every method simulates all of the time.
+        Ok(Plan::resolved(scene, resolution)?.full_model())
     }
 
     /// The steps that a bench's cells really take, s: the samples of a record are steps, so that

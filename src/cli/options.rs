@@ -30,6 +30,9 @@ pub struct RunOptions {
     /// differs
     #[arg(long)]
     pub resolve: bool,
+    /// Simulate all of the model and all of the time, also where it has no say in the result
+    #[arg(long)]
+    pub full_model: bool,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

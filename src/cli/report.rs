@@ -29,7 +29,10 @@ const PNG_SCALE: f32 = 2.0;
 
 /// Runs a scene's map and writes its files.
 pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
-    let plan = Plan::new(scene, options.step).map_err(|e| flag_error(&e))?;
+    let mut plan = Plan::new(scene, options.step).map_err(|e| flag_error(&e))?;
+    if options.full_model {
+        plan = plan.full_model();
+    }
     let grid = Grid::of(scene);
     check_memory(&grid)?;
     let out = open(options)?;

@@ -1,5 +1,6 @@
 //! Integration in time: the fixed-step method of the sweeps, and the adaptive reference.
 
+pub mod certificate;
 pub mod locate;
 pub mod log;
 pub mod outcome;

@@ -42,6 +42,9 @@ impl Class {
 pub enum Status {
     /// To its end, or to overturning.
     Ok,
+    /// Before its end, where energy proved that the outcome and the largest values are final;
+    /// impacts are counted up to there.
+    Proved,
     /// In more switches than one step can hold.
     EventLimit,
     /// In a motion out of every physical range, or not a number.
@@ -59,6 +62,7 @@ impl Status {
     pub fn name(self) -> &'static str {
         match self {
             Status::Ok => "ok",
+            Status::Proved => "proved",
             Status::EventLimit => "event_limit",
             Status::Diverged => "diverged",
             Status::StepLimit => "step_limit",

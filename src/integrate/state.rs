@@ -20,6 +20,8 @@ pub const OVERTURNED_RIGHT: u32 = 3;
 pub const EVENT_LIMIT: u32 = 4;
 /// The motion left every physical range, or is not a number.
 pub const DIVERGED: u32 = 5;
+/// All that the cell tells was proved to be final.
+pub const PROVED: u32 = 6;
 
 /// One cell: its motion, its phase, and its records so far.
 #[repr(C)]
@@ -122,6 +124,10 @@ pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
         cell.step_forced,
         cell.step_free,
         cell.rest_speed,
+        cell.yield_energy,
+        cell.deflection,
+        cell.reach_h,
+        cell.reach_v,
     ];
     if !numbers.iter().all(|number| number.to_f64().is_finite()) {
         state.status = DIVERGED;

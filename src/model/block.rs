@@ -32,7 +32,7 @@ pub struct Corner<R> {
 }
 
 pod!(Corner, reals: 7, words: 0);
-pod!(Model, reals: 18, words: 0);
+pod!(Model, reals: 22, words: 0);
 
 /// What every cell of a sweep shares: the block, and the mass ratios of its base.
 #[repr(C)]
@@ -50,6 +50,14 @@ pub struct Model<R> {
     pub mu_v: R,
     /// g, m/s^2.
     pub gravity: R,
+    /// 1/mu_h; zero where the horizontal direction is locked.
+    pub inverse_mu_h: R,
+    /// 1/mu_v; zero where the vertical direction is locked.
+    pub inverse_mu_v: R,
+    /// The shorter of the two lever arms, m.
+    pub least_arm: R,
+    /// g (min R - H): energy over M without which no corner is overturned about, J/kg.
+    pub topple_energy: R,
 }
 
 /// The corner that the block turns about in a rocking mode (the left one in full contact, where

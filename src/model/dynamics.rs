@@ -101,6 +101,8 @@ pub fn rates<R: Real>(
     let mut dz = R::of(0.0);
     if variant.isolated_h {
         ddu = x_base - ground.h;
+    }
+    if variant.yields {
         dz = hysteretic_rate(set, y);
     }
     let mut ddv = R::of(0.0);

@@ -37,6 +37,15 @@ pub struct Cell<R> {
     pub step_free: R,
     /// |dphi| below which a landing block comes to rest, rad/s.
     pub rest_speed: R,
+    /// (1 - psi) omega_h^2 u_y^2: twice the energy that z stores, over M_t, m^2/s^2.
+    pub yield_energy: R,
+    /// g/omega_v^2, the base's static deflection, m.
+    pub deflection: R,
+    /// omega_h sqrt(1 + 4 xi_h^2): the most |X| in full contact over the root of twice the base's
+    /// energy over M_t, 1/s.
+    pub reach_h: R,
+    /// omega_v sqrt(1 + 4 xi_v^2): the same of |Y - g|, 1/s.
+    pub reach_v: R,
     /// Number of forced steps.
     pub steps_forced: u32,
     /// Number of steps in all.
@@ -47,7 +56,7 @@ pub struct Cell<R> {
     pub padding: u32,
 }
 
-pod!(Cell, reals: 12, words: 4);
+pod!(Cell, reals: 16, words: 4);
 
 /// The ground's accelerations, m/s^2; also a sample of a record.
 #[repr(C)]

@@ -21,6 +21,10 @@ pub struct Variant {
     /// Uplifts, impacts and overturning are switched where they happen, not at the end of the
     /// step: false only to show what that is worth.
     pub in_step: bool,
+    /// The base yields: z is a state.
+    pub yields: bool,
+    /// Cells end where energy proves that nothing more will happen.
+    pub certificate: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
 }
@@ -40,7 +44,11 @@ pub fn support<R: Real>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> S
     let cell = set.cell;
     let mut f_h = ground.h;
     if set.variant.isolated_h {
-        f_h = -(cell.post_yield * y.u + cell.hysteretic * y.z + cell.damping_h * y.du);
+        let mut spring = cell.post_yield * y.u;
+        if set.variant.yields {
+            spring = spring + cell.hysteretic * y.z;
+        }
+        f_h = -(spring + cell.damping_h * y.du);
     }
     let mut f_v = ground.v + set.model.gravity;
     if set.variant.isolated_v {

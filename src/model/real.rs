@@ -38,6 +38,9 @@ pub trait Real:
     /// The larger of the two; `self` where `other` is not a number.
     fn max(self, other: Self) -> Self;
 
+    /// The square root.
+    fn sqrt(self) -> Self;
+
     /// sin x for |x| <= 1.65 rad, to the type's rounding.
     fn sine(self) -> Self;
 
@@ -99,6 +102,11 @@ impl Real for f32 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> f32 {
+        f32::sqrt(self)
+    }
+
+    #[inline(always)]
     fn max(self, other: f32) -> f32 {
         if other > self { other } else { self }
     }
@@ -141,6 +149,11 @@ impl Real for f64 {
     #[inline(always)]
     fn abs(self) -> f64 {
         f64::abs(self)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
     }
 
     #[inline(always)]

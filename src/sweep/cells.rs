@@ -3,12 +3,13 @@
 use std::f64::consts::TAU;
 
 use bytemuck::Zeroable;
+use serde::Serialize;
 
 use super::backend::Precision;
 use super::clock::{Clock, Resolution};
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::state::{
-    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, State, check_cell,
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State, check_cell,
 };
 use crate::model::block::{Corner, Model, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::{Cell, Ground};
@@ -25,6 +26,25 @@ pub const RIGID_SHARE: f64 = 0.2;
 
 /// Most steps that a cell may take: some minutes of one core.
 pub const MOST_STEPS: f64 = 1.0e9;
+
+/// What a sweep leaves out where it has no say in the result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Reductions {
+    /// No hysteretic variable where the base is linear (psi = 1).
+    pub linear: bool,
+    /// No time after energy has proved all results final.
+    pub certificate: bool,
+    /// No motion in full contact by each cell: it is integrated once for all cells that share it.
+    pub full_contact: bool,
+}
+
+impl Reductions {
+    /// Everything that has no say is left out.
+    pub const ALL: Reductions = Reductions { linear: true, certificate: true, full_contact: true };
+    /// Nothing is: the full model.
+    pub const NONE: Reductions =
+        Reductions { linear: false, certificate: false, full_contact: false };
+}
 
 /// Cells that run one model.
 #[derive(Debug, Clone)]
@@ -44,6 +64,8 @@ pub struct Plan {
     pub scene: Scene,
     /// How finely its cells are stepped.
     pub resolution: Resolution,
+    /// What of the model is left out where it has no say.
+    pub reductions: Reductions,
     mu_h: f64,
     mu_v: f64,
 }
@@ -68,7 +90,8 @@ impl Plan {
         let mass_h = mass_v + base.plate_h;
         let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
         let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
-        let plan = Plan { scene: scene.clone(), resolution, mu_h, mu_v };
+        let plan =
+            Plan { scene: scene.clone(), resolution, reductions: Reductions::ALL, mu_h, mu_v };
         let mut shortest = Grid::of(scene).extreme();
         if let Some(rigid) = plan.rigid_period() {
             // Stiffer cells run without the vertical direction.
@@ -90,6 +113,11 @@ impl Plan {
     /// The plan for a number type: short periods take more steps in f64.
     pub fn at(&self, precision: Precision) -> Plan {
         Plan { resolution: self.resolution.at(precision), ..self.clone() }
+    }
+
+    /// The plan with nothing left out.
+    pub fn full_model(&self) -> Plan {
+        Plan { reductions: Reductions::NONE, ..self.clone() }
     }
 
     /// The plan with steps half as long.
@@ -118,13 +146,21 @@ impl Plan {
             parts.push(Part { plan: self.clone(), cells, vertical_locked: false });
         }
         if !stiff.is_empty() {
-            parts.push(Part { plan: self.locked(), cells: stiff, vertical_locked: true });
+            parts.push(Part { plan: self.without_vertical(), cells: stiff, vertical_locked: true });
         }
         parts
     }
 
+    /// The same with the horizontal direction locked.
+    pub(super) fn without_horizontal(&self) -> Plan {
+        let mut plan = self.clone();
+        plan.scene.isolation.horizontal = None;
+        plan.mu_h = 0.0;
+        plan
+    }
+
     /// The same with the vertical direction locked.
-    fn locked(&self) -> Plan {
+    pub(super) fn without_vertical(&self) -> Plan {
         let mut plan = self.clone();
         plan.scene.isolation.vertical = None;
         plan.mu_v = 0.0;
@@ -147,11 +183,14 @@ impl Plan {
     /// What the scene switches on.
     pub fn variant(&self) -> Variant {
         let base = &self.scene.isolation;
+        let yields = base.horizontal.is_some_and(|law| law.psi < 1.0);
         Variant {
             recorded: matches!(self.scene.excitation, Excitation::Record(_)),
             isolated_h: base.horizontal.is_some(),
             isolated_v: base.vertical.is_some(),
-            kinks: self.resolution.kinks && base.horizontal.is_some_and(|law| law.psi < 1.0),
+            kinks: self.resolution.kinks && yields,
+            yields: base.horizontal.is_some() && (yields || !self.reductions.linear),
+            certificate: self.reductions.certificate,
             in_step: self.resolution.in_step,
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
         }
@@ -190,13 +229,20 @@ impl Plan {
 
     /// What all cells share.
     pub fn model<R: Real>(&self) -> Model<R> {
+        let block = &self.scene.block;
+        let radius = |side: f64| f64::hypot(block.arm(side), block.height);
+        let inverse = |mu: f64| R::of(if mu > 0.0 { 1.0 / mu } else { 0.0 });
         Model {
             left: self.corner(1.0),
             right: self.corner(-1.0),
-            height: R::of(self.scene.block.height),
+            height: R::of(block.height),
             mu_h: R::of(self.mu_h),
             mu_v: R::of(self.mu_v),
             gravity: R::of(GRAVITY),
+            inverse_mu_h: inverse(self.mu_h),
+            inverse_mu_v: inverse(self.mu_v),
+            least_arm: R::of(block.arm(1.0).min(block.arm(-1.0))),
+            topple_energy: R::of(GRAVITY * (radius(1.0).min(radius(-1.0)) - block.height)),
         }
     }
 
@@ -293,6 +339,9 @@ impl Plan {
             cell.post_yield = R::of(base.psi * omega_h * omega_h);
             cell.hysteretic = R::of((1.0 - base.psi) * yield_force);
             cell.damping_h = R::of(2.0 * base.xi_h * omega_h);
+            cell.reach_h = R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h).sqrt());
+            let u_y = yield_force / (omega_h * omega_h);
+            cell.yield_energy = R::of((1.0 - base.psi) * yield_force * u_y);
             // Without horizontal excitation u_y is zero, and so is the force that z carries.
             // So they may be taken to be where the number type does not hold 1/u_y.
             let inverse = R::of(omega_h * omega_h / yield_force);
@@ -303,7 +352,9 @@ impl Plan {
             let omega_v = TAU / point.t_v;
             cell.stiffness_v = R::of(omega_v * omega_v);
             cell.damping_v = R::of(2.0 * base.xi_v * omega_v);
+            cell.reach_v = R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v).sqrt());
             let deflection = GRAVITY / (omega_v * omega_v);
+            cell.deflection = R::of(deflection);
             state.motion.v = R::of(-deflection);
             state.max_v = R::of(deflection);
         }
@@ -330,11 +381,11 @@ impl Plan {
         let clock = self.clock(point);
         let block = &self.scene.block;
         let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
+        let stood = state.uplifts == 0 && self.scene.tilt == 0.0;
+        let stands = if stood { Class::FullContact } else { Class::Rocking };
         let (mut class, mut status) = match state.status {
-            FINISHED if state.uplifts == 0 && self.scene.tilt == 0.0 => {
-                (Class::FullContact, Status::Ok)
-            }
-            FINISHED => (Class::Rocking, Status::Ok),
+            FINISHED => (stands, Status::Ok),
+            PROVED => (stands, Status::Proved),
             OVERTURNED_LEFT => (Class::OverturnedLeft, Status::Ok),
             OVERTURNED_RIGHT => (Class::OverturnedRight, Status::Ok),
             EVENT_LIMIT => (Class::Unresolved, Status::EventLimit),

@@ -4,6 +4,8 @@ use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use super::cells::Plan;
+use super::full_contact::Tracks;
+use crate::integrate::certificate::{certify, is_due};
 use crate::integrate::log::{Event, Kept};
 use crate::integrate::outcome::Outcome;
 use crate::integrate::state::{RUNNING, State};
@@ -22,6 +24,9 @@ pub fn sweep_cell<R: Real>(
     let mut done = 0;
     while done < work && state.status == RUNNING {
         done += 1 + advance(set, state, log);
+        if state.status == RUNNING && is_due(set, state) {
+            certify(set, state);
+        }
     }
 }
 
@@ -64,6 +69,7 @@ fn each<R: Real, L: Log<R> + Send>(
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
+    let tracks = Tracks::<R>::of(plan, grid);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
@@ -72,6 +78,9 @@ fn each<R: Real, L: Log<R> + Send>(
             let point = grid.point(index);
             let (cell, mut state) = plan.cell::<R>(&point);
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
+            if let Some(tracks) = &tracks {
+                tracks.begin(index, &point, &cell, &mut state);
+            }
             let mut log = log();
             while state.status == RUNNING {
                 sweep_cell(&set, &mut state, CHUNK, &mut log);

@@ -4,6 +4,7 @@ pub mod backend;
 pub mod cells;
 pub mod clock;
 pub mod cpu;
+pub mod full_contact;
 pub mod gpu;
 pub mod history;
 pub mod verification;

@@ -69,6 +69,12 @@ fn the_hysteretic_variable_stays_within_one() {
         assert!(z <= 1.0 + 1e-3, "alpha_y = {alpha_y}, n = {n}: |z| = {z}");
         assert_eq!(class, Class::FullContact);
         assert!(off < 1e-5, "alpha_y = {alpha_y}, n = {n}: {off}");
+        // Steps of the default length alone, cut where z would settle too fast for them.
+        let (cut_z, cut_off, cut) = run(alpha_y, n, Resolution::exactly(DEFAULT_STEP));
+        assert!(
+            cut == Class::Unresolved || (cut_z <= 1.0 + 1e-3 && cut_off < 1e-4),
+            "alpha_y = {alpha_y}, n = {n}: |z| = {cut_z}, {cut_off}"
+        );
         // Where a plain step of an ordinary length breaks.
         if alpha_y < 0.1 || n > 2 {
             assert!(raw_z > 1.1 || raw_off > 1e-3 || raw == Class::Unresolved, "{raw_z} {raw_off}");

@@ -11,13 +11,14 @@ use wgpu::{
 
 use super::super::backend::Precision;
 use super::super::cells::Plan;
+use super::super::full_contact::Tracks;
 use super::GpuError;
 use super::device::Gpu;
 use super::shader::{self, Switches};
 use super::tile::Tile;
 use crate::integrate::log::Event;
 use crate::integrate::outcome::Outcome;
-use crate::integrate::state::{DIVERGED, RUNNING, State};
+use crate::integrate::state::{PROVED, RUNNING, State};
 use crate::model::excitation::Cell;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
@@ -95,6 +96,8 @@ impl<'a> Sweeper<'a> {
             ("isolated_h", f64::from(u8::from(variant.isolated_h))),
             ("isolated_v", f64::from(u8::from(variant.isolated_v))),
             ("kinks", f64::from(u8::from(variant.kinks))),
+            ("yields", f64::from(u8::from(variant.yields))),
+            ("certificate", f64::from(u8::from(variant.certificate))),
             ("in_step", f64::from(u8::from(variant.in_step))),
             ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
             ("workgroup_size", WORKGROUP as f64),
@@ -140,8 +143,9 @@ impl<'a> Sweeper<'a> {
             device: self.gpu.has_clock().then_some(Duration::ZERO),
         };
         let record = self.gpu.checked(|| Tile::record::<R>(self.gpu, plan))?;
+        let tracks = Tracks::of(plan, grid);
         for indices in cells.chunks(self.tile_size::<R>()) {
-            self.tile::<R>(plan, grid, indices, &record, &mut ran, progress)?;
+            self.tile::<R>(plan, grid, indices, tracks.as_ref(), &record, &mut ran, progress)?;
         }
         Ok(ran)
     }
@@ -160,13 +164,21 @@ impl<'a> Sweeper<'a> {
         plan: &Plan,
         grid: &Grid,
         indices: &[usize],
+        tracks: Option<&Tracks<R>>,
         record: &Buffer,
         ran: &mut Ran<R>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<(), GpuError> {
         let count = indices.len();
-        let (cells, states): (Vec<Cell<R>>, Vec<State<R>>) =
-            indices.par_iter().map(|&index| plan.cell::<R>(&grid.point(index))).unzip();
+        let begun = |&index: &usize| {
+            let point = grid.point(index);
+            let (cell, mut state) = plan.cell::<R>(&point);
+            if let Some(tracks) = tracks {
+                tracks.begin(index, &point, &cell, &mut state);
+            }
+            (cell, state)
+        };
+        let (cells, states): (Vec<Cell<R>>, Vec<State<R>>) = indices.par_iter().map(begun).unzip();
         let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
         let kept = self.events_kept;
         let tile = self.gpu.checked(|| {
@@ -201,8 +213,7 @@ impl<'a> Sweeper<'a> {
         let bytes = self.gpu.read(&self.copy_back(&tile.states)?)?;
         let states: &[State<R>] = bytemuck::cast_slice(&bytes);
         // A cell that is still running, or in no status at all, was never computed.
-        let unfinished =
-            states.iter().filter(|s| s.status == RUNNING || s.status > DIVERGED).count();
+        let unfinished = states.iter().filter(|s| s.status == RUNNING || s.status > PROVED).count();
         if unfinished > 0 || states.len() != count {
             return Err(GpuError::Unfinished(unfinished.max(count - states.len().min(count))));
         }

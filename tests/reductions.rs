@@ -1,0 +1,275 @@
+//! What a sweep leaves out has no say in the result: each reduction against the full model, over
+//! whole maps, on the CPU and, where there is one, on an adapter.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+mod common;
+
+use std::time::Instant;
+
+use common::{all, gpu, object, say, scene};
+use topple::integrate::outcome::{Class, Outcome, Status};
+use topple::integrate::reference::{self, Settings};
+use topple::integrate::state::{PROVED, RUNNING};
+use topple::integrate::switching::advance;
+use topple::model::Setting;
+use topple::scene::record::{Pair, synthetic};
+use topple::scene::{Excitation, Grid, Scene};
+use topple::sweep::backend::Precision;
+use topple::sweep::cells::{Plan, Reductions};
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::cpu::{self, sweep_cell};
+use topple::sweep::gpu::run::Sweeper;
+
+/// A pulse map of Object 1 whose base moves in some directions.
+fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {
+    let periods = match isolation {
+        "dual" => "t_h = 1.75\nt_v = 0.75\n",
+        "horizontal" => "t_h = 1.75\n",
+        "vertical" => "t_v = 0.75\n",
+        _ => "",
+    };
+    let psi = psi.map_or(String::new(), |psi| format!("psi = {psi}\n"));
+    scene(&format!(
+        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nisolation = \"{isolation}\"\n{periods}{psi}\
+         [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\na_v = {a_v}\n"
+    ))
+}
+
+/// A map under the synthetic record, from T_v = 0.3 s on: below, rocking is chaotic, and a change
+/// of rounding decides cells.
+fn record_map(object_number: u32, e: f64, side: u32, t_max: Option<f64>) -> Scene {
+    let mut scene = object(object_number, e, (1.0, 1.0), 0.0, "5", "1");
+    let pair = Pair::new(
+        synthetic::make("h", &synthetic::HORIZONTAL),
+        Some(synthetic::make("v", &synthetic::VERTICAL)),
+    );
+    scene.t_max = t_max.unwrap_or(pair.duration());
+    scene.excitation = Excitation::Record(pair);
+    let base = &mut scene.isolation;
+    let range = |start, stop| topple::scene::Range { start, stop, count: side };
+    base.horizontal.as_mut().unwrap().t_h = range(0.5, 4.0);
+    base.vertical.as_mut().unwrap().t_v = range(0.3, 2.0);
+    scene
+}
+
+struct Compared {
+    seconds: [f64; 2],
+    differ: usize,
+    zeta: f64,
+    max_u: f64,
+    max_v: f64,
+}
+
+/// The 99th percentile of a difference over the cells.
+fn percentile(full: &[Outcome], less: &[Outcome], value: fn(&Outcome) -> f64) -> f64 {
+    let mut all: Vec<f64> =
+        full.iter().zip(less).map(|(a, b)| (value(a) - value(b)).abs()).collect();
+    all.sort_by(f64::total_cmp);
+    all[(all.len() - 1) * 99 / 100]
+}
+
+fn compare(full: &[Outcome], less: &[Outcome], seconds: [f64; 2]) -> Compared {
+    let other = |(a, b): &(&Outcome, &Outcome)| a.class != b.class;
+    Compared {
+        seconds,
+        differ: full.iter().zip(less).filter(other).count(),
+        zeta: percentile(full, less, |cell| cell.zeta),
+        max_u: percentile(full, less, |cell| cell.max_u),
+        max_v: percentile(full, less, |cell| cell.max_v),
+    }
+}
+
+/// A scene with all of the model and with `reductions`, in f64; the accuracy of the step on zeta
+/// and the displacements is a median of 1e-6, some hundred times that at the 99th percentile.
+fn hold(name: &str, scene: &Scene, reductions: Reductions) -> Vec<Outcome> {
+    let grid = Grid::of(scene);
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
+    let mut less = plan.clone();
+    less.reductions = reductions;
+    let run = |plan: &Plan| {
+        let began = Instant::now();
+        let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &|_| ());
+        (cells, began.elapsed().as_secs_f64())
+    };
+    let (full, slow) = run(&plan.full_model());
+    let (cells, fast) = run(&less);
+    let c = compare(&full, &cells, [slow, fast]);
+    say(&format!(
+        "{name}: {} cells, {:.2} s, {:.2} s without: {:.1} times; {} differ; zeta {:.0e}, max|u| {:.0e} m, \
+         max|v| {:.0e} m",
+        grid.len(),
+        c.seconds[0],
+        c.seconds[1],
+        c.seconds[0] / c.seconds[1],
+        c.differ,
+        c.zeta,
+        c.max_u,
+        c.max_v
+    ));
+    assert_eq!(c.differ, 0, "{name}");
+    assert!(
+        c.zeta <= 1e-4 && c.max_u <= 1e-5 && c.max_v <= 1e-5,
+        "{name}: {} {} {}",
+        c.zeta,
+        c.max_u,
+        c.max_v
+    );
+    cells
+}
+
+const CERTIFICATE: Reductions = Reductions { certificate: true, ..Reductions::NONE };
+const FULL_CONTACT: Reductions = Reductions { full_contact: true, ..Reductions::NONE };
+const LINEAR: Reductions = Reductions { linear: true, ..Reductions::NONE };
+
+#[test]
+fn the_certificate() {
+    for isolation in ["dual", "horizontal", "vertical", "none"] {
+        for a_v in [0.0, 0.5] {
+            let scene = map(isolation, None, a_v, 40);
+            let cells =
+                hold(&format!("certificate, {isolation}, A_v = {a_v}"), &scene, CERTIFICATE);
+            // Of the slowest pulses there is no end in the 30 s, and nothing to prove.
+            let grid = Grid::of(&scene);
+            let ends = |index: usize| std::f64::consts::TAU / grid.point(index).omega < 20.0;
+            let stand = cells
+                .iter()
+                .enumerate()
+                .filter(|(index, cell)| ends(*index) && !cell.class.overturned())
+                .map(|(_, cell)| cell);
+            let (proved, rest): (Vec<&Outcome>, Vec<&Outcome>) =
+                stand.partition(|cell| cell.status == Status::Proved);
+            let mean =
+                proved.iter().map(|cell| cell.t_end).sum::<f64>() / proved.len().max(1) as f64;
+            say(&format!("  {} cells proved, after {mean:.1} s; {} not", proved.len(), rest.len()));
+            assert!(50 * rest.len() < proved.len(), "{isolation}: {} not proved", rest.len());
+            assert!(mean < 10.0);
+        }
+    }
+}
+
+/// Under a record followed by free vibration.
+#[test]
+fn the_certificate_after_a_record() {
+    let scene = record_map(1, -0.4, 16, Some(60.0));
+    let cells = hold("certificate, record and 40 s free", &scene, CERTIFICATE);
+    assert!(cells.iter().filter(|cell| cell.status == Status::Proved).count() > 50);
+}
+
+/// A cell that the certificate ends would indeed have made nothing more of itself: the full run
+/// from there on, and the energy that it went by.
+#[test]
+fn what_is_proved_stays_so() {
+    let scene = map("dual", None, 0.5, 24);
+    let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+    let model = plan.model::<f64>();
+    let mut proved = 0;
+    for index in all(&grid) {
+        let (cell, mut state) = plan.cell::<f64>(&grid.point(index));
+        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        while state.status == RUNNING {
+            sweep_cell(&set, &mut state, 1 << 20, &mut ());
+        }
+        if state.status != PROVED {
+            continue;
+        }
+        proved += 1;
+        let then = state;
+        state.status = RUNNING;
+        while state.status == RUNNING {
+            advance(&set, &mut state, &mut ());
+        }
+        let grown = [
+            state.max_phi_left - then.max_phi_left,
+            state.max_phi_right - then.max_phi_right,
+            state.max_u - then.max_u,
+            state.max_v - then.max_v,
+        ];
+        assert!(grown.iter().all(|more| *more <= 1e-9), "{:?}: {grown:?}", grid.point(index));
+    }
+    assert!(proved > 200, "{proved}");
+}
+
+#[test]
+fn full_contact_once_for_all() {
+    for (name, scene) in [
+        ("full contact, record, Object 1", record_map(1, -0.4, 24, None)),
+        ("full contact, record, Object 3", record_map(3, 0.4, 24, None)),
+        ("full contact, pulse", map("dual", None, 0.5, 40)),
+        ("full contact, pulse, v at rest", map("dual", None, 0.0, 40)),
+        ("full contact, pulse, horizontal", map("horizontal", None, 0.0, 40)),
+    ] {
+        let cells = hold(name, &scene, FULL_CONTACT);
+        assert!(cells.iter().any(|cell| cell.class == Class::FullContact), "{name}");
+    }
+}
+
+/// A horizontal motion reversed: A_h < 0 scales the shared motion by a negative number.
+#[test]
+fn full_contact_with_the_pulse_reversed() {
+    let mut scene = map("dual", None, 0.5, 24);
+    if let Excitation::Pulse(pulse) = &mut scene.excitation {
+        (pulse.a_h.start, pulse.a_h.stop) = (-12.0, 12.0);
+    }
+    hold("full contact, A_h from -12 to 12", &scene, FULL_CONTACT);
+}
+
+#[test]
+fn a_linear_base_has_no_hysteretic_variable() {
+    hold("linear, psi = 1", &map("dual", Some(1.0), 0.5, 40), LINEAR);
+    let plan = Plan::new(&map("dual", Some(1.0), 0.5, 4), DEFAULT_STEP).unwrap();
+    assert!(!plan.variant().yields && plan.full_model().variant().yields);
+}
+
+#[test]
+fn all_of_them_together() {
+    hold("all, dual, A_v = 0.5", &map("dual", None, 0.5, 60), Reductions::ALL);
+    hold("all, dual, psi = 1", &map("dual", Some(1.0), 0.0, 60), Reductions::ALL);
+    hold("all, none", &map("none", None, 0.5, 60), Reductions::ALL);
+    hold("all, record, Object 3", &record_map(3, 0.0, 24, Some(40.0)), Reductions::ALL);
+}
+
+/// The shader leaves out the same.
+#[test]
+fn in_the_shader() {
+    let Some(gpu) = gpu("reductions in the shader", Precision::F32) else { return };
+    for (name, scene) in
+        [("pulse", map("dual", None, 0.5, 40)), ("record", record_map(1, -0.4, 16, Some(40.0)))]
+    {
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let run = |plan: &Plan| {
+            let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
+            let began = Instant::now();
+            let ran = sweeper.sweep::<f32>(plan, &grid, &all(&grid), &|_| ()).unwrap();
+            (ran.outcomes, began.elapsed().as_secs_f64())
+        };
+        let (full, slow) = run(&plan.full_model());
+        let (cells, fast) = run(&plan);
+        let c = compare(&full, &cells, [slow, fast]);
+        say(&format!(
+            "shader f32, {name}: {:.2} s, {:.2} s without: {:.1} times; {} differ; zeta {:.0e}",
+            c.seconds[0],
+            c.seconds[1],
+            c.seconds[0] / c.seconds[1],
+            c.differ,
+            c.zeta
+        ));
+        assert_eq!(c.differ, 0, "{name}");
+        assert!(cells.iter().any(|cell| cell.status == Status::Proved), "{name}");
+    }
+}
+
+/// And the reference, which leaves out nothing, agrees.
+#[test]
+fn the_reference_agrees_with_what_is_left() {
+    for isolation in ["dual", "none"] {
+        let scene = map(isolation, None, 0.5, 24);
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        let differ = (0..grid.len()).filter(|index| {
+            let right = reference::run(&scene, &grid.point(*index), &Settings::default());
+            right.class != cells[*index].class
+        });
+        assert_eq!(differ.count(), 0, "{isolation}");
+    }
+}
