@@ -68,11 +68,14 @@ fn overturn(state: ptr<function, State>, corner: Corner, fraction: real) {
     }
 }
 
+// Largest |phi| that sine and cosine hold for, rad.
+const PHI_RANGE = 1.65;
+
 // Ends a cell whose motion is out of every physical range.
 fn check_range(state: ptr<function, State>) {
     let y = (*state).motion;
     let size = abs(y.u) + abs(y.v) + abs(y.z) + abs(y.phi);
-    if !(size < 1.0e4) {
+    if !(size < 1.0e4 && abs(y.phi) <= PHI_RANGE) {
         (*state).status = DIVERGED;
     }
 }

@@ -9,11 +9,11 @@ use topple::integrate::outcome::{Class, Outcome};
 use topple::map::figure::FigureError;
 use topple::map::figure::{document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
-use topple::map::manifest::{self, Manifest, Steps, Timings};
+use topple::map::manifest::{self, Manifest, Reduced, Steps, Timings};
 use topple::map::{self, Map};
 use topple::scene::{Excitation, Grid, Scene};
 use topple::sweep::backend::Backend;
-use topple::sweep::cells::Plan;
+use topple::sweep::cells::{Plan, Reductions};
 use topple::sweep::verification::{self, Verification};
 
 use super::InputError;
@@ -55,6 +55,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         }
     }
     say(format!("backend    {}", describe(&backend, &precision)));
+    say(format!("model      {}", describe_model(&plan)));
     let runs = if options.resolve { 2 } else { 1 };
     let progress = Progress::new(runs * grid.len(), options.quiet);
     let advance = |cells| progress.advance(cells);
@@ -93,6 +94,8 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         cells_per_second: rate,
         outcomes: manifest::outcomes(&map),
         tensile_cells: map.tensile(),
+        sliding_cells: map.sliding(),
+        model: Reduced::of(&plan, &map),
         verification: &verification,
     };
     let picture = write(&out, &map, &manifest)?;
@@ -140,6 +143,31 @@ fn describe(backend: &Backend, precision: &str) -> String {
     }
 }
 
+/// The coordinates that are integrated, and what is left out.
+fn describe_model(plan: &Plan) -> String {
+    let variant = plan.variant();
+    let mut state = Vec::new();
+    if variant.isolated_h {
+        state.push(if variant.yields { "u z" } else { "u" });
+    }
+    if variant.isolated_v {
+        state.push("v");
+    }
+    state.push("φ");
+    let reductions = plan.reductions;
+    let mut parts = vec![state.join(" ")];
+    if reductions == Reductions::NONE {
+        parts.push("nothing left out".into());
+    }
+    if reductions.certificate {
+        parts.push("cells end where energy proves them final".into());
+    }
+    if reductions.full_contact && plan.scene.tilt == 0.0 {
+        parts.push("full contact shared".into());
+    }
+    parts.join(", ")
+}
+
 fn shares(map: &Map) -> String {
     let total = map.outcomes.len() as f64;
     let mut parts = Vec::new();
@@ -160,6 +188,10 @@ fn shares(map: &Map) -> String {
     if tensile > 0 {
         let percent = 100.0 * tensile as f64 / total;
         parts.push(format!("contact force tensile in {percent:.1} %"));
+    }
+    if let (Some(sliding), Some(mu)) = (map.sliding(), map.scene.friction) {
+        let percent = 100.0 * sliding as f64 / total;
+        parts.push(format!("friction above {mu} asked for in {percent:.1} %"));
     }
     parts.join(", ")
 }

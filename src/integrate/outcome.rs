@@ -42,8 +42,8 @@ impl Class {
 pub enum Status {
     /// To its end, or to overturning.
     Ok,
-    /// Before its end, where energy proved that the outcome and the largest values are final;
-    /// impacts are counted up to there.
+    /// Before its end, where energy proved that the outcome and the largest values are final. In
+    /// files that is as good as `Ok`; `t_end` tells up to when impacts are counted.
     Proved,
     /// In more switches than one step can hold.
     EventLimit,
@@ -61,8 +61,7 @@ impl Status {
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
-            Status::Ok => "ok",
-            Status::Proved => "proved",
+            Status::Ok | Status::Proved => "ok",
             Status::EventLimit => "event_limit",
             Status::Diverged => "diverged",
             Status::StepLimit => "step_limit",
@@ -81,7 +80,8 @@ pub struct Outcome {
     pub impacts: u32,
     /// Uplifts from full contact.
     pub uplifts: u32,
-    /// End of the simulation, or time of overturning, s.
+    /// Time of overturning; of a block that stands, the end of the simulation or the time at which
+    /// nothing more could come, s.
     pub t_end: f64,
     /// First uplift, s.
     pub t_uplift: Option<f64>,

@@ -134,13 +134,17 @@ pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
     }
 }
 
-/// Ends a cell whose motion is out of every physical range: metres and radians far beyond any
-/// base or block, which a step past its stability limit reaches on its way to infinity.
+/// Largest |phi| that `sine` and `cosine` hold for, rad; overturning is at pi/2 at the latest.
+const PHI_RANGE: f64 = 1.65;
+
+/// Ends a cell whose motion is out of every physical range: metres far beyond any base, which a
+/// step past its stability limit reaches on its way to infinity, and angles for which there are no
+/// sine and cosine.
 #[inline(always)]
 pub fn check_range<R: Real>(state: &mut State<R>) {
     let y = &state.motion;
     let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
-    if !(size < R::of(1.0e4)) {
+    if !(size < R::of(1.0e4) && y.phi.abs() <= R::of(PHI_RANGE)) {
         state.status = DIVERGED;
     }
 }

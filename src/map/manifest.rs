@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::Map;
-use crate::integrate::outcome::Class;
+use crate::integrate::outcome::{Class, Status};
 use crate::scene::Scene;
 use crate::sweep::backend::Precision;
+use crate::sweep::cells::{Plan, Reductions};
 use crate::sweep::gpu::adapter::Description;
 use crate::sweep::verification::Verification;
 
@@ -41,6 +42,10 @@ pub struct Manifest<'a> {
     pub outcomes: BTreeMap<&'static str, usize>,
     /// Cells in which the contact force turned tensile, where the model does not hold.
     pub tensile_cells: usize,
+    /// Cells that ask for more friction than the scene's coefficient, if it has one.
+    pub sliding_cells: Option<usize>,
+    /// What was left out of the model.
+    pub model: Reduced,
     /// The sample that the reference ran again.
     pub verification: &'a Verification,
 }
@@ -54,6 +59,44 @@ pub struct Steps {
     pub shortest: f64,
     /// Most steps of any cell.
     pub most: u32,
+}
+
+/// The model that was run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Reduced {
+    /// Coordinates that are integrated.
+    pub state: Vec<&'static str>,
+    /// What is left out where it has no say in the result; all false with --full-model.
+    pub reductions: Reductions,
+    /// Cells that ended early, all that they tell proved final.
+    pub proved_cells: usize,
+    /// Mean time simulated by a cell that stands, s.
+    pub mean_time: f64,
+}
+
+impl Reduced {
+    /// The model of a plan, and how far its map had to be simulated.
+    pub fn of(plan: &Plan, map: &Map) -> Reduced {
+        let variant = plan.variant();
+        let state = [
+            (variant.isolated_h, "u"),
+            (variant.isolated_v, "v"),
+            (variant.yields, "z"),
+            (true, "phi"),
+        ];
+        let stand: Vec<f64> = map
+            .outcomes
+            .iter()
+            .filter(|cell| !cell.class.overturned() && cell.class != Class::Unresolved)
+            .map(|cell| cell.t_end)
+            .collect();
+        Reduced {
+            state: state.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect(),
+            reductions: plan.reductions,
+            proved_cells: map.outcomes.iter().filter(|cell| cell.status == Status::Proved).count(),
+            mean_time: stand.iter().sum::<f64>() / stand.len().max(1) as f64,
+        }
+    }
 }
 
 /// Seconds of each part of a run.

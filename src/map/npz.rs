@@ -22,19 +22,18 @@ pub fn class_code(class: Class) -> u8 {
 /// Code of a status in the array `status`.
 pub fn status_code(status: Status) -> u8 {
     match status {
-        Status::Ok => 0,
+        Status::Ok | Status::Proved => 0,
         Status::EventLimit => 1,
         Status::Diverged => 2,
         Status::StepLimit => 3,
         Status::VerticalLocked => 4,
         Status::Undecided => 5,
-        Status::Proved => 6,
     }
 }
 
 /// Writes the archive. `outcome` is 0 full contact, 1 rocking, 2 overturned left, 3 overturned
 /// right, 4 unresolved; `status` is 0 ok, 1 event limit, 2 diverged, 3 step limit,
-/// 4 ok with the vertical direction locked, 5 undecided, 6 proved; `t_uplift` is not a number where there is
+/// 4 ok with the vertical direction locked, 5 undecided; `t_uplift` is not a number where there is
 /// no uplift.
 ///
 /// # Errors

@@ -51,6 +51,9 @@ pub struct Scene {
     pub tilt: f64,
     /// When the block counts as overturned.
     pub overturn: Overturn,
+    /// Friction coefficient of the contact: cells that ask for more are marked, for the model knows
+    /// no sliding.
+    pub friction: Option<f64>,
     /// eta_phi given in place of the law of impact (no isolation only).
     pub restitution: Option<f64>,
 }

@@ -43,6 +43,10 @@ pub struct RunText {
     /// When a block counts as overturned [default: critical-angle]
     #[arg(long, value_name = "WHEN")]
     pub overturn: Option<Overturn>,
+    /// Friction coefficient of the contact: mark cells that ask for more, where the block would
+    /// slide
+    #[arg(long, value_name = "MU", allow_negative_numbers = true)]
+    pub friction: Option<f64>,
     /// Angular velocity after an impact over the one before, in place of the law (only with
     /// isolation none)
     #[arg(long, value_name = "E", allow_negative_numbers = true)]
@@ -127,6 +131,7 @@ impl SceneText {
                 return Err(SceneError::new("restitution", problem));
             }
         }
+        let friction = self.run.friction.map(|mu| positive("friction", mu)).transpose()?;
         let scene = Scene {
             title: self.title.clone().unwrap_or_else(|| default_title.into()),
             block,
@@ -135,6 +140,7 @@ impl SceneText {
             t_max,
             tilt: self.run.tilt.unwrap_or(0.0),
             overturn: self.run.overturn.unwrap_or(Overturn::CriticalAngle),
+            friction,
             restitution: self.run.restitution,
         };
         let most = scene.overturning_angle(scene.tilt.signum());

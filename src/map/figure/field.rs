@@ -9,7 +9,7 @@ use super::document::{Place, compose};
 use super::frame::{
     Area, Drawn, FINE, PLOT, Plot, SIZE, area, at, map_frame, outline, stroke, text,
 };
-use super::overturning::{TENSILE, hatch};
+use super::overturning::{hatch, hatch_labels};
 use super::raster::png;
 use super::{FigureError, tick};
 use crate::integrate::outcome::{Class, Outcome, Status};
@@ -146,14 +146,15 @@ pub fn draw(map: &Map, field: &Field) -> Result<String, FigureError> {
         [grey, grey, grey, 255]
     })?;
     let mut images = vec![(PLOT, cells), (BAR, scale)];
-    let tensile = |index: usize| map.outcomes[index].min_contact < 0.0;
+    let beyond = |index: usize| map.beyond_the_model(&map.outcomes[index]);
     let unresolved = |index: usize| map.outcomes[index].class == Class::Unresolved;
     let any = |test: &dyn Fn(usize) -> bool| (0..map.outcomes.len()).any(test);
-    if any(&tensile) || any(&unresolved) {
-        images.push((PLOT, hatch(columns, rows, &tensile, &unresolved)?));
+    let hatched = any(&beyond);
+    if hatched || any(&unresolved) {
+        images.push((PLOT, hatch(columns, rows, &beyond, &unresolved)?));
     }
     let mut drawing = String::new();
-    frame(map, field, (low, high), any(&tensile), &mut drawing)
+    frame(map, field, (low, high), hatched, &mut drawing)
         .map_err(|e| FigureError::Draw(e.to_string()))?;
     Ok(compose(SIZE, &images, &drawing))
 }
@@ -314,8 +315,10 @@ fn legend(
     }
     let mut notes: Vec<String> = Vec::new();
     if hatched {
-        notes.push("hatched: contact force".into());
-        notes.push(format!("tensile, {}", TENSILE[1]));
+        let [why, what] = hatch_labels(map);
+        notes.push("hatched:".into());
+        notes.push(why.replace("contact force tensile:", "contact force tensile,"));
+        notes.push(what);
     }
     if has(|cell| cell.class == Class::Unresolved) {
         notes.push("crossed: unresolved".into());

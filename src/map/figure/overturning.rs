@@ -14,7 +14,14 @@ use super::palette::Kind;
 use super::raster::png;
 
 /// What a hatch says.
-pub const TENSILE: [&str; 2] = ["contact force tensile:", "the model does not hold"];
+pub fn hatch_labels(map: &Map) -> [String; 2] {
+    let why = match map.scene.friction {
+        None => "contact force tensile:".to_string(),
+        Some(mu) => format!("tensile, or friction > {mu}:"),
+    };
+    [why, "the model does not hold".to_string()]
+}
+
 /// Pixels of the hatch's image for each of the document's.
 const HATCH_SCALE: usize = 2;
 /// Distance of the hatch's lines, in its pixels.
@@ -31,12 +38,12 @@ pub fn draw(map: &Map) -> Result<String, FigureError> {
         [r, g, b, 255]
     })?;
     let mut images = vec![(PLOT, cells)];
-    let tensile = |index: usize| map.outcomes[index].min_contact < 0.0;
+    let beyond = |index: usize| map.beyond_the_model(&map.outcomes[index]);
     let unresolved = |index: usize| Kind::of(&map.outcomes[index]) == Kind::Unresolved;
     let any = |test: &dyn Fn(usize) -> bool| (0..map.outcomes.len()).any(test);
-    let hatched = any(&tensile);
+    let hatched = any(&beyond);
     if hatched || any(&unresolved) {
-        images.push((PLOT, hatch(columns, rows, &tensile, &unresolved)?));
+        images.push((PLOT, hatch(columns, rows, &beyond, &unresolved)?));
     }
     let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
     let mut drawing = String::new();
@@ -48,7 +55,7 @@ pub fn draw(map: &Map) -> Result<String, FigureError> {
 pub fn hatch(
     columns: usize,
     rows: usize,
-    tensile: &dyn Fn(usize) -> bool,
+    beyond: &dyn Fn(usize) -> bool,
     unresolved: &dyn Fn(usize) -> bool,
 ) -> Result<Vec<u8>, FigureError> {
     let (width, height) = (PLOT.width as usize * HATCH_SCALE, PLOT.height as usize * HATCH_SCALE);
@@ -56,7 +63,7 @@ pub fn hatch(
         let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
         let rising = (x + y) % HATCH_PITCH < 2;
         let falling = (x + height - y) % HATCH_PITCH < 2;
-        match (unresolved(cell), tensile(cell)) {
+        match (unresolved(cell), beyond(cell)) {
             (true, _) if rising || falling => [0, 0, 0, 255],
             (false, true) if rising => [0, 0, 0, 150],
             _ => [0, 0, 0, 0],
@@ -99,7 +106,7 @@ fn legend(root: &Area, kinds: &BTreeSet<Kind>, hatched: bool, map: &Map) -> Draw
             root.draw(&PathElement::new(vec![at(x0, y0), at(x1, y1)], line))?;
         }
         outline(root, Place { x: left, y: top, width: 24, height: 16 }, 10)?;
-        for (row, label) in TENSILE.into_iter().enumerate() {
+        for (row, label) in hatch_labels(map).into_iter().enumerate() {
             root.draw(&Text::new(label, at(left + 32, top + 1 + 18 * row as i32), text(15)))?;
         }
     }
