@@ -43,11 +43,9 @@ fn certify(cell: Cell, state: ptr<function, State>) {
         var energy = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if (*state).mode != FULL_CONTACT {
             let corner = pivot((*state).mode);
-            let sin_phi = sine(y.phi);
-            let cos_phi = cosine(y.phi);
-            let arm = corner.side * corner.arm;
-            let p = model.height * cos_phi + arm * sin_phi;
-            let q = arm * cos_phi - model.height * sin_phi;
+            let lever = lever_at(corner, y.phi);
+            let p = lever.p;
+            let q = lever.q;
             let push = q * y.dv - p * y.du + 0.5 * corner.inertia * y.dphi;
             energy = energy + push * y.dphi + model.gravity * (p - model.height);
         }

@@ -22,6 +22,21 @@ struct Rates {
     shear: real,
 }
 
+// The lever of the centre of mass about a corner.
+struct Lever {
+    p: real,
+    q: real,
+}
+
+// P and Q at an angle.
+fn lever_at(corner: Corner, phi: real) -> Lever {
+    let height = model.height;
+    let sin_phi = sine(phi);
+    let cos_phi = cosine(phi);
+    let arm = corner.side * corner.arm;
+    return Lever(height * cos_phi + arm * sin_phi, arm * cos_phi - height * sin_phi);
+}
+
 // (5) in full contact, (9) while rocking.
 fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -> Rates {
     let base = support(cell, y, ground);
@@ -32,11 +47,9 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
     var normal = base.f_v;
     var shear = base.f_h;
     if rocking {
-        let sin_phi = sine(y.phi);
-        let cos_phi = cosine(y.phi);
-        let arm = corner.side * corner.arm;
-        let p = model.height * cos_phi + arm * sin_phi;
-        let q = arm * cos_phi - model.height * sin_phi;
+        let lever = lever_at(corner, y.phi);
+        let p = lever.p;
+        let q = lever.q;
         let w = y.dphi * y.dphi;
         let push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;

@@ -139,7 +139,7 @@ fn a_wrong_sign_in_the_shader_shows() {
         ("landing.side * landing.eta_v", "-landing.side * landing.eta_v"),
         ("corner.arm * normal", "-corner.arm * normal"),
         ("1.0 - power", "1.0 + power"),
-        ("arm * cos_phi - model.height", "arm * cos_phi + model.height"),
+        ("arm * cos_phi - height", "arm * cos_phi + height"),
     ] {
         assert_eq!(source.matches(right).count(), 1, "{right}");
         let found = differ(&source.replace(right, wrong));

@@ -95,6 +95,56 @@ fn a_map_leaves_the_files_of_the_contract() {
     assert!(png.starts_with(b"\x89PNG"));
 }
 
+fn run_json(out: &Path) -> serde_json::Value {
+    serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap()
+}
+
+/// run.json says which model was run, and how much of it.
+#[test]
+fn the_manifest_tells_the_model() {
+    let (out, said) = small_map(&[]);
+    let model = run_json(out.path())["model"].clone();
+    assert_eq!(model["state"], serde_json::json!(["u", "v", "z", "phi"]));
+    assert_eq!(model["reductions"]["certificate"], true);
+    assert!(said.contains("model      u z v φ"), "{said}");
+    let (out, said) = small_map(&["--full-model", "--psi", "1"]);
+    let model = run_json(out.path())["model"].clone();
+    assert_eq!(model["reductions"]["certificate"], false);
+    assert_eq!(model["reductions"]["full_contact"], false);
+    assert!(said.contains("nothing left out"), "{said}");
+    let (out, _) = small_map(&["--psi", "1"]);
+    let model = run_json(out.path())["model"].clone();
+    assert_eq!(model["state"], serde_json::json!(["u", "v", "phi"]));
+    assert!(model["proved_cells"].as_u64().unwrap() > 0);
+    assert!(model["mean_time"].as_f64().unwrap() < 5.0);
+}
+
+/// Cells that ask for more friction than there is are counted and said.
+#[test]
+fn friction_asked_for_is_told() {
+    let (out, said) = small_map(&["--friction", "0.15"]);
+    let sliding = run_json(out.path())["sliding_cells"].as_u64().unwrap();
+    let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
+    let asked =
+        table.records().filter(|row| row.as_ref().unwrap()[13].parse::<f64>().unwrap() > 0.15);
+    assert_eq!(sliding as usize, asked.count());
+    assert!(sliding > 0 && said.contains("friction above 0.15"), "{said}");
+    let (out, said) = small_map(&[]);
+    assert!(run_json(out.path())["sliding_cells"].is_null() && !said.contains("friction"));
+}
+
+/// A tilt lets the block go from an angle: it rocks, without an uplift; --resolve says so.
+#[test]
+fn a_tilted_block_rocks_without_an_uplift() {
+    let (out, _) = small_map(&["--tilt", "0.1", "--resolve"]);
+    assert_eq!(run_json(out.path())["resolve"], true);
+    let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
+    for row in table.records().map(Result::unwrap) {
+        assert_ne!(&row[2], "full_contact");
+        assert!(row[8].parse::<f64>().unwrap() >= 0.1 - 1e-7, "{row:?}");
+    }
+}
+
 #[test]
 fn the_archive_holds_the_table_as_arrays() {
     let (out, _) = small_map(&[]);

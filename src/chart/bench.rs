@@ -34,7 +34,7 @@ impl Bench {
     }
 }
 
-/// Points of the grids' axes.
+/// Points of the grids' axes, and how fine the steps become.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sides {
     /// Of the pulse map.
@@ -43,12 +43,16 @@ pub struct Sides {
     pub record: u32,
     /// Of the ten maps.
     pub maps: u32,
+    /// Shortest step: 2 to the power of minus this, s; of the ten maps, of minus `finest_of_maps`.
+    pub finest: u32,
+    /// See `finest`.
+    pub finest_of_maps: u32,
 }
 
 /// What the charts of the documentation are made with.
-pub const FULL: Sides = Sides { pulse: 16, record: 12, maps: 60 };
+pub const FULL: Sides = Sides { pulse: 16, record: 12, maps: 60, finest: 13, finest_of_maps: 9 };
 /// Enough to see that everything works.
-pub const QUICK: Sides = Sides { pulse: 5, record: 4, maps: 5 };
+pub const QUICK: Sides = Sides { pulse: 4, record: 3, maps: 4, finest: 8, finest_of_maps: 7 };
 
 /// (A_v, e) of the six maps of the paper's Fig. 11 and the four of Fig. 13.
 pub const MAPS: [(f64, f64); 10] = [
@@ -92,12 +96,12 @@ fn overturning_map(a_v: f64, e: f64, side: u32) -> Result<Scene, SceneError> {
 }
 
 /// The pulse map of Fig. 11, lower row, middle.
-fn pulse(side: u32) -> Result<Bench, SceneError> {
+fn pulse(side: u32, finest: u32) -> Result<Bench, SceneError> {
     Ok(Bench {
         name: "pulse",
         title: "Pulse map of Fig. 11: Object 1, ε = 0.2, A_v = 0.5 m/s², 30 s".into(),
         scenes: vec![overturning_map(0.5, 0.2, side)?],
-        finest: 13,
+        finest,
         whole: true,
     })
 }
@@ -121,7 +125,7 @@ fn record(side: u32, record: RecordText, finest: u32) -> Result<Bench, SceneErro
 
 /// One block on the ground, let go at half its critical angle. The pulse is of no strength: it only
 /// makes each cell's steps differ a little in length, so that switches fall anywhere in a step.
-fn free() -> Result<Bench, SceneError> {
+fn free(finest: u32) -> Result<Bench, SceneError> {
     let scene = SceneText {
         block: object_1(0.0),
         base: IsolationText { isolation: Some(Directions::None), ..IsolationText::default() },
@@ -138,19 +142,19 @@ fn free() -> Result<Bench, SceneError> {
         name: "free",
         title: "Free rocking of Object 1 on the ground from φ = 0.1 rad, 8 s".into(),
         scenes: vec![scene],
-        finest: 13,
+        finest,
         whole: true,
     })
 }
 
 /// The ten maps of Figs. 11 and 13, by which the default step is chosen.
-fn maps(side: u32) -> Result<Bench, SceneError> {
+fn maps(side: u32, finest: u32) -> Result<Bench, SceneError> {
     let scenes = MAPS.into_iter().map(|(a_v, e)| overturning_map(a_v, e, side));
     Ok(Bench {
         name: "maps",
         title: "The ten maps of Figs. 11 and 13: Object 1, 30 s".into(),
         scenes: scenes.collect::<Result<_, _>>()?,
-        finest: 9,
+        finest,
         whole: false,
     })
 }
@@ -160,5 +164,11 @@ fn maps(side: u32) -> Result<Bench, SceneError> {
 /// # Errors
 /// Those of the record's files.
 pub fn all(sides: Sides, motion: RecordText) -> Result<Vec<Bench>, SceneError> {
-    Ok(vec![pulse(sides.pulse)?, record(sides.record, motion, 13)?, free()?, maps(sides.maps)?])
+    let Sides { pulse: of_pulse, record: of_record, maps: of_maps, finest, finest_of_maps } = sides;
+    Ok(vec![
+        pulse(of_pulse, finest)?,
+        record(of_record, motion, finest)?,
+        free(finest)?,
+        maps(of_maps, finest_of_maps)?,
+    ])
 }

@@ -176,7 +176,8 @@ fn draw_panel(
         .set_label_area_size(LabelAreaPosition::Left, 64 * FINE)
         .set_label_area_size(LabelAreaPosition::Bottom, 44 * FINE)
         .build_cartesian_2d(times.clone().log_scale(), errors.log_scale())?;
-    let power = |value: &f64| format!("1e{}", value.log10().round());
+    // Zero added, for there is a negative one.
+    let power = |value: &f64| format!("1e{}", value.log10().round() + 0.0);
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)

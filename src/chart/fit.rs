@@ -25,7 +25,7 @@ pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
 }
 
 /// Errors within this factor of the least are its floor.
-const CLEAR: f64 = 8.0;
+pub const CLEAR: f64 = 8.0;
 /// Errors above this are no longer small: no order shows in them.
 const COARSE: f64 = 1.0e-2;
 /// Factor in step or time over which a slope is one.

@@ -1,7 +1,7 @@
 //! Speed charted against accuracy: methods, each over steps or tolerances, on scenes whose
 //! reference is far tighter than any of them.
 //!
-//! The way of the data: [`bench`] (scenes) -> [`truth`] (the reference's outcomes and switches)
+//! The way of the data: [`mod@bench`] (scenes) -> [`truth`] (the reference's outcomes and switches)
 //! -> [`trial`] (a method's, with their time) -> [`errors`] -> [`table`] (chart.csv) and
 //! [`figure`]. [`peers`] brings in the results of other programs on the same cells.
 

@@ -224,15 +224,22 @@ fn told(result: &Result) -> std::result::Result<Told, PeerError> {
     Ok(Told { outcome, switches })
 }
 
-/// Rows of the chart from another program's results; `truths` are those of the benches.
+/// What another program did with a bench at one setting.
+#[derive(Debug)]
+pub struct Peer {
+    /// Index of the bench.
+    bench: usize,
+    /// Its first row, for what all have in common.
+    first: Result,
+    /// Its cells.
+    told: Vec<Told>,
+}
+
+/// Another program's results on the cells of the benches.
 ///
 /// # Errors
 /// Any [`PeerError`].
-pub fn read(
-    reader: impl Read,
-    benches: &[Bench],
-    truths: &[Vec<Told>],
-) -> std::result::Result<Vec<Row>, PeerError> {
+pub fn read(reader: impl Read, benches: &[Bench]) -> std::result::Result<Vec<Peer>, PeerError> {
     let mut trials: BTreeMap<(usize, String), Vec<Result>> = BTreeMap::new();
     for result in csv::Reader::from_reader(reader).deserialize() {
         let result: Result = result?;
@@ -240,25 +247,33 @@ pub fn read(
         let index = known.ok_or_else(|| PeerError::Word(result.scene.clone()))?;
         let setting = result.step.or(result.tolerance).unwrap_or(0.0);
         // Coarse settings first: their keys are in order as texts of one length.
-        let key = format!("{} {:024.12}", result.method, -setting + 1.0e3);
+        let key = format!("{} {:024.12}", result.method, 1.0e3 - setting);
         trials.entry((index, key)).or_default().push(result);
     }
-    let mut rows = Vec::new();
-    for ((index, _), mut results) in trials {
-        let (bench, truth) = (&benches[index], &truths[index]);
+    let mut peers = Vec::new();
+    for ((bench, _), mut results) in trials {
         results.sort_by_key(|result| result.cell);
-        let first = &results[0];
-        if !results.iter().map(|result| result.cell).eq(0..bench.len()) {
-            return Err(PeerError::Cells {
-                scene: first.scene.clone(),
-                method: first.method.clone(),
-                found: results.len(),
-                cells: bench.len(),
-            });
+        let cells = benches[bench].len();
+        let complete = results.iter().map(|result| result.cell).eq(0..cells);
+        let told = results.iter().map(told).collect::<std::result::Result<Vec<_>, _>>()?;
+        let found = results.len();
+        // A trial has the row that it was made for.
+        let first = results.swap_remove(0);
+        if !complete {
+            let (scene, method) = (first.scene, first.method);
+            return Err(PeerError::Cells { scene, method, found, cells });
         }
-        let cells = results.iter().map(told).collect::<std::result::Result<Vec<_>, _>>()?;
-        rows.push(Row {
-            bench: bench.name,
+        peers.push(Peer { bench, first, told });
+    }
+    Ok(peers)
+}
+
+impl Peer {
+    /// The row of the chart; `truths` are those of the benches.
+    pub fn row(&self, benches: &[Bench], truths: &[Vec<Told>]) -> Row {
+        let first = &self.first;
+        Row {
+            bench: benches[self.bench].name,
             method: first.method.clone(),
             precision: if first.precision == "f32" { "f32" } else { "f64" },
             steps: first.step.is_some(),
@@ -268,8 +283,7 @@ pub fn read(
             device: None,
             start: first.start_seconds,
             runs: first.runs,
-            errors: compare(truth, &cells, true),
-        });
+            errors: compare(&truths[self.bench], &self.told, true),
+        }
     }
-    Ok(rows)
 }

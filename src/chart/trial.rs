@@ -11,7 +11,7 @@ use crate::integrate::log::Event;
 use crate::integrate::outcome::Outcome;
 use crate::integrate::reference::Settings;
 use crate::model::real::Real;
-use crate::scene::{Grid, Scene, SceneError};
+use crate::scene::{Excitation, Grid, Scene, SceneError};
 use crate::sweep::backend::Precision;
 use crate::sweep::cells::Plan;
 use crate::sweep::clock::Resolution;
@@ -114,20 +114,6 @@ impl Trial {
         Ok(Plan::resolved(scene, resolution)?.full_model())
     }
 
-    /// The steps that a bench's cells really take, s: the samples of a record are steps, so that
-    /// steps longer than its gaps are all alike.
-    ///
-    /// # Errors
-    /// A scene that takes too many steps.
-    pub fn steps(&self, bench: &Bench) -> Result<Vec<f64>, TrialError> {
-        let mut steps = Vec::new();
-        for scene in &bench.scenes {
-            let grid = Grid::of(scene);
-            steps.push(self.plan(scene)?.clock(&grid.point(0)).step_forced);
-        }
-        Ok(steps)
-    }
-
     /// Runs a bench's cells: what they told, and the time that it took. The runs that are timed keep
     /// no switches.
     ///
@@ -221,11 +207,18 @@ const LONGEST: f64 = 0.25;
 /// Coarsest step tried: 2 to the power of minus this, s.
 const COARSEST: u32 = 4;
 
+/// The step that is taken where `step` is asked for, s: a record's samples are steps, so that it is
+/// a whole share of the gap between them.
+fn taken(bench: &Bench, step: f64) -> f64 {
+    let record = bench.scenes.iter().find_map(|scene| match &scene.excitation {
+        Excitation::Record(pair) => Some(pair.dt),
+        Excitation::Pulse(_) => None,
+    });
+    record.map_or(step, |dt| dt / (dt / step).ceil())
+}
+
 /// The trials of a bench, from cheap to dear; without a device there are none of the shader.
-///
-/// # Errors
-/// A scene that takes too many steps.
-pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Result<Vec<Trial>, TrialError> {
+pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Vec<Trial> {
     let mut methods = vec![(Method::Cpu, Precision::F32), (Method::Cpu, Precision::F64)];
     if bench.whole {
         methods.push((Method::Naive, Precision::F64));
@@ -237,15 +230,11 @@ pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Result<Vec<Trial>, TrialError> {
     }
     let mut trials = Vec::new();
     for (method, precision) in methods {
-        let mut last = Vec::new();
-        for power in COARSEST..=bench.finest {
-            let trial = Trial { method, precision, setting: 0.5_f64.powi(power as i32) };
-            let steps = trial.steps(bench)?;
-            if steps != last {
-                trials.push(trial);
-            }
-            last = steps;
-        }
+        let mut settings: Vec<f64> = (COARSEST..=bench.finest)
+            .map(|power| taken(bench, 0.5_f64.powi(power as i32)))
+            .collect();
+        settings.dedup();
+        trials.extend(settings.into_iter().map(|setting| Trial { method, precision, setting }));
     }
     if bench.whole {
         let tolerances = (3..=10).map(|power| 0.1_f64.powi(power));
@@ -255,5 +244,5 @@ pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Result<Vec<Trial>, TrialError> {
             setting,
         }));
     }
-    Ok(trials)
+    trials
 }

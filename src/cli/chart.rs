@@ -65,22 +65,19 @@ impl ChartCommand {
             self.say(format!("cells      {} with record.csv", out.file("cells.csv").display()));
             return Ok(());
         }
-        // Opened before anything long begins.
-        let mut results = Vec::new();
+        // Read before anything long begins.
+        let mut others = Vec::new();
         for path in &self.peer {
-            let file = File::open(path).map_err(|error| {
-                InputError(format!("--peer: {}: {error}; give a file to read", path.display()))
-            })?;
-            results.push((path, file));
+            let refused =
+                |reason: String| InputError(format!("--peer: {}: {reason}", path.display()));
+            let file = File::open(path)
+                .map_err(|error| refused(format!("{error}; give a file to read")))?;
+            others.extend(peers::read(file, &benches).map_err(|error| refused(error.to_string()))?);
         }
         let gpu = self.gpu()?;
         let began = Instant::now();
         let (mut rows, truths) = self.trials(&benches, gpu.as_ref())?;
-        for (path, file) in results {
-            let read = peers::read(file, &benches, &truths)
-                .map_err(|error| InputError(format!("--peer: {}: {error}", path.display())))?;
-            rows.extend(read);
-        }
+        rows.extend(others.iter().map(|peer| peer.row(&benches, &truths)));
         out.write("chart.csv", |w| table::write(&rows, w))?;
         for bench in &benches {
             let of_bench: Vec<Row> =
@@ -134,7 +131,7 @@ impl ChartCommand {
             let truth =
                 truth::of_bench(bench, &truth::settings(bench), &|cells| progress.advance(cells));
             progress.finish();
-            for trial in trial::of(bench, gpu)? {
+            for trial in trial::of(bench, gpu) {
                 let (told, time) = trial.run(bench, gpu)?;
                 let cells = bench.len() as f64;
                 let row = Row {

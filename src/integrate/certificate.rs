@@ -1,13 +1,13 @@
 //! The proof that nothing more will happen. Twin of `shaders/certificate.wgsl`.
 //!
-//! Once the excitation is over the system is passive: its energy never rises, through impacts
-//! neither (DESIGN of the model: (9), (11) and (15) only take energy out). What energy is left
-//! bounds every coordinate from then on; where no bound reaches beyond what the cell has seen
-//! already, its outcome and its largest values are final, and it ends.
+//! Once the excitation is over the system is passive: (9) and (11) only take energy out, and so does
+//! an impact (15). What is left of it bounds every coordinate from then on; where no bound reaches
+//! beyond what the cell has seen already, its outcome and its largest values are final, and it ends.
 
 use super::state::{PROVED, State};
 use crate::model::Setting;
 use crate::model::block::{Corner, FULL_CONTACT, pivot};
+use crate::model::dynamics::{Lever, lever_at};
 use crate::model::real::Real;
 
 /// Steps from one try to the next, less one; a power of two less one.
@@ -58,11 +58,7 @@ pub fn certify<R: Real>(set: &Setting<R>, state: &mut State<R>) {
         let mut energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if state.mode != FULL_CONTACT {
             let corner = pivot(model, state.mode);
-            let sin_phi = y.phi.sine();
-            let cos_phi = y.phi.cosine();
-            let arm = corner.side * corner.arm;
-            let p = model.height * cos_phi + arm * sin_phi;
-            let q = arm * cos_phi - model.height * sin_phi;
+            let Lever { p, q } = lever_at(set, &corner, y.phi);
             let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
             energy = energy + push * y.dphi + model.gravity * (p - model.height);
         }

@@ -60,10 +60,28 @@ pub struct Rates<R> {
     pub shear: R,
 }
 
+/// The lever of the centre of mass about a corner.
+#[derive(Debug, Clone, Copy)]
+pub struct Lever<R> {
+    /// P = H cos phi + s b sin phi, its height, m.
+    pub p: R,
+    /// Q = s b cos phi - H sin phi, m.
+    pub q: R,
+}
+
+/// P and Q at an angle.
+#[inline(always)]
+pub fn lever_at<R: Real>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Lever<R> {
+    let height = set.model.height;
+    let sin_phi = phi.sine();
+    let cos_phi = phi.cosine();
+    let arm = corner.side * corner.arm;
+    Lever { p: height * cos_phi + arm * sin_phi, q: arm * cos_phi - height * sin_phi }
+}
+
 /// (5) in full contact, (9) while rocking.
 ///
-/// With P = H cos phi + s b sin phi and Q = s b cos phi - H sin phi, (9c) with (9a) and (9b)
-/// eliminated is one division:
+/// (9c) with (9a) and (9b) eliminated is one division:
 /// `ddphi = [P (f_h + mu_h Q dphi^2) - Q (f_v + mu_v P dphi^2)] / [I/M - mu_h P^2 - mu_v Q^2]`.
 #[inline(always)]
 pub fn rates<R: Real>(
@@ -82,11 +100,7 @@ pub fn rates<R: Real>(
     let mut normal = base.f_v;
     let mut shear = base.f_h;
     if rocking {
-        let sin_phi = y.phi.sine();
-        let cos_phi = y.phi.cosine();
-        let arm = corner.side * corner.arm;
-        let p = model.height * cos_phi + arm * sin_phi;
-        let q = arm * cos_phi - model.height * sin_phi;
+        let Lever { p, q } = lever_at(set, corner, y.phi);
         let w = y.dphi * y.dphi;
         let push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;

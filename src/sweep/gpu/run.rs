@@ -43,6 +43,15 @@ pub struct Sweeper<'a> {
     events_kept: usize,
 }
 
+/// What all tiles of a sweep share.
+struct Shared<'a, R> {
+    plan: &'a Plan,
+    grid: &'a Grid,
+    tracks: Option<Tracks<R>>,
+    record: Buffer,
+    progress: &'a (dyn Fn(usize) + Sync),
+}
+
 /// What a device made of cells.
 pub struct Ran<R> {
     /// One a cell, in their order.
@@ -144,8 +153,9 @@ impl<'a> Sweeper<'a> {
         };
         let record = self.gpu.checked(|| Tile::record::<R>(self.gpu, plan))?;
         let tracks = Tracks::of(plan, grid);
+        let shared = Shared { plan, grid, tracks, record, progress };
         for indices in cells.chunks(self.tile_size::<R>()) {
-            self.tile::<R>(plan, grid, indices, tracks.as_ref(), &record, &mut ran, progress)?;
+            self.tile(&shared, indices, &mut ran)?;
         }
         Ok(ran)
     }
@@ -161,14 +171,11 @@ impl<'a> Sweeper<'a> {
 
     fn tile<R: Real>(
         &self,
-        plan: &Plan,
-        grid: &Grid,
+        shared: &Shared<R>,
         indices: &[usize],
-        tracks: Option<&Tracks<R>>,
-        record: &Buffer,
         ran: &mut Ran<R>,
-        progress: &(dyn Fn(usize) + Sync),
     ) -> Result<(), GpuError> {
+        let Shared { plan, grid, tracks, record, progress } = shared;
         let count = indices.len();
         let begun = |&index: &usize| {
             let point = grid.point(index);
