@@ -10,10 +10,11 @@ fn is_due(cell: Cell, state: State) -> bool {
     return certificate && state.step >= cell.steps_forced && (state.step & TRIES) == 0u;
 }
 
-// Height that the centre of mass gains at an angle about a corner, m.
-fn rise(corner: Corner, angle: real) -> real {
-    let height = model.height;
-    return corner.arm * sine(angle) - height * (1.0 - cosine(angle));
+// P - H: height that the centre of mass has gained at phi about a corner, m.
+fn rise(corner: Corner, phi: real) -> real {
+    // H (1 - cos phi) by the half angle, for 1 - cos phi of a small phi is all rounding.
+    let half_sine = sine(0.5 * phi);
+    return corner.side * corner.arm * sine(phi) - 2.0 * model.height * half_sine * half_sine;
 }
 
 // Ends the cell if all that it tells is final.
@@ -47,11 +48,11 @@ fn certify(cell: Cell, state: ptr<function, State>) {
             let p = lever.p;
             let q = lever.q;
             let push = q * y.dv - p * y.du + 0.5 * corner.inertia * y.dphi;
-            energy = energy + push * y.dphi + model.gravity * (p - model.height);
+            energy = energy + push * y.dphi + model.gravity * rise(corner, y.phi);
         }
         energy = more * energy;
         let bound_left = model.gravity * rise(model.left, (*state).max_phi_left);
-        let bound_right = model.gravity * rise(model.right, (*state).max_phi_right);
+        let bound_right = model.gravity * rise(model.right, -(*state).max_phi_right);
         if !(energy < model.topple_energy && energy <= bound_left && energy <= bound_right) {
             return;
         }

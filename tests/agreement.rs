@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 use common::{all, gpu, object, say};
 use rayon::prelude::*;
+use topple::chart::bench::MAPS;
 use topple::integrate::outcome::{Class, Outcome};
 use topple::integrate::reference::{self, Settings};
 use topple::model::real::Real;
@@ -20,20 +21,6 @@ use topple::sweep::gpu::GpuError;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::verification::compare;
-
-/// (A_v, e) of the six maps of Fig. 11 and the four of Fig. 13.
-const MAPS: [(f64, f64); 10] = [
-    (0.0, 0.0),
-    (0.0, 0.2),
-    (0.0, 0.4),
-    (0.5, 0.0),
-    (0.5, 0.2),
-    (0.5, 0.4),
-    (0.0, -0.2),
-    (0.0, -0.4),
-    (0.5, -0.2),
-    (0.5, -0.4),
-];
 
 /// Points of an axis.
 const SIDE: usize = 60;
@@ -127,7 +114,7 @@ fn a_wrong_sign_in_the_shader_shows() {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
         let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
         let report = compare(&grid, &judged, |index| cells[index]);
-        (report.differ, report.median_zeta)
+        (report.differ + report.unresolved, report.median_zeta)
     };
     let passes =
         |(differ, median): (usize, f64)| 3600 * differ <= 4 * grid.len() && median <= MEDIAN_ZETA;
@@ -170,12 +157,16 @@ fn locked_directions_agree_with_the_reference() {
         let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
         let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
         let report = compare(&grid, &judged, |index| twin[index]);
-        assert_eq!(report.differ, 0, "{isolation}: {:?}", report.differences);
+        assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
             let shader = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
             let report = compare(&grid, &judged, |index| shader[index]);
-            assert!(report.differ <= 1, "{isolation}: {:?}", report.differences);
+            assert!(
+                report.differ + report.unresolved <= 1,
+                "{isolation}: {:?}",
+                report.differences
+            );
         }
     }
 }

@@ -63,7 +63,7 @@ impl Log<f64> for Impacts {
 
 /// Free rocking from the angle `phi0` about the left corner: impacts of the fixed-step method.
 fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
-    let plan = Plan::new(scene, 1.0 / 512.0).unwrap();
+    let plan = Plan::new(scene, 1.0 / 512.0).unwrap().full_model();
     let point = Grid::of(scene).point(0);
     let model = plan.model::<f64>();
     let (mut cell, mut state) = plan.cell::<f64>(&point);

@@ -172,16 +172,10 @@ pub fn write_record(benches: &[Bench], writer: impl Write) -> std::result::Resul
 }
 
 fn class(word: &str) -> std::result::Result<Class, PeerError> {
-    [
-        Class::FullContact,
-        Class::Rocking,
-        Class::OverturnedLeft,
-        Class::OverturnedRight,
-        Class::Unresolved,
-    ]
-    .into_iter()
-    .find(|class| class.name() == word)
-    .ok_or_else(|| PeerError::Word(word.to_string()))
+    Class::ALL
+        .into_iter()
+        .find(|class| class.name() == word)
+        .ok_or_else(|| PeerError::Word(word.to_string()))
 }
 
 fn switch(text: &str) -> std::result::Result<Seen, PeerError> {

@@ -171,13 +171,7 @@ fn describe_model(plan: &Plan) -> String {
 fn shares(map: &Map) -> String {
     let total = map.outcomes.len() as f64;
     let mut parts = Vec::new();
-    for class in [
-        Class::FullContact,
-        Class::Rocking,
-        Class::OverturnedLeft,
-        Class::OverturnedRight,
-        Class::Unresolved,
-    ] {
+    for class in Class::ALL {
         let count = map.count(class);
         if count > 0 {
             let percent = 100.0 * count as f64 / total;
@@ -197,8 +191,12 @@ fn shares(map: &Map) -> String {
 }
 
 fn agreement(v: &Verification) -> String {
+    let unresolved = match v.unresolved {
+        0 => String::new(),
+        count => format!("{count} unresolved, "),
+    };
     format!(
-        "{} cells again, {} beside a boundary: {} differ in outcome, {} in impacts; \
+        "{} cells again, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
          t_end within {:.0e} s, zeta within {:.0e}",
         v.sampled, v.beside_boundary, v.differ, v.impacts_differ, v.worst_t_end, v.worst_zeta
     )

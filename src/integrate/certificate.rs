@@ -22,11 +22,12 @@ pub fn is_due<R: Real>(set: &Setting<R>, state: &State<R>) -> bool {
     set.variant.certificate && state.step >= set.cell.steps_forced && (state.step & TRIES) == 0
 }
 
-/// Height that the centre of mass gains at an angle about a corner, m.
+/// P - H: height that the centre of mass has gained at phi about a corner, m.
 #[inline(always)]
-fn rise<R: Real>(set: &Setting<R>, corner: &Corner<R>, angle: R) -> R {
-    let height = set.model.height;
-    corner.arm * angle.sine() - height * (R::of(1.0) - angle.cosine())
+fn rise<R: Real>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> R {
+    // H (1 - cos phi) by the half angle, for 1 - cos phi of a small phi is all rounding.
+    let half_sine = (R::of(0.5) * phi).sine();
+    corner.side * corner.arm * phi.sine() - R::of(2.0) * set.model.height * half_sine * half_sine
 }
 
 /// Ends the cell if all that it tells is final.
@@ -60,11 +61,11 @@ pub fn certify<R: Real>(set: &Setting<R>, state: &mut State<R>) {
             let corner = pivot(model, state.mode);
             let Lever { p, q } = lever_at(set, &corner, y.phi);
             let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
-            energy = energy + push * y.dphi + model.gravity * (p - model.height);
+            energy = energy + push * y.dphi + model.gravity * rise(set, &corner, y.phi);
         }
         energy = more * energy;
         let bound_left = model.gravity * rise(set, &model.left, state.max_phi_left);
-        let bound_right = model.gravity * rise(set, &model.right, state.max_phi_right);
+        let bound_right = model.gravity * rise(set, &model.right, -state.max_phi_right);
         if !(energy < model.topple_energy && energy <= bound_left && energy <= bound_right) {
             return;
         }

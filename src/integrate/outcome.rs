@@ -19,6 +19,15 @@ pub enum Class {
 }
 
 impl Class {
+    /// Every class there is.
+    pub const ALL: [Class; 5] = [
+        Class::FullContact,
+        Class::Rocking,
+        Class::OverturnedLeft,
+        Class::OverturnedRight,
+        Class::Unresolved,
+    ];
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {

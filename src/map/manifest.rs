@@ -112,14 +112,5 @@ pub struct Timings {
 
 /// Cells of each class, by name.
 pub fn outcomes(map: &Map) -> BTreeMap<&'static str, usize> {
-    [
-        Class::FullContact,
-        Class::Rocking,
-        Class::OverturnedLeft,
-        Class::OverturnedRight,
-        Class::Unresolved,
-    ]
-    .into_iter()
-    .map(|class| (class.name(), map.count(class)))
-    .collect()
+    Class::ALL.into_iter().map(|class| (class.name(), map.count(class))).collect()
 }

@@ -120,7 +120,9 @@ impl Backend {
             let mut outcomes =
                 self.part(part, grid, precision, progress, &mut compile, &mut device)?;
             if part.vertical_locked {
-                for outcome in outcomes.iter_mut().filter(|outcome| outcome.status == Status::Ok) {
+                let ran =
+                    |outcome: &&mut Outcome| matches!(outcome.status, Status::Ok | Status::Proved);
+                for outcome in outcomes.iter_mut().filter(ran) {
                     outcome.status = Status::VerticalLocked;
                 }
             }

@@ -32,6 +32,8 @@ pub struct Verification {
     pub sampled: usize,
     /// Those of them beside a boundary between outcomes.
     pub beside_boundary: usize,
+    /// Cells of which the sweep says nothing.
+    pub unresolved: usize,
     /// Cells whose outcome differs.
     pub differ: usize,
     /// The first of them.
@@ -109,6 +111,7 @@ pub fn compare(
     let mut report = Verification {
         sampled: judged.len(),
         beside_boundary: 0,
+        unresolved: 0,
         differ: 0,
         differences: Vec::new(),
         impacts_differ: 0,
@@ -120,6 +123,10 @@ pub fn compare(
     let mut zeta_errors = Vec::new();
     for (index, reference) in judged {
         let cell = sweep(*index);
+        if cell.class == Class::Unresolved {
+            report.unresolved += 1;
+            continue;
+        }
         if cell.class != reference.class {
             report.differ += 1;
             if report.differences.len() < LISTED {

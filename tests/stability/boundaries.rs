@@ -153,8 +153,8 @@ fn common_periods() -> Scene {
     let mut scene = object(1, -0.4, (1.0, 0.1), 0.0, "5", "1");
     let base = &mut scene.isolation;
     if let (Some(h), Some(v)) = (&mut base.horizontal, &mut base.vertical) {
-        h.t_h = Range { start: 0.8, stop: 3.2, count: 20 };
-        v.t_v = Range { start: 0.06, stop: 0.2, count: 12 };
+        h.t_h = Range { start: 0.8, stop: 3.2, count: 30 };
+        v.t_v = Range { start: 0.06, stop: 0.3, count: 16 };
     }
     scene
 }

@@ -190,7 +190,8 @@ fn impacts(
     scene: &Scene,
     rest_speed: Option<f64>,
 ) -> (Vec<f64>, topple::integrate::outcome::Outcome) {
-    let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
+    // All impacts, also those after the last that matters.
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let step = plan.clock(&Grid::of(scene).point(0)).step_free;
     let mut log = Impacts { step, times: Vec::new() };
     let outcome = altered::<f64>(&plan, &mut log, |cell, _| {
@@ -295,7 +296,7 @@ fn both_uplift_inequalities_at_once() {
          [pulse]\nomega = \"4:12:5\"\na_h = \"0.5:3:6\"\na_v = 14.0\n[run]\nt_max = 3.0\n"
         ));
         let grid = Grid::of(&map);
-        let plan = Plan::new(&map, DEFAULT_STEP).unwrap();
+        let plan = Plan::new(&map, DEFAULT_STEP).unwrap().full_model();
         let cells = cpu::sweep::<f64>(&plan, &grid, &super::common::all(&grid), &|_| ());
         cells_in_all += grid.len();
         for (index, cell) in cells.iter().enumerate() {

@@ -27,9 +27,9 @@ use topple::sweep::cells::Plan;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu::{self, sweep_cell};
 
-/// The first cell of a scene with steps as they are asked for.
+/// The first cell of a scene with steps as they are asked for, all of it simulated.
 fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {
-    let plan = Plan::resolved(scene, Resolution::exactly(step)).unwrap();
+    let plan = Plan::resolved(scene, Resolution::exactly(step)).unwrap().full_model();
     cpu::sweep::<R>(&plan, &Grid::of(scene), &[0], &|_| ())[0]
 }
 

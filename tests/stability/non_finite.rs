@@ -212,7 +212,10 @@ fn in_the_shader() {
     assert!(run(&source).iter().all(|cell| cell.class != Class::Unresolved));
     for (from, to) in [
         ("p * push_h - q * push_v", "p * push_h - q * push_v + sqrt(-1.0 - w)"),
-        ("cell.post_yield * y.u +", "cell.post_yield * y.u * sqrt(-1.0 - y.u * y.u) +"),
+        (
+            "var spring = cell.post_yield * y.u;",
+            "var spring = cell.post_yield * y.u * sqrt(-1.0 - y.u * y.u);",
+        ),
         ("landing.eta_phi * y.dphi,", "landing.eta_phi * y.dphi * sqrt(-1.0 - y.dphi * y.dphi),"),
     ] {
         assert_eq!(source.matches(from).count(), 1, "{from}");
