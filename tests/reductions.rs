@@ -8,13 +8,17 @@ mod common;
 use std::time::Instant;
 
 use common::{all, gpu, object, say, scene};
+use proptest::prelude::*;
+use topple::integrate::certificate::certify;
 use topple::integrate::outcome::{Class, Outcome, Status};
+use topple::integrate::reference::system::{DPHI, DU, DV, PHI, Pole, System, U, V, Z};
 use topple::integrate::reference::{self, Settings};
 use topple::integrate::state::{PROVED, RUNNING};
 use topple::integrate::switching::advance;
 use topple::model::Setting;
+use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use topple::scene::record::{Pair, synthetic};
-use topple::scene::{Excitation, Grid, Scene};
+use topple::scene::{Excitation, GRAVITY, Grid, Scene};
 use topple::sweep::backend::Precision;
 use topple::sweep::cells::{Plan, Reductions};
 use topple::sweep::clock::DEFAULT_STEP;
@@ -274,5 +278,55 @@ fn the_reference_agrees_with_what_is_left() {
             right.class != cells[*index].class
         });
         assert_eq!(differ.count(), 0, "{isolation}");
+    }
+}
+
+proptest! {
+    /// The certificate against energies from the other formulation, the reference's: a rocking state
+    /// is proved where what energy it has left is below that of every angle seen so far, and nowhere
+    /// else.
+    #[test]
+    fn the_certificate_knows_the_energy(
+        left in any::<bool>(),
+        (phi, dphi) in (1e-4..0.12_f64, -0.6..0.6_f64),
+        base in ([-0.02..0.02_f64, -0.2..0.2_f64], [-0.02..0.02_f64, -0.2..0.2_f64], -1.0..1.0_f64),
+        seen in [0.0..0.14_f64, 0.0..0.14_f64],
+    ) {
+        let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3");
+        let point = Grid::of(&scene).point(0);
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        let model = plan.model::<f64>();
+        let (cell, mut state) = plan.cell::<f64>(&point);
+        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let pole = if left { Pole::Left } else { Pole::Right };
+        let ([u, du], [lift, dv], z) = base;
+        state.mode = if left { ROCKING_LEFT } else { ROCKING_RIGHT };
+        let y = &mut state.motion;
+        (y.u, y.du, y.v, y.dv, y.z) = (u, du, y.v + lift, dv, z);
+        (y.phi, y.dphi) = (pole.sign() * phi, dphi);
+        (state.max_phi_left, state.max_phi_right) = (seen[0], seen[1]);
+        // No matter here.
+        (state.max_u, state.max_v) = (100.0, 100.0);
+        certify(&set, &mut state);
+
+        let system = System::new(&scene, &point);
+        let mut other = system.at_rest();
+        let rest = system.energy(None, &other);
+        let y = state.motion;
+        (other[U], other[DU], other[V], other[DV], other[Z]) = (y.u, y.du, y.v, y.dv, y.z);
+        (other[PHI], other[DPHI]) = (y.phi, y.dphi);
+        let energy = (system.energy(Some(pole), &other) - rest) / scene.block.mass;
+        let height = scene.block.height;
+        let bound = |side: f64, angle: f64| {
+            let (arm, critical) = (scene.block.arm(side), scene.block.critical_angle(side));
+            GRAVITY * (arm.hypot(height) * (critical - angle).cos() - height)
+        };
+        let least = bound(1.0, seen[0]).min(bound(-1.0, seen[1]));
+        if energy < 0.998 * least {
+            prop_assert_eq!(state.status, PROVED, "{} of {}", energy, least);
+        }
+        if energy > least {
+            prop_assert_eq!(state.status, RUNNING, "{} of {}", energy, least);
+        }
     }
 }
