@@ -14,12 +14,12 @@ use topple::integrate::reference::{self, Settings};
 use topple::model::real::Real;
 use topple::scene::{Grid, Scene};
 use topple::sweep::backend::Precision;
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::GpuError;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
+use topple::sweep::plan::Plan;
 use topple::sweep::verification::compare;
 
 /// Points of an axis.

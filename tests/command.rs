@@ -364,7 +364,7 @@ proptest! {
         );
         let scene = topple::scene::text::SceneText::from_toml(&text);
         if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
-            let _ = topple::sweep::cells::Plan::new(&scene, 0.004);
+            let _ = topple::sweep::plan::Plan::new(&scene, 0.004);
         }
     }
 }

@@ -10,9 +10,9 @@ use topple::integrate::outcome::Outcome;
 use topple::integrate::reference::{self, Settings};
 use topple::scene::record::{Pair, Record};
 use topple::scene::{Excitation, GRAVITY, Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
+use topple::sweep::plan::Plan;
 
 /// p of the block of Zhang & Makris (2001), rad/s.
 const P: f64 = 2.14;

@@ -18,9 +18,9 @@ use topple::model::block::ROCKING_LEFT;
 use topple::model::dynamics::Motion;
 use topple::model::impact::{change_corner, come_to_rest};
 use topple::scene::{GRAVITY, Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::cpu::{self, sweep_cell};
 use topple::sweep::history::by_steps;
+use topple::sweep::plan::Plan;
 
 /// A slender rectangle on the ground, its mass in the middle.
 fn housner(half_width: f64, height: f64) -> Scene {

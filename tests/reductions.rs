@@ -20,10 +20,10 @@ use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use topple::scene::record::{Pair, synthetic};
 use topple::scene::{Excitation, GRAVITY, Grid, Scene};
 use topple::sweep::backend::Precision;
-use topple::sweep::cells::{Plan, Reductions};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu::{self, sweep_cell};
 use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::plan::{Plan, Reductions};
 
 /// A pulse map of Object 1 whose base moves in some directions.
 fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {

@@ -12,10 +12,10 @@ use topple::integrate::outcome::{Class, Outcome, Status};
 use topple::integrate::reference::{self, Settings};
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::sweep::backend::{Backend, Precision};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::plan::Plan;
 
 /// Both components of Rinaldi, Northridge 1994: 0.87 g horizontally, 0.96 g vertically.
 fn rinaldi(test: &str) -> Option<(String, String)> {

@@ -13,12 +13,12 @@ use crate::integrate::reference::Settings;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Scene, SceneError};
 use crate::sweep::backend::Precision;
-use crate::sweep::cells::Plan;
 use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
 use crate::sweep::gpu::GpuError;
 use crate::sweep::gpu::device::Gpu;
 use crate::sweep::gpu::run::{Ran, Sweeper};
+use crate::sweep::plan::Plan;
 
 /// A way to integrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]

@@ -8,8 +8,8 @@ use topple::scene::excitation::{PulseText, RecordText};
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Point, Scene};
 use topple::sweep::backend::{Choice, Precision};
-use topple::sweep::cells::Plan;
 use topple::sweep::history as motion;
+use topple::sweep::plan::Plan;
 
 use super::InputError;
 use super::options::{CommonFlags, RunOptions, flag_error};

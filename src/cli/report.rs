@@ -13,16 +13,16 @@ use topple::map::manifest::{self, Manifest, Reduced, Steps, Timings};
 use topple::map::{self, Map};
 use topple::scene::{Excitation, Grid, Scene};
 use topple::sweep::backend::Backend;
-use topple::sweep::cells::{Plan, Reductions};
+use topple::sweep::plan::{Plan, Reductions};
 use topple::sweep::verification::{self, Verification};
 
 use super::InputError;
 use super::options::{RunOptions, flag_error};
 use super::progress::Progress;
 
-/// Bytes that a cell takes at most while it is swept and written: its outcome, a column of the
-/// archive, and its row of the picture.
-const BYTES_A_CELL: usize = size_of::<Outcome>() + 32;
+/// Bytes that a cell takes at most while it is swept and written: its outcome, twice where a plan has
+/// parts that are put in order, its number, a column of the archive, and its row of the picture.
+const BYTES_A_CELL: usize = 2 * size_of::<Outcome>() + 40;
 
 /// Pixels of map.png for each of map.svg's units.
 const PNG_SCALE: f32 = 2.0;

@@ -8,8 +8,8 @@ use super::Map;
 use crate::integrate::outcome::{Class, Status};
 use crate::scene::Scene;
 use crate::sweep::backend::Precision;
-use crate::sweep::cells::{Plan, Reductions};
 use crate::sweep::gpu::adapter::Description;
+use crate::sweep::plan::{Plan, Reductions};
 use crate::sweep::verification::Verification;
 
 /// Everything about a run that its data do not hold.

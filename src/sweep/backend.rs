@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::cells::{Part, Plan};
 use super::cpu;
 use super::gpu::GpuError;
 use super::gpu::adapter::{self, Description};
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
+use super::plan::{Part, Plan};
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::integrate::reference;
 use crate::scene::Grid;

@@ -3,8 +3,8 @@
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 
-use super::cells::Plan;
 use super::full_contact::Tracks;
+use super::plan::Plan;
 use crate::integrate::certificate::{certify, is_due};
 use crate::integrate::log::{Event, Kept};
 use crate::integrate::outcome::Outcome;

@@ -10,7 +10,7 @@
 
 use rayon::prelude::*;
 
-use super::cells::Plan;
+use super::plan::Plan;
 use crate::integrate::state::{FINISHED, RUNNING, State};
 use crate::integrate::switching::advance;
 use crate::model::Setting;

@@ -10,8 +10,8 @@ use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
 use crate::scene::{Point, Scene};
 
-use super::cells::Plan;
 use super::clock::Clock;
+use super::plan::Plan;
 
 /// An instant of a motion. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,8 +3,10 @@
 pub mod backend;
 pub mod cells;
 pub mod clock;
+pub mod coefficients;
 pub mod cpu;
 pub mod full_contact;
 pub mod gpu;
 pub mod history;
+pub mod plan;
 pub mod verification;

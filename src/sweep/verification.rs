@@ -7,7 +7,7 @@ use crate::integrate::outcome::{Class, Outcome};
 use crate::integrate::reference::{self, Settings};
 use crate::scene::Grid;
 
-use super::cells::Plan;
+use super::plan::Plan;
 
 /// Cells that are run again by default.
 pub const SAMPLE: usize = 128;

@@ -3,9 +3,9 @@
 use topple::chart::fit::slope;
 use topple::integrate::outcome::Class;
 use topple::scene::{Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::history::{by_reference, by_steps};
+use topple::sweep::plan::Plan;
 
 use super::common::{say, scene};
 use super::truth;

@@ -7,8 +7,8 @@ use topple::model::real::Real;
 use topple::scene::record::{Pair, synthetic};
 use topple::scene::{Excitation, Grid, Range, Scene};
 use topple::sweep::backend::{Backend, Precision};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::plan::Plan;
 
 use super::common::{object, say};
 

@@ -7,9 +7,9 @@ use topple::integrate::reference::Settings;
 use topple::integrate::state::State;
 use topple::integrate::switching::{IMPACT, Log};
 use topple::scene::{GRAVITY, Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu;
+use topple::sweep::plan::Plan;
 
 use super::common::{object, say, scene};
 use super::{altered, limit, on_the_ground, shaken, swept, truth};

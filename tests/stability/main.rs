@@ -23,9 +23,9 @@ use topple::model::excitation::Cell;
 use topple::model::real::Real;
 use topple::scene::record::{Pair, Record};
 use topple::scene::{Excitation, Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu::{self, sweep_cell};
+use topple::sweep::plan::Plan;
 
 /// The first cell of a scene with steps as they are asked for, all of it simulated.
 fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {

@@ -5,11 +5,11 @@ use topple::model::real::Real;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::sweep::backend::Precision;
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
+use topple::sweep::plan::Plan;
 
 use super::common::{gpu, object, say};
 use super::{altered, shaken, swept};

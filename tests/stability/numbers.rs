@@ -3,9 +3,9 @@
 use topple::integrate::outcome::Class;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::sweep::backend::Precision;
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::plan::Plan;
 
 use super::common::{gpu, object, say};
 use super::{all_swept, on_the_ground, shaken, swept};

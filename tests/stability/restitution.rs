@@ -3,8 +3,8 @@
 use topple::integrate::outcome::Class;
 use topple::integrate::reference::{self, Settings};
 use topple::scene::{Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::plan::Plan;
 
 use super::all_swept;
 use super::common::{say, scene};

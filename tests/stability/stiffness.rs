@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use topple::integrate::outcome::Class;
 use topple::scene::{Grid, Scene};
-use topple::sweep::cells::Plan;
 use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::plan::Plan;
 
 use super::common::{object, say, scene};
 use super::{exactly, limit, swept, truth};

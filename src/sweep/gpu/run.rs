@@ -10,8 +10,8 @@ use wgpu::{
 };
 
 use super::super::backend::Precision;
-use super::super::cells::Plan;
 use super::super::full_contact::Tracks;
+use super::super::plan::Plan;
 use super::GpuError;
 use super::device::Gpu;
 use super::shader::{self, Switches};

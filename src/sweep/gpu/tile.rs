@@ -6,7 +6,7 @@ use wgpu::{
     ComputePipeline, QuerySet, QuerySetDescriptor, QueryType,
 };
 
-use super::super::cells::Plan;
+use super::super::plan::Plan;
 use super::device::Gpu;
 use crate::integrate::log::Event;
 use crate::integrate::state::State;
