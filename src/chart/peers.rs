@@ -205,6 +205,7 @@ fn told(result: &Result) -> std::result::Result<Told, PeerError> {
         impacts: 0,
         uplifts: 0,
         t_end: 0.0,
+        t_simulated: 0.0,
         t_uplift: None,
         zeta: result.zeta,
         max_phi_left: 0.0,

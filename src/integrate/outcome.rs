@@ -52,7 +52,7 @@ pub enum Status {
     /// To its end, or to overturning.
     Ok,
     /// Before its end, where energy proved that the outcome and the largest values are final. In
-    /// files that is as good as `Ok`; `t_end` tells up to when impacts are counted.
+    /// files that is as good as `Ok`; `t_simulated` tells up to when impacts are counted.
     Proved,
     /// In more switches than one step can hold.
     EventLimit,
@@ -85,13 +85,15 @@ impl Status {
 pub struct Outcome {
     /// What became of the block.
     pub class: Class,
-    /// Impacts, up to the end or the overturning.
+    /// Impacts, up to the end or the overturning, or to `t_simulated`.
     pub impacts: u32,
     /// Uplifts from full contact.
     pub uplifts: u32,
-    /// Time of overturning; of a block that stands, the end of the simulation or the time at which
-    /// nothing more could come, s.
+    /// Time of overturning, or the end of the run, s.
     pub t_end: f64,
+    /// Time up to which the cell was simulated, s: `t_end`, or before it the time at which all that
+    /// it tells was proved final; impacts are counted up to there.
+    pub t_simulated: f64,
     /// First uplift, s.
     pub t_uplift: Option<f64>,
     /// Largest |phi| over the critical angle of its side; 1 when overturned.

@@ -88,7 +88,7 @@ impl Reduced {
             .outcomes
             .iter()
             .filter(|cell| !cell.class.overturned() && cell.class != Class::Unresolved)
-            .map(|cell| cell.t_end)
+            .map(|cell| cell.t_simulated)
             .collect();
         Reduced {
             state: state.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect(),

@@ -100,15 +100,17 @@ impl Plan {
         if class.overturned() {
             zeta = 1.0;
         }
+        let reached = clock.time(state.step, state.end_fraction.to_f64());
         Outcome {
             class,
             impacts: state.impacts,
             uplifts: state.uplifts,
-            t_end: if state.status == FINISHED {
+            t_end: if matches!(state.status, FINISHED | PROVED) {
                 self.scene.t_max
             } else {
-                clock.time(state.step, state.end_fraction.to_f64())
+                reached
             },
+            t_simulated: if state.status == FINISHED { self.scene.t_max } else { reached },
             t_uplift: (state.uplifts > 0)
                 .then(|| clock.time(state.uplift_step, state.uplift_fraction.to_f64())),
             zeta,

@@ -247,6 +247,7 @@ impl<'a> Cell<'a> {
             impacts: self.impacts,
             uplifts: self.uplifts,
             t_end: self.t_end.unwrap_or(t_max),
+            t_simulated: self.t_end.unwrap_or(t_max),
             t_uplift: self.t_uplift,
             zeta,
             max_phi_left: left,
