@@ -53,17 +53,18 @@ fn moment_rises(start: real, mid: real, end: real) -> real {
 fn find_uplift(k1: Rates, shear_mid: real, normal_mid: real, k_end: Rates) -> Crossing {
     let left = model.left;
     let right = model.right;
-    let at_left = moment_rises(
-        uplift_moment(left, k1.shear, k1.normal),
-        uplift_moment(left, shear_mid, normal_mid),
-        uplift_moment(left, k_end.shear, k_end.normal),
-    );
-    let at_right = moment_rises(
-        uplift_moment(right, k1.shear, k1.normal),
-        uplift_moment(right, shear_mid, normal_mid),
-        uplift_moment(right, k_end.shear, k_end.normal),
-    );
-    if at_left > 0.0 && !(at_right > 0.0 && at_right < at_left) {
+    let left0 = uplift_moment(left, k1.shear, k1.normal);
+    let left1 = uplift_moment(left, k_end.shear, k_end.normal);
+    let right0 = uplift_moment(right, k1.shear, k1.normal);
+    let right1 = uplift_moment(right, k_end.shear, k_end.normal);
+    let at_left = moment_rises(left0, uplift_moment(left, shear_mid, normal_mid), left1);
+    let at_right = moment_rises(right0, uplift_moment(right, shear_mid, normal_mid), right1);
+    var right_first = at_right < at_left;
+    if at_right > 0.0 && at_right >= at_left && left1 > 0.0 && right1 > 0.0 {
+        // Both hold at the end: the one whose chord rises through zero first.
+        right_first = right0 / (right0 - right1) < left0 / (left0 - left1);
+    }
+    if at_left > 0.0 && !(at_right > 0.0 && right_first) {
         return Crossing(UPLIFT_LEFT, at_left);
     }
     if at_right > 0.0 {

@@ -103,18 +103,19 @@ fn find_uplift<R: Real>(
     k_end: &Rates<R>,
 ) -> Crossing<R> {
     let (left, right) = (&set.model.left, &set.model.right);
-    let at_left = moment_rises(
-        uplift_moment(set, left, k1.shear, k1.normal),
-        uplift_moment(set, left, shear_mid, normal_mid),
-        uplift_moment(set, left, k_end.shear, k_end.normal),
-    );
-    let at_right = moment_rises(
-        uplift_moment(set, right, k1.shear, k1.normal),
-        uplift_moment(set, right, shear_mid, normal_mid),
-        uplift_moment(set, right, k_end.shear, k_end.normal),
-    );
+    let left0 = uplift_moment(set, left, k1.shear, k1.normal);
+    let left1 = uplift_moment(set, left, k_end.shear, k_end.normal);
+    let right0 = uplift_moment(set, right, k1.shear, k1.normal);
+    let right1 = uplift_moment(set, right, k_end.shear, k_end.normal);
+    let at_left = moment_rises(left0, uplift_moment(set, left, shear_mid, normal_mid), left1);
+    let at_right = moment_rises(right0, uplift_moment(set, right, shear_mid, normal_mid), right1);
     let zero = R::of(0.0);
-    if at_left > zero && !(at_right > zero && at_right < at_left) {
+    let mut right_first = at_right < at_left;
+    if at_right > zero && at_right >= at_left && left1 > zero && right1 > zero {
+        // Both hold at the end: the one whose chord rises through zero first.
+        right_first = right0 / (right0 - right1) < left0 / (left0 - left1);
+    }
+    if at_left > zero && !(at_right > zero && right_first) {
         return Crossing { kind: UPLIFT_LEFT, upper: at_left };
     }
     if at_right > zero {

@@ -316,6 +316,23 @@ fn both_uplift_inequalities_at_once() {
         cells_in_all
     ));
     assert!(2 * tensile > cells_in_all);
+    // Both begin to hold within one step: the ground falls away under a block that it hardly pushes
+    // sideways, to either side in turn.
+    for a_h in ["0.02", "-0.02"] {
+        let scene = scene(&format!(
+            "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n\
+             [pulse]\nomega = 6.0\na_h = {a_h}\na_v = 14.0\n[run]\nt_max = 0.9\n"
+        ));
+        let (found, right) =
+            (switches(&scene, Resolution::bounded(DEFAULT_STEP)), true_switches(&scene));
+        assert_eq!(found[0].kind, right[0].kind, "a_h = {a_h}");
+        assert!(
+            (found[0].t - right[0].t).abs() < 1e-6,
+            "a_h = {a_h}: {} {}",
+            found[0].t,
+            right[0].t
+        );
+    }
     // The other side: no cell is marked where the ground never falls.
     let calm = object(1, 0.2, (1.75, 0.75), 0.0, "5", "2");
     assert!(swept::<f64>(&calm).min_contact > 0.0);
