@@ -5,11 +5,9 @@
 mod common;
 
 use approx::assert_abs_diff_eq;
-use common::{object, say, scene};
+use common::{judge, object, say, scene, shaken};
 use topple::integrate::outcome::Outcome;
-use topple::integrate::reference::{self, Settings};
-use topple::scene::record::{Pair, Record};
-use topple::scene::{Excitation, GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Scene};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
@@ -44,10 +42,6 @@ fn swept(scene: &Scene) -> Outcome {
     cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &|_| ())[0]
 }
 
-fn judged(scene: &Scene) -> Outcome {
-    reference::run(scene, &Grid::of(scene).point(0), &Settings::default())
-}
-
 /// Impacts before overturning; none for a block that stands.
 fn overturns(cell: &Outcome) -> Option<u32> {
     cell.class.overturned().then_some(cell.impacts)
@@ -74,7 +68,7 @@ fn wests_formula_for_uplift() {
             let arm = 0.2 * (1.0 + sign * e);
             let lifts = |margin: f64| {
                 let peak = sign * GRAVITY * arm / 1.0 * (1.0 + margin);
-                let mut scene = scene(&format!(
+                let scene = scene(&format!(
                     "[block]\nhalf_width = 0.2\nheight = 1.0\neccentricity = {e}\n[base]\nisolation = \"none\"\n\
                      [pulse]\nomega = 5.0\na_h = 0.0\n"
                 ));
@@ -82,10 +76,8 @@ fn wests_formula_for_uplift() {
                 let samples: Vec<f64> = (0..=100)
                     .map(|k| peak * f64::sin(std::f64::consts::PI * f64::from(k) / 100.0))
                     .collect();
-                let record = Record { title: "made".into(), dt: 0.01, samples, notes: Vec::new() };
-                scene.t_max = 1.0;
-                scene.excitation = Excitation::Record(Pair::new(record, None));
-                (swept(&scene).uplifts > 0, judged(&scene).uplifts > 0)
+                let scene = shaken(scene, 0.01, samples);
+                (swept(&scene).uplifts > 0, judge(&scene).uplifts > 0)
             };
             assert_eq!(lifts(1e-6), (true, true), "e = {e}, {sign}");
             assert_eq!(lifts(-1e-6), (false, false), "e = {e}, {sign}");
@@ -99,7 +91,7 @@ fn wests_formula_for_uplift() {
 fn the_safe_gap_of_the_free_standing_block() {
     let cell = |a: f64| pulse(0.25, 5.0, a);
     for (name, run) in
-        [("sweep", swept as fn(&Scene) -> Outcome), ("reference", judged as fn(&Scene) -> Outcome)]
+        [("sweep", swept as fn(&Scene) -> Outcome), ("reference", judge as fn(&Scene) -> Outcome)]
     {
         let first = threshold(2.9, 3.2, |a| overturns(&run(&cell(a))) == Some(1));
         let safe = threshold(6.6, 6.9, |a| overturns(&run(&cell(a))).is_some());
@@ -168,9 +160,8 @@ fn a_rectangular_pulse_in_closed_form() {
                 alpha,
                 "[pulse]\nomega = 5.0\na_h = 0.0\n[run]\noverturn = \"quarter-turn\"\n",
             );
+            scene = shaken(scene, dt, samples);
             scene.t_max = 20.0;
-            let record = Record { title: "made".into(), dt, samples, notes: Vec::new() };
-            scene.excitation = Excitation::Record(Pair::new(record, None));
             swept(&scene)
         };
         let found = threshold(0.97 * closed, 1.03 * closed, |a| overturns(&cell(a)) == Some(0));

@@ -7,7 +7,7 @@ mod common;
 
 use std::time::Instant;
 
-use common::{all, gpu, object, say, scene};
+use common::{all, gpu, object, say, scene, synthetic_pair, under};
 use proptest::prelude::*;
 use topple::integrate::certificate::certify;
 use topple::integrate::outcome::{Class, Outcome, Status};
@@ -17,7 +17,6 @@ use topple::integrate::state::{PROVED, RUNNING};
 use topple::integrate::switching::advance;
 use topple::model::Setting;
 use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
-use topple::scene::record::{Pair, synthetic};
 use topple::scene::{Excitation, GRAVITY, Grid, Scene};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -44,12 +43,8 @@ fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {
 /// of rounding decides cells.
 fn record_map(object_number: u32, e: f64, side: u32, t_max: Option<f64>) -> Scene {
     let mut scene = object(object_number, e, (1.0, 1.0), 0.0, "5", "1");
-    let pair = Pair::new(
-        synthetic::make("h", &synthetic::HORIZONTAL),
-        Some(synthetic::make("v", &synthetic::VERTICAL)),
-    );
-    scene.t_max = t_max.unwrap_or(pair.duration());
-    scene.excitation = Excitation::Record(pair);
+    under(&mut scene, synthetic_pair());
+    scene.t_max = t_max.unwrap_or(scene.t_max);
     let base = &mut scene.isolation;
     let range = |start, stop| topple::scene::Range { start, stop, count: side };
     base.horizontal.as_mut().unwrap().t_h = range(0.5, 4.0);

@@ -89,8 +89,7 @@ fn lines(rows: &[Row]) -> Vec<Line<'_>> {
     let mut lines: Vec<Line> = Vec::new();
     let mut others = 0;
     for row in rows {
-        let (method, precision) = row.line();
-        let name = format!("{method} {precision}");
+        let name = format!("{} {}", row.method, row.precision);
         match lines.iter_mut().find(|line| line.name == name) {
             Some(line) => line.rows.push(row),
             None => {

@@ -1,7 +1,7 @@
 //! Other programs on the same cells: what they are given, and what they give back.
 //!
 //! Given: `cells.csv`, a row a cell with every parameter in SI units, and `record.csv`, the samples
-//! of the record. Given back: a CSV of any name with the columns of [`Result`], a row a cell of each
+//! of the record. Given back: a CSV of any name with the columns of [`Solved`], a row a cell of each
 //! setting tried. Scripts that do it stand under `benches/peers`.
 
 use std::collections::BTreeMap;
@@ -47,7 +47,7 @@ struct Cell<'a> {
 
 /// A row of another program's results.
 #[derive(Debug, Deserialize)]
-pub struct Result {
+pub struct Solved {
     /// Short name of the bench.
     pub scene: String,
     /// The program, with its version.
@@ -107,7 +107,7 @@ pub enum PeerError {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_cells(benches: &[Bench], writer: impl Write) -> std::result::Result<(), csv::Error> {
+pub fn write_cells(benches: &[Bench], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     for bench in benches.iter().filter(|bench| bench.whole) {
         let mut number = 0;
@@ -155,7 +155,7 @@ pub fn write_cells(benches: &[Bench], writer: impl Write) -> std::result::Result
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_record(benches: &[Bench], writer: impl Write) -> std::result::Result<(), csv::Error> {
+pub fn write_record(benches: &[Bench], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     table.write_record(["horizontal", "vertical"])?;
     let scenes = benches.iter().flat_map(|bench| &bench.scenes);
@@ -171,14 +171,14 @@ pub fn write_record(benches: &[Bench], writer: impl Write) -> std::result::Resul
     Ok(())
 }
 
-fn class(word: &str) -> std::result::Result<Class, PeerError> {
+fn class(word: &str) -> Result<Class, PeerError> {
     Class::ALL
         .into_iter()
         .find(|class| class.name() == word)
         .ok_or_else(|| PeerError::Word(word.to_string()))
 }
 
-fn switch(text: &str) -> std::result::Result<Seen, PeerError> {
+fn switch(text: &str) -> Result<Seen, PeerError> {
     let refused = || PeerError::Word(text.to_string());
     let mut words = text.split_whitespace();
     let kind = match words.next() {
@@ -195,10 +195,10 @@ fn switch(text: &str) -> std::result::Result<Seen, PeerError> {
     Ok(Seen { kind, t, motion })
 }
 
-fn told(result: &Result) -> std::result::Result<Told, PeerError> {
+fn told(result: &Solved) -> Result<Told, PeerError> {
     let class = class(&result.outcome)?;
     let texts = result.switches.split(';').filter(|text| !text.trim().is_empty());
-    let switches = texts.take(SWITCHES).map(switch).collect::<std::result::Result<_, _>>()?;
+    let switches = texts.take(SWITCHES).map(switch).collect::<Result<_, _>>()?;
     // Nothing but class and zeta is compared.
     let outcome = Outcome {
         class,
@@ -225,7 +225,7 @@ pub struct Peer {
     /// Index of the bench.
     bench: usize,
     /// Its first row, for what all have in common.
-    first: Result,
+    first: Solved,
     /// Its cells.
     told: Vec<Told>,
 }
@@ -234,10 +234,10 @@ pub struct Peer {
 ///
 /// # Errors
 /// Any [`PeerError`].
-pub fn read(reader: impl Read, benches: &[Bench]) -> std::result::Result<Vec<Peer>, PeerError> {
-    let mut trials: BTreeMap<(usize, String), Vec<Result>> = BTreeMap::new();
+pub fn read(reader: impl Read, benches: &[Bench]) -> Result<Vec<Peer>, PeerError> {
+    let mut trials: BTreeMap<(usize, String), Vec<Solved>> = BTreeMap::new();
     for result in csv::Reader::from_reader(reader).deserialize() {
-        let result: Result = result?;
+        let result: Solved = result?;
         let known = benches.iter().position(|bench| bench.name == result.scene);
         let index = known.ok_or_else(|| PeerError::Word(result.scene.clone()))?;
         let setting = result.step.or(result.tolerance).unwrap_or(0.0);
@@ -250,7 +250,7 @@ pub fn read(reader: impl Read, benches: &[Bench]) -> std::result::Result<Vec<Pee
         results.sort_by_key(|result| result.cell);
         let cells = benches[bench].len();
         let complete = results.iter().map(|result| result.cell).eq(0..cells);
-        let told = results.iter().map(told).collect::<std::result::Result<Vec<_>, _>>()?;
+        let told = results.iter().map(told).collect::<Result<Vec<_>, _>>()?;
         let found = results.len();
         // A trial has the row that it was made for.
         let first = results.swap_remove(0);

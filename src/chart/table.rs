@@ -42,11 +42,6 @@ impl Row {
         let agree = self.errors.sequences?;
         Some(1.0 - agree as f64 / self.errors.cells.max(1) as f64)
     }
-
-    /// Name of the line that the row belongs to.
-    pub fn line(&self) -> (String, &'static str) {
-        (self.method.clone(), self.precision)
-    }
 }
 
 /// Writes the table. A number that there is none of is left empty.

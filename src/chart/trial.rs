@@ -2,8 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
-
 use super::SWITCHES;
 use super::bench::Bench;
 use super::truth::{Told, of_bench, of_events};
@@ -21,8 +19,7 @@ use crate::sweep::gpu::run::{Ran, Sweeper};
 use crate::sweep::plan::Plan;
 
 /// A way to integrate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// The shader, on a device.
     Shader,

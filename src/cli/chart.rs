@@ -11,7 +11,6 @@ use topple::chart::trial::{self, Method, Trial};
 use topple::chart::truth::{self, Told};
 use topple::chart::{figure, peers};
 use topple::map::figure::document;
-use topple::map::files::Directory;
 use topple::scene::excitation::RecordText;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
@@ -20,7 +19,7 @@ use topple::sweep::gpu::device::Gpu;
 use super::InputError;
 use super::options::flag_error;
 use super::progress::Progress;
-use super::report::write_figure;
+use super::report::{self, PNG_SCALE, write_figure};
 use super::seismic::write_synthetic;
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.
@@ -51,8 +50,7 @@ pub struct ChartCommand {
 impl ChartCommand {
     /// Runs the trials and draws them.
     pub fn run(&self) -> anyhow::Result<()> {
-        let out =
-            Directory::open(&self.out).map_err(|error| InputError(format!("--out: {error}")))?;
+        let out = report::open(&self.out)?;
         let mut record = self.record.clone();
         if record.horizontal.is_none() && record.vertical.is_none() {
             record = write_synthetic(&out, record)?;
@@ -83,7 +81,7 @@ impl ChartCommand {
             let of_bench: Vec<Row> =
                 rows.iter().filter(|row| row.bench == bench.name).cloned().collect();
             let svg = figure::draw(&bench.title, &of_bench)?;
-            write_figure(&out, bench.name, &svg, &document::render(&svg, 2.0)?)?;
+            write_figure(&out, bench.name, &svg, &document::render(&svg, PNG_SCALE)?)?;
         }
         self.say(format!("done       in {:.0} s", began.elapsed().as_secs_f64()));
         self.say(format!("pictures   {}", out.file("pulse.png").display()));
@@ -123,7 +121,7 @@ impl ChartCommand {
         benches: &[Bench],
         gpu: Option<&Gpu>,
     ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Told>>)> {
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
+        let threads = report::threads();
         let (mut rows, mut truths) = (Vec::new(), Vec::new());
         for bench in benches {
             self.say(format!("{:<10} {} ({} cells)", bench.name, bench.title, bench.len()));
@@ -137,7 +135,7 @@ impl ChartCommand {
                 let row = Row {
                     bench: bench.name,
                     method: trial.method.name().into(),
-                    precision: name(trial.precision),
+                    precision: trial.precision.name(),
                     steps: trial.method != Method::Reference,
                     setting: trial.setting,
                     threads,
@@ -153,13 +151,6 @@ impl ChartCommand {
             truths.push(truth);
         }
         Ok((rows, truths))
-    }
-}
-
-fn name(precision: Precision) -> &'static str {
-    match precision {
-        Precision::F32 => "f32",
-        Precision::F64 => "f64",
     }
 }
 

@@ -69,7 +69,7 @@ impl HistoryCommand {
             return Err(InputError(problem.into()).into());
         }
         let plan = Plan::new(&scene, options.step).map_err(|e| flag_error(&e))?;
-        let out = report::open(options)?;
+        let out = report::open(&options.out)?;
         let point: Point = grid.point(0);
         let (rows, outcome) = match (options.backend, options.precision) {
             (Choice::Reference, _) => motion::by_reference(&scene, &point),
@@ -77,7 +77,7 @@ impl HistoryCommand {
             (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &point),
         };
         let svg = figure::draw(&scene, &point, &rows, &outcome)?;
-        let png = document::render(&svg, 2.0)?;
+        let png = document::render(&svg, report::PNG_SCALE)?;
         out.write("history.csv", |w| table::write(&rows, w))?;
         report::write_figure(&out, "history", &svg, &png)?;
         let backend = if options.backend == Choice::Reference { "reference" } else { "cpu" };

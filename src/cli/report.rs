@@ -1,6 +1,6 @@
 //! A map from scene to files, and what is said about it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -24,8 +24,8 @@ use super::progress::Progress;
 /// parts that are put in order, its number, a column of the archive, and its row of the picture.
 const BYTES_A_CELL: usize = 2 * size_of::<Outcome>() + 40;
 
-/// Pixels of map.png for each of map.svg's units.
-const PNG_SCALE: f32 = 2.0;
+/// Pixels of a PNG for each of its SVG's units.
+pub const PNG_SCALE: f32 = 2.0;
 
 /// Runs a scene's map and writes its files.
 pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
@@ -35,7 +35,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     }
     let grid = Grid::of(scene);
     check_memory(&grid)?;
-    let out = open(options)?;
+    let out = open(&options.out)?;
     let began = Instant::now();
     let backend = options.open_backend()?;
     let opened = began.elapsed();
@@ -45,7 +45,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         }
     };
     let (columns, rows) = grid.shape();
-    let precision = format!("{:?}", options.precision).to_lowercase();
+    let precision = options.precision.name();
     say(format!("scene      {}, {columns} x {rows} cells", scene.title));
     say(format!("           {}", frame::caption(scene)));
     if let Excitation::Record(pair) = &scene.excitation {
@@ -54,7 +54,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
             say(format!("           {note}"));
         }
     }
-    say(format!("backend    {}", describe(&backend, &precision)));
+    say(format!("backend    {}", describe(&backend, precision)));
     say(format!("model      {}", describe_model(&plan)));
     let runs = if options.resolve { 2 } else { 1 };
     let progress = Progress::new(runs * grid.len(), options.quiet);
@@ -86,7 +86,7 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         cells: grid.len(),
         backend: backend.name(),
         adapter: backend.adapter(),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        threads: threads(),
         precision: options.precision,
         resolve: options.resolve,
         steps,
@@ -105,8 +105,13 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
 }
 
 /// Opens the directory for the results.
-pub fn open(options: &RunOptions) -> Result<Directory, InputError> {
-    Directory::open(&options.out).map_err(|error| InputError(format!("--out: {error}")))
+pub fn open(out: &Path) -> Result<Directory, InputError> {
+    Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
+}
+
+/// Threads that a sweep on the CPU takes.
+pub fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 fn check_memory(grid: &Grid) -> Result<(), InputError> {
@@ -136,7 +141,7 @@ fn describe(backend: &Backend, precision: &str) -> String {
             format!("gpu, {precision}, {} ({}, {})", adapter.name, adapter.kind, adapter.api)
         }
         Backend::Cpu => {
-            let threads = std::thread::available_parallelism().map_or(1, usize::from);
+            let threads = threads();
             format!("cpu, {precision}, {threads} threads")
         }
         Backend::Reference => "reference, f64, adaptive".into(),

@@ -24,7 +24,7 @@ impl SeismicCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut record = self.record.clone();
         if record.horizontal.is_none() && record.vertical.is_none() {
-            let out = report::open(&self.options)?;
+            let out = report::open(&self.options.out)?;
             record = write_synthetic(&out, record)?;
         }
         let text = SceneText { record: Some(record), ..self.common.text(None) };

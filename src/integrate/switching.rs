@@ -35,7 +35,7 @@ pub const KINK: u32 = 5;
 /// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
 pub const EVENT_BOUND: u32 = 128;
 
-/// See [`longest_yield`].
+/// The most that [`settling`] may be in a span: RK4 is stable to 2.79.
 const YIELD_LIMIT: f64 = 2.0;
 
 /// What an observer of a cell's switches is told.
@@ -65,13 +65,11 @@ fn uplift_now<R: Real>(set: &Setting<R>, k: &Rates<R>) -> u32 {
     NOTHING
 }
 
-/// The fraction of a step in which z can settle by [`YIELD_LIMIT`] times itself: RK4 is stable to
-/// 2.79 times.
+/// How many times itself z of (11) can settle by in a whole step.
 #[inline(always)]
-fn longest_yield<R: Real>(set: &Setting<R>, y: &Motion<R>, step: u32) -> R {
+fn settling<R: Real>(set: &Setting<R>, y: &Motion<R>, step: u32) -> R {
     let n = R::of(f64::from(set.variant.bouc_wen_n));
-    let rate = n * y.du.abs() * set.cell.inverse_yield;
-    R::of(YIELD_LIMIT) / (rate * step_length(set.cell, step) + R::of(1.0e-30))
+    n * y.du.abs() * set.cell.inverse_yield * step_length(set.cell, step)
 }
 
 /// A fraction of the span at which an uplift moment is positive, from its values at the start,
@@ -210,9 +208,10 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
         }
         let mut cut = false;
         if set.variant.kinks {
-            let most = longest_yield(set, &y, state.step);
-            if span.length > most {
-                span.length = most;
+            let limit = R::of(YIELD_LIMIT);
+            let settling = settling(set, &y, state.step);
+            if settling * span.length > limit {
+                span.length = limit / settling;
                 cut = true;
             }
         }

@@ -59,14 +59,11 @@ impl Resolution {
     /// steps, however badly they resolve the motion: for charts and tests of what breaks.
     pub fn exactly(step: f64) -> Resolution {
         Resolution {
-            largest_step: step,
             steps_a_period: 0.0,
             finest_steps_a_period: 0.0,
             steps_a_pulse: 1.0,
             steps_a_yield: 0.0,
-            divide: 1.0,
-            in_step: true,
-            kinks: true,
+            ..Resolution::bounded(step)
         }
     }
 

@@ -69,7 +69,7 @@ fn each<R: Real, L: Log<R> + Send>(
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let tracks = Tracks::<R>::of(plan, grid);
+    let tracks = Tracks::of(plan, grid, &record);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()

@@ -64,9 +64,9 @@ pub struct Tracks<R> {
 }
 
 impl<R: Real> Tracks<R> {
-    /// The motions of a grid; none where cells do not share them (a block that starts tilted), where
+    /// The motions of a grid, under the plan's record; none where cells do not share them (a block that starts tilted), where
     /// the plan leaves nothing out, or where they take too much memory.
-    pub fn of(plan: &Plan, grid: &Grid) -> Option<Tracks<R>> {
+    pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<Tracks<R>> {
         let (width, height) = grid.shape();
         let base = &plan.scene.isolation;
         let (gaps, amplitude, by_row, still) = match &plan.scene.excitation {
@@ -90,7 +90,6 @@ impl<R: Real> Tracks<R> {
         if !plan.reductions.full_contact || plan.scene.tilt != 0.0 || bytes > MOST_MEMORY || !pays {
             return None;
         }
-        let record = plan.record::<R>();
         let of = |direction: Direction, mut point: Point| {
             let alone = match direction {
                 Direction::Horizontal => plan.without_vertical(),
@@ -99,7 +98,7 @@ impl<R: Real> Tracks<R> {
             // Under a pulse the steps are those of the cells.
             let clock = if by_row { &alone } else { plan };
             point.a_h = amplitude.unwrap_or(point.a_h);
-            Track::new(clock, alone.variant(), &point, direction, &record)
+            Track::new(clock, alone.variant(), &point, direction, record)
         };
         let columns = (0..across).into_par_iter();
         let across = columns.map(|column| of(Direction::Horizontal, grid.point(column))).collect();
@@ -133,10 +132,9 @@ impl<R: Real> Tracks<R> {
         while sample < last {
             let gap = sample.min(v.least.len() - 1);
             let least_y = v.least[gap];
+            // A negative lever turns the bounds about.
             let (one, other) = (lever * h.most[sample], lever * h.least[sample]);
-            let most = one.max(other);
-            let least = -((-one).max(-other));
-            if most > left * least_y || -least > right * least_y {
+            if one.max(other) > left * least_y || (-one).max(-other) > right * least_y {
                 break;
             }
             let (x, y) = (scale.abs() * h.acceleration[sample].abs(), v.acceleration[gap]);

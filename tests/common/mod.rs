@@ -6,8 +6,9 @@ use std::io::Write;
 
 use topple::integrate::outcome::Outcome;
 use topple::integrate::reference::{self, Settings};
+use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Excitation, Grid, Scene};
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
@@ -36,6 +37,27 @@ pub fn object(
 /// The reference's outcome of a scene of one cell.
 pub fn judge(scene: &Scene) -> Outcome {
     reference::run(scene, &Grid::of(scene).point(0), &Settings::default())
+}
+
+/// The scene under a record of these samples, m/s^2, to its end.
+pub fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
+    let record = Record { title: "made".into(), dt, samples, notes: Vec::new() };
+    under(&mut scene, Pair::new(record, None));
+    scene
+}
+
+/// Puts a scene under a pair of records, to its end.
+pub fn under(scene: &mut Scene, pair: Pair) {
+    scene.t_max = pair.duration();
+    scene.excitation = Excitation::Record(pair);
+}
+
+/// The synthetic pair.
+pub fn synthetic_pair() -> Pair {
+    Pair::new(
+        synthetic::make("h", &synthetic::HORIZONTAL),
+        Some(synthetic::make("v", &synthetic::VERTICAL)),
+    )
 }
 
 /// Says something past the test harness, which keeps quiet what passing tests print.

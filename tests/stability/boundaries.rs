@@ -4,21 +4,19 @@ use rayon::prelude::*;
 use topple::integrate::outcome::{Class, Outcome, Status};
 use topple::integrate::reference::{self, Settings};
 use topple::model::real::Real;
-use topple::scene::record::{Pair, synthetic};
-use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::scene::{Grid, Range, Scene};
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 
-use super::common::{object, say};
+use super::common::{object, say, synthetic_pair, under};
 
 fn cell(omega: f64, a_h: f64) -> Scene {
     object(1, 0.2, (1.75, 0.75), 0.5, &omega.to_string(), &a_h.to_string())
 }
 
 fn truth(scene: &Scene) -> Class {
-    let settings = Settings { tolerance: 1.0e-12, ..Settings::default() };
-    reference::run(scene, &Grid::of(scene).point(0), &settings).class
+    super::truth(scene).class
 }
 
 fn class<R: Real>(scene: &Scene) -> Class {
@@ -137,11 +135,8 @@ fn the_fine_structure_of_figure_14() {
 /// method at any precision decides every cell. Marking finds most of those that differ.
 #[test]
 fn chaotic_rocking_on_a_stiff_isolation() {
-    let make = |name: &str, parameters| synthetic::make(name, &parameters);
-    let pair = Pair::new(make("h", synthetic::HORIZONTAL), Some(make("v", synthetic::VERTICAL)));
-    let mut scene = common_periods();
-    scene.t_max = pair.duration();
-    scene.excitation = Excitation::Record(pair);
+    let mut scene = short_periods();
+    under(&mut scene, synthetic_pair());
     let [short, long] = standing("chaotic_rocking_on_a_stiff_isolation", &scene);
     assert!(short.differ > 0, "nothing is chaotic here");
     assert!(short.marked >= short.differ / 2 && short.missed <= short.marked);
@@ -149,7 +144,7 @@ fn chaotic_rocking_on_a_stiff_isolation() {
 }
 
 /// Object 1, e/B = -0.4, on short vertical periods.
-fn common_periods() -> Scene {
+fn short_periods() -> Scene {
     let mut scene = object(1, -0.4, (1.0, 0.1), 0.0, "5", "1");
     let base = &mut scene.isolation;
     if let (Some(h), Some(v)) = (&mut base.horizontal, &mut base.vertical) {

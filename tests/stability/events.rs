@@ -11,8 +11,8 @@ use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
 
-use super::common::{object, say, scene};
-use super::{altered, limit, on_the_ground, shaken, swept, truth};
+use super::common::{object, say, scene, shaken};
+use super::{altered, limit, on_the_ground, swept, tight, truth};
 
 /// The first switches of a scene's first cell.
 fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
@@ -23,8 +23,7 @@ fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
 }
 
 fn true_switches(scene: &Scene) -> Vec<Seen> {
-    let settings = Settings { tolerance: 1.0e-12, ..Settings::default() };
-    by_reference(scene, &Grid::of(scene).point(0), &settings).switches
+    by_reference(scene, &Grid::of(scene).point(0), &tight()).switches
 }
 
 /// Kinds agree; the largest error of a time.

@@ -21,8 +21,7 @@ use topple::integrate::switching::Log;
 use topple::model::Setting;
 use topple::model::excitation::Cell;
 use topple::model::real::Real;
-use topple::scene::record::{Pair, Record};
-use topple::scene::{Excitation, Grid, Scene};
+use topple::scene::{Grid, Scene};
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu::{self, sweep_cell};
 use topple::sweep::plan::Plan;
@@ -45,10 +44,14 @@ fn all_swept<R: Real>(scene: &Scene) -> Vec<Outcome> {
     cpu::sweep::<R>(&plan, &grid, &common::all(&grid), &|_| ())
 }
 
-/// The reference at a tolerance far tighter than its default.
+/// The reference's settings at a tolerance far tighter than its default.
+fn tight() -> Settings {
+    Settings { tolerance: 1.0e-12, ..Settings::default() }
+}
+
+/// The first cell of a scene by the reference so set.
 fn truth(scene: &Scene) -> Outcome {
-    let settings = Settings { tolerance: 1.0e-12, ..Settings::default() };
-    reference::run(scene, &Grid::of(scene).point(0), &settings)
+    reference::run(scene, &Grid::of(scene).point(0), &tight())
 }
 
 /// A scene of one block on the ground: a slender rectangle, its mass in the middle.
@@ -56,14 +59,6 @@ fn on_the_ground(rest: &str) -> Scene {
     common::scene(&format!(
         "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n{rest}"
     ))
-}
-
-/// The same scene under a record of these samples, m/s^2.
-fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
-    let record = Record { title: "made".into(), dt, samples, notes: Vec::new() };
-    scene.t_max = record.duration();
-    scene.excitation = Excitation::Record(Pair::new(record, None));
-    scene
 }
 
 /// The first cell of a scene, altered before it runs.

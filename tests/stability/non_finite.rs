@@ -11,8 +11,8 @@ use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
 
-use super::common::{gpu, object, say};
-use super::{altered, shaken, swept};
+use super::common::{gpu, object, say, shaken};
+use super::{altered, swept};
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 

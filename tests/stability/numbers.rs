@@ -7,8 +7,8 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
 
-use super::common::{gpu, object, say};
-use super::{all_swept, on_the_ground, shaken, swept};
+use super::common::{gpu, object, say, shaken};
+use super::{all_swept, on_the_ground, swept};
 
 /// The time of a switch late in a long run is as good in f32 as in f64: a step's number and a
 /// fraction of it, no sum of steps. Summed in f32, time itself would be off by far more.

@@ -151,8 +151,9 @@ impl<'a> Sweeper<'a> {
             events: Vec::new(),
             device: self.gpu.has_clock().then_some(Duration::ZERO),
         };
-        let record = self.gpu.checked(|| Tile::record::<R>(self.gpu, plan))?;
-        let tracks = Tracks::of(plan, grid);
+        let samples = plan.record::<R>();
+        let tracks = Tracks::of(plan, grid, &samples);
+        let record = self.gpu.checked(|| Tile::record(self.gpu, &samples))?;
         let shared = Shared { plan, grid, tracks, record, progress };
         for indices in cells.chunks(self.tile_size::<R>()) {
             self.tile(&shared, indices, &mut ran)?;

@@ -6,12 +6,11 @@ use wgpu::{
     ComputePipeline, QuerySet, QuerySetDescriptor, QueryType,
 };
 
-use super::super::plan::Plan;
 use super::device::Gpu;
 use crate::integrate::log::Event;
 use crate::integrate::state::State;
 use crate::model::block::Model;
-use crate::model::excitation::Cell;
+use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
 
 /// The buffers of a tile, and how the shader is given them.
@@ -53,9 +52,8 @@ fn empty(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Buffer {
 
 impl Tile {
     /// The record's samples, the same for every tile.
-    pub fn record<R: Real>(gpu: &Gpu, plan: &Plan) -> Buffer {
-        let samples = plan.record::<R>();
-        filled(gpu, "record", bytemuck::cast_slice(&samples), BufferUsages::STORAGE)
+    pub fn record<R: Real>(gpu: &Gpu, samples: &[Ground<R>]) -> Buffer {
+        filled(gpu, "record", bytemuck::cast_slice(samples), BufferUsages::STORAGE)
     }
 
     /// Puts cells on the device, with place for `events_kept` switches of each.
