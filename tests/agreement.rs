@@ -212,7 +212,7 @@ fn the_shader_keeps_the_switches_of_its_twin() {
     for (a, b) in shader.iter().zip(&twin) {
         assert_eq!((a.kind, a.step, a.mode), (b.kind, b.step, b.mode));
         // Eight switches amplify a driver's other rounding by less than 1e5.
-        for (x, y) in a.motion.coordinates().iter().zip(b.motion.coordinates()) {
+        for (x, y) in a.motion.reals().iter().zip(b.motion.reals()) {
             assert!((x - y).abs() < 1e-9, "{a:?} {b:?}");
         }
     }

@@ -149,7 +149,7 @@ proptest! {
                 (system.impact(pole, &y), change_corner(&landing, &as_motion(&y))),
                 (system.settle(pole, &y), come_to_rest(&set, &leaving, &as_motion(&y))),
             ] {
-                for (a, b) in as_motion(&solved).coordinates().iter().zip(closed.coordinates()) {
+                for (a, b) in as_motion(&solved).reals().iter().zip(closed.reals()) {
                     assert_abs_diff_eq!(*a, b, epsilon = 1e-10);
                 }
             }

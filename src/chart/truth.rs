@@ -96,7 +96,7 @@ pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock) -> Vec<Seen> {
             _ => Kind::Uplift(Pole::Right),
         },
         t: clock.time(event.step, event.fraction.to_f64()),
-        motion: event.motion.coordinates().map(R::to_f64),
+        motion: event.motion.reals().map(R::to_f64),
     })
     .collect()
 }

@@ -1,6 +1,6 @@
 //! Where in a step a switch or a kink is. Twin of `shaders/locate.wgsl`.
 
-use super::rk4::{Span, hermite, rk4};
+use super::rk4::{Span, hermite, trial};
 use super::switching::{OVERTURN, UPLIFT_RIGHT};
 use crate::model::Setting;
 use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
@@ -119,13 +119,13 @@ pub fn locate_kink<R: Real>(
         value_high: before_kink(y, of_z, end),
         last: 0,
     };
-    let mut trial = 0;
-    while trial < LOCATE_BOUND && bracket.high - bracket.low > R::KINK_TOLERANCE {
+    let mut tries = 0;
+    while tries < LOCATE_BOUND && bracket.high - bracket.low > R::KINK_TOLERANCE {
         let at = next_trial(&bracket);
-        let y_at = rk4(set, span, y, k1, at * span.length).y;
+        let y_at = trial(set, span, y, k1, at * span.length).y;
         let value = before_kink(y, of_z, &y_at);
         narrow(&mut bracket, at, value, value < R::of(0.0));
-        trial += 1;
+        tries += 1;
     }
     bracket.high
 }
@@ -156,8 +156,8 @@ pub fn locate_angle<R: Real>(
     let mut low = zero;
     let mut high = crossing.upper;
     let mut at = crossing.upper;
-    let mut trial = 0;
-    while trial < GUESS_BOUND {
+    let mut tries = 0;
+    while tries < GUESS_BOUND {
         let beyond = hermite(x0, slope0, x1, slope1, at);
         let rise = x1 - x0;
         let c2 = R::of(3.0) * rise - R::of(2.0) * slope0 - slope1;
@@ -176,15 +176,15 @@ pub fn locate_angle<R: Real>(
         if change.abs() < R::of(1.0e-3) {
             break;
         }
-        trial += 1;
+        tries += 1;
     }
     low = zero;
     high = crossing.upper;
     let mut y_high = *end;
     let mut verified = crossing.upper >= one;
-    trial = 0;
-    while trial < LOCATE_BOUND {
-        let y_at = rk4(set, span, y, k1, at * span.length).y;
+    tries = 0;
+    while tries < LOCATE_BOUND {
+        let y_at = trial(set, span, y, k1, at * span.length).y;
         let beyond = sense * y_at.phi - target;
         let change = beyond / (h * sense * y_at.dphi);
         if change.abs() <= R::EVENT_TOLERANCE {
@@ -204,7 +204,7 @@ pub fn locate_angle<R: Real>(
         if !(at > low && at < high) {
             at = half * (low + high);
         }
-        trial += 1;
+        tries += 1;
     }
     Located { found: verified, at: high, y: y_high }
 }
@@ -231,15 +231,15 @@ pub fn locate_uplift<R: Real>(
     };
     let mut y_high = *y;
     let mut at = crossing.upper;
-    let mut trial = 0;
-    while trial < LOCATE_BOUND {
-        let y_at = rk4(set, span, y, k1, at * span.length).y;
+    let mut tries = 0;
+    while tries < LOCATE_BOUND {
+        let y_at = trial(set, span, y, k1, at * span.length).y;
         let ground = ground_at(set, span.step, span.start + at * span.length);
         let k = rates(set, &corner, false, &y_at, ground);
         let moment = uplift_moment(set, &corner, k.shear, k.normal);
         if moment > zero {
             y_high = y_at;
-        } else if trial == 0 {
+        } else if tries == 0 {
             return Located { found: false, at: zero, y: *y };
         }
         narrow(&mut bracket, at, moment, moment > zero);
@@ -247,7 +247,7 @@ pub fn locate_uplift<R: Real>(
             break;
         }
         at = next_trial(&bracket);
-        trial += 1;
+        tries += 1;
     }
     Located { found: true, at: bracket.high, y: y_high }
 }

@@ -3,7 +3,8 @@
 use crate::model::Setting;
 use crate::model::block::Corner;
 use crate::model::dynamics::{Motion, Rates, rates};
-use crate::model::excitation::{ground_at, step_length};
+use crate::model::excitation::{Ground, ground_at, step_length};
+use crate::model::number::Number;
 use crate::model::real::Real;
 
 /// What a (sub)step is taken with: everything that stays the same inside it.
@@ -34,7 +35,7 @@ pub struct Stepped<R> {
 
 /// The motion after a time `h` at the rates `k`.
 #[inline(always)]
-pub fn shift<R: Real>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
+pub fn shift<R: Number>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
     Motion {
         u: y.u + h * k.du,
         du: y.du + h * k.ddu,
@@ -46,26 +47,25 @@ pub fn shift<R: Real>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
     }
 }
 
-/// Steps over `length`, a fraction of the step, from the motion `y` with rates `k1`.
+/// Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at
+/// the end.
 #[inline(always)]
-pub fn rk4<R: Real>(
+pub fn rk4<R: Number>(
     set: &Setting<R>,
-    span: &Span<R>,
+    corner: &Corner<R>,
+    rocking: R::Mask,
     y: &Motion<R>,
     k1: &Rates<R>,
-    length: R,
+    h: R,
+    ground: [Ground<R>; 2],
 ) -> Stepped<R> {
-    let cell = set.cell;
-    let h = length * step_length(cell, span.step);
-    let half = R::of(0.5) * h;
-    let ground_mid = ground_at(set, span.step, span.start + R::of(0.5) * length);
-    let ground_end = ground_at(set, span.step, span.start + length);
-    let (corner, rocking) = (&span.corner, span.rocking);
+    let half = h.like(0.5) * h;
+    let [ground_mid, ground_end] = ground;
     let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);
     let k3 = rates(set, corner, rocking, &shift(y, &k2, half), ground_mid);
     let k4 = rates(set, corner, rocking, &shift(y, &k3, h), ground_end);
-    let sixth = R::of(0.166_666_666_666_666_66) * h;
-    let two = R::of(2.0);
+    let sixth = h.like(0.166_666_666_666_666_66) * h;
+    let two = h.like(2.0);
     let end = Motion {
         u: y.u + sixth * (k1.du + two * (k2.du + k3.du) + k4.du),
         du: y.du + sixth * (k1.ddu + two * (k2.ddu + k3.ddu) + k4.ddu),
@@ -78,11 +78,26 @@ pub fn rk4<R: Real>(
     Stepped { y: end, shear_mid: k3.shear, normal_mid: k3.normal }
 }
 
+/// Steps over `length`, a fraction of the step, from the start of the span.
+#[inline(always)]
+pub fn trial<R: Real>(
+    set: &Setting<R>,
+    span: &Span<R>,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    length: R,
+) -> Stepped<R> {
+    let h = length * step_length(set.cell, span.step);
+    let ground_mid = ground_at(set, span.step, span.start + R::of(0.5) * length);
+    let ground_end = ground_at(set, span.step, span.start + length);
+    rk4(set, &span.corner, span.rocking, y, k1, h, [ground_mid, ground_end])
+}
+
 /// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.
 #[inline(always)]
-pub fn hermite<R: Real>(x0: R, slope0: R, x1: R, slope1: R, at: R) -> R {
+pub fn hermite<R: Number>(x0: R, slope0: R, x1: R, slope1: R, at: R) -> R {
     let rise = x1 - x0;
-    let c2 = R::of(3.0) * rise - R::of(2.0) * slope0 - slope1;
-    let c3 = slope0 + slope1 - R::of(2.0) * rise;
+    let c2 = at.like(3.0) * rise - at.like(2.0) * slope0 - slope1;
+    let c3 = slope0 + slope1 - at.like(2.0) * rise;
     x0 + at * (slope0 + at * (c2 + at * c3))
 }

@@ -6,6 +6,7 @@ use super::rk4::hermite;
 use crate::model::block::{Corner, ROCKING_LEFT};
 use crate::model::dynamics::{Motion, Rates};
 use crate::model::excitation::Cell;
+use crate::model::number::Number;
 use crate::model::real::{Real, pod};
 
 /// The cell still runs.
@@ -63,14 +64,17 @@ pod!(State, reals: 15, words: 6);
 
 /// Largest magnitude of a coordinate over a span, its interior extremum included.
 #[inline(always)]
-pub fn peak<R: Real>(x0: R, rate0: R, x1: R, rate1: R, h: R) -> R {
+pub fn peak<N: Number>(x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
     let ends = x0.abs().max(x1.abs());
-    let zero = R::of(0.0);
-    if (rate0 > zero) == (rate1 > zero) {
+    let zero = h.like(0.0);
+    let (rising0, rising1) = (rate0.exceeds(zero), rate1.exceeds(zero));
+    let turns = (rising0 | rising1) & !(rising0 & rising1);
+    if !N::any(turns) {
         return ends;
     }
     let at = rate0 / (rate0 - rate1);
-    ends.max(hermite(x0, h * rate0, x1, h * rate1, at).abs())
+    let extremum = hermite(x0, h * rate0, x1, h * rate1, at).abs();
+    N::pick(turns, ends.max(extremum), ends)
 }
 
 /// Takes the motion over a span of length `h` seconds into the cell's largest values.
@@ -135,7 +139,10 @@ pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
 }
 
 /// Largest |phi| that `sine` and `cosine` hold for, rad; overturning is at pi/2 at the latest.
-const PHI_RANGE: f64 = 1.65;
+pub const PHI_RANGE: f64 = 1.65;
+
+/// Largest sum of |u|, |v|, |z| and |phi| that is taken for a motion.
+pub const SIZE_RANGE: f64 = 1.0e4;
 
 /// Ends a cell whose motion is out of every physical range: metres far beyond any base, which a
 /// step past its stability limit reaches on its way to infinity, and angles for which there are no
@@ -144,7 +151,7 @@ const PHI_RANGE: f64 = 1.65;
 pub fn check_range<R: Real>(state: &mut State<R>) {
     let y = &state.motion;
     let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
-    if !(size < R::of(1.0e4) && y.phi.abs() <= R::of(PHI_RANGE)) {
+    if !(size < R::of(SIZE_RANGE) && y.phi.abs() <= R::of(PHI_RANGE)) {
         state.status = DIVERGED;
     }
 }

@@ -6,7 +6,7 @@
 //! from there. Nothing is moved to the step's end.
 
 use super::locate::{Crossing, Located, crosses, locate_angle, locate_kink, locate_uplift};
-use super::rk4::{Span, hermite, rk4};
+use super::rk4::{Span, hermite, trial};
 use super::state::{
     EVENT_LIMIT, FINISHED, RUNNING, State, check_range, observe_contact, observe_motion, overturn,
 };
@@ -36,7 +36,7 @@ pub const KINK: u32 = 5;
 pub const EVENT_BOUND: u32 = 128;
 
 /// The most that [`settling`] may be in a span: RK4 is stable to 2.79.
-const YIELD_LIMIT: f64 = 2.0;
+pub const YIELD_LIMIT: f64 = 2.0;
 
 /// What an observer of a cell's switches is told.
 pub trait Log<R> {
@@ -152,7 +152,7 @@ fn find_crossing<R: Real>(corner: &Corner<R>, y: &Motion<R>, end: &Motion<R>, h:
 
 /// The block lands: it goes on about the other corner, or comes to rest where it is too slow to
 /// lift again, or where the law of impact leaves it no rebound (eta_phi <= 0).
-fn land<R: Real>(set: &Setting<R>, state: &mut State<R>, leaving: &Corner<R>, fraction: R) {
+pub fn land<R: Real>(set: &Setting<R>, state: &mut State<R>, leaving: &Corner<R>, fraction: R) {
     let mut landing = set.model.right;
     let mut mode = ROCKING_RIGHT;
     if state.mode == ROCKING_RIGHT {
@@ -176,7 +176,7 @@ fn land<R: Real>(set: &Setting<R>, state: &mut State<R>, leaving: &Corner<R>, fr
 
 /// The block lifts about a corner; an uplift is numbered as the mode that it leads to.
 #[inline(always)]
-fn lift<R: Real>(state: &mut State<R>, kind: u32, fraction: R) {
+pub fn lift<R: Real>(state: &mut State<R>, kind: u32, fraction: R) {
     if state.uplifts == 0 {
         state.uplift_step = state.step;
         state.uplift_fraction = fraction;
@@ -215,11 +215,11 @@ pub fn advance<R: Real>(set: &Setting<R>, state: &mut State<R>, log: &mut impl L
                 cut = true;
             }
         }
-        let mut stepped = rk4(set, &span, &y, &k1, span.length);
+        let mut stepped = trial(set, &span, &y, &k1, span.length);
         if set.variant.kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
             // Up to the kink the law is smooth; the rest of the step follows from there.
             span.length = locate_kink(set, &span, &y, &k1, &stepped.y) * span.length;
-            stepped = rk4(set, &span, &y, &k1, span.length);
+            stepped = trial(set, &span, &y, &k1, span.length);
             cut = true;
         }
         let h = span.length * step_length(set.cell, state.step);

@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::real::pod;
+use super::real::{pod, reals};
 
 /// The block stands on both corners.
 pub const FULL_CONTACT: u32 = 0;
@@ -32,6 +32,7 @@ pub struct Corner<R> {
 }
 
 pod!(Corner, reals: 7, words: 0);
+reals!(Corner, 7, side arm inertia overturn eta_phi eta_u eta_v);
 pod!(Model, reals: 22, words: 0);
 
 /// What every cell of a sweep shares: the block, and the mass ratios of its base.

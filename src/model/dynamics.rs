@@ -6,7 +6,8 @@ use super::Setting;
 use super::block::Corner;
 use super::excitation::Ground;
 use super::isolation::{hysteretic_rate, support};
-use super::real::{Real, pod};
+use super::number::Number;
+use super::real::{pod, reals};
 
 /// The state of a cell's motion.
 #[repr(C)]
@@ -28,14 +29,8 @@ pub struct Motion<R> {
     pub dphi: R,
 }
 
-impl<R: Copy> Motion<R> {
-    /// All coordinates, in order.
-    pub fn coordinates(&self) -> [R; 7] {
-        [self.u, self.du, self.v, self.dv, self.z, self.phi, self.dphi]
-    }
-}
-
 pod!(Motion, reals: 7, words: 0);
+reals!(Motion, 7, u du v dv z phi dphi);
 
 /// The rates of change of a motion, and the forces between block and base that come with them.
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +66,7 @@ pub struct Lever<R> {
 
 /// P and Q at an angle.
 #[inline(always)]
-pub fn lever_at<R: Real>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Lever<R> {
+pub fn lever_at<R: Number>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Lever<R> {
     let height = set.model.height;
     let sin_phi = phi.sine();
     let cos_phi = phi.cosine();
@@ -84,42 +79,44 @@ pub fn lever_at<R: Real>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Lever<
 /// (9c) with (9a) and (9b) eliminated is one division:
 /// `ddphi = [P (f_h + mu_h Q dphi^2) - Q (f_v + mu_v P dphi^2)] / [I/M - mu_h P^2 - mu_v Q^2]`.
 #[inline(always)]
-pub fn rates<R: Real>(
+pub fn rates<R: Number>(
     set: &Setting<R>,
     corner: &Corner<R>,
-    rocking: bool,
+    rocking: R::Mask,
     y: &Motion<R>,
     ground: Ground<R>,
 ) -> Rates<R> {
     let (variant, model) = (set.variant, set.model);
+    let zero = y.phi.like(0.0);
     let base = support(set, y, ground);
     // X and Y, the base's absolute accelerations (Y with g).
     let mut x_base = base.f_h;
     let mut y_base = base.f_v;
-    let mut ddphi = R::of(0.0);
+    let mut ddphi = zero;
     let mut normal = base.f_v;
     let mut shear = base.f_h;
-    if rocking {
+    if R::any(rocking) {
         let Lever { p, q } = lever_at(set, corner, y.phi);
         let w = y.dphi * y.dphi;
         let push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;
-        ddphi =
+        let turn =
             (p * push_h - q * push_v) / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
-        x_base = push_h + model.mu_h * p * ddphi;
-        y_base = push_v - model.mu_v * q * ddphi;
-        shear = x_base - p * ddphi - q * w;
-        normal = y_base + q * ddphi - p * w;
+        ddphi = R::pick(rocking, turn, zero);
+        x_base = R::pick(rocking, push_h + model.mu_h * p * turn, x_base);
+        y_base = R::pick(rocking, push_v - model.mu_v * q * turn, y_base);
+        shear = R::pick(rocking, x_base - p * turn - q * w, shear);
+        normal = R::pick(rocking, y_base + q * turn - p * w, normal);
     }
-    let mut ddu = R::of(0.0);
-    let mut dz = R::of(0.0);
+    let mut ddu = zero;
+    let mut dz = zero;
     if variant.isolated_h {
         ddu = x_base - ground.h;
     }
     if variant.yields {
         dz = hysteretic_rate(set, y);
     }
-    let mut ddv = R::of(0.0);
+    let mut ddv = zero;
     if variant.isolated_v {
         ddv = y_base - ground.v - model.gravity;
     }
@@ -129,6 +126,6 @@ pub fn rates<R: Real>(
 /// The uplift condition (14) about a corner, as a moment over M: s H X - b Y, positive where the
 /// block lifts. The same terms drive `ddphi` at phi = 0, so that both agree about its sign.
 #[inline(always)]
-pub fn uplift_moment<R: Real>(set: &Setting<R>, corner: &Corner<R>, shear: R, normal: R) -> R {
+pub fn uplift_moment<R: Number>(set: &Setting<R>, corner: &Corner<R>, shear: R, normal: R) -> R {
     corner.side * set.model.height * shear - corner.arm * normal
 }

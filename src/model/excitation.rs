@@ -3,7 +3,7 @@
 use bytemuck::Zeroable;
 
 use super::Setting;
-use super::real::{Real, pod};
+use super::real::{Real, pod, reals};
 
 /// What one cell of the grid has of its own.
 ///
@@ -57,6 +57,10 @@ pub struct Cell<R> {
 }
 
 pod!(Cell, reals: 16, words: 4);
+reals!(
+    Cell, 16, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
+    amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v
+);
 
 /// The ground's accelerations, m/s^2; also a sample of a record.
 #[repr(C)]

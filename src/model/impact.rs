@@ -3,18 +3,18 @@
 use super::Setting;
 use super::block::Corner;
 use super::dynamics::Motion;
-use super::real::Real;
+use super::number::Number;
 
 /// The block goes on about the other corner, `landing`: (16) with the coefficients (17).
 #[inline(always)]
-pub fn change_corner<R: Real>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R> {
+pub fn change_corner<R: Number>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R> {
     Motion {
         u: y.u,
         du: y.du - landing.eta_u * y.dphi,
         v: y.v,
         dv: y.dv - landing.side * landing.eta_v * y.dphi,
         z: y.z,
-        phi: R::of(0.0),
+        phi: y.phi.like(0.0),
         dphi: landing.eta_phi * y.dphi,
     }
 }
@@ -22,7 +22,7 @@ pub fn change_corner<R: Real>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R> {
 /// The block comes to rest on both corners: the linear momenta of (15a) and (15b) are kept, the
 /// rotation ends. `leaving` is the corner that it turned about.
 #[inline(always)]
-pub fn come_to_rest<R: Real>(set: &Setting<R>, leaving: &Corner<R>, y: &Motion<R>) -> Motion<R> {
+pub fn come_to_rest<R: Number>(set: &Setting<R>, leaving: &Corner<R>, y: &Motion<R>) -> Motion<R> {
     let model = set.model;
     Motion {
         u: y.u,
@@ -30,7 +30,7 @@ pub fn come_to_rest<R: Real>(set: &Setting<R>, leaving: &Corner<R>, y: &Motion<R
         v: y.v,
         dv: y.dv + model.mu_v * leaving.side * leaving.arm * y.dphi,
         z: y.z,
-        phi: R::of(0.0),
-        dphi: R::of(0.0),
+        phi: y.phi.like(0.0),
+        dphi: y.phi.like(0.0),
     }
 }

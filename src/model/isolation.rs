@@ -4,7 +4,7 @@
 use super::Setting;
 use super::dynamics::Motion;
 use super::excitation::Ground;
-use super::real::Real;
+use super::number::Number;
 
 /// What the scene fixes for all its cells. In the shader these are `override` constants, so that
 /// a pipeline holds only the branches it takes.
@@ -40,7 +40,7 @@ pub struct Support<R> {
 
 /// The support's two accelerations.
 #[inline(always)]
-pub fn support<R: Real>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
+pub fn support<R: Number>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
     let cell = set.cell;
     let mut f_h = ground.h;
     if set.variant.isolated_h {
@@ -61,11 +61,12 @@ pub fn support<R: Real>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> S
 /// other, 1 - |z|^n while they go together. Signs are compared, not their product, which can
 /// underflow.
 #[inline(always)]
-pub fn hysteretic_rate<R: Real>(set: &Setting<R>, y: &Motion<R>) -> R {
+pub fn hysteretic_rate<R: Number>(set: &Setting<R>, y: &Motion<R>) -> R {
+    let (zero, one) = (y.du.like(0.0), y.du.like(1.0));
     let rate = y.du * set.cell.inverse_yield;
-    if (y.du > R::of(0.0)) != (y.z > R::of(0.0)) {
-        return rate;
-    }
+    let forward = y.du.exceeds(zero);
+    let ahead = y.z.exceeds(zero);
+    let together = (forward & ahead) | !(forward | ahead);
     let magnitude = y.z.abs();
     let mut power = magnitude * magnitude;
     if set.variant.bouc_wen_n != 2 {
@@ -76,5 +77,5 @@ pub fn hysteretic_rate<R: Real>(set: &Setting<R>, y: &Motion<R>) -> R {
             i += 1;
         }
     }
-    rate * (R::of(1.0) - power)
+    R::pick(together, rate * (one - power), rate)
 }

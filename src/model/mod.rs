@@ -13,7 +13,9 @@ pub mod dynamics;
 pub mod excitation;
 pub mod impact;
 pub mod isolation;
+pub mod number;
 pub mod real;
+pub mod vector;
 
 use block::Model;
 use excitation::{Cell, Ground};

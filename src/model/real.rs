@@ -1,24 +1,15 @@
 //! The number type of a sweep. Twin of `shaders/real_f32.wgsl` and `shaders/real_f64.wgsl`.
 
 use std::fmt::Debug;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::{Simd, SimdBase, f32x16, f64x8};
+
+use super::number::Number;
+use super::vector::Vector;
 
 /// A number type that a sweep can run in: `f32` or `f64`.
-///
-/// Sine and cosine are polynomials, the same here and in the shaders, because the built-in ones
-/// of WGSL do not exist in `f64` and differ from driver to driver in `f32`.
 pub trait Real:
-    sealed::Sealed
-    + bytemuck::Pod
-    + Debug
-    + PartialOrd
-    + Send
-    + Sync
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Number<Mask = bool> + sealed::Sealed + bytemuck::Pod + Debug + PartialOrd + Send + Sync
 {
     /// A switch is located to within this fraction of its step.
     const EVENT_TOLERANCE: Self;
@@ -32,33 +23,11 @@ pub trait Real:
     /// The same number in `f64`, without loss.
     fn to_f64(self) -> f64;
 
-    /// |x|.
-    fn abs(self) -> Self;
+    /// As many of these numbers as the CPU path takes at once.
+    type Lanes<S: Simd>: Vector<Element = Self>;
 
-    /// The larger of the two; `self` where `other` is not a number.
-    fn max(self, other: Self) -> Self;
-
-    /// The square root.
-    fn sqrt(self) -> Self;
-
-    /// sin x for |x| <= 1.65 rad, to the type's rounding.
-    fn sine(self) -> Self;
-
-    /// cos x for |x| <= 1.65 rad, to the type's rounding.
-    fn cosine(self) -> Self;
-
-    /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is
-    /// exact, before the polynomial sees it.
-    fn pulse_sine(tau: Self) -> Self {
-        let two_pi = Self::of(std::f64::consts::TAU);
-        if tau > Self::of(0.75) {
-            return (two_pi * (tau - Self::of(1.0))).sine();
-        }
-        if tau > Self::of(0.25) {
-            return (two_pi * (Self::of(0.5) - tau)).sine();
-        }
-        (two_pi * tau).sine()
-    }
+    /// The same number in all lanes.
+    fn lanes<S: Simd>(self, simd: S) -> Self::Lanes<S>;
 }
 
 mod sealed {
@@ -81,121 +50,135 @@ macro_rules! pod {
 }
 pub(crate) use pod;
 
+/// Gives a struct of reals its reals in order, to be read or written one by one.
+macro_rules! reals {
+    ($name:ident, $count:expr, $($field:ident)+) => {
+        impl<R: Copy> $name<R> {
+            /// All reals, in order.
+            #[inline(always)]
+            pub fn reals(&self) -> [R; $count] {
+                [$(self.$field),+]
+            }
+
+            /// All reals, in order, where they lie.
+            #[inline(always)]
+            pub fn reals_ref(&self) -> [&R; $count] {
+                [$(&self.$field),+]
+            }
+
+            /// All reals, in order, to be written.
+            #[inline(always)]
+            pub fn reals_mut(&mut self) -> [&mut R; $count] {
+                [$(&mut self.$field),+]
+            }
+        }
+    };
+}
+pub(crate) use reals;
+
+macro_rules! scalar {
+    ($type:ty, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr) => {
+        impl Real for $type {
+            const EVENT_TOLERANCE: $type = $event;
+            const KINK_TOLERANCE: $type = $kink;
+
+            #[inline(always)]
+            fn of(value: f64) -> $type {
+                value as $type
+            }
+
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            type Lanes<S: Simd> = $vector<S>;
+
+            #[inline(always)]
+            fn lanes<S: Simd>(self, simd: S) -> $vector<S> {
+                $vector::splat(simd, self)
+            }
+        }
+
+        impl Number for $type {
+            type Mask = bool;
+
+            const SINE: &'static [f64] = &$sine;
+            const COSINE: &'static [f64] = &$cosine;
+
+            #[inline(always)]
+            fn like(self, value: f64) -> $type {
+                value as $type
+            }
+
+            #[inline(always)]
+            fn abs(self) -> $type {
+                <$type>::abs(self)
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> $type {
+                <$type>::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn exceeds(self, other: $type) -> bool {
+                self > other
+            }
+
+            #[inline(always)]
+            fn reaches(self, other: $type) -> bool {
+                self >= other
+            }
+
+            #[inline(always)]
+            fn pick(mask: bool, yes: $type, no: $type) -> $type {
+                if mask { yes } else { no }
+            }
+
+            #[inline(always)]
+            fn any(mask: bool) -> bool {
+                mask
+            }
+        }
+    };
+}
+
 // Chebyshev fits of sin(sqrt t)/sqrt t and cos(sqrt t) on 0 <= t <= 1.65^2, relative error 7e-9
 // and 4e-10 in f32, below 1e-21 in f64.
-impl Real for f32 {
-    const EVENT_TOLERANCE: f32 = 1.0e-6;
-    const KINK_TOLERANCE: f32 = 1.0e-3;
+pub(crate) const SINE_F32: [f64; 4] = [2.589_973_2e-6, -1.980_214_1e-4, 8.332_954e-3, -0.166_666_54];
+pub(crate) const COSINE_F32: [f64; 5] =
+    [-2.589_922_4e-7, 2.475_126_5e-5, -1.388_818_2e-3, 4.166_662e-2, -0.5];
+pub(crate) const SINE_F64: [f64; 9] = [
+    -7.958_279_660_715_478e-18,
+    2.809_947_197_035_375_4e-15,
+    -7.647_115_487_080_588e-13,
+    1.605_904_290_439_772e-10,
+    -2.505_210_837_428_26e-8,
+    2.755_731_922_390_456_4e-6,
+    -1.984_126_984_126_95e-4,
+    8.333_333_333_333_333e-3,
+    -0.166_666_666_666_666_67,
+];
+pub(crate) const COSINE_F64: [f64; 10] = [
+    3.979_132_564_561_097e-19,
+    -1.561_086_776_882_122e-16,
+    4.779_446_574_523_71e-14,
+    -1.147_074_490_094_021_5e-11,
+    2.087_675_697_772_315e-9,
+    -2.755_731_922_389_101e-7,
+    2.480_158_730_158_675e-5,
+    -1.388_888_888_888_888_7e-3,
+    4.166_666_666_666_666_4e-2,
+    -0.5,
+];
 
-    #[inline(always)]
-    fn of(value: f64) -> f32 {
-        value as f32
-    }
-
-    fn to_f64(self) -> f64 {
-        f64::from(self)
-    }
-
-    #[inline(always)]
-    fn abs(self) -> f32 {
-        f32::abs(self)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> f32 {
-        f32::sqrt(self)
-    }
-
-    #[inline(always)]
-    fn max(self, other: f32) -> f32 {
-        if other > self { other } else { self }
-    }
-
-    #[inline(always)]
-    fn sine(self) -> f32 {
-        let t = self * self;
-        let p = 2.589_973_2e-6;
-        let p = -1.980_214_1e-4 + t * p;
-        let p = 8.332_954e-3 + t * p;
-        let p = -0.166_666_54 + t * p;
-        self + self * t * p
-    }
-
-    #[inline(always)]
-    fn cosine(self) -> f32 {
-        let t = self * self;
-        let p = -2.589_922_4e-7;
-        let p = 2.475_126_5e-5 + t * p;
-        let p = -1.388_818_2e-3 + t * p;
-        let p = 4.166_662e-2 + t * p;
-        let p = -0.5 + t * p;
-        1.0 + t * p
-    }
-}
-
-impl Real for f64 {
-    const EVENT_TOLERANCE: f64 = 1.0e-10;
-    const KINK_TOLERANCE: f64 = 1.0e-5;
-
-    #[inline(always)]
-    fn of(value: f64) -> f64 {
-        value
-    }
-
-    fn to_f64(self) -> f64 {
-        self
-    }
-
-    #[inline(always)]
-    fn abs(self) -> f64 {
-        f64::abs(self)
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> f64 {
-        f64::sqrt(self)
-    }
-
-    #[inline(always)]
-    fn max(self, other: f64) -> f64 {
-        if other > self { other } else { self }
-    }
-
-    #[inline(always)]
-    fn sine(self) -> f64 {
-        let t = self * self;
-        let p = -7.958_279_660_715_478e-18;
-        let p = 2.809_947_197_035_375_4e-15 + t * p;
-        let p = -7.647_115_487_080_588e-13 + t * p;
-        let p = 1.605_904_290_439_772e-10 + t * p;
-        let p = -2.505_210_837_428_26e-8 + t * p;
-        let p = 2.755_731_922_390_456_4e-6 + t * p;
-        let p = -1.984_126_984_126_95e-4 + t * p;
-        let p = 8.333_333_333_333_333e-3 + t * p;
-        let p = -0.166_666_666_666_666_67 + t * p;
-        self + self * t * p
-    }
-
-    #[inline(always)]
-    fn cosine(self) -> f64 {
-        let t = self * self;
-        let p = 3.979_132_564_561_097e-19;
-        let p = -1.561_086_776_882_122e-16 + t * p;
-        let p = 4.779_446_574_523_71e-14 + t * p;
-        let p = -1.147_074_490_094_021_5e-11 + t * p;
-        let p = 2.087_675_697_772_315e-9 + t * p;
-        let p = -2.755_731_922_389_101e-7 + t * p;
-        let p = 2.480_158_730_158_675e-5 + t * p;
-        let p = -1.388_888_888_888_888_7e-3 + t * p;
-        let p = 4.166_666_666_666_666_4e-2 + t * p;
-        let p = -0.5 + t * p;
-        1.0 + t * p
-    }
-}
+scalar!(f32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32);
+scalar!(f64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64);
 
 #[cfg(test)]
 mod tests {
-    use super::Real;
+    use super::{Number, Real};
 
     /// Horner's rounding: each step adds at most one unit in the last place of a value near 1.
     fn polynomials_follow_std<R: Real>(epsilon: f64) {
@@ -219,12 +202,12 @@ mod tests {
 
     #[test]
     fn the_pulse_starts_and_ends_at_exactly_zero() {
-        assert_eq!(<f32 as Real>::pulse_sine(0.0), 0.0);
-        assert_eq!(<f32 as Real>::pulse_sine(0.5), 0.0);
-        assert_eq!(<f64 as Real>::pulse_sine(1.0), 0.0);
+        assert_eq!(<f32 as Number>::pulse_sine(0.0), 0.0);
+        assert_eq!(<f32 as Number>::pulse_sine(0.5), 0.0);
+        assert_eq!(<f64 as Number>::pulse_sine(1.0), 0.0);
         for i in 0..=1000 {
             let tau = f64::from(i) / 1000.0;
-            let error = <f64 as Real>::pulse_sine(tau) - (std::f64::consts::TAU * tau).sin();
+            let error = <f64 as Number>::pulse_sine(tau) - (std::f64::consts::TAU * tau).sin();
             // The library's argument 2 pi tau is itself rounded: up to half an ulp of 2 pi.
             assert!(error.abs() < 4.0 * f64::EPSILON, "tau = {tau}: {error:e}");
         }

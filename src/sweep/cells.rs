@@ -93,7 +93,7 @@ impl Plan {
             EVENT_LIMIT => (Class::Unresolved, Status::EventLimit),
             _ => (Class::Unresolved, Status::Diverged),
         };
-        if !state.motion.coordinates().iter().all(|x| x.to_f64().is_finite()) {
+        if !state.motion.reals().iter().all(|x| x.to_f64().is_finite()) {
             (class, status) = (Class::Unresolved, Status::Diverged);
         }
         let mut zeta = (left / block.critical_angle(1.0)).max(right / block.critical_angle(-1.0));

@@ -55,7 +55,7 @@ fn row<R: Real>(t: f64, state: &State<R>) -> Row {
         ROCKING_RIGHT => "rocking_right",
         _ => "full_contact",
     };
-    let [u, du, v, dv, z, phi, dphi] = state.motion.coordinates().map(R::to_f64);
+    let [u, du, v, dv, z, phi, dphi] = state.motion.reals().map(R::to_f64);
     Row { t, mode, u, du, v, dv, z, phi, dphi }
 }
 

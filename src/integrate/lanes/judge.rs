@@ -1,0 +1,350 @@
+//! A turn: a trial of every lane, and what each made of it. The same decisions as in
+//! [`advance`](super::super::switching::advance), which takes one cell over one step.
+
+use crate::model::Setting;
+use crate::model::block::Corner;
+use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
+use crate::model::impact::change_corner;
+use crate::model::vector::Vector;
+
+use super::super::rk4::{Stepped, hermite, rk4, shift};
+use super::super::state::{PHI_RANGE, SIZE_RANGE};
+use super::super::switching::{EVENT_BOUND, YIELD_LIMIT};
+use super::Lanes;
+use super::seek::{Beyond, Cubic, of_kink};
+
+/// True where a number goes from one side of zero to the other.
+#[inline(always)]
+fn crosses<V: Vector>(from: V, to: V) -> V::Mask {
+    let zero = from.like(0.0);
+    (from.exceeds(zero) & zero.exceeds(to)) | (zero.exceeds(from) & to.exceeds(zero))
+}
+
+#[inline(always)]
+fn pick_motion<V: Vector>(mask: V::Mask, yes: &Motion<V>, no: &Motion<V>) -> Motion<V> {
+    Motion {
+        u: V::pick(mask, yes.u, no.u),
+        du: V::pick(mask, yes.du, no.du),
+        v: V::pick(mask, yes.v, no.v),
+        dv: V::pick(mask, yes.dv, no.dv),
+        z: V::pick(mask, yes.z, no.z),
+        phi: V::pick(mask, yes.phi, no.phi),
+        dphi: V::pick(mask, yes.dphi, no.dphi),
+    }
+}
+
+#[inline(always)]
+pub(super) fn pick_rates<V: Vector>(mask: V::Mask, yes: &Rates<V>, no: &Rates<V>) -> Rates<V> {
+    Rates {
+        du: V::pick(mask, yes.du, no.du),
+        ddu: V::pick(mask, yes.ddu, no.ddu),
+        dv: V::pick(mask, yes.dv, no.dv),
+        ddv: V::pick(mask, yes.ddv, no.ddv),
+        dz: V::pick(mask, yes.dz, no.dz),
+        dphi: V::pick(mask, yes.dphi, no.dphi),
+        ddphi: V::pick(mask, yes.ddphi, no.ddphi),
+        normal: V::pick(mask, yes.normal, no.normal),
+        shear: V::pick(mask, yes.shear, no.shear),
+    }
+}
+
+#[inline(always)]
+fn pick_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> Corner<V> {
+    Corner {
+        side: V::pick(mask, yes.side, no.side),
+        arm: V::pick(mask, yes.arm, no.arm),
+        inertia: V::pick(mask, yes.inertia, no.inertia),
+        overturn: V::pick(mask, yes.overturn, no.overturn),
+        eta_phi: V::pick(mask, yes.eta_phi, no.eta_phi),
+        eta_u: V::pick(mask, yes.eta_u, no.eta_u),
+        eta_v: V::pick(mask, yes.eta_v, no.eta_v),
+    }
+}
+
+/// Lanes whose span holds a switch.
+struct Crossing<V: Vector> {
+    turning: V::Mask,
+    lifting: V::Mask,
+    overturning: V::Mask,
+    left: V::Mask,
+    cubic: Cubic<V>,
+    upper: V,
+}
+
+/// The parabola through an uplift moment's values at a span's start, middle and end, and where in
+/// the span it is positive; negative where it is not.
+#[inline(always)]
+fn moment_rises<V: Vector>(start: V, mid: V, end: V) -> (Cubic<V>, V) {
+    let (zero, one) = (start.like(0.0), start.like(1.0));
+    let (three, four) = (start.like(3.0), start.like(4.0));
+    // The slope falls from `rise` to `fall`.
+    let rise = four * mid - three * start - end;
+    let fall = three * end - four * mid + start;
+    let half = start.like(0.5);
+    let cubic = Cubic { c0: start, c1: rise, c2: half * (fall - rise), c3: zero };
+    let mut at = -one;
+    let inside = rise.exceeds(zero) & zero.exceeds(fall);
+    if V::any(inside) {
+        let top = rise / (rise - fall);
+        let positive = (start + half * rise * top).exceeds(zero);
+        at = V::pick(inside & positive, top, at);
+    }
+    (cubic, V::pick(end.exceeds(zero), one, at))
+}
+
+impl<V: Vector> Lanes<'_, V> {
+    /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
+    #[inline(always)]
+    pub(super) fn turn(&mut self) -> u64 {
+        if V::any(self.fresh) {
+            self.refresh();
+        }
+        let variant = self.shared.variant;
+        let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
+        let whole = self.alive & !(self.seek.seeking() | self.seek.again);
+        if variant.kinks {
+            self.cut_for_yield(whole);
+        } else {
+            self.span = V::pick(whole, one - self.start, self.span);
+        }
+        let mut length = self.seek.at * self.span;
+        let mut h = length * self.leg.step;
+        let ground_mid = self.leg.ground(variant.recorded, self.start + half * length);
+        let ground_end = self.leg.ground(variant.recorded, self.start + length);
+        let set = Setting { variant, model: &self.model, cell: &self.cell, record: &[] };
+        let (corner, rocking) = (&self.corner, self.rocking);
+        let stepped = rk4(&set, corner, rocking, &self.y, &self.k1, h, [ground_mid, ground_end]);
+        let mut y1 = stepped.y;
+        let k_end = rates(&set, corner, rocking, &y1, ground_end);
+
+        // What the lanes that seek have found.
+        let again = self.seek.again;
+        let mut looked = whole;
+        let mut switched = zero.mask(0);
+        let seeking = self.seek.seeking();
+        if V::any(seeking) {
+            let found = self.beyond(&stepped, &k_end);
+            let kinking = self.seek.kinking;
+            let arrived = self.seek.narrow(found);
+            let kinked = arrived.lanes & kinking;
+            switched = arrived.lanes & !kinking;
+            let back = arrived.back * self.span;
+            y1 = shift(&y1, &k_end, -back * self.leg.step);
+            length = length - back;
+            h = length * self.leg.step;
+            self.span = V::pick(kinked, length, self.span);
+            self.cut = self.cut | kinked;
+            looked = looked | kinked;
+        }
+        // Where a kink or a switch lies in a span just taken.
+        let mut kinks = zero.mask(0);
+        if variant.kinks {
+            let of_z = crosses(self.y.z, y1.z);
+            let of_du = crosses(self.y.du, y1.du);
+            kinks = whole & (of_z | of_du);
+            // Where both cross, the one whose chord does so first.
+            let z_first = (self.y.du / (self.y.du - y1.du)).exceeds(self.y.z / (self.y.z - y1.z));
+            self.of_z = (self.of_z & !kinks) | (kinks & of_z & (!of_du | z_first));
+            looked = looked & !kinks;
+        }
+        let crossing = self.crossing(looked, &stepped, &k_end, h);
+        let crossed = crossing.turning | crossing.lifting;
+        if V::any(kinks | crossed) {
+            let mut cubic = crossing.cubic;
+            if V::any(kinks) {
+                let start = of_kink(self.of_z, &self.y, &self.y, &self.k1, h);
+                let end = of_kink(self.of_z, &self.y, &y1, &k_end, h);
+                cubic = Cubic::pick(kinks, &Cubic::through(start, end), &cubic);
+            }
+            self.seek.kinking = self.seek.kinking | kinks;
+            self.seek.turning = self.seek.turning | crossing.turning;
+            self.seek.lifting = self.seek.lifting | crossing.lifting;
+            self.overturning = (self.overturning & !crossed) | crossing.overturning;
+            self.left = (self.left & !crossed) | crossing.left;
+            let upper = V::pick(crossed, crossing.upper, one);
+            self.seek.begin(kinks | crossed, &cubic, upper);
+        }
+
+        // The lanes that move on.
+        let plain = (looked & !crossed) | again;
+        self.seek.again = self.seek.again & !again;
+        let moved = plain | switched;
+        self.seen.motion(moved, self.corner.side, &self.y, &y1, h);
+        self.seen.contact(moved, &k_end);
+        self.y = pick_motion(moved, &y1, &self.y);
+        self.k1 = pick_rates(plain, &k_end, &self.k1);
+        self.start = V::pick(moved, self.start + length, self.start);
+        let mut ended = 0;
+        if V::any(switched) {
+            let others = self.bounce(switched);
+            if others != 0 {
+                ended = self.switch(others);
+            }
+        }
+        let through = (plain & !self.cut) | (moved & self.start.reaches(one));
+        self.events = self.events + V::pick(moved & !through, one, zero);
+        let endless = self.events.reaches(one.like(f64::from(EVENT_BOUND)));
+        self.start = V::pick(through, zero, self.start);
+        self.events = V::pick(through, zero, self.events);
+        self.leg.done = self.leg.done + V::pick(through, one, zero);
+        let y = &self.y;
+        let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
+        let sound = one.like(SIZE_RANGE).exceeds(size) & one.like(PHI_RANGE).reaches(y.phi.abs());
+        let left = through & self.leg.done.reaches(self.leg.steps);
+        let attend = (V::bits((through & !sound) | left) | V::bits(endless)) & self.running & !ended;
+        if attend != 0 {
+            let lost = V::bits(through & !sound);
+            ended |= self.attend(attend, lost, V::bits(endless));
+        }
+        ended & self.running
+    }
+
+    /// The blocks that have just landed go on about their other corner; the lanes whose switch is
+    /// another, or that may come to rest, a bit each.
+    #[inline(always)]
+    fn bounce(&mut self, switched: V::Mask) -> u64 {
+        let zero = self.start.like(0.0);
+        self.fresh = self.fresh | switched;
+        let to_right = self.corner.side.exceeds(zero);
+        let landing = pick_corner(to_right, &self.model.right, &self.model.left);
+        let rebound = (landing.eta_phi * self.y.dphi).abs();
+        let lively = rebound.reaches(self.cell.rest_speed) & landing.eta_phi.exceeds(zero);
+        let bounces = switched & self.rocking & !self.overturning & lively;
+        self.y = pick_motion(bounces, &change_corner(&landing, &self.y), &self.y);
+        self.corner = pick_corner(bounces, &landing, &self.corner);
+        let bouncing = V::bits(bounces);
+        self.count_impacts(bouncing, V::bits(to_right));
+        V::bits(switched) & !bouncing
+    }
+
+    /// Spans begin; where z would settle by more than the method bears, they end early.
+    #[inline(always)]
+    fn cut_for_yield(&mut self, whole: V::Mask) {
+        let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
+        let rest = one - self.start;
+        let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
+        let settling = n * self.y.du.abs() * self.cell.inverse_yield * self.leg.step;
+        let limit = one.like(YIELD_LIMIT);
+        let long = whole & (settling * rest).exceeds(limit);
+        self.span = V::pick(whole, rest, self.span);
+        self.cut = self.cut & !whole;
+        if V::any(long) {
+            self.span = V::pick(long, limit / settling, self.span);
+            self.cut = self.cut | long;
+        }
+        let _ = zero;
+    }
+
+    /// What the trials of lanes that seek came to.
+    #[inline(always)]
+    fn beyond(&self, stepped: &Stepped<V>, k_end: &Rates<V>) -> Beyond<V> {
+        let y1 = &stepped.y;
+        let h = self.span * self.leg.step;
+        let (corner, seek) = (&self.corner, &self.seek);
+        let side = V::pick(self.overturning, corner.side, -corner.side);
+        let target = V::pick(self.overturning, corner.overturn, h.like(0.0));
+        let value = side * y1.phi - target;
+        let angle = Beyond { value, slope: h * side * y1.dphi, bend: h * h * k_end.ddphi };
+        let arm = V::pick(self.left, self.model.left.arm, self.model.right.arm);
+        let push = self.model.height * k_end.shear;
+        let moment = V::pick(self.left, push, -push) - arm * k_end.normal;
+        let kink = of_kink(self.of_z, &self.y, y1, k_end, h);
+        let value = V::pick(seek.lifting, moment, angle.value);
+        Beyond {
+            value: V::pick(seek.kinking, kink.value, value),
+            slope: V::pick(seek.kinking, kink.slope, angle.slope),
+            bend: angle.bend,
+        }
+    }
+
+    /// The first switch in the spans of `looked` lanes, each of `h` seconds.
+    #[inline(always)]
+    fn crossing(
+        &self,
+        looked: V::Mask,
+        stepped: &Stepped<V>,
+        k_end: &Rates<V>,
+        h: V,
+    ) -> Crossing<V> {
+        let (zero, one) = (h.like(0.0), h.like(1.0));
+        let none = h.mask(0);
+        let mut crossing = Crossing {
+            turning: none,
+            lifting: none,
+            overturning: none,
+            left: none,
+            cubic: Cubic { c0: -one, c1: zero, c2: zero, c3: zero },
+            upper: one,
+        };
+        let rocking = looked & self.rocking;
+        if V::any(rocking) {
+            let (y, y1, corner) = (&self.y, &stepped.y, &self.corner);
+            let phi0 = corner.side * y.phi;
+            let phi1 = corner.side * y1.phi;
+            let dphi0 = corner.side * y.dphi;
+            let dphi1 = corner.side * y1.dphi;
+            let mut impact = zero.exceeds(phi1);
+            let mut over = phi1.reaches(corner.overturn);
+            // Two crossings in one span: the angle's extremum inside it.
+            let turns = rocking & !(impact | over) & crosses(dphi0, dphi1);
+            if V::any(turns) {
+                let at = dphi0 / (dphi0 - dphi1);
+                let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
+                let dips = turns & zero.exceeds(extremum);
+                let peaks = turns & extremum.reaches(corner.overturn);
+                crossing.upper = V::pick(dips | peaks, at, one);
+                impact = impact | dips;
+                over = over | peaks;
+            }
+            crossing.turning = rocking & (impact | over);
+            if V::any(crossing.turning) {
+                crossing.overturning = crossing.turning & !impact;
+                let sense = V::pick(crossing.overturning, one, -one);
+                let target = V::pick(crossing.overturning, corner.overturn, zero);
+                let of = |phi: V, dphi: V| Beyond {
+                    value: sense * phi - target,
+                    slope: h * sense * dphi,
+                    bend: zero,
+                };
+                let (start, end) = (of(phi0, dphi0), of(phi1, dphi1));
+                crossing.cubic = Cubic::through(start, end);
+            }
+        }
+        let standing = looked & !self.rocking;
+        if V::any(standing) {
+            let set = Setting {
+                variant: self.shared.variant,
+                model: &self.model,
+                cell: &self.cell,
+                record: &[],
+            };
+            let (left, right) = (&self.model.left, &self.model.right);
+            let k1 = &self.k1;
+            let (shear, normal) = (stepped.shear_mid, stepped.normal_mid);
+            let left0 = uplift_moment(&set, left, k1.shear, k1.normal);
+            let left1 = uplift_moment(&set, left, k_end.shear, k_end.normal);
+            let right0 = uplift_moment(&set, right, k1.shear, k1.normal);
+            let right1 = uplift_moment(&set, right, k_end.shear, k_end.normal);
+            let (by_left, at_left) =
+                moment_rises(left0, uplift_moment(&set, left, shear, normal), left1);
+            let (by_right, at_right) =
+                moment_rises(right0, uplift_moment(&set, right, shear, normal), right1);
+            let (lefts, rights) = (at_left.exceeds(zero), at_right.exceeds(zero));
+            crossing.lifting = standing & (lefts | rights);
+            if V::any(crossing.lifting) {
+                // Both hold at the end: the one whose chord rises through zero first.
+                let both = left1.exceeds(zero) & right1.exceeds(zero);
+                let chord = (left0 / (left0 - left1)).exceeds(right0 / (right0 - right1));
+                let earlier = at_left.exceeds(at_right);
+                let right_first = (both & chord) | (!both & earlier);
+                let left = lefts & !(rights & right_first);
+                crossing.left = crossing.lifting & left;
+                let upper = V::pick(left, at_left, at_right);
+                crossing.upper = V::pick(crossing.lifting, upper, crossing.upper);
+                let cubic = Cubic::pick(left, &by_left, &by_right);
+                crossing.cubic = Cubic::pick(crossing.lifting, &cubic, &crossing.cubic);
+            }
+        }
+        crossing
+    }
+}

@@ -1,0 +1,87 @@
+//! What the equations need of a number: one of a single cell, or a vector of one a lane.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// A number of one cell, `f32` or `f64`, or of as many cells as a vector has lanes.
+///
+/// Sine and cosine are polynomials, the same here and in the shaders, because the built-in ones
+/// of WGSL do not exist in `f64` and differ from driver to driver in `f32`.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// What a comparison gives: a truth a lane.
+    type Mask: Copy
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
+
+    /// Coefficients of the sine's polynomial in x^2, from the highest power down.
+    const SINE: &'static [f64];
+    /// Those of the cosine's, down to that of x^2.
+    const COSINE: &'static [f64];
+
+    /// The nearest number to `value` that is of the same kind as `self`, in all lanes.
+    fn like(self, value: f64) -> Self;
+
+    /// |x|.
+    fn abs(self) -> Self;
+
+    /// The square root.
+    fn sqrt(self) -> Self;
+
+    /// True where `self` is the larger.
+    fn exceeds(self, other: Self) -> Self::Mask;
+
+    /// True where `self` is the larger, or both are equal.
+    fn reaches(self, other: Self) -> Self::Mask;
+
+    /// `yes` where the mask is true, `no` elsewhere.
+    fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// True where any lane of the mask is.
+    fn any(mask: Self::Mask) -> bool;
+
+    /// The larger of the two; `self` where `other` is not a number.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::pick(other.exceeds(self), other, self)
+    }
+
+    /// sin x for |x| <= 1.65 rad, to the type's rounding.
+    #[inline(always)]
+    fn sine(self) -> Self {
+        let t = self * self;
+        let mut p = self.like(Self::SINE[0]);
+        for &coefficient in &Self::SINE[1..] {
+            p = self.like(coefficient) + t * p;
+        }
+        self + self * t * p
+    }
+
+    /// cos x for |x| <= 1.65 rad, to the type's rounding.
+    #[inline(always)]
+    fn cosine(self) -> Self {
+        let t = self * self;
+        let mut p = self.like(Self::COSINE[0]);
+        for &coefficient in &Self::COSINE[1..] {
+            p = self.like(coefficient) + t * p;
+        }
+        self.like(1.0) + t * p
+    }
+
+    /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is
+    /// exact, before the polynomial sees it.
+    #[inline(always)]
+    fn pulse_sine(tau: Self) -> Self {
+        let last = tau.exceeds(tau.like(0.75));
+        let middle = tau.exceeds(tau.like(0.25));
+        let quarter = Self::pick(middle, tau.like(0.5) - tau, tau);
+        let quarter = Self::pick(last, tau - tau.like(1.0), quarter);
+        (tau.like(std::f64::consts::TAU) * quarter).sine()
+    }
+}
