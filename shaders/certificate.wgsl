@@ -2,7 +2,7 @@
 
 override certificate: bool = false;
 
-const TRIES = 7u;
+const TRIES = 15u;
 const MARGIN = 1.0e-3;
 
 // True where it is time to try: the excitation is over.

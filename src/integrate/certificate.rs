@@ -11,7 +11,7 @@ use crate::model::dynamics::{Lever, lever_at};
 use crate::model::real::Real;
 
 /// Steps from one try to the next, less one; a power of two less one.
-pub const TRIES: u32 = 7;
+pub const TRIES: u32 = 15;
 /// Share by which a bound must hold: far more than the rounding of an energy, also where the
 /// energy is a small difference from that of rest.
 const MARGIN: f64 = 1.0e-3;

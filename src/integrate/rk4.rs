@@ -37,13 +37,13 @@ pub struct Stepped<R> {
 #[inline(always)]
 pub fn shift<R: Number>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
     Motion {
-        u: y.u + h * k.du,
-        du: y.du + h * k.ddu,
-        v: y.v + h * k.dv,
-        dv: y.dv + h * k.ddv,
-        z: y.z + h * k.dz,
-        phi: y.phi + h * k.dphi,
-        dphi: y.dphi + h * k.ddphi,
+        u: h.times_plus(k.du, y.u),
+        du: h.times_plus(k.ddu, y.du),
+        v: h.times_plus(k.dv, y.v),
+        dv: h.times_plus(k.ddv, y.dv),
+        z: h.times_plus(k.dz, y.z),
+        phi: h.times_plus(k.dphi, y.phi),
+        dphi: h.times_plus(k.ddphi, y.dphi),
     }
 }
 
@@ -67,13 +67,13 @@ pub fn rk4<R: Number>(
     let sixth = h.like(0.166_666_666_666_666_66) * h;
     let two = h.like(2.0);
     let end = Motion {
-        u: y.u + sixth * (k1.du + two * (k2.du + k3.du) + k4.du),
-        du: y.du + sixth * (k1.ddu + two * (k2.ddu + k3.ddu) + k4.ddu),
-        v: y.v + sixth * (k1.dv + two * (k2.dv + k3.dv) + k4.dv),
-        dv: y.dv + sixth * (k1.ddv + two * (k2.ddv + k3.ddv) + k4.ddv),
-        z: y.z + sixth * (k1.dz + two * (k2.dz + k3.dz) + k4.dz),
-        phi: y.phi + sixth * (k1.dphi + two * (k2.dphi + k3.dphi) + k4.dphi),
-        dphi: y.dphi + sixth * (k1.ddphi + two * (k2.ddphi + k3.ddphi) + k4.ddphi),
+        u: sixth.times_plus(two.times_plus(k2.du + k3.du, k1.du + k4.du), y.u),
+        du: sixth.times_plus(two.times_plus(k2.ddu + k3.ddu, k1.ddu + k4.ddu), y.du),
+        v: sixth.times_plus(two.times_plus(k2.dv + k3.dv, k1.dv + k4.dv), y.v),
+        dv: sixth.times_plus(two.times_plus(k2.ddv + k3.ddv, k1.ddv + k4.ddv), y.dv),
+        z: sixth.times_plus(two.times_plus(k2.dz + k3.dz, k1.dz + k4.dz), y.z),
+        phi: sixth.times_plus(two.times_plus(k2.dphi + k3.dphi, k1.dphi + k4.dphi), y.phi),
+        dphi: sixth.times_plus(two.times_plus(k2.ddphi + k3.ddphi, k1.ddphi + k4.ddphi), y.dphi),
     };
     Stepped { y: end, shear_mid: k3.shear, normal_mid: k3.normal }
 }
@@ -99,5 +99,5 @@ pub fn hermite<R: Number>(x0: R, slope0: R, x1: R, slope1: R, at: R) -> R {
     let rise = x1 - x0;
     let c2 = at.like(3.0) * rise - at.like(2.0) * slope0 - slope1;
     let c3 = slope0 + slope1 - at.like(2.0) * rise;
-    x0 + at * (slope0 + at * (c2 + at * c3))
+    at.times_plus(at.times_plus(at.times_plus(c3, c2), slope0), x0)
 }

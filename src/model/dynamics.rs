@@ -71,7 +71,10 @@ pub fn lever_at<R: Number>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Leve
     let sin_phi = phi.sine();
     let cos_phi = phi.cosine();
     let arm = corner.side * corner.arm;
-    Lever { p: height * cos_phi + arm * sin_phi, q: arm * cos_phi - height * sin_phi }
+    Lever {
+        p: height.times_plus(cos_phi, arm * sin_phi),
+        q: arm.times_plus(cos_phi, -(height * sin_phi)),
+    }
 }
 
 /// (5) in full contact, (9) while rocking.
@@ -98,15 +101,16 @@ pub fn rates<R: Number>(
     if R::any(rocking) {
         let Lever { p, q } = lever_at(set, corner, y.phi);
         let w = y.dphi * y.dphi;
-        let push_h = base.f_h + model.mu_h * q * w;
-        let push_v = base.f_v + model.mu_v * p * w;
-        let turn =
-            (p * push_h - q * push_v) / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
+        let (mu_p, mu_q) = (model.mu_h * p, model.mu_v * q);
+        let push_h = (model.mu_h * q).times_plus(w, base.f_h);
+        let push_v = (model.mu_v * p).times_plus(w, base.f_v);
+        let inertia = (-mu_p).times_plus(p, (-mu_q).times_plus(q, corner.inertia));
+        let turn = p.times_plus(push_h, -(q * push_v)) / inertia;
         ddphi = R::pick(rocking, turn, zero);
-        x_base = R::pick(rocking, push_h + model.mu_h * p * turn, x_base);
-        y_base = R::pick(rocking, push_v - model.mu_v * q * turn, y_base);
-        shear = R::pick(rocking, x_base - p * turn - q * w, shear);
-        normal = R::pick(rocking, y_base + q * turn - p * w, normal);
+        x_base = R::pick(rocking, mu_p.times_plus(turn, push_h), x_base);
+        y_base = R::pick(rocking, (-mu_q).times_plus(turn, push_v), y_base);
+        shear = R::pick(rocking, (-p).times_plus(turn, (-q).times_plus(w, x_base)), shear);
+        normal = R::pick(rocking, q.times_plus(turn, (-p).times_plus(w, y_base)), normal);
     }
     let mut ddu = zero;
     let mut dz = zero;

@@ -46,13 +46,13 @@ pub fn support<R: Number>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) ->
     if set.variant.isolated_h {
         let mut spring = cell.post_yield * y.u;
         if set.variant.yields {
-            spring = spring + cell.hysteretic * y.z;
+            spring = cell.hysteretic.times_plus(y.z, spring);
         }
-        f_h = -(spring + cell.damping_h * y.du);
+        f_h = -cell.damping_h.times_plus(y.du, spring);
     }
     let mut f_v = ground.v + set.model.gravity;
     if set.variant.isolated_v {
-        f_v = -(cell.stiffness_v * y.v + cell.damping_v * y.dv);
+        f_v = -cell.damping_v.times_plus(y.dv, cell.stiffness_v * y.v);
     }
     Support { f_h, f_v }
 }
@@ -62,7 +62,7 @@ pub fn support<R: Number>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) ->
 /// underflow.
 #[inline(always)]
 pub fn hysteretic_rate<R: Number>(set: &Setting<R>, y: &Motion<R>) -> R {
-    let (zero, one) = (y.du.like(0.0), y.du.like(1.0));
+    let zero = y.du.like(0.0);
     let rate = y.du * set.cell.inverse_yield;
     let forward = y.du.exceeds(zero);
     let ahead = y.z.exceeds(zero);
@@ -77,5 +77,5 @@ pub fn hysteretic_rate<R: Number>(set: &Setting<R>, y: &Motion<R>) -> R {
             i += 1;
         }
     }
-    R::pick(together, rate * (one - power), rate)
+    R::pick(together, (-rate).times_plus(power, rate), rate)
 }

@@ -28,6 +28,9 @@ pub trait Number:
     /// The nearest number to `value` that is of the same kind as `self`, in all lanes.
     fn like(self, value: f64) -> Self;
 
+    /// `self * factor + term`, in vectors with one rounding where there is an instruction for it.
+    fn times_plus(self, factor: Self, term: Self) -> Self;
+
     /// |x|.
     fn abs(self) -> Self;
 
@@ -58,9 +61,9 @@ pub trait Number:
         let t = self * self;
         let mut p = self.like(Self::SINE[0]);
         for &coefficient in &Self::SINE[1..] {
-            p = self.like(coefficient) + t * p;
+            p = t.times_plus(p, self.like(coefficient));
         }
-        self + self * t * p
+        (self * t).times_plus(p, self)
     }
 
     /// cos x for |x| <= 1.65 rad, to the type's rounding.
@@ -69,9 +72,9 @@ pub trait Number:
         let t = self * self;
         let mut p = self.like(Self::COSINE[0]);
         for &coefficient in &Self::COSINE[1..] {
-            p = self.like(coefficient) + t * p;
+            p = t.times_plus(p, self.like(coefficient));
         }
-        self.like(1.0) + t * p
+        t.times_plus(p, self.like(1.0))
     }
 
     /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is

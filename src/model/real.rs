@@ -112,6 +112,11 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
+            fn times_plus(self, factor: $type, term: $type) -> $type {
+                self * factor + term
+            }
+
+            #[inline(always)]
             fn abs(self) -> $type {
                 <$type>::abs(self)
             }

@@ -46,6 +46,11 @@ macro_rules! vector {
             }
 
             #[inline(always)]
+            fn times_plus(self, factor: Self, term: Self) -> Self {
+                self.mul_add(factor, term)
+            }
+
+            #[inline(always)]
             fn abs(self) -> Self {
                 SimdBase::abs(self)
             }
@@ -180,6 +185,14 @@ impl<V: Vector> Number for Pair<V> {
     fn like(self, value: f64) -> Self {
         let both = self.0.like(value);
         Pair(both, both)
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        Pair(
+            self.0.times_plus(factor.0, term.0),
+            self.1.times_plus(factor.1, term.1),
+        )
     }
 
     #[inline(always)]

@@ -115,7 +115,7 @@ impl<V: Vector> Lanes<'_, V> {
         let (corner, rocking) = (&self.corner, self.rocking);
         let stepped = rk4(&set, corner, rocking, &self.y, &self.k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;
-        let k_end = rates(&set, corner, rocking, &y1, ground_end);
+        let mut k_end = rates(&set, corner, rocking, &y1, ground_end);
 
         // What the lanes that seek have found.
         let again = self.seek.again;
@@ -130,6 +130,10 @@ impl<V: Vector> Lanes<'_, V> {
             switched = arrived.lanes & !kinking;
             let back = arrived.back * self.span;
             y1 = shift(&y1, &k_end, -back * self.leg.step);
+            // The contact forces go back along their chord.
+            let share = V::pick(back.abs().exceeds(zero), back / length, zero);
+            k_end.normal = share.times_plus(self.k1.normal - k_end.normal, k_end.normal);
+            k_end.shear = share.times_plus(self.k1.shear - k_end.shear, k_end.shear);
             length = length - back;
             h = length * self.leg.step;
             self.span = V::pick(kinked, length, self.span);

@@ -5,6 +5,7 @@ use crate::model::dynamics::{Motion, Rates};
 use crate::model::vector::Vector;
 
 use super::super::locate::LOCATE_BOUND;
+use super::super::rk4::hermite;
 use crate::model::real::Real;
 
 /// What the lanes look for, a function of the place in the span that is positive beyond it.
@@ -65,32 +66,36 @@ impl<V: Vector> Cubic<V> {
         }
     }
 
-    #[inline(always)]
-    fn slope(&self, at: V) -> V {
-        self.c1 + at * (at.like(2.0) * self.c2 + at * at.like(3.0) * self.c3)
-    }
-
     /// The root in a span at whose end the cubic is positive, and the slope there.
     #[inline(always)]
     fn root(&self) -> (V, V) {
-        let (zero, one, half) = (self.c0.like(0.0), self.c0.like(1.0), self.c0.like(0.5));
-        let (mut low, mut high) = (zero, one);
-        let mut at = self.c0 / (zero - self.c1 - self.c2 - self.c3);
+        let (zero, one) = (self.c0.like(0.0), self.c0.like(1.0));
+        let (two, three) = (self.c0.like(2.0), self.c0.like(3.0));
+        let rise = self.c1 + self.c2 + self.c3;
+        let slope1 = three.times_plus(self.c3, two.times_plus(self.c2, self.c1));
+        // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
+        // value. Where it falls first, as the angle of a block that has just landed does: where the
+        // parabola from the start is as high as there again.
+        let rises = self.c1.exceeds(zero) & slope1.exceeds(zero);
+        let chord = V::pick(rises, -self.c0, -self.c1) / V::pick(rises, rise, self.c2 + self.c3);
+        let inverse = hermite(zero, rise / self.c1, one, rise / slope1, chord);
+        let at = V::pick(rises, inverse, chord);
+        let inside = at.exceeds(zero) & one.exceeds(at);
+        let mut at = V::pick(inside, at, one);
+        let mut slope = one;
         for _ in 0..GUESSES {
-            let value = self.c0 + at * (self.c1 + at * (self.c2 + at * self.c3));
-            let beyond = value.exceeds(zero);
-            high = V::pick(beyond, at, high);
-            low = V::pick(beyond, low, at);
-            let next = at - value / self.slope(at);
-            let inside = next.exceeds(low) & high.exceeds(next);
-            at = V::pick(inside, next, half * (low + high));
+            let value = at.times_plus(at.times_plus(at.times_plus(self.c3, self.c2), self.c1), self.c0);
+            slope = at.times_plus(three * at * self.c3 + two * self.c2, self.c1);
+            let next = at - value / slope;
+            let inside = next.exceeds(zero) & one.exceeds(next);
+            at = V::pick(inside, next, at);
         }
-        (at, self.slope(at))
+        (at, slope)
     }
 }
 
 /// Newton's steps on the cubic that gives the first place to try.
-const GUESSES: usize = 3;
+const GUESSES: usize = 1;
 
 /// The searches of all lanes.
 pub struct Seek<V: Vector> {
