@@ -115,3 +115,23 @@ pub struct Outcome {
     /// How the integration ended.
     pub status: Status,
 }
+
+impl Outcome {
+    /// Of a cell that has not run.
+    pub const PENDING: Outcome = Outcome {
+        class: Class::Unresolved,
+        impacts: 0,
+        uplifts: 0,
+        t_end: 0.0,
+        t_simulated: 0.0,
+        t_uplift: None,
+        zeta: 0.0,
+        max_phi_left: 0.0,
+        max_phi_right: 0.0,
+        max_u: 0.0,
+        max_v: 0.0,
+        min_contact: 0.0,
+        friction: 0.0,
+        status: Status::Undecided,
+    };
+}

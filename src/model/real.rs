@@ -151,7 +151,8 @@ macro_rules! scalar {
 
 // Chebyshev fits of sin(sqrt t)/sqrt t and cos(sqrt t) on 0 <= t <= 1.65^2, relative error 7e-9
 // and 4e-10 in f32, below 1e-21 in f64.
-pub(crate) const SINE_F32: [f64; 4] = [2.589_973_2e-6, -1.980_214_1e-4, 8.332_954e-3, -0.166_666_54];
+pub(crate) const SINE_F32: [f64; 4] =
+    [2.589_973_2e-6, -1.980_214_1e-4, 8.332_954e-3, -0.166_666_54];
 pub(crate) const COSINE_F32: [f64; 5] =
     [-2.589_922_4e-7, 2.475_126_5e-5, -1.388_818_2e-3, 4.166_662e-2, -0.5];
 pub(crate) const SINE_F64: [f64; 9] = [

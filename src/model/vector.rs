@@ -189,10 +189,7 @@ impl<V: Vector> Number for Pair<V> {
 
     #[inline(always)]
     fn times_plus(self, factor: Self, term: Self) -> Self {
-        Pair(
-            self.0.times_plus(factor.0, term.0),
-            self.1.times_plus(factor.1, term.1),
-        )
+        Pair(self.0.times_plus(factor.0, term.0), self.1.times_plus(factor.1, term.1))
     }
 
     #[inline(always)]

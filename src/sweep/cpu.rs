@@ -1,15 +1,13 @@
 //! The sweep on the CPU. Its loop is the twin of `shaders/sweep.wgsl`.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use bytemuck::Zeroable;
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 use rayon::prelude::*;
 
 use super::full_contact::Tracks;
+use super::lanes;
 use super::plan::Plan;
 use crate::integrate::certificate::{certify, is_due};
-use crate::integrate::lanes::{Job, Lanes, Shared};
 use crate::integrate::log::{Event, Kept};
 use crate::integrate::outcome::Outcome;
 use crate::integrate::state::{RUNNING, State};
@@ -40,66 +38,29 @@ const CHUNK: u32 = 1 << 20;
 /// Cells that a thread takes at once.
 const BLOCK: usize = 16;
 
-/// Runs cells of a grid on all cores; `progress` hears of each cell done.
+/// Runs cells of a grid on all cores, on vectors where the plan allows it; `progress` hears of each
+/// cell done.
 pub fn sweep<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
     progress: &(dyn Fn(usize) + Sync),
 ) -> Vec<Outcome> {
-    if !plan.variant().in_step || std::env::var("SCALAR").is_ok() {
-        let ran = each::<R, ()>(plan, grid, cells, progress, || ());
-        return ran.into_iter().map(|(outcome, ())| outcome).collect();
+    if lanes::can_run(plan) {
+        return lanes::sweep::<R>(plan, grid, cells, progress, Level::new());
     }
-    let level = Level::new();
-    sweep_lanes::<R>(plan, grid, cells, progress, level)
+    sweep_one_by_one::<R>(plan, grid, cells, progress)
 }
 
-/// Cells that a thread takes from the queue at once.
-const BATCH: usize = 64;
-
-fn sweep_lanes<R: Real>(
+/// The same, a cell at a time: the twin of the shader.
+pub fn sweep_one_by_one<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
     progress: &(dyn Fn(usize) + Sync),
-    level: Level,
 ) -> Vec<Outcome> {
-    let model = plan.model::<R>();
-    let record = plan.record::<R>();
-    let tracks = Tracks::of(plan, grid, &record);
-    let shared = Shared { variant: plan.variant(), model: &model, record: &record };
-    let queue = AtomicUsize::new(0);
-    let ran = rayon::broadcast(|_| {
-        let mut batch = 0..0;
-        let mut ended = Vec::new();
-        let next = || {
-            if batch.is_empty() {
-                let from = queue.fetch_add(BATCH, Ordering::Relaxed).min(cells.len());
-                batch = from..(from + BATCH).min(cells.len());
-            }
-            let number = batch.next()?;
-            let index = cells[number];
-            let point = grid.point(index);
-            let (cell, mut state) = plan.cell::<R>(&point);
-            if let Some(tracks) = &tracks {
-                tracks.begin(index, &point, &cell, &mut state);
-            }
-            Some(Job { number, cell, state })
-        };
-        let done = |job: &Job<R>| {
-            progress(1);
-            let point = grid.point(cells[job.number]);
-            ended.push((job.number, plan.outcome(&point, &job.state)));
-        };
-        dispatch!(level, simd => Lanes::new(shared, R::of(0.0).lanes(simd)).run(next, done));
-        ended
-    });
-    let mut outcomes = vec![None; cells.len()];
-    for (number, outcome) in ran.into_iter().flatten() {
-        outcomes[number] = Some(outcome);
-    }
-    outcomes.into_iter().flatten().collect()
+    let ran = each::<R, ()>(plan, grid, cells, progress, || ());
+    ran.into_iter().map(|(outcome, ())| outcome).collect()
 }
 
 /// The same, with the first `events_kept` switches of each cell.

@@ -27,6 +27,19 @@ const MOST_MEMORY: usize = 1 << 29;
 /// 80 steps a period leave 8e-4.
 const CREST: f64 = 2.0e-3;
 
+/// Gaps that a cell is looked through at once.
+const BLOCK: usize = 16;
+
+/// The bounds of a block of gaps from a sample on, the upper and the lower ones, and the acceleration
+/// at its samples; none where as many are not left.
+#[inline(always)]
+fn block<R>(track: &Track<R>, from: usize) -> Option<(&[R; BLOCK], &[R; BLOCK], &[R; BLOCK])> {
+    let most = track.most.get(from..)?.first_chunk()?;
+    let least = track.least.get(from..)?.first_chunk()?;
+    let acceleration = track.acceleration.get(from..)?.first_chunk()?;
+    Some((most, least, acceleration))
+}
+
 /// A motion in one direction, sample by sample.
 struct Track<R> {
     /// At each sample.
@@ -112,6 +125,7 @@ impl<R: Real> Tracks<R> {
 
     /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
     /// excitation.
+    #[inline(always)]
     pub fn begin(&self, index: usize, point: &Point, cell: &Cell<R>, state: &mut State<R>) {
         if state.status != RUNNING {
             return;
@@ -129,12 +143,32 @@ impl<R: Real> Tracks<R> {
         let mut sample = 0;
         // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
         let last = h.motion.len() - 1;
+        let lifts = |most: R, least: R, least_y: R| {
+            // A negative lever turns the bounds about.
+            let (one, other) = (lever * most, lever * least);
+            (one.max(other) > left * least_y) | ((-one).max(-other) > right * least_y)
+        };
+        // Whole blocks of gaps at once, without a branch in them.
+        while let Some((h_most, h_least, x)) = block(h, sample)
+            && let Some((_, v_least, y)) = block(v, sample.min(v.least.len().saturating_sub(BLOCK)))
+        {
+            let mut any = false;
+            let mut largest = friction;
+            for i in 0..BLOCK {
+                any |= lifts(h_most[i], h_least[i], v_least[i]);
+                let share = scale.abs() * x[i].abs() / y[i];
+                let pressed = if y[i] > zero { share } else { zero };
+                largest = largest.max(pressed);
+            }
+            if any {
+                break;
+            }
+            friction = largest;
+            sample += BLOCK;
+        }
         while sample < last {
             let gap = sample.min(v.least.len() - 1);
-            let least_y = v.least[gap];
-            // A negative lever turns the bounds about.
-            let (one, other) = (lever * h.most[sample], lever * h.least[sample]);
-            if one.max(other) > left * least_y || (-one).max(-other) > right * least_y {
+            if lifts(h.most[sample], h.least[sample], v.least[gap]) {
                 break;
             }
             let (x, y) = (scale.abs() * h.acceleration[sample].abs(), v.acceleration[gap]);

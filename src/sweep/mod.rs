@@ -8,5 +8,6 @@ pub mod cpu;
 pub mod full_contact;
 pub mod gpu;
 pub mod history;
+pub mod lanes;
 pub mod plan;
 pub mod verification;

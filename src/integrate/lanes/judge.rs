@@ -3,22 +3,17 @@
 
 use crate::model::Setting;
 use crate::model::block::Corner;
-use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
+use crate::model::dynamics::{Motion, Rates, rates};
 use crate::model::impact::change_corner;
 use crate::model::vector::Vector;
 
-use super::super::rk4::{Stepped, hermite, rk4, shift};
+use super::super::rk4::{Stepped, rk4, shift};
 use super::super::state::{PHI_RANGE, SIZE_RANGE};
 use super::super::switching::{EVENT_BOUND, YIELD_LIMIT};
 use super::Lanes;
-use super::seek::{Beyond, Cubic, of_kink};
-
-/// True where a number goes from one side of zero to the other.
-#[inline(always)]
-fn crosses<V: Vector>(from: V, to: V) -> V::Mask {
-    let zero = from.like(0.0);
-    (from.exceeds(zero) & zero.exceeds(to)) | (zero.exceeds(from) & to.exceeds(zero))
-}
+use super::crossing::crosses;
+use super::cubic::{Beyond, Cubic};
+use super::seek::of_kink;
 
 #[inline(always)]
 fn pick_motion<V: Vector>(mask: V::Mask, yes: &Motion<V>, no: &Motion<V>) -> Motion<V> {
@@ -59,37 +54,6 @@ fn pick_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> Cor
         eta_u: V::pick(mask, yes.eta_u, no.eta_u),
         eta_v: V::pick(mask, yes.eta_v, no.eta_v),
     }
-}
-
-/// Lanes whose span holds a switch.
-struct Crossing<V: Vector> {
-    turning: V::Mask,
-    lifting: V::Mask,
-    overturning: V::Mask,
-    left: V::Mask,
-    cubic: Cubic<V>,
-    upper: V,
-}
-
-/// The parabola through an uplift moment's values at a span's start, middle and end, and where in
-/// the span it is positive; negative where it is not.
-#[inline(always)]
-fn moment_rises<V: Vector>(start: V, mid: V, end: V) -> (Cubic<V>, V) {
-    let (zero, one) = (start.like(0.0), start.like(1.0));
-    let (three, four) = (start.like(3.0), start.like(4.0));
-    // The slope falls from `rise` to `fall`.
-    let rise = four * mid - three * start - end;
-    let fall = three * end - four * mid + start;
-    let half = start.like(0.5);
-    let cubic = Cubic { c0: start, c1: rise, c2: half * (fall - rise), c3: zero };
-    let mut at = -one;
-    let inside = rise.exceeds(zero) & zero.exceeds(fall);
-    if V::any(inside) {
-        let top = rise / (rise - fall);
-        let positive = (start + half * rise * top).exceeds(zero);
-        at = V::pick(inside & positive, top, at);
-    }
-    (cubic, V::pick(end.exceeds(zero), one, at))
 }
 
 impl<V: Vector> Lanes<'_, V> {
@@ -195,7 +159,8 @@ impl<V: Vector> Lanes<'_, V> {
         let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
         let sound = one.like(SIZE_RANGE).exceeds(size) & one.like(PHI_RANGE).reaches(y.phi.abs());
         let left = through & self.leg.done.reaches(self.leg.steps);
-        let attend = (V::bits((through & !sound) | left) | V::bits(endless)) & self.running & !ended;
+        let attend =
+            (V::bits((through & !sound) | left) | V::bits(endless)) & self.running & !ended;
         if attend != 0 {
             let lost = V::bits(through & !sound);
             ended |= self.attend(attend, lost, V::bits(endless));
@@ -224,7 +189,7 @@ impl<V: Vector> Lanes<'_, V> {
     /// Spans begin; where z would settle by more than the method bears, they end early.
     #[inline(always)]
     fn cut_for_yield(&mut self, whole: V::Mask) {
-        let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
+        let one = self.start.like(1.0);
         let rest = one - self.start;
         let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
         let settling = n * self.y.du.abs() * self.cell.inverse_yield * self.leg.step;
@@ -236,7 +201,6 @@ impl<V: Vector> Lanes<'_, V> {
             self.span = V::pick(long, limit / settling, self.span);
             self.cut = self.cut | long;
         }
-        let _ = zero;
     }
 
     /// What the trials of lanes that seek came to.
@@ -259,96 +223,5 @@ impl<V: Vector> Lanes<'_, V> {
             slope: V::pick(seek.kinking, kink.slope, angle.slope),
             bend: angle.bend,
         }
-    }
-
-    /// The first switch in the spans of `looked` lanes, each of `h` seconds.
-    #[inline(always)]
-    fn crossing(
-        &self,
-        looked: V::Mask,
-        stepped: &Stepped<V>,
-        k_end: &Rates<V>,
-        h: V,
-    ) -> Crossing<V> {
-        let (zero, one) = (h.like(0.0), h.like(1.0));
-        let none = h.mask(0);
-        let mut crossing = Crossing {
-            turning: none,
-            lifting: none,
-            overturning: none,
-            left: none,
-            cubic: Cubic { c0: -one, c1: zero, c2: zero, c3: zero },
-            upper: one,
-        };
-        let rocking = looked & self.rocking;
-        if V::any(rocking) {
-            let (y, y1, corner) = (&self.y, &stepped.y, &self.corner);
-            let phi0 = corner.side * y.phi;
-            let phi1 = corner.side * y1.phi;
-            let dphi0 = corner.side * y.dphi;
-            let dphi1 = corner.side * y1.dphi;
-            let mut impact = zero.exceeds(phi1);
-            let mut over = phi1.reaches(corner.overturn);
-            // Two crossings in one span: the angle's extremum inside it.
-            let turns = rocking & !(impact | over) & crosses(dphi0, dphi1);
-            if V::any(turns) {
-                let at = dphi0 / (dphi0 - dphi1);
-                let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
-                let dips = turns & zero.exceeds(extremum);
-                let peaks = turns & extremum.reaches(corner.overturn);
-                crossing.upper = V::pick(dips | peaks, at, one);
-                impact = impact | dips;
-                over = over | peaks;
-            }
-            crossing.turning = rocking & (impact | over);
-            if V::any(crossing.turning) {
-                crossing.overturning = crossing.turning & !impact;
-                let sense = V::pick(crossing.overturning, one, -one);
-                let target = V::pick(crossing.overturning, corner.overturn, zero);
-                let of = |phi: V, dphi: V| Beyond {
-                    value: sense * phi - target,
-                    slope: h * sense * dphi,
-                    bend: zero,
-                };
-                let (start, end) = (of(phi0, dphi0), of(phi1, dphi1));
-                crossing.cubic = Cubic::through(start, end);
-            }
-        }
-        let standing = looked & !self.rocking;
-        if V::any(standing) {
-            let set = Setting {
-                variant: self.shared.variant,
-                model: &self.model,
-                cell: &self.cell,
-                record: &[],
-            };
-            let (left, right) = (&self.model.left, &self.model.right);
-            let k1 = &self.k1;
-            let (shear, normal) = (stepped.shear_mid, stepped.normal_mid);
-            let left0 = uplift_moment(&set, left, k1.shear, k1.normal);
-            let left1 = uplift_moment(&set, left, k_end.shear, k_end.normal);
-            let right0 = uplift_moment(&set, right, k1.shear, k1.normal);
-            let right1 = uplift_moment(&set, right, k_end.shear, k_end.normal);
-            let (by_left, at_left) =
-                moment_rises(left0, uplift_moment(&set, left, shear, normal), left1);
-            let (by_right, at_right) =
-                moment_rises(right0, uplift_moment(&set, right, shear, normal), right1);
-            let (lefts, rights) = (at_left.exceeds(zero), at_right.exceeds(zero));
-            crossing.lifting = standing & (lefts | rights);
-            if V::any(crossing.lifting) {
-                // Both hold at the end: the one whose chord rises through zero first.
-                let both = left1.exceeds(zero) & right1.exceeds(zero);
-                let chord = (left0 / (left0 - left1)).exceeds(right0 / (right0 - right1));
-                let earlier = at_left.exceeds(at_right);
-                let right_first = (both & chord) | (!both & earlier);
-                let left = lefts & !(rights & right_first);
-                crossing.left = crossing.lifting & left;
-                let upper = V::pick(left, at_left, at_right);
-                crossing.upper = V::pick(crossing.lifting, upper, crossing.upper);
-                let cubic = Cubic::pick(left, &by_left, &by_right);
-                crossing.cubic = Cubic::pick(crossing.lifting, &cubic, &crossing.cubic);
-            }
-        }
-        crossing
     }
 }

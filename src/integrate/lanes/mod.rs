@@ -5,8 +5,10 @@
 //! for another's switch; a lane whose cell is done takes the next. The equations are those of
 //! [`model`](crate::model), switches and proofs those of the scalar path, a lane at a time.
 
+mod crossing;
+mod cubic;
 mod judge;
-mod leg;
+pub mod leg;
 mod seek;
 mod seen;
 mod service;
@@ -36,6 +38,15 @@ pub struct Job<R> {
     pub state: State<R>,
 }
 
+/// Where lanes get their cells, and where these go.
+pub trait Feed<R> {
+    /// The next cell, if there is one.
+    fn next(&mut self) -> Option<Job<R>>;
+
+    /// Takes a cell that has ended.
+    fn done(&mut self, job: &Job<R>);
+}
+
 /// A lane's own.
 struct Lane<R> {
     job: Job<R>,
@@ -52,6 +63,17 @@ pub struct Shared<'a, R> {
     pub model: &'a Model<R>,
     /// The record.
     pub record: &'a [Ground<R>],
+}
+
+impl<'a, R> Shared<'a, R> {
+    /// The numbers of a cell's equations.
+    #[inline(always)]
+    fn setting<'b>(&self, cell: &'b Cell<R>) -> Setting<'b, R>
+    where
+        'a: 'b,
+    {
+        Setting { variant: self.variant, model: self.model, cell, record: self.record }
+    }
 }
 
 /// As many cells as a vector has lanes.
@@ -185,15 +207,11 @@ impl<'a, V: Vector> Lanes<'a, V> {
         }
     }
 
-    /// Runs all cells that `next` gives; `done` takes each when it has ended.
+    /// Runs all cells of a feed.
     #[inline(always)]
-    pub fn run(
-        &mut self,
-        mut next: impl FnMut() -> Option<Job<V::Element>>,
-        mut done: impl FnMut(&Job<V::Element>),
-    ) {
+    pub fn run(&mut self, feed: &mut impl Feed<V::Element>) {
         for lane in 0..V::LANES {
-            self.fill(lane, &mut next, &mut done);
+            self.fill(lane, feed);
         }
         while self.running != 0 {
             let mut ended = self.turn();
@@ -201,17 +219,10 @@ impl<'a, V: Vector> Lanes<'a, V> {
                 let lane = ended.trailing_zeros() as usize;
                 ended &= ended - 1;
                 self.store(lane);
-                done(&self.lanes[lane].job);
+                feed.done(&self.lanes[lane].job);
                 self.running &= !(1 << lane);
-                self.fill(lane, &mut next, &mut done);
+                self.fill(lane, feed);
             }
         }
-    }
-
-    /// The numbers of a lane's equations.
-    #[inline(always)]
-    fn setting<'b>(&'b self, cell: &'b Cell<V::Element>) -> Setting<'b, V::Element> {
-        let Shared { variant, model, record } = self.shared;
-        Setting { variant, model, cell, record }
     }
 }

@@ -2,28 +2,31 @@
 
 use crate::model::Setting;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
-use crate::model::dynamics::{rates, uplift_moment};
+use crate::model::dynamics::{Motion, rates, uplift_moment};
 use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::super::certificate::{certify, is_due};
-use super::super::state::{DIVERGED, EVENT_LIMIT, FINISHED, RUNNING, overturn};
+use super::super::state::{DIVERGED, EVENT_LIMIT, FINISHED, RUNNING, State, overturn};
 use super::super::switching::{UPLIFT_LEFT, UPLIFT_RIGHT, land, lift};
 use super::judge::pick_rates;
-use super::{Job, Lanes};
+use super::{Feed, Job, Lanes};
+
+/// Gives a lane's motion to its state.
+#[inline(always)]
+fn leave<V: Vector>(y: &Motion<V>, lane: usize, state: &mut State<V::Element>) {
+    for (to, from) in state.motion.reals_mut().into_iter().zip(y.reals_ref()) {
+        *to = from.lane(lane);
+    }
+}
 
 impl<V: Vector> Lanes<'_, V> {
     /// Gives a lane the next cell that has anything left to run.
     #[inline(always)]
-    pub(super) fn fill(
-        &mut self,
-        lane: usize,
-        next: &mut impl FnMut() -> Option<Job<V::Element>>,
-        done: &mut impl FnMut(&Job<V::Element>),
-    ) {
-        while let Some(job) = next() {
+    pub(super) fn fill(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
+        while let Some(job) = feed.next() {
             if job.state.status != RUNNING {
-                done(&job);
+                feed.done(&job);
                 continue;
             }
             self.load(lane, job);
@@ -71,28 +74,19 @@ impl<V: Vector> Lanes<'_, V> {
         }
     }
 
-    /// Gives a lane's motion to its state.
-    #[inline(always)]
-    fn leave(&mut self, lane: usize) {
-        let motion = &mut self.lanes[lane].job.state.motion;
-        for (to, from) in motion.reals_mut().into_iter().zip(self.y.reals_ref()) {
-            *to = from.lane(lane);
-        }
-    }
-
     /// Gives all that a lane knows to its state.
     #[inline(always)]
     pub(super) fn store(&mut self, lane: usize) {
-        self.leave(lane);
-        self.seen.store(lane, &mut self.lanes[lane].job.state);
+        let state = &mut self.lanes[lane].job.state;
+        leave(&self.y, lane, state);
+        self.seen.store(lane, state);
     }
 
     #[inline(always)]
     fn begin_leg(&mut self, lane: usize, step: u32) {
-        let cell = self.lanes[lane].job.cell;
-        let variant = self.shared.variant;
-        let set = Setting { variant, model: self.shared.model, cell: &cell, record: self.shared.record };
-        self.lanes[lane].leg_start = self.leg.begin(lane, &set, step);
+        let one = &mut self.lanes[lane];
+        let set = self.shared.setting(&one.job.cell);
+        one.leg_start = self.leg.begin(lane, &set, step);
     }
 
     /// The step that a lane is in.
@@ -138,8 +132,8 @@ impl<V: Vector> Lanes<'_, V> {
                 bits &= bits - 1;
                 let kind = if lefts >> lane & 1 == 1 { UPLIFT_LEFT } else { UPLIFT_RIGHT };
                 let (step, fraction) = (self.step(lane), self.start.lane(lane));
-                self.leave(lane);
                 let state = &mut self.lanes[lane].job.state;
+                leave(&self.y, lane, state);
                 state.step = step;
                 lift(state, kind, fraction);
                 self.enter(lane);
@@ -180,21 +174,20 @@ impl<V: Vector> Lanes<'_, V> {
             let bit = 1 << lane;
             bits &= bits - 1;
             let (step, fraction) = (self.step(lane), self.start.lane(lane));
-            self.leave(lane);
-            let Job { cell, mut state, .. } = self.lanes[lane].job;
+            let Job { cell, state, .. } = &mut self.lanes[lane].job;
+            leave(&self.y, lane, state);
             state.step = step;
             if rocking & bit == 0 {
-                lift(&mut state, if left & bit != 0 { UPLIFT_LEFT } else { UPLIFT_RIGHT }, fraction);
+                lift(state, if left & bit != 0 { UPLIFT_LEFT } else { UPLIFT_RIGHT }, fraction);
             } else {
                 let corner = pivot(self.shared.model, state.mode);
                 if overturning & bit != 0 {
-                    overturn(&mut state, &corner, fraction);
+                    overturn(state, &corner, fraction);
                     ended |= bit;
                 } else {
-                    land(&self.setting(&cell), &mut state, &corner, fraction);
+                    land(&self.shared.setting(cell), state, &corner, fraction);
                 }
             }
-            self.lanes[lane].job.state = state;
             self.enter(lane);
         }
         ended
@@ -217,7 +210,7 @@ impl<V: Vector> Lanes<'_, V> {
             let bit = 1 << lane;
             bits &= bits - 1;
             let step = self.step(lane);
-            let Job { cell, mut state, .. } = self.lanes[lane].job;
+            let Job { cell, state, .. } = &mut self.lanes[lane].job;
             state.step = step;
             if endless & bit != 0 {
                 state.status = EVENT_LIMIT;
@@ -226,15 +219,13 @@ impl<V: Vector> Lanes<'_, V> {
             } else if step >= cell.steps {
                 state.status = FINISHED;
             }
-            self.lanes[lane].job.state = state;
-            let set = self.setting(&cell);
-            if state.status == RUNNING && is_due(&set, &state) {
-                self.store(lane);
-                let mut state = self.lanes[lane].job.state;
-                certify(&self.setting(&cell), &mut state);
-                self.lanes[lane].job.state = state;
+            let set = self.shared.setting(cell);
+            if state.status == RUNNING && is_due(&set, state) {
+                leave(&self.y, lane, state);
+                self.seen.store(lane, state);
+                certify(&set, state);
             }
-            if self.lanes[lane].job.state.status != RUNNING {
+            if state.status != RUNNING {
                 ended |= bit;
                 continue;
             }

@@ -1,0 +1,133 @@
+//! The sweep on the CPU's vectors: threads whose lanes take cells from one queue.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use fearless_simd::{Level, dispatch};
+
+use super::full_contact::Tracks;
+use super::plan::Plan;
+use crate::integrate::lanes::leg::MOST_STEPS;
+use crate::integrate::lanes::{Feed, Job, Lanes, Shared};
+use crate::integrate::outcome::Outcome;
+use crate::model::real::Real;
+use crate::scene::{Excitation, Grid};
+
+/// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
+const BATCH: usize = 64;
+
+/// True where lanes can run a plan: switches happen in their steps, and a pulse has no more steps
+/// than the number types count without loss.
+pub fn can_run(plan: &Plan) -> bool {
+    let counted = match plan.scene.excitation {
+        Excitation::Pulse(_) => {
+            let clock = plan.clock(&Grid::of(&plan.scene).extreme());
+            clock.steps_forced <= MOST_STEPS
+        }
+        Excitation::Record(_) => true,
+    };
+    plan.variant().in_step && counted
+}
+
+/// Cells and their outcomes on the way from and to a thread.
+struct Belt<'a, R> {
+    plan: &'a Plan,
+    grid: &'a Grid,
+    cells: &'a [usize],
+    tracks: Option<&'a Tracks<R>>,
+    progress: &'a (dyn Fn(usize) + Sync),
+    queue: &'a AtomicUsize,
+    outcomes: &'a Mutex<Vec<Outcome>>,
+    batch: Range<usize>,
+    ended: Vec<(usize, Outcome)>,
+}
+
+impl<R> Belt<'_, R> {
+    /// Puts the outcomes in their places.
+    fn deliver(&mut self) {
+        (self.progress)(self.ended.len());
+        // A thread that panicked has left whole outcomes behind.
+        let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+        for (number, outcome) in self.ended.drain(..) {
+            outcomes[number] = outcome;
+        }
+    }
+}
+
+impl<R: Real> Feed<R> for Belt<'_, R> {
+    #[inline(always)]
+    fn next(&mut self) -> Option<Job<R>> {
+        if self.batch.is_empty() {
+            let count = self.cells.len();
+            let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
+            self.batch = from..(from + BATCH).min(count);
+        }
+        let number = self.batch.next()?;
+        let index = self.cells[number];
+        let point = self.grid.point(index);
+        let (cell, mut state) = self.plan.cell::<R>(&point);
+        if let Some(tracks) = self.tracks {
+            tracks.begin(index, &point, &cell, &mut state);
+        }
+        Some(Job { number, cell, state })
+    }
+
+    #[inline(always)]
+    fn done(&mut self, job: &Job<R>) {
+        let point = self.grid.point(self.cells[job.number]);
+        self.ended.push((job.number, self.plan.outcome(&point, &job.state)));
+        if self.ended.len() == BATCH {
+            self.deliver();
+        }
+    }
+}
+
+/// Runs cells of a grid on all cores with the vectors of a level; `progress` hears of cells done.
+pub fn sweep<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &(dyn Fn(usize) + Sync),
+    level: Level,
+) -> Vec<Outcome> {
+    let model = plan.model::<R>();
+    let record = plan.record::<R>();
+    let tracks = Tracks::of(plan, grid, &record);
+    let shared = Shared { variant: plan.variant(), model: &model, record: &record };
+    let queue = AtomicUsize::new(0);
+    let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
+    rayon::broadcast(|_| {
+        let mut belt = Belt {
+            plan,
+            grid,
+            cells,
+            tracks: tracks.as_ref(),
+            progress,
+            queue: &queue,
+            outcomes: &outcomes,
+            batch: 0..0,
+            ended: Vec::with_capacity(BATCH),
+        };
+        dispatch!(level, simd => Lanes::new(shared, R::of(0.0).lanes(simd)).run(&mut belt));
+        belt.deliver();
+    });
+    outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The vectors that this machine has, the plainest first: names and levels.
+pub fn levels() -> Vec<(&'static str, Level)> {
+    let best = Level::new();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    let levels = [
+        ("SSE2", best.as_sse2().map(Level::Sse2)),
+        ("SSE4.2", best.as_sse4_2().map(Level::Sse4_2)),
+        ("AVX2", best.as_avx2().map(Level::Avx2)),
+        ("AVX-512", best.as_avx512().map(Level::Avx512)),
+    ];
+    #[cfg(target_arch = "aarch64")]
+    let levels = [("NEON", best.as_neon().map(Level::Neon))];
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+    let levels = [("scalar", Some(best))];
+    levels.into_iter().filter_map(|(name, level)| Some((name, level?))).collect()
+}
