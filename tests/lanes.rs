@@ -7,7 +7,7 @@ mod common;
 use common::{all, object, say, scene, synthetic_pair, under};
 use topple::integrate::lanes::{Feed, Job, Lanes, Shared};
 use topple::integrate::outcome::{Class, Outcome};
-use topple::integrate::state::{DIVERGED, RUNNING};
+use topple::integrate::state::{DIVERGED, EVENT_LIMIT, RUNNING};
 use topple::model::real::Real;
 use topple::scene::{Grid, Range, Scene};
 use topple::sweep::backend::Precision;
@@ -33,9 +33,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
     let dual = "t_h = 1.0\nt_v = 0.5";
     let mut record = on(dual, "");
     under(&mut record, synthetic_pair());
-    if let (Some(h), Some(v)) =
-        (&mut record.isolation.horizontal, &mut record.isolation.vertical)
-    {
+    if let (Some(h), Some(v)) = (&mut record.isolation.horizontal, &mut record.isolation.vertical) {
         h.t_h = Range { start: 0.6, stop: 4.0, count: SIDE };
         v.t_v = Range { start: 0.5, stop: 2.0, count: SIDE };
     }
@@ -50,7 +48,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
         ("no isolation", on("isolation = \"none\"", "a_v = 1.0\n")),
         ("horizontal", on("isolation = \"horizontal\"\nt_h = 1.0", "a_v = 1.0\n")),
         ("vertical", on("isolation = \"vertical\"\nt_v = 0.5", "a_v = 1.0\n")),
-        ("n = 5, early yield", on("t_h = 1.0\nt_v = 0.5\nn = 5\nalpha_y = 0.01", "")),
+        ("n = 5, early yield", on("t_h = 1.0\nt_v = 0.5\nbouc_wen_n = 5\nalpha_y = 0.01", "")),
         ("linear", on("t_h = 1.0\nt_v = 0.5\npsi = 1.0", "")),
         ("quarter turn", on(dual, "[run]\noverturn = \"quarter-turn\"\n")),
         ("signed amplitudes", negative),
@@ -211,7 +209,8 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
     };
     let alone = run((0..64).map(job).collect());
     assert!(alone.iter().all(|job| job.state.status != RUNNING && job.state.status != DIVERGED));
-    for (which, bad) in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.0e30].into_iter().enumerate() {
+    for (which, bad) in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.0e30].into_iter().enumerate()
+    {
         let mut jobs: Vec<_> = (0..64).map(job).collect();
         for job in jobs.iter_mut().skip(which).step_by(7) {
             job.state.motion.du = bad;
@@ -219,7 +218,9 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
         let ran = run(jobs);
         for (cell, other) in ran.iter().zip(&alone) {
             if cell.number >= which && (cell.number - which).is_multiple_of(7) {
-                assert_eq!(cell.state.status, DIVERGED, "{bad}: cell {}", cell.number);
+                // A velocity that can still be halved ends in cuts without end.
+                let ended = [DIVERGED, EVENT_LIMIT].contains(&cell.state.status);
+                assert!(ended, "{bad}: cell {}: {}", cell.number, cell.state.status);
             } else {
                 assert_eq!(cell.state, other.state, "{bad}: cell {}", cell.number);
             }

@@ -5,7 +5,7 @@ use std::io::Write;
 use contour::ContourBuilder;
 
 use super::Map;
-use super::csv::number;
+use super::csv::Number;
 use crate::integrate::outcome::{Class, Outcome};
 
 /// A line in the units of the axes.
@@ -115,8 +115,7 @@ pub fn write(map: &Map, writer: impl Write) -> Result<(), csv::Error> {
     for boundary in [Boundary::Overturning, Boundary::FullContact] {
         for (index, line) in boundary.lines(map).iter().enumerate() {
             for (x, y) in line {
-                let place = [number(*x), number(*y)];
-                table.write_record([boundary.name(), &index.to_string(), &place[0], &place[1]])?;
+                table.serialize((boundary.name(), index, Number(*x), Number(*y)))?;
             }
         }
     }

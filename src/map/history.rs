@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::csv::number;
+use super::csv::Number;
 use crate::sweep::history::Row;
 
 /// Names of the columns.
@@ -17,9 +17,7 @@ pub fn write(rows: &[Row], writer: impl Write) -> Result<(), csv::Error> {
     table.write_record(COLUMNS)?;
     for row in rows {
         let numbers = [row.u, row.du, row.v, row.dv, row.z, row.phi, row.dphi];
-        let mut record = vec![number(row.t), row.mode.to_string()];
-        record.extend(numbers.map(number));
-        table.write_record(record)?;
+        table.serialize((Number(row.t), row.mode, numbers.map(Number)))?;
     }
     table.flush()?;
     Ok(())
