@@ -3,13 +3,16 @@
 override workgroup_size: u32 = 64u;
 
 struct Chunk {
+    // Cells of the tile.
     cells: u32,
     // Steps and switches of a cell at most.
     work: u32,
+    // Number of the chunk in the tile.
+    number: u32,
 }
 
-struct Progress {
-    // Cells that still run after this chunk.
+struct Tally {
+    // Cells that still run after a chunk.
     running: atomic<u32>,
     // Steps that all cells took in it.
     steps: atomic<u32>,
@@ -18,19 +21,24 @@ struct Progress {
 @group(0) @binding(1) var<storage, read> cells: array<Cell>;
 @group(0) @binding(2) var<storage, read_write> states: array<State>;
 @group(0) @binding(3) var<uniform> chunk: Chunk;
-@group(0) @binding(4) var<storage, read_write> progress: Progress;
+// A ring: a chunk reads the tally of the one before it and writes the next.
+@group(0) @binding(4) var<storage, read_write> tallies: array<Tally, 4>;
+// The cells that still run, twice: a chunk reads one list and writes the other.
+@group(0) @binding(7) var<storage, read_write> running: array<u32>;
 
 // This thread's cell.
 var<private> lane: u32;
 
 @compute @workgroup_size(workgroup_size)
 fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= chunk.cells {
+    let here = chunk.number % 4u;
+    let next = (chunk.number + 1u) % 4u;
+    if id.x >= atomicLoad(&tallies[here].running) {
         return;
     }
-    lane = id.x;
-    let cell = cells[id.x];
-    var state = states[id.x];
+    lane = running[(chunk.number % 2u) * chunk.cells + id.x];
+    let cell = cells[lane];
+    var state = states[lane];
     let first = state.step;
     var done = 0u;
     while done < chunk.work && state.status == RUNNING {
@@ -39,11 +47,10 @@ fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
             certify(cell, &state);
         }
     }
-    if done > 0u {
-        states[id.x] = state;
-        atomicAdd(&progress.steps, state.step - first);
-    }
+    states[lane] = state;
+    atomicAdd(&tallies[next].steps, state.step - first);
     if state.status == RUNNING {
-        atomicAdd(&progress.running, 1u);
+        let place = atomicAdd(&tallies[next].running, 1u);
+        running[(next % 2u) * chunk.cells + place] = lane;
     }
 }

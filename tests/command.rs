@@ -68,7 +68,7 @@ fn a_map_leaves_the_files_of_the_contract() {
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 63);
     // x fastest, both ends included.
-    assert_eq!((&rows[0][0], &rows[0][1]), ("3", "1"));
+    assert_eq!((&rows[0][0], &rows[0][1]), ("3.0", "1.0"));
     assert_eq!((&rows[6][0], &rows[6][1]), ("12", "1"));
     assert_eq!((&rows[62][0], &rows[62][1]), ("12", "12"));
     for row in &rows {

@@ -1,6 +1,7 @@
 //! The command line: one file a command.
 
 mod adapters;
+mod bench;
 mod chart;
 mod history;
 mod options;
@@ -41,6 +42,8 @@ enum Command {
     Run(scene::RunCommand),
     /// Chart speed against accuracy: every method, over its steps or tolerances
     Chart(chart::ChartCommand),
+    /// Measure every backend of this machine on the same maps, and print the table
+    Bench(bench::BenchCommand),
     /// List the GPU adapters of this machine
     Adapters,
 }
@@ -61,6 +64,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
         Some(Command::Chart(command)) => command.run(),
+        Some(Command::Bench(command)) => command.run(),
         Some(Command::Adapters) => adapters::run(),
         None => scene::run_default(&arguments.options),
     }

@@ -128,6 +128,18 @@ pub struct Clock {
 }
 
 impl Clock {
+    /// Steps taken until a time of the run, s.
+    pub fn steps_until(&self, t: f64) -> u64 {
+        let forced = f64::from(self.steps_forced) * self.step_forced;
+        let steps = if t < forced || self.step_free <= 0.0 {
+            t / self.step_forced
+        } else {
+            f64::from(self.steps_forced) + (t - forced) / self.step_free
+        };
+        // Times are no negative numbers.
+        steps.round() as u64
+    }
+
     /// Time at a fraction of a step, s.
     pub fn time(&self, step: u32, fraction: f64) -> f64 {
         if step < self.steps_forced {

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use wgpu::{
     Adapter, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures, Features, MemoryHints,
-    PollType, Queue, Trace,
+    PollType, Queue, SubmissionIndex, Trace,
 };
 
 use super::GpuError;
@@ -79,15 +79,15 @@ impl Gpu {
         }
     }
 
-    /// Waits until the device has done all that was submitted.
+    /// Waits until the device has done what was submitted: all of it, or up to one submission.
     ///
     /// # Errors
     /// [`GpuError::Lost`], and any failure noted since the last call.
-    pub fn wait(&self) -> Result<(), GpuError> {
+    pub fn wait(&self, submission: Option<SubmissionIndex>) -> Result<(), GpuError> {
+        let until = PollType::Wait { submission_index: submission, timeout: None };
         // wgpu panics where the device fails while it is waited for; to the caller that is a lost
         // device like any other.
-        let polled =
-            catch_unwind(AssertUnwindSafe(|| self.device.poll(PollType::wait_indefinitely())));
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(until)));
         if let Some(failure) = self.failure.lock().ok().and_then(|mut failure| failure.take()) {
             return Err(failure);
         }
@@ -98,17 +98,21 @@ impl Gpu {
         }
     }
 
-    /// The bytes of a mappable buffer.
+    /// The bytes of a mappable buffer, once the device has done a submission, or all.
     ///
     /// # Errors
     /// As [`Gpu::wait`], and [`GpuError::Lost`] where the buffer cannot be mapped.
-    pub fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+    pub fn read(
+        &self,
+        buffer: &wgpu::Buffer,
+        submission: Option<SubmissionIndex>,
+    ) -> Result<Vec<u8>, GpuError> {
         let (sender, receiver) = std::sync::mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
             // The receiver is gone only if `wait` failed, which is the error to report.
             let _ = sender.send(mapped);
         });
-        self.wait()?;
+        self.wait(submission)?;
         match receiver.try_recv() {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Err(GpuError::Lost(error.to_string())),

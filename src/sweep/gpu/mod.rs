@@ -1,6 +1,7 @@
 //! The sweep on a GPU, by wgpu: Vulkan, Metal or DX12.
 
 pub mod adapter;
+mod chunk;
 pub mod device;
 pub mod run;
 pub mod shader;

@@ -1,18 +1,18 @@
 //! A sweep on a device: tiles of cells, chunks of steps.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rayon::prelude::*;
 use wgpu::{
-    Buffer, BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor,
-    ComputePassTimestampWrites, ComputePipeline, ComputePipelineDescriptor,
-    PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
+    Buffer, BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePipeline,
+    ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
 use super::super::backend::Precision;
 use super::super::full_contact::Tracks;
 use super::super::plan::Plan;
 use super::GpuError;
+use super::chunk::{self, WORKGROUP};
 use super::device::Gpu;
 use super::shader::{self, Switches};
 use super::tile::Tile;
@@ -24,18 +24,8 @@ use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::Grid;
 
-/// Threads of a workgroup.
-const WORKGROUP: usize = 64;
 /// Most cells that are on the device at once.
 const MOST_CELLS: usize = 1 << 20;
-/// What a chunk should take: well below the two seconds after which a desktop driver ends it.
-const CHUNK_TIME: Duration = Duration::from_millis(100);
-/// Steps and switches of a cell in the first chunk.
-const FIRST_CHUNK: u32 = 16;
-/// The same in the longest one. Drivers bound the iterations of a shader's loops, the software one
-/// silently at 65,535 for all loops together: a switch takes about 15, a hundred at the worst.
-const LONGEST_CHUNK: f64 = 2048.0;
-
 /// The compiled sweep of a scene.
 pub struct Sweeper<'a> {
     gpu: &'a Gpu,
@@ -50,6 +40,12 @@ struct Shared<'a, R> {
     tracks: Option<Tracks<R>>,
     record: Buffer,
     progress: &'a (dyn Fn(usize) + Sync),
+}
+
+/// A tile made ready.
+struct Prepared<R> {
+    cells: Vec<Cell<R>>,
+    states: Vec<State<R>>,
 }
 
 /// What a device made of cells.
@@ -147,7 +143,7 @@ impl<'a> Sweeper<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Ran<R>, GpuError> {
         let mut ran = Ran {
-            outcomes: Vec::with_capacity(cells.len()),
+            outcomes: Vec::new(),
             events: Vec::new(),
             device: self.gpu.has_clock().then_some(Duration::ZERO),
         };
@@ -155,9 +151,33 @@ impl<'a> Sweeper<'a> {
         let tracks = Tracks::of(plan, grid, &samples);
         let record = self.gpu.checked(|| Tile::record(self.gpu, &samples))?;
         let shared = Shared { plan, grid, tracks, record, progress };
-        for indices in cells.chunks(self.tile_size::<R>()) {
-            self.tile(&shared, indices, &mut ran)?;
+        // While a tile is on the device, the host makes the next one ready and the last one's
+        // outcomes.
+        let tiles: Vec<&[usize]> = cells.chunks(self.tile_size::<R>()).collect();
+        let mut outcomes = Vec::with_capacity(cells.len());
+        let conclude = |outcomes: &mut Vec<Outcome>, states: &[State<R>], indices: &[usize]| {
+            let ended = states.par_iter().zip(indices);
+            outcomes.par_extend(ended.map(|(state, &i)| plan.outcome(&grid.point(i), state)));
+        };
+        let mut next = tiles.first().map(|first| Sweeper::prepare(&shared, first));
+        let mut last: Option<(Vec<State<R>>, &[usize])> = None;
+        for (number, indices) in tiles.iter().enumerate() {
+            let Some(prepared) = next.take() else { break };
+            let (states, ()) = rayon::join(
+                || self.tile(&shared, &prepared, &mut ran),
+                || {
+                    if let Some((states, indices)) = last.take() {
+                        conclude(&mut outcomes, &states, indices);
+                    }
+                    next = tiles.get(number + 1).map(|next| Sweeper::prepare(&shared, next));
+                },
+            );
+            last = Some((states?, indices));
         }
+        if let Some((states, indices)) = last {
+            conclude(&mut outcomes, &states, indices);
+        }
+        ran.outcomes = outcomes;
         Ok(ran)
     }
 
@@ -170,14 +190,9 @@ impl<'a> Sweeper<'a> {
         MOST_CELLS.min(by_memory).min(groups.saturating_mul(WORKGROUP)).max(1)
     }
 
-    fn tile<R: Real>(
-        &self,
-        shared: &Shared<R>,
-        indices: &[usize],
-        ran: &mut Ran<R>,
-    ) -> Result<(), GpuError> {
-        let Shared { plan, grid, tracks, record, progress } = shared;
-        let count = indices.len();
+    /// A tile's cells and the states that they start in.
+    fn prepare<R: Real>(shared: &Shared<R>, indices: &[usize]) -> Prepared<R> {
+        let Shared { plan, grid, tracks, .. } = shared;
         let begun = |&index: &usize| {
             let point = grid.point(index);
             let (cell, mut state) = plan.cell::<R>(&point);
@@ -186,97 +201,39 @@ impl<'a> Sweeper<'a> {
             }
             (cell, state)
         };
-        let (cells, states): (Vec<Cell<R>>, Vec<State<R>>) = indices.par_iter().map(begun).unzip();
-        let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
-        let kept = self.events_kept;
-        let tile = self.gpu.checked(|| {
-            Tile::new(self.gpu, &self.pipeline, &plan.model::<R>(), &cells, &states, record, kept)
-        })?;
-        let mut chunk = FIRST_CHUNK;
-        let all_steps: u64 = cells.iter().map(|cell| u64::from(cell.steps)).sum();
-        let mut steps_taken = 0_u64;
-        let mut most_done = 0_u64;
-        let mut told = 0;
-        loop {
-            let began = Instant::now();
-            let Chunk { running, steps, device } = self.chunk(&tile, count, chunk)?;
-            ran.device = ran.device.zip(device).map(|(sum, chunk)| sum + chunk);
-            // Switches count as work too, so that this is an upper bound.
-            most_done += u64::from(chunk);
-            let share = (most_done as f64 / f64::from(most_steps.max(1))).min(0.99);
-            let done = count - running + (share * running as f64) as usize;
-            progress(done.saturating_sub(told));
-            told = told.max(done);
-            if running == 0 {
-                break;
-            }
-            // A device that stands still, or whose states do not come to stay.
-            steps_taken += steps;
-            if steps == 0 || steps_taken > all_steps {
-                return Err(GpuError::Unfinished(running));
-            }
-            let ratio = CHUNK_TIME.as_secs_f64() / began.elapsed().as_secs_f64().max(1.0e-6);
-            chunk = (f64::from(chunk) * ratio.clamp(0.25, 4.0)).clamp(1.0, LONGEST_CHUNK) as u32;
-        }
-        let bytes = self.gpu.read(&self.copy_back(&tile.states)?)?;
-        let states: &[State<R>] = bytemuck::cast_slice(&bytes);
-        // A cell that is still running, or in no status at all, was never computed.
-        let unfinished = states.iter().filter(|s| s.status == RUNNING || s.status > PROVED).count();
-        if unfinished > 0 || states.len() != count {
-            return Err(GpuError::Unfinished(unfinished.max(count - states.len().min(count))));
-        }
-        ran.outcomes.par_extend(
-            states
-                .par_iter()
-                .zip(indices)
-                .map(|(state, &index)| plan.outcome(&grid.point(index), state)),
-        );
-        if let Some(events) = &tile.events {
-            let bytes = self.gpu.read(&self.copy_back(events)?)?;
-            ran.events.extend_from_slice(bytemuck::cast_slice(&bytes));
-        }
-        Ok(())
+        let (cells, states) = indices.par_iter().map(begun).unzip();
+        Prepared { cells, states }
     }
 
-    /// Runs a chunk of every cell.
-    fn chunk(&self, tile: &Tile, count: usize, work: u32) -> Result<Chunk, GpuError> {
-        let gpu = self.gpu;
-        gpu.checked(|| {
-            // A tile has fewer than 2^32 cells.
-            let chunk = [count as u32, work, 0, 0];
-            gpu.queue.write_buffer(&tile.chunk, 0, bytemuck::cast_slice(&chunk));
-            let mut encoder = gpu
-                .device
-                .create_command_encoder(&CommandEncoderDescriptor { label: Some("chunk") });
-            encoder.clear_buffer(&tile.progress, 0, None);
-            let clock = tile.clock.as_ref();
-            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
-                label: None,
-                timestamp_writes: clock.map(|clock| ComputePassTimestampWrites {
-                    query_set: &clock.queries,
-                    beginning_of_pass_write_index: Some(0),
-                    end_of_pass_write_index: Some(1),
-                }),
-            });
-            pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &tile.bind_group, &[]);
-            pass.dispatch_workgroups(count.div_ceil(WORKGROUP) as u32, 1, 1);
-            drop(pass);
-            encoder.copy_buffer_to_buffer(&tile.progress, 0, &tile.back, 0, Some(8));
-            if let Some(clock) = clock {
-                encoder.resolve_query_set(&clock.queries, 0..2, &clock.ticks, 0);
-                encoder.copy_buffer_to_buffer(&clock.ticks, 0, &tile.back, 8, Some(16));
-            }
-            gpu.queue.submit([encoder.finish()]);
+    /// Runs a tile on the device, to its cells' last states.
+    fn tile<R: Real>(
+        &self,
+        shared: &Shared<R>,
+        prepared: &Prepared<R>,
+        ran: &mut Ran<R>,
+    ) -> Result<Vec<State<R>>, GpuError> {
+        let Prepared { cells, states } = prepared;
+        let model = shared.plan.model::<R>();
+        let tile = self.gpu.checked(|| {
+            let (record, kept) = (&shared.record, self.events_kept);
+            Tile::new(self.gpu, &self.pipeline, &model, cells, states, record, kept)
         })?;
-        let bytes = gpu.read(&tile.back)?;
-        let [running, steps] = bytemuck::pod_read_unaligned::<[u32; 2]>(&bytes[..8]);
-        let device = tile.clock.as_ref().map(|_| {
-            let [began, ended] = bytemuck::pod_read_unaligned::<[u64; 2]>(&bytes[8..]);
-            let tick = f64::from(gpu.queue.get_timestamp_period());
-            Duration::from_nanos((ended.saturating_sub(began) as f64 * tick) as u64)
-        });
-        Ok(Chunk { running: running as usize, steps: u64::from(steps), device })
+        let running = states.iter().filter(|state| state.status == RUNNING).count();
+        let time = chunk::run(self.gpu, &self.pipeline, &tile, cells, running, shared.progress)?;
+        ran.device = ran.device.zip(time).map(|(sum, tile)| sum + tile);
+        let bytes = self.gpu.read(&self.copy_back(&tile.states)?, None)?;
+        let states: Vec<State<R>> = bytemuck::pod_collect_to_vec(&bytes);
+        // A cell that is still running, or in no status at all, was never computed.
+        let unfinished = states.iter().filter(|s| s.status == RUNNING || s.status > PROVED).count();
+        if unfinished > 0 || states.len() != cells.len() {
+            let missing = cells.len() - states.len().min(cells.len());
+            return Err(GpuError::Unfinished(unfinished.max(missing)));
+        }
+        if let Some(events) = &tile.events {
+            let bytes = self.gpu.read(&self.copy_back(events)?, None)?;
+            ran.events.extend_from_slice(bytemuck::cast_slice(&bytes));
+        }
+        Ok(states)
     }
 
     /// The contents of a buffer in one that can be read.
@@ -297,14 +254,4 @@ impl<'a> Sweeper<'a> {
             back
         })
     }
-}
-
-/// What a chunk tells.
-struct Chunk {
-    /// Cells that still run after it.
-    running: usize,
-    /// Steps that all cells took in it.
-    steps: u64,
-    /// Time in the shader.
-    device: Option<Duration>,
 }

@@ -1,5 +1,7 @@
 //! What a tile of cells has on the device.
 
+use std::array::from_fn;
+
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, BufferDescriptor, BufferUsages,
@@ -8,25 +10,34 @@ use wgpu::{
 
 use super::device::Gpu;
 use crate::integrate::log::Event;
-use crate::integrate::state::State;
+use crate::integrate::state::{RUNNING, State};
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
 
+/// Chunks that are on the way at once: while the host looks at one, the device runs the next.
+pub const FLIGHTS: usize = 2;
+/// Tallies in the ring.
+pub const TALLIES: u64 = 4;
+/// Bytes of a tally.
+pub const TALLY: u64 = 8;
+
 /// The buffers of a tile, and how the shader is given them.
 pub struct Tile {
+    /// Cells in it.
+    pub cells: usize,
     /// The cells' states.
     pub states: Buffer,
     /// How much a chunk is to do.
     pub chunk: Buffer,
-    /// What a chunk did.
-    pub progress: Buffer,
-    /// The same, and the clock's ticks, where the host can read them.
-    pub back: Buffer,
+    /// What chunks did.
+    pub tallies: Buffer,
+    /// A tally, and the clock's ticks, where the host can read them.
+    pub back: [Buffer; FLIGHTS],
     /// The cells' first switches, where they are kept.
     pub events: Option<Buffer>,
-    /// The device's clock, where it has one.
-    pub clock: Option<Clock>,
+    /// The device's clocks, where it has them.
+    pub clocks: Option<[Clock; FLIGHTS]>,
     /// All of a shader's buffers.
     pub bind_group: BindGroup,
 }
@@ -72,23 +83,38 @@ impl Tile {
         let cells_buffer = filled(gpu, "cells", bytemuck::cast_slice(cells), storage);
         let states_buffer = filled(gpu, "states", bytemuck::cast_slice(states), both_ways);
         let chunk = empty(gpu, "chunk", 16, BufferUsages::UNIFORM | BufferUsages::COPY_DST);
-        let progress = empty(gpu, "progress", 8, both_ways);
+        // Of what still runs the first list, and place for the second.
+        let running = |state: &State<R>| state.status == RUNNING;
+        let mut lists: Vec<u32> = states
+            .iter()
+            .zip(0_u32..)
+            .filter_map(|(state, lane)| running(state).then_some(lane))
+            .collect();
+        let mut tallies = [0_u32; (TALLIES * TALLY / 4) as usize];
+        // A tile has fewer than 2^32 cells.
+        tallies[0] = lists.len() as u32;
+        lists.resize(2 * cells.len(), 0);
+        let tallies = filled(gpu, "tallies", bytemuck::cast_slice(&tallies), both_ways);
+        let lists = filled(gpu, "running", bytemuck::cast_slice(&lists), storage);
         let event_bytes = (cells.len() * events_kept * size_of::<Event<R>>()) as u64;
         let events = (events_kept > 0).then(|| empty(gpu, "events", event_bytes, both_ways));
-        let clock = gpu.has_clock().then(|| Clock {
+        let clock = |_| Clock {
             queries: gpu.device.create_query_set(&QuerySetDescriptor {
                 label: Some("clock"),
                 ty: QueryType::Timestamp,
                 count: 2,
             }),
             ticks: empty(gpu, "ticks", 16, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
-        });
-        let back = empty(gpu, "back", 24, BufferUsages::COPY_DST | BufferUsages::MAP_READ);
-        let bound = [&model, &cells_buffer, &states_buffer, &chunk, &progress, record];
+        };
+        let clocks = gpu.has_clock().then(|| from_fn(clock));
+        let read = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+        let back = from_fn(|_| empty(gpu, "back", TALLY + 16, read));
+        let bound = [&model, &cells_buffer, &states_buffer, &chunk, &tallies, record];
         let entries: Vec<BindGroupEntry> = bound
             .into_iter()
-            .chain(&events)
             .zip(0..)
+            .chain(events.iter().map(|events| (events, 6)))
+            .chain([(&lists, 7)])
             .map(|(buffer, binding)| BindGroupEntry {
                 binding,
                 resource: buffer.as_entire_binding(),
@@ -99,6 +125,7 @@ impl Tile {
             layout: &pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        Tile { states: states_buffer, chunk, progress, back, events, clock, bind_group }
+        let (cells, states) = (cells.len(), states_buffer);
+        Tile { cells, states, chunk, tallies, back, events, clocks, bind_group }
     }
 }

@@ -1,0 +1,216 @@
+//! What a step costs in operations, counted on the equations themselves: they run on a number that
+//! counts. The shaders are the same statements.
+
+use std::cell::Cell as Counter;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::Setting;
+use super::block::{Corner, Model};
+use super::dynamics::{Motion, rates};
+use super::excitation::{Cell, Ground};
+use super::isolation::Variant;
+use super::number::Number;
+use super::real::{COSINE_F32, COSINE_F64, SINE_F32, SINE_F64};
+use crate::integrate::rk4::rk4;
+
+/// Numbers of operations; changes of sign are free.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Sums and differences.
+    pub sums: u32,
+    /// Products.
+    pub products: u32,
+    /// Products with a sum, where they may be fused.
+    pub fused: u32,
+    /// Divisions and roots.
+    pub divisions: u32,
+    /// Comparisons and choices by them.
+    pub choices: u32,
+}
+
+impl Operations {
+    /// Floating-point operations as peaks count them: a fused one is two.
+    pub fn flops(&self) -> u32 {
+        self.sums + self.products + 2 * self.fused + self.divisions
+    }
+}
+
+thread_local! {
+    static COUNT: Counter<Operations> = const {
+        Counter::new(Operations { sums: 0, products: 0, fused: 0, divisions: 0, choices: 0 })
+    };
+}
+
+fn count(change: impl FnOnce(&mut Operations)) {
+    let mut operations = COUNT.get();
+    change(&mut operations);
+    COUNT.set(operations);
+}
+
+/// A number that counts what is done with it; `DOUBLE` for the polynomials of `f64`.
+#[derive(Clone, Copy)]
+struct Counted<const DOUBLE: bool>(f64);
+
+macro_rules! counted {
+    ($trait:ident, $operation:ident, $kind:ident) => {
+        impl<const DOUBLE: bool> $trait for Counted<DOUBLE> {
+            type Output = Self;
+
+            fn $operation(self, other: Self) -> Self {
+                count(|operations| operations.$kind += 1);
+                Counted(self.0.$operation(other.0))
+            }
+        }
+    };
+}
+
+counted!(Add, add, sums);
+counted!(Sub, sub, sums);
+counted!(Mul, mul, products);
+counted!(Div, div, divisions);
+
+impl<const DOUBLE: bool> Neg for Counted<DOUBLE> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Counted(-self.0)
+    }
+}
+
+impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
+    type Mask = bool;
+
+    const SINE: &'static [f64] = if DOUBLE { &SINE_F64 } else { &SINE_F32 };
+    const COSINE: &'static [f64] = if DOUBLE { &COSINE_F64 } else { &COSINE_F32 };
+
+    fn like(self, value: f64) -> Self {
+        Counted(value)
+    }
+
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        count(|operations| operations.fused += 1);
+        Counted(self.0 * factor.0 + term.0)
+    }
+
+    fn abs(self) -> Self {
+        Counted(self.0.abs())
+    }
+
+    fn sqrt(self) -> Self {
+        count(|operations| operations.divisions += 1);
+        Counted(self.0.sqrt())
+    }
+
+    fn exceeds(self, other: Self) -> bool {
+        count(|operations| operations.choices += 1);
+        self.0 > other.0
+    }
+
+    fn reaches(self, other: Self) -> bool {
+        count(|operations| operations.choices += 1);
+        self.0 >= other.0
+    }
+
+    fn pick(mask: bool, yes: Self, no: Self) -> Self {
+        count(|operations| operations.choices += 1);
+        if mask { yes } else { no }
+    }
+
+    fn any(mask: bool) -> bool {
+        mask
+    }
+}
+
+/// The operations of one Runge-Kutta step after the excitation, its four evaluations of the
+/// equations included, without what looks for switches.
+pub fn of_step(variant: Variant, rocking: bool, double: bool) -> Operations {
+    if double {
+        counted_step::<true>(variant, rocking)
+    } else {
+        counted_step::<false>(variant, rocking)
+    }
+}
+
+fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operations {
+    let one = Counted::<DOUBLE>(1.0);
+    let corner = Corner {
+        side: one,
+        arm: one,
+        inertia: Counted(9.0),
+        overturn: one,
+        eta_phi: one,
+        eta_u: one,
+        eta_v: one,
+    };
+    let model = Model {
+        left: corner,
+        right: corner,
+        height: one,
+        mu_h: one,
+        mu_v: one,
+        gravity: one,
+        inverse_mu_h: one,
+        inverse_mu_v: one,
+        least_arm: one,
+        topple_energy: one,
+    };
+    let cell = Cell {
+        post_yield: one,
+        hysteretic: one,
+        damping_h: one,
+        inverse_yield: one,
+        stiffness_v: one,
+        damping_v: one,
+        amplitude_h: one,
+        amplitude_v: one,
+        phase_step: one,
+        step_forced: one,
+        step_free: one,
+        rest_speed: one,
+        yield_energy: one,
+        deflection: one,
+        reach_h: one,
+        reach_v: one,
+        steps_forced: 0,
+        steps: 1,
+        substeps: 1,
+        padding: 0,
+    };
+    let set = Setting { variant, model: &model, cell: &cell, record: &[] };
+    let y = Motion { u: one, du: one, v: one, dv: one, z: one, phi: one, dphi: one };
+    let ground = Ground { h: one, v: one };
+    COUNT.set(Operations::default());
+    let k1 = rates(&set, &corner, rocking, &y, ground);
+    rk4(&set, &corner, rocking, &y, &k1, one, [ground, ground]);
+    COUNT.get()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: in full contact, unisolated, a step is four evaluations of two sums (f_v = g plus
+    /// the ground) and the shifts and the sum of seven coordinates.
+    #[test]
+    fn a_step_on_the_ground_counted_by_hand() {
+        let variant = Variant {
+            recorded: false,
+            isolated_h: false,
+            isolated_v: false,
+            kinks: false,
+            in_step: true,
+            yields: false,
+            certificate: false,
+            bouc_wen_n: 2,
+        };
+        let counted = of_step(variant, false, false);
+        // Three shifts of seven, and seven sums of two fused each; h/2 and h/6.
+        assert_eq!(counted.fused, 3 * 7 + 7 * 2);
+        assert_eq!(counted.sums, 4 + 7 * 2);
+        assert_eq!((counted.products, counted.divisions, counted.choices), (2, 0, 0));
+        assert_eq!(counted.flops(), 2 * 35 + 18 + 2);
+        let rocking = of_step(variant, true, false);
+        assert_eq!(rocking.divisions, 4, "one division an evaluation");
+        assert!(of_step(variant, true, true).fused > rocking.fused, "longer polynomials");
+    }
+}
