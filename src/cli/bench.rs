@@ -132,8 +132,7 @@ impl BenchCommand {
                  a_h = \"0.1:15:{side}\"\n"
             ))
         };
-        let mut shaken =
-            scene("[base]\nt_h = 1.0\nt_v = 1.0\n[pulse]\nomega = 5.0\na_h = 1.0\n")?;
+        let mut shaken = scene("[base]\nt_h = 1.0\nt_v = 1.0\n[pulse]\nomega = 5.0\na_h = 1.0\n")?;
         let range = |start, stop| Range { start, stop, count: quarter };
         if let (Some(h), Some(v)) =
             (&mut shaken.isolation.horizontal, &mut shaken.isolation.vertical)

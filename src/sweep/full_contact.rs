@@ -53,6 +53,11 @@ struct Track<R> {
     peak: Vec<R>,
     /// Least of the acceleration up to each sample.
     lowest: Vec<R>,
+    /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
+    /// acceleration, up to and with each gap.
+    highest: Vec<R>,
+    deepest: Vec<R>,
+    strongest: Vec<R>,
 }
 
 /// Which of the two directions a track is of.
@@ -69,6 +74,8 @@ pub struct Tracks<R> {
     /// Of v: by row under a record, by column under a pulse; one where all are alike.
     up: Vec<Track<R>>,
     by_row: bool,
+    /// The base does not move vertically before the block lifts.
+    still: bool,
     /// A_h that the motions of u are of, m/s^2; none where they are every cell's own.
     amplitude: Option<f64>,
     width: usize,
@@ -97,7 +104,7 @@ impl<R: Real> Tracks<R> {
             (true, _) => height,
             (false, _) => width,
         };
-        let bytes = (across + up) * gaps * (size_of::<Motion<R>>() + 5 * size_of::<R>());
+        let bytes = (across + up) * gaps * (size_of::<Motion<R>>() + 8 * size_of::<R>());
         // As many motions as cells save nothing.
         let pays = across + up < grid.len() && amplitude != Some(0.0);
         if !plan.reductions.full_contact || plan.scene.tilt != 0.0 || bytes > MOST_MEMORY || !pays {
@@ -120,7 +127,7 @@ impl<R: Real> Tracks<R> {
             (0..up).into_par_iter().map(|index| of(Direction::Vertical, first(index))).collect();
         let model = plan.model::<R>();
         let arms = [model.left.arm, model.right.arm];
-        Some(Tracks { across, up, by_row, amplitude, width, height: model.height, arms })
+        Some(Tracks { across, up, by_row, still, amplitude, width, height: model.height, arms })
     }
 
     /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
@@ -148,8 +155,21 @@ impl<R: Real> Tracks<R> {
             let (one, other) = (lever * most, lever * least);
             (one.max(other) > left * least_y) | ((-one).max(-other) > right * least_y)
         };
+        if self.still {
+            // Nothing but u changes from gap to gap: the first that lifts is searched for.
+            let (y, least_y) = (v.acceleration[0], v.least[0]);
+            let size = lever.abs();
+            let arms = if lever < zero { (right, left) } else { (left, right) };
+            let up = h.highest.partition_point(|most| !(size * *most > arms.0 * least_y));
+            let down = h.deepest.partition_point(|most| !(size * *most > arms.1 * least_y));
+            sample = up.min(down);
+            if sample > 0 && y > zero {
+                friction = scale.abs() * h.strongest[sample - 1] / y;
+            }
+        }
         // Whole blocks of gaps at once, without a branch in them.
-        while let Some((h_most, h_least, x)) = block(h, sample)
+        while !self.still
+            && let Some((h_most, h_least, x)) = block(h, sample)
             && let Some((_, v_least, y)) = block(v, sample.min(v.least.len().saturating_sub(BLOCK)))
         {
             let mut any = false;
@@ -166,7 +186,7 @@ impl<R: Real> Tracks<R> {
             friction = largest;
             sample += BLOCK;
         }
-        while sample < last {
+        while !self.still && sample < last {
             let gap = sample.min(v.least.len() - 1);
             if lifts(h.most[sample], h.least[sample], v.least[gap]) {
                 break;
@@ -224,6 +244,9 @@ impl<R: Real> Track<R> {
             most: Vec::with_capacity(count),
             peak: Vec::with_capacity(count),
             lowest: Vec::with_capacity(count),
+            highest: Vec::new(),
+            deepest: Vec::new(),
+            strongest: Vec::new(),
         };
         let acceleration = |state: &State<R>| {
             // The last step's end belongs to it.
@@ -265,6 +288,17 @@ impl<R: Real> Track<R> {
             track.least.push(least - slack);
             track.most.push(most + slack);
         }
+        let largest = |numbers: &mut dyn Iterator<Item = R>| {
+            let mut most = R::of(0.0);
+            let so_far = numbers.map(|number| {
+                most = most.max(number);
+                most
+            });
+            so_far.collect()
+        };
+        track.highest = largest(&mut track.most.iter().copied());
+        track.deepest = largest(&mut track.least.iter().map(|&least| -least));
+        track.strongest = largest(&mut track.acceleration.iter().map(|x| x.abs()));
         track
     }
 }

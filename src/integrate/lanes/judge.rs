@@ -5,6 +5,7 @@ use crate::model::Setting;
 use crate::model::block::Corner;
 use crate::model::dynamics::{Motion, Rates, rates};
 use crate::model::impact::change_corner;
+use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::super::rk4::{Stepped, rk4, shift};
@@ -14,6 +15,10 @@ use super::Lanes;
 use super::crossing::crosses;
 use super::cubic::{Beyond, Cubic};
 use super::seek::of_kink;
+
+/// Share of itself by which a span is longer than the way to the impact that it is cut for, so that
+/// the impact is in it: what the rates leave out is mostly less.
+const BEYOND: f64 = 5.0e-4;
 
 #[inline(always)]
 fn pick_motion<V: Vector>(mask: V::Mask, yes: &Motion<V>, no: &Motion<V>) -> Motion<V> {
@@ -66,11 +71,7 @@ impl<V: Vector> Lanes<'_, V> {
         let variant = self.shared.variant;
         let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
         let whole = self.alive & !(self.seek.seeking() | self.seek.again);
-        if variant.kinks {
-            self.cut_for_yield(whole);
-        } else {
-            self.span = V::pick(whole, one - self.start, self.span);
-        }
+        self.begin_spans(whole);
         let mut length = self.seek.at * self.span;
         let mut h = length * self.leg.step;
         let ground_mid = self.leg.ground(variant.recorded, self.start + half * length);
@@ -85,6 +86,7 @@ impl<V: Vector> Lanes<'_, V> {
         let again = self.seek.again;
         let mut looked = whole;
         let mut switched = zero.mask(0);
+        let mut back = zero;
         let seeking = self.seek.seeking();
         if V::any(seeking) {
             let found = self.beyond(&stepped, &k_end);
@@ -92,14 +94,7 @@ impl<V: Vector> Lanes<'_, V> {
             let arrived = self.seek.narrow(found);
             let kinked = arrived.lanes & kinking;
             switched = arrived.lanes & !kinking;
-            let back = arrived.back * self.span;
-            y1 = shift(&y1, &k_end, -back * self.leg.step);
-            // The contact forces go back along their chord.
-            let share = V::pick(back.abs().exceeds(zero), back / length, zero);
-            k_end.normal = share.times_plus(self.k1.normal - k_end.normal, k_end.normal);
-            k_end.shear = share.times_plus(self.k1.shear - k_end.shear, k_end.shear);
-            length = length - back;
-            h = length * self.leg.step;
+            back = arrived.back * self.span;
             self.span = V::pick(kinked, length, self.span);
             self.cut = self.cut | kinked;
             looked = looked | kinked;
@@ -115,7 +110,17 @@ impl<V: Vector> Lanes<'_, V> {
             self.of_z = (self.of_z & !kinks) | (kinks & of_z & (!of_du | z_first));
             looked = looked & !kinks;
         }
-        let crossing = self.crossing(looked, &stepped, &k_end, h);
+        let mut crossing = self.crossing(looked, &stepped, &k_end, h);
+        // Spans that end just beyond the impact that they were cut for end there.
+        let change = -y1.phi / (h * y1.dphi);
+        let missed = half * change * change * (h * h * k_end.ddphi).abs();
+        let slope = (h * y1.dphi).abs() * one.like(V::Element::EVENT_TOLERANCE.to_f64());
+        let impact = crossing.turning & !crossing.overturning & crossing.upper.reaches(one);
+        let landed = impact & slope.reaches(missed);
+        crossing.turning = crossing.turning & !landed;
+        self.overturning = self.overturning & !landed;
+        back = V::pick(landed, -change * length, back);
+        switched = switched | landed;
         let crossed = crossing.turning | crossing.lifting;
         if V::any(kinks | crossed) {
             let mut cubic = crossing.cubic;
@@ -133,8 +138,18 @@ impl<V: Vector> Lanes<'_, V> {
             self.seek.begin(kinks | crossed, &cubic, upper);
         }
 
+        if V::any(switched) {
+            y1 = shift(&y1, &k_end, -back * self.leg.step);
+            // The contact forces go back along their chord.
+            let share = V::pick(back.abs().exceeds(zero), back / length, zero);
+            k_end.normal = share.times_plus(self.k1.normal - k_end.normal, k_end.normal);
+            k_end.shear = share.times_plus(self.k1.shear - k_end.shear, k_end.shear);
+            length = length - back;
+            h = length * self.leg.step;
+        }
+
         // The lanes that move on.
-        let plain = (looked & !crossed) | again;
+        let plain = (looked & !(crossed | landed)) | again;
         self.seek.again = self.seek.again & !again;
         let moved = plain | switched;
         self.seen.motion(moved, self.corner.side, &self.y, &y1, h);
@@ -186,20 +201,40 @@ impl<V: Vector> Lanes<'_, V> {
         V::bits(switched) & !bouncing
     }
 
-    /// Spans begin; where z would settle by more than the method bears, they end early.
+    /// Spans begin. Where z would settle by more than the method bears they end early, and where the
+    /// block is about to land they end there, as near as its rates tell.
     #[inline(always)]
-    fn cut_for_yield(&mut self, whole: V::Mask) {
-        let one = self.start.like(1.0);
+    fn begin_spans(&mut self, whole: V::Mask) {
+        let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
         let rest = one - self.start;
-        let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
-        let settling = n * self.y.du.abs() * self.cell.inverse_yield * self.leg.step;
-        let limit = one.like(YIELD_LIMIT);
-        let long = whole & (settling * rest).exceeds(limit);
         self.span = V::pick(whole, rest, self.span);
         self.cut = self.cut & !whole;
-        if V::any(long) {
-            self.span = V::pick(long, limit / settling, self.span);
-            self.cut = self.cut | long;
+        if self.shared.variant.kinks {
+            let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
+            let settling = n * self.y.du.abs() * self.cell.inverse_yield * self.leg.step;
+            let limit = one.like(YIELD_LIMIT);
+            let long = whole & (settling * rest).exceeds(limit);
+            if V::any(long) {
+                self.span = V::pick(long, limit / settling, self.span);
+                self.cut = self.cut | long;
+            }
+        }
+        // phi + d s + a s^2/2 after the fraction s of a step.
+        let (half, two) = (one.like(0.5), one.like(2.0));
+        let (side, step) = (self.corner.side, self.leg.step);
+        let phi = side * self.y.phi;
+        let d = side * self.y.dphi * step;
+        let a = side * self.k1.ddphi * step * step;
+        let end = self.span.times_plus((half * a).times_plus(self.span, d), phi);
+        let lands = whole & self.rocking & zero.exceeds(end);
+        if V::any(lands) {
+            let root = (d * d - two * a * phi).max(zero).sqrt();
+            let falls = zero.exceeds(d);
+            let at = V::pick(falls, two * phi, -(d + root)) / V::pick(falls, root - d, a);
+            let at = at * one.like(1.0 + BEYOND);
+            let lands = lands & at.exceeds(zero) & self.span.exceeds(at);
+            self.span = V::pick(lands, at, self.span);
+            self.cut = self.cut | lands;
         }
     }
 
