@@ -20,8 +20,8 @@ use topple::model::real::Real;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::{cpu, lanes};
 
 fn scene(omega: &str, a_h: &str) -> Scene {
     let text = format!(
@@ -125,5 +125,21 @@ fn writers(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, in_f32, in_f64, writers);
+/// A small map with all of its 30 s, by the scalar path and by lanes of every level.
+fn sweeps(c: &mut Criterion) {
+    let scene = scene("0.2:15:24", "0.1:15:24");
+    let grid = Grid::of(&scene);
+    let cells: Vec<usize> = (0..grid.len()).collect();
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
+    c.bench_function("sweep, scalar f64, 24 x 24", |b| {
+        b.iter(|| cpu::sweep_one_by_one::<f64>(&plan, &grid, &cells, &|_| ()));
+    });
+    for (name, level) in lanes::levels() {
+        c.bench_function(&format!("sweep, lanes f32, {name}, 24 x 24"), |b| {
+            b.iter(|| lanes::sweep::<f32>(&plan, &grid, &cells, &|_| (), level));
+        });
+    }
+}
+
+criterion_group!(benches, in_f32, in_f64, sweeps, writers);
 criterion_main!(benches);

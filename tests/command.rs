@@ -69,8 +69,8 @@ fn a_map_leaves_the_files_of_the_contract() {
     assert_eq!(rows.len(), 63);
     // x fastest, both ends included.
     assert_eq!((&rows[0][0], &rows[0][1]), ("3.0", "1.0"));
-    assert_eq!((&rows[6][0], &rows[6][1]), ("12", "1"));
-    assert_eq!((&rows[62][0], &rows[62][1]), ("12", "12"));
+    assert_eq!((&rows[6][0], &rows[6][1]), ("12.0", "1.0"));
+    assert_eq!((&rows[62][0], &rows[62][1]), ("12.0", "12.0"));
     for row in &rows {
         let outcome = &row[2];
         assert!(

@@ -95,8 +95,11 @@ fn overturning_map(a_v: f64, e: f64, side: u32) -> Result<Scene, SceneError> {
     .check()
 }
 
-/// The pulse map of Fig. 11, lower row, middle.
-fn pulse(side: u32, finest: u32) -> Result<Bench, SceneError> {
+/// The pulse map of Fig. 11, lower row, middle, with `side` points an axis.
+///
+/// # Errors
+/// None for one point and more.
+pub fn pulse(side: u32, finest: u32) -> Result<Bench, SceneError> {
     Ok(Bench {
         name: "pulse",
         title: "Pulse map of Fig. 11: Object 1, ε = 0.2, A_v = 0.5 m/s², 30 s".into(),

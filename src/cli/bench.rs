@@ -1,5 +1,6 @@
 //! `topple bench`: what this machine makes of the same maps, backend by backend.
 
+use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
@@ -16,8 +17,8 @@ use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
 use topple::sweep::{clock, cpu, lanes};
 
-use super::InputError;
-use super::report;
+use super::progress::Progress;
+use super::{InputError, ratios, report};
 
 /// Most points of an axis: a map of 4096 x 4096 takes two gigabytes.
 const MOST: u32 = 4096;
@@ -37,6 +38,10 @@ pub struct BenchCommand {
     /// Leave out the shader
     #[arg(long)]
     no_shader: bool,
+    /// Results of other programs on cells of the pulse map: print only how they compare
+    /// (benches/peers/ratios.sh makes them)
+    #[arg(long, value_name = "FILE")]
+    peer: Vec<PathBuf>,
 }
 
 /// A map that all backends run.
@@ -77,12 +82,15 @@ impl BenchCommand {
         if self.peak.is_some_and(|peak| !(peak > 0.0 && peak.is_finite())) {
             return Err(InputError("--peak: give the card's peak in TFLOPS".into()).into());
         }
-        let courses = self.courses()?;
         let cpus =
             System::new_with_specifics(RefreshKind::nothing().with_cpu(CpuRefreshKind::nothing()));
         let brand = cpus.ok().and_then(|system| Some(system.cpus().first()?.brand().to_string()));
         let brand = brand.unwrap_or_else(|| "processor".into());
         println!("{brand}, {} threads, topple {}", report::threads(), env!("CARGO_PKG_VERSION"));
+        if !self.peer.is_empty() {
+            return ratios::print(&self.peer);
+        }
+        let courses = self.courses()?;
         let mut rows = Vec::new();
         for precision in [Precision::F64, Precision::F32] {
             let name = "scalar".to_string();
@@ -161,19 +169,20 @@ impl BenchCommand {
         courses: &[Course; 3],
         sweep: &dyn Fn(&Course) -> anyhow::Result<Vec<Outcome>>,
     ) -> anyhow::Result<Row> {
-        eprint!("\r{name} {}\x1b[K", precision.name());
+        let progress = Progress::new(courses.len(), false);
         let mut seconds = [f64::INFINITY; 3];
         for (course, shortest) in courses.iter().zip(&mut seconds) {
             let Course { plan, grid, cells } = course;
-            let (plan, grid, cells) = (plan.at(precision), grid.clone(), cells.clone());
+            let (plan, grid, cells) = (plan.at(precision), *grid, cells.clone());
             let course = Course { plan, grid, cells };
             for _ in 0..self.repeat {
                 let began = Instant::now();
                 sweep(&course)?;
                 *shortest = shortest.min(began.elapsed().as_secs_f64());
             }
+            progress.advance(1);
         }
-        eprint!("\r\x1b[K");
+        progress.finish();
         Ok(Row { name, precision, shader, seconds })
     }
 
@@ -184,19 +193,19 @@ impl BenchCommand {
         let steps = steps(&courses[1]) as f64;
         println!("cells a second, and times the scalar path in f64:\n");
         println!(
-            "| {:<34} | numbers | default map {1}² |      × | all 30 s {2}² |     × | record {2}² |     × | Gflop/s |",
+            "| {:<40} | numbers | default map {1}² |      × | all 30 s {2}² |     × | record {2}² |     × | Gflop/s |",
             "backend",
             self.side,
             courses[1].grid.shape().0
         );
-        println!("|{}|---|--:|--:|--:|--:|--:|--:|--:|", "-".repeat(36));
+        println!("|{}|---|--:|--:|--:|--:|--:|--:|--:|", "-".repeat(42));
         for row in rows {
             let rate = |i: usize| cells[i] / row.seconds[i];
             let times = |i: usize| base[i] / row.seconds[i];
             let flops = f64::from(self.flops(&courses[1], row.precision));
             let giga = flops * steps / row.seconds[1] / 1.0e9;
             println!(
-                "| {:<34} | {:<7} | {:>17.0} | {:>6.2} | {:>14.0} | {:>5.2} | {:>10.0} | {:>5.2} | {:>7.1} |",
+                "| {:<40} | {:<7} | {:>17.0} | {:>6.2} | {:>14.0} | {:>5.2} | {:>10.0} | {:>5.2} | {:>7.1} |",
                 row.name,
                 row.precision.name(),
                 rate(0),

@@ -7,6 +7,7 @@ mod history;
 mod options;
 mod progress;
 mod pulse;
+mod ratios;
 mod report;
 mod scene;
 mod seismic;
