@@ -79,7 +79,7 @@ fn a_map_leaves_the_files_of_the_contract() {
         assert_eq!(&row[14], "ok");
         assert_eq!(outcome == "full_contact", row[6].is_empty(), "{row:?}");
         if outcome.starts_with("overturned") {
-            assert_eq!(&row[7], "1");
+            assert_eq!(&row[7], "1.0");
         }
     }
 
