@@ -20,9 +20,9 @@ use super::InputError;
 use super::options::{RunOptions, flag_error};
 use super::progress::Progress;
 
-/// Bytes that a cell takes at most while it is swept and written: its outcome, twice where a plan has
-/// parts that are put in order, its number, a column of the archive, and its row of the picture.
-const BYTES_A_CELL: usize = 2 * size_of::<Outcome>() + 40;
+/// Memory that a cell takes beside its outcome: its number, a column of the archive, its row of the
+/// picture, and its share of what the threads hold.
+const BYTES_A_CELL: usize = 40;
 
 /// Pixels of a PNG for each of its SVG's units.
 pub const PNG_SCALE: f32 = 2.0;
@@ -34,7 +34,9 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         plan = plan.full_model();
     }
     let grid = Grid::of(scene);
-    check_memory(&grid)?;
+    // Two sweeps are held beside each other, and parts until they are put in order.
+    let held = if options.resolve || plan.rigid_period().is_some() { 2 } else { 1 };
+    check_memory(&grid, held)?;
     let out = open(&options.out)?;
     let began = Instant::now();
     let backend = options.open_backend()?;
@@ -114,11 +116,11 @@ pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-fn check_memory(grid: &Grid) -> Result<(), InputError> {
+fn check_memory(grid: &Grid, held: usize) -> Result<(), InputError> {
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let available =
         System::new_with_specifics(memory).map_or(0, |system| system.available_memory());
-    let needed = grid.len() as u64 * BYTES_A_CELL as u64;
+    let needed = grid.len() as u64 * (held * size_of::<Outcome>() + BYTES_A_CELL) as u64;
     // A machine that does not tell has the benefit of the doubt.
     if available == 0 || needed <= available {
         return Ok(());

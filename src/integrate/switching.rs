@@ -35,7 +35,7 @@ pub const KINK: u32 = 5;
 /// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
 pub const EVENT_BOUND: u32 = 128;
 
-/// The most that [`settling`] may be in a span: RK4 is stable to 2.79.
+/// The most times itself that z of (11) may settle by in a span: RK4 is stable to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
 
 /// What an observer of a cell's switches is told.
