@@ -51,12 +51,14 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
         let p = lever.p;
         let q = lever.q;
         let w = y.dphi * y.dphi;
+        let mu_p = model.mu_h * p;
+        let mu_q = model.mu_v * q;
         let push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;
-        ddphi = (p * push_h - q * push_v)
-            / (corner.inertia - model.mu_h * p * p - model.mu_v * q * q);
-        x_base = push_h + model.mu_h * p * ddphi;
-        y_base = push_v - model.mu_v * q * ddphi;
+        let inertia = corner.inertia - mu_p * p - mu_q * q;
+        ddphi = (p * push_h - q * push_v) / inertia;
+        x_base = push_h + mu_p * ddphi;
+        y_base = push_v - mu_q * ddphi;
         shear = x_base - p * ddphi - q * w;
         normal = y_base + q * ddphi - p * w;
     }

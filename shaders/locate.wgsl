@@ -87,13 +87,13 @@ fn locate_kink(cell: Cell, span: Span, y: Motion, k1: Rates, end: Motion) -> rea
         before_kink(y, of_z, end),
         0u,
     );
-    var trial = 0u;
-    while trial < LOCATE_BOUND && bracket.high - bracket.low > KINK_TOLERANCE {
+    var tries = 0u;
+    while tries < LOCATE_BOUND && bracket.high - bracket.low > KINK_TOLERANCE {
         let at = next_trial(bracket);
-        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+        let y_at = trial(cell, span, y, k1, at * span.length).y;
         let value = before_kink(y, of_z, y_at);
         narrow(&bracket, at, value, value < 0.0);
-        trial += 1u;
+        tries += 1u;
     }
     return bracket.high;
 }
@@ -123,8 +123,8 @@ fn locate_angle(
     var low: real = 0.0;
     var high = crossing.upper;
     var at = crossing.upper;
-    var trial = 0u;
-    while trial < GUESS_BOUND {
+    var tries = 0u;
+    while tries < GUESS_BOUND {
         let beyond = hermite(x0, slope0, x1, slope1, at);
         let rise = x1 - x0;
         let c2 = 3.0 * rise - 2.0 * slope0 - slope1;
@@ -143,15 +143,15 @@ fn locate_angle(
         if abs(change) < 1.0e-3 {
             break;
         }
-        trial += 1u;
+        tries += 1u;
     }
     low = 0.0;
     high = crossing.upper;
     var y_high = end;
     var verified = crossing.upper >= 1.0;
-    trial = 0u;
-    while trial < LOCATE_BOUND {
-        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+    tries = 0u;
+    while tries < LOCATE_BOUND {
+        let y_at = trial(cell, span, y, k1, at * span.length).y;
         let beyond = sense * y_at.phi - target_angle;
         let change = beyond / (h * sense * y_at.dphi);
         if abs(change) <= EVENT_TOLERANCE {
@@ -171,7 +171,7 @@ fn locate_angle(
         if !(at > low && at < high) {
             at = 0.5 * (low + high);
         }
-        trial += 1u;
+        tries += 1u;
     }
     return Located(verified, high, y_high);
 }
@@ -186,15 +186,15 @@ fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossin
     var bracket = Bracket(real(0.0), moment_low, crossing.upper, real(0.0), 0u);
     var y_high = y;
     var at = crossing.upper;
-    var trial = 0u;
-    while trial < LOCATE_BOUND {
-        let y_at = rk4(cell, span, y, k1, at * span.length).y;
+    var tries = 0u;
+    while tries < LOCATE_BOUND {
+        let y_at = trial(cell, span, y, k1, at * span.length).y;
         let ground = ground_at(cell, span.step, span.start + at * span.length);
         let k = rates(cell, corner, false, y_at, ground);
         let moment = uplift_moment(corner, k.shear, k.normal);
         if moment > 0.0 {
             y_high = y_at;
-        } else if trial == 0u {
+        } else if tries == 0u {
             return Located(false, real(0.0), y);
         }
         narrow(&bracket, at, moment, moment > 0.0);
@@ -202,7 +202,7 @@ fn locate_uplift(cell: Cell, span: Span, y: Motion, k1: Rates, crossing: Crossin
             break;
         }
         at = next_trial(bracket);
-        trial += 1u;
+        tries += 1u;
     }
     return Located(true, bracket.high, y_high);
 }

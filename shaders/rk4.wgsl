@@ -27,15 +27,22 @@ fn shift(y: Motion, k: Rates, h: real) -> Motion {
     );
 }
 
-// Steps over `length`, a fraction of the step, from the motion `y` with rates `k1`.
-fn rk4(cell: Cell, span: Span, y: Motion, k1: Rates, length: real) -> Stepped {
-    let h = length * step_length(cell, span.step);
+// Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at the
+// end.
+fn rk4(
+    cell: Cell,
+    corner: Corner,
+    rocking: bool,
+    y: Motion,
+    k1: Rates,
+    h: real,
+    ground_mid: Ground,
+    ground_end: Ground,
+) -> Stepped {
     let half = 0.5 * h;
-    let ground_mid = ground_at(cell, span.step, span.start + 0.5 * length);
-    let ground_end = ground_at(cell, span.step, span.start + length);
-    let k2 = rates(cell, span.corner, span.rocking, shift(y, k1, half), ground_mid);
-    let k3 = rates(cell, span.corner, span.rocking, shift(y, k2, half), ground_mid);
-    let k4 = rates(cell, span.corner, span.rocking, shift(y, k3, h), ground_end);
+    let k2 = rates(cell, corner, rocking, shift(y, k1, half), ground_mid);
+    let k3 = rates(cell, corner, rocking, shift(y, k2, half), ground_mid);
+    let k4 = rates(cell, corner, rocking, shift(y, k3, h), ground_end);
     let sixth = 0.16666666666666666 * h;
     let end = Motion(
         y.u + sixth * (k1.du + 2.0 * (k2.du + k3.du) + k4.du),
@@ -47,6 +54,14 @@ fn rk4(cell: Cell, span: Span, y: Motion, k1: Rates, length: real) -> Stepped {
         y.dphi + sixth * (k1.ddphi + 2.0 * (k2.ddphi + k3.ddphi) + k4.ddphi),
     );
     return Stepped(end, k3.shear, k3.normal);
+}
+
+// Steps over `length`, a fraction of the step, from the start of the span.
+fn trial(cell: Cell, span: Span, y: Motion, k1: Rates, length: real) -> Stepped {
+    let h = length * step_length(cell, span.step);
+    let ground_mid = ground_at(cell, span.step, span.start + 0.5 * length);
+    let ground_end = ground_at(cell, span.step, span.start + length);
+    return rk4(cell, span.corner, span.rocking, y, k1, h, ground_mid, ground_end);
 }
 
 // Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

@@ -161,11 +161,11 @@ fn advance(cell: Cell, state: ptr<function, State>) -> u32 {
                 cut = true;
             }
         }
-        var stepped = rk4(cell, span, y, k1, span.length);
+        var stepped = trial(cell, span, y, k1, span.length);
         if kinks && (crosses(y.du, stepped.y.du) || crosses(y.z, stepped.y.z)) {
             // Up to the kink the law is smooth; the rest of the step follows from there.
             span.length = locate_kink(cell, span, y, k1, stepped.y) * span.length;
-            stepped = rk4(cell, span, y, k1, span.length);
+            stepped = trial(cell, span, y, k1, span.length);
             cut = true;
         }
         let h = span.length * step_length(cell, (*state).step);

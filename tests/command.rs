@@ -368,3 +368,39 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn bench_prints_a_row_a_backend() {
+    let arguments = ["bench", "--side", "8", "--repeat", "1", "--no-shader"];
+    let run = topple().args(arguments).assert().success();
+    let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .filter(|line| line.contains("| f32 ") || line.contains("| f64 "))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    assert_eq!(rows.iter().filter(|row| row[0] == "scalar").count(), 2, "{text}");
+    assert!(rows.len() >= 4, "no vectors: {text}");
+    for row in &rows {
+        for number in &row[2..9] {
+            assert!(number.parse::<f64>().unwrap() > 0.0, "{row:?}");
+        }
+    }
+    assert_eq!(rows[0][3], "1.00", "the scalar path in f64 is the measure");
+    assert!(text.contains("no shader was run"), "{text}");
+}
+
+#[test]
+fn bench_refuses_what_it_cannot_measure() {
+    for (arguments, said) in [
+        (["bench", "--side", "3"], "--side"),
+        (["bench", "--repeat", "0"], "--repeat"),
+        (["bench", "--peak", "0"], "--peak"),
+        (["bench", "--peer", "nowhere.csv"], "--peer: nowhere.csv"),
+    ] {
+        let run = topple().args(arguments).assert().code(2);
+        let text = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert_eq!(text.lines().count(), 1, "{text}");
+        assert!(text.contains(said), "{text}");
+    }
+}

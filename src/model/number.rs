@@ -28,7 +28,8 @@ pub trait Number:
     /// The nearest number to `value` that is of the same kind as `self`, in all lanes.
     fn like(self, value: f64) -> Self;
 
-    /// `self * factor + term`, in vectors with one rounding where there is an instruction for it.
+    /// `self * factor + term`, as the shaders spell it; in vectors with one rounding where there is
+    /// an instruction for that.
     fn times_plus(self, factor: Self, term: Self) -> Self;
 
     /// |x|.
