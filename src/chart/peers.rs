@@ -200,22 +200,7 @@ fn told(result: &Solved) -> Result<Told, PeerError> {
     let texts = result.switches.split(';').filter(|text| !text.trim().is_empty());
     let switches = texts.take(SWITCHES).map(switch).collect::<Result<_, _>>()?;
     // Nothing but class and zeta is compared.
-    let outcome = Outcome {
-        class,
-        impacts: 0,
-        uplifts: 0,
-        t_end: 0.0,
-        t_simulated: 0.0,
-        t_uplift: None,
-        zeta: result.zeta,
-        max_phi_left: 0.0,
-        max_phi_right: 0.0,
-        max_u: 0.0,
-        max_v: 0.0,
-        min_contact: 0.0,
-        friction: 0.0,
-        status: Status::Ok,
-    };
+    let outcome = Outcome { class, zeta: result.zeta, status: Status::Ok, ..Outcome::PENDING };
     Ok(Told { outcome, switches })
 }
 

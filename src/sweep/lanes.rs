@@ -91,32 +91,20 @@ pub fn sweep<R: Real>(
     progress: &(dyn Fn(usize) + Sync),
     level: Level,
 ) -> Vec<Outcome> {
-    // Two functions that are no longer generic, so that what calls them does not compile all vectors
-    // again.
-    if size_of::<R>() == size_of::<f64>() {
-        return in_f64(plan, grid, cells, progress, level);
-    }
-    in_f32(plan, grid, cells, progress, level)
+    either(size_of::<R>() == size_of::<f64>(), plan, grid, cells, progress, level)
 }
 
-fn in_f32(
+/// No longer generic, so that what calls it does not compile all vectors again.
+fn either(
+    double: bool,
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
     progress: &(dyn Fn(usize) + Sync),
     level: Level,
 ) -> Vec<Outcome> {
-    run::<f32>(plan, grid, cells, progress, level)
-}
-
-fn in_f64(
-    plan: &Plan,
-    grid: &Grid,
-    cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
-    level: Level,
-) -> Vec<Outcome> {
-    run::<f64>(plan, grid, cells, progress, level)
+    let run = if double { run::<f64> } else { run::<f32> };
+    run(plan, grid, cells, progress, level)
 }
 
 fn run<R: Real>(

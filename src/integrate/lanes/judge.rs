@@ -114,9 +114,9 @@ impl<V: Vector> Lanes<'_, V> {
         // Spans that end just beyond the impact that they were cut for end there.
         let change = -y1.phi / (h * y1.dphi);
         let missed = half * change * change * (h * h * k_end.ddphi).abs();
-        let slope = (h * y1.dphi).abs() * one.like(V::Element::EVENT_TOLERANCE.to_f64());
+        let allowed = (h * y1.dphi).abs() * one.like(V::Element::EVENT_TOLERANCE.to_f64());
         let impact = crossing.turning & !crossing.overturning & crossing.upper.reaches(one);
-        let landed = impact & slope.reaches(missed);
+        let landed = impact & allowed.reaches(missed);
         crossing.turning = crossing.turning & !landed;
         self.overturning = self.overturning & !landed;
         back = V::pick(landed, -change * length, back);
