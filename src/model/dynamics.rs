@@ -55,6 +55,8 @@ pub struct Rates<R> {
     pub shear: R,
 }
 
+reals!(Rates, 9, du ddu dv ddv dz dphi ddphi normal shear);
+
 /// The lever of the centre of mass about a corner.
 #[derive(Debug, Clone, Copy)]
 pub struct Lever<R> {

@@ -59,7 +59,8 @@ pub struct Cell<R> {
 pod!(Cell, reals: 16, words: 4);
 reals!(
     Cell, 16, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
-    amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v
+    amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v;
+    steps_forced steps substeps padding
 );
 
 /// The ground's accelerations, m/s^2; also a sample of a record.

@@ -50,9 +50,10 @@ macro_rules! pod {
 }
 pub(crate) use pod;
 
-/// Gives a struct of reals its reals in order, to be read or written one by one.
+/// Gives a struct its reals in order, to be read, written or made anew one by one; words that it
+/// has besides go along.
 macro_rules! reals {
-    ($name:ident, $count:expr, $($field:ident)+) => {
+    ($name:ident, $count:expr, $($field:ident)+ $(; $($word:ident)+)?) => {
         impl<R: Copy> $name<R> {
             /// All reals, in order.
             #[inline(always)]
@@ -70,6 +71,21 @@ macro_rules! reals {
             #[inline(always)]
             pub fn reals_mut(&mut self) -> [&mut R; $count] {
                 [$(&mut self.$field),+]
+            }
+
+            /// The same struct of other numbers, each made of the one in its place.
+            #[inline(always)]
+            pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> $name<Q> {
+                $name { $($field: make(self.$field),)+ $($($word: self.$word,)+)? }
+            }
+
+            /// The same struct of numbers made of two in their places.
+            #[inline(always)]
+            pub fn zip<Q>(&self, other: &Self, make: impl Fn(R, R) -> Q) -> $name<Q> {
+                $name {
+                    $($field: make(self.$field, other.$field),)+
+                    $($($word: self.$word,)+)?
+                }
             }
         }
     };

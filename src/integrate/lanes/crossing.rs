@@ -1,7 +1,6 @@
 //! What a span just taken holds: the first impact or overturning of a block that rocks, the first
 //! uplift of one that stands. Twin of the scalar path's `find_crossing` and `find_uplift`.
 
-use crate::model::Setting;
 use crate::model::dynamics::{Rates, uplift_moment};
 use crate::model::vector::Vector;
 
@@ -109,12 +108,7 @@ impl<V: Vector> Lanes<'_, V> {
         }
         let standing = looked & !self.rocking;
         if V::any(standing) {
-            let set = Setting {
-                variant: self.shared.variant,
-                model: &self.model,
-                cell: &self.cell,
-                record: &[],
-            };
+            let set = self.equations();
             let (left, right) = (&self.model.left, &self.model.right);
             let k1 = &self.k1;
             let (shear, normal) = (stepped.shear_mid, stepped.normal_mid);

@@ -1,7 +1,6 @@
 //! A turn: a trial of every lane, and what each made of it. The same decisions as in
 //! [`advance`](super::super::switching::advance), which takes one cell over one step.
 
-use crate::model::Setting;
 use crate::model::block::Corner;
 use crate::model::dynamics::{Motion, Rates, rates};
 use crate::model::impact::change_corner;
@@ -22,43 +21,17 @@ const BEYOND: f64 = 5.0e-4;
 
 #[inline(always)]
 fn pick_motion<V: Vector>(mask: V::Mask, yes: &Motion<V>, no: &Motion<V>) -> Motion<V> {
-    Motion {
-        u: V::pick(mask, yes.u, no.u),
-        du: V::pick(mask, yes.du, no.du),
-        v: V::pick(mask, yes.v, no.v),
-        dv: V::pick(mask, yes.dv, no.dv),
-        z: V::pick(mask, yes.z, no.z),
-        phi: V::pick(mask, yes.phi, no.phi),
-        dphi: V::pick(mask, yes.dphi, no.dphi),
-    }
+    yes.zip(no, |yes, no| V::pick(mask, yes, no))
 }
 
 #[inline(always)]
 pub(super) fn pick_rates<V: Vector>(mask: V::Mask, yes: &Rates<V>, no: &Rates<V>) -> Rates<V> {
-    Rates {
-        du: V::pick(mask, yes.du, no.du),
-        ddu: V::pick(mask, yes.ddu, no.ddu),
-        dv: V::pick(mask, yes.dv, no.dv),
-        ddv: V::pick(mask, yes.ddv, no.ddv),
-        dz: V::pick(mask, yes.dz, no.dz),
-        dphi: V::pick(mask, yes.dphi, no.dphi),
-        ddphi: V::pick(mask, yes.ddphi, no.ddphi),
-        normal: V::pick(mask, yes.normal, no.normal),
-        shear: V::pick(mask, yes.shear, no.shear),
-    }
+    yes.zip(no, |yes, no| V::pick(mask, yes, no))
 }
 
 #[inline(always)]
 fn pick_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> Corner<V> {
-    Corner {
-        side: V::pick(mask, yes.side, no.side),
-        arm: V::pick(mask, yes.arm, no.arm),
-        inertia: V::pick(mask, yes.inertia, no.inertia),
-        overturn: V::pick(mask, yes.overturn, no.overturn),
-        eta_phi: V::pick(mask, yes.eta_phi, no.eta_phi),
-        eta_u: V::pick(mask, yes.eta_u, no.eta_u),
-        eta_v: V::pick(mask, yes.eta_v, no.eta_v),
-    }
+    yes.zip(no, |yes, no| V::pick(mask, yes, no))
 }
 
 impl<V: Vector> Lanes<'_, V> {
@@ -70,13 +43,13 @@ impl<V: Vector> Lanes<'_, V> {
         }
         let variant = self.shared.variant;
         let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
-        let whole = self.alive & !(self.seek.seeking() | self.seek.again);
+        let whole = self.start.mask(self.running) & !(self.seek.seeking() | self.seek.again);
         self.begin_spans(whole);
         let mut length = self.seek.at * self.span;
         let mut h = length * self.leg.step;
         let ground_mid = self.leg.ground(variant.recorded, self.start + half * length);
         let ground_end = self.leg.ground(variant.recorded, self.start + length);
-        let set = Setting { variant, model: &self.model, cell: &self.cell, record: &[] };
+        let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
         let stepped = rk4(&set, corner, rocking, &self.y, &self.k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;

@@ -80,9 +80,8 @@ impl<'a, R> Shared<'a, R> {
 pub struct Lanes<'a, V: Vector> {
     shared: Shared<'a, V::Element>,
     lanes: Vec<Lane<V::Element>>,
-    /// Lanes that have a cell, a bit each, and as a mask.
+    /// Lanes that have a cell, a bit each.
     running: u64,
-    alive: V::Mask,
     model: Model<V>,
     cell: Cell<V>,
     corner: Corner<V>,
@@ -111,23 +110,17 @@ pub struct Lanes<'a, V: Vector> {
     seen: Seen<V>,
 }
 
-/// The same number in all lanes.
+/// The lanes of a mask's bits.
 #[inline(always)]
-fn all<V: Vector>(zero: V, number: V::Element) -> V {
-    zero.like(number.to_f64())
-}
-
-#[inline(always)]
-fn corner_of<V: Vector>(zero: V, corner: &Corner<V::Element>) -> Corner<V> {
-    Corner {
-        side: all(zero, corner.side),
-        arm: all(zero, corner.arm),
-        inertia: all(zero, corner.inertia),
-        overturn: all(zero, corner.overturn),
-        eta_phi: all(zero, corner.eta_phi),
-        eta_u: all(zero, corner.eta_u),
-        eta_v: all(zero, corner.eta_v),
-    }
+fn each(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        // Without a bit left there are 64 zeros.
+        (bits != 0).then(|| {
+            bits &= bits - 1;
+            lane
+        })
+    })
 }
 
 impl<'a, V: Vector> Lanes<'a, V> {
@@ -140,49 +133,29 @@ impl<'a, V: Vector> Lanes<'a, V> {
             leg_start: 0,
         };
         let none = zero.mask(0);
+        // The same number in all lanes.
+        let number = |number: V::Element| zero.like(number.to_f64());
         Lanes {
             shared,
             lanes: (0..V::LANES).map(|_| idle()).collect(),
             running: 0,
-            alive: none,
             model: Model {
-                left: corner_of(zero, &one.left),
-                right: corner_of(zero, &one.right),
-                height: all(zero, one.height),
-                mu_h: all(zero, one.mu_h),
-                mu_v: all(zero, one.mu_v),
-                gravity: all(zero, one.gravity),
-                inverse_mu_h: all(zero, one.inverse_mu_h),
-                inverse_mu_v: all(zero, one.inverse_mu_v),
-                least_arm: all(zero, one.least_arm),
-                topple_energy: all(zero, one.topple_energy),
+                left: one.left.map(number),
+                right: one.right.map(number),
+                height: number(one.height),
+                mu_h: number(one.mu_h),
+                mu_v: number(one.mu_v),
+                gravity: number(one.gravity),
+                inverse_mu_h: number(one.inverse_mu_h),
+                inverse_mu_v: number(one.inverse_mu_v),
+                least_arm: number(one.least_arm),
+                topple_energy: number(one.topple_energy),
             },
-            cell: Cell {
-                post_yield: zero,
-                hysteretic: zero,
-                damping_h: zero,
-                inverse_yield: zero,
-                stiffness_v: zero,
-                damping_v: zero,
-                amplitude_h: zero,
-                amplitude_v: zero,
-                phase_step: zero,
-                step_forced: zero,
-                step_free: zero,
-                rest_speed: zero,
-                yield_energy: zero,
-                deflection: zero,
-                reach_h: zero,
-                reach_v: zero,
-                steps_forced: 0,
-                steps: 0,
-                substeps: 0,
-                padding: 0,
-            },
-            corner: corner_of(zero, &one.left),
+            cell: Cell::<f32>::zeroed().map(|_| zero),
+            corner: one.left.map(number),
             rocking: none,
             leg: Leg::new(zero),
-            y: Motion { u: zero, du: zero, v: zero, dv: zero, z: zero, phi: zero, dphi: zero },
+            y: Motion::<f32>::zeroed().map(|_| zero),
             k1: Rates {
                 du: zero,
                 ddu: zero,
@@ -214,15 +187,19 @@ impl<'a, V: Vector> Lanes<'a, V> {
             self.fill(lane, feed);
         }
         while self.running != 0 {
-            let mut ended = self.turn();
-            while ended != 0 {
-                let lane = ended.trailing_zeros() as usize;
-                ended &= ended - 1;
+            for lane in each(self.turn()) {
                 self.store(lane);
                 feed.done(&self.lanes[lane].job);
                 self.running &= !(1 << lane);
                 self.fill(lane, feed);
             }
         }
+    }
+
+    /// The numbers of all lanes' equations.
+    #[inline(always)]
+    fn equations(&self) -> Setting<'_, V> {
+        let variant = self.shared.variant;
+        Setting { variant, model: &self.model, cell: &self.cell, record: &[] }
     }
 }

@@ -1,6 +1,5 @@
 //! What is done a lane at a time: cells taken and given back, switches, legs, and proofs.
 
-use crate::model::Setting;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use crate::model::dynamics::{Motion, rates, uplift_moment};
 use crate::model::real::Real;
@@ -10,7 +9,7 @@ use super::super::certificate::{certify, is_due};
 use super::super::state::{DIVERGED, EVENT_LIMIT, FINISHED, RUNNING, State, overturn};
 use super::super::switching::{UPLIFT_LEFT, UPLIFT_RIGHT, land, lift};
 use super::judge::pick_rates;
-use super::{Feed, Job, Lanes};
+use super::{Feed, Job, Lanes, each};
 
 /// Gives a lane's motion to its state.
 #[inline(always)]
@@ -32,7 +31,6 @@ impl<V: Vector> Lanes<'_, V> {
             self.load(lane, job);
             return;
         }
-        self.alive = self.start.mask(self.running);
         self.seek.stop(self.start.mask(1 << lane));
     }
 
@@ -41,7 +39,6 @@ impl<V: Vector> Lanes<'_, V> {
         let bit = self.start.mask(1 << lane);
         let zero = V::Element::of(0.0);
         self.running |= 1 << lane;
-        self.alive = self.alive | bit;
         for (to, from) in self.cell.reals_mut().into_iter().zip(job.cell.reals()) {
             to.put(lane, from);
         }
@@ -113,23 +110,21 @@ impl<V: Vector> Lanes<'_, V> {
         loop {
             let fresh = self.fresh;
             let ground = self.leg.ground(variant.recorded, self.start);
-            let set = Setting { variant, model: &self.model, cell: &self.cell, record: &[] };
+            let set = self.equations();
             let k = rates(&set, &self.corner, self.rocking, &self.y, ground);
-            self.k1 = pick_rates(fresh, &k, &self.k1);
-            self.seen.contact(fresh, &k);
             let left = uplift_moment(&set, &self.model.left, k.shear, k.normal);
             let right = uplift_moment(&set, &self.model.right, k.shear, k.normal);
+            self.k1 = pick_rates(fresh, &k, &self.k1);
+            self.seen.contact(fresh, &k);
             let lifts = fresh & !self.rocking & (left.exceeds(zero) | right.exceeds(zero));
             let lefts = V::bits(left.exceeds(zero) & left.reaches(right));
             self.fresh = lifts;
-            let mut bits = V::bits(lifts) & self.running;
+            let bits = V::bits(lifts) & self.running;
             if bits == 0 {
                 self.fresh = zero.mask(0);
                 return;
             }
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize;
-                bits &= bits - 1;
+            for lane in each(bits) {
                 let kind = if lefts >> lane & 1 == 1 { UPLIFT_LEFT } else { UPLIFT_RIGHT };
                 let (step, fraction) = (self.step(lane), self.start.lane(lane));
                 let state = &mut self.lanes[lane].job.state;
@@ -144,10 +139,8 @@ impl<V: Vector> Lanes<'_, V> {
 
     /// Counts an impact of some lanes; `to_right` of them go on about the right corner.
     #[inline(always)]
-    pub(super) fn count_impacts(&mut self, mut bits: u64, to_right: u64) {
-        while bits != 0 {
-            let lane = bits.trailing_zeros() as usize;
-            bits &= bits - 1;
+    pub(super) fn count_impacts(&mut self, bits: u64, to_right: u64) {
+        for lane in each(bits) {
             let state = &mut self.lanes[lane].job.state;
             state.impacts += 1;
             state.mode = if to_right >> lane & 1 == 1 { ROCKING_RIGHT } else { ROCKING_LEFT };
@@ -164,15 +157,13 @@ impl<V: Vector> Lanes<'_, V> {
     }
 
     #[inline(always)]
-    fn switch_lanes(&mut self, mut bits: u64) -> u64 {
+    fn switch_lanes(&mut self, bits: u64) -> u64 {
         let overturning = V::bits(self.overturning);
         let rocking = V::bits(self.rocking);
         let left = V::bits(self.left);
         let mut ended = 0;
-        while bits != 0 {
-            let lane = bits.trailing_zeros() as usize;
+        for lane in each(bits) {
             let bit = 1 << lane;
-            bits &= bits - 1;
             let (step, fraction) = (self.step(lane), self.start.lane(lane));
             let Job { cell, state, .. } = &mut self.lanes[lane].job;
             leave(&self.y, lane, state);
@@ -203,12 +194,10 @@ impl<V: Vector> Lanes<'_, V> {
     }
 
     #[inline(always)]
-    fn attend_lanes(&mut self, mut bits: u64, lost: u64, endless: u64) -> u64 {
+    fn attend_lanes(&mut self, bits: u64, lost: u64, endless: u64) -> u64 {
         let mut ended = 0;
-        while bits != 0 {
-            let lane = bits.trailing_zeros() as usize;
+        for lane in each(bits) {
             let bit = 1 << lane;
-            bits &= bits - 1;
             let step = self.step(lane);
             let Job { cell, state, .. } = &mut self.lanes[lane].job;
             state.step = step;
