@@ -11,6 +11,7 @@
 //! ```
 
 pub mod chart;
+pub mod figures;
 pub mod integrate;
 pub mod map;
 pub mod model;

@@ -3,6 +3,7 @@
 mod adapters;
 mod bench;
 mod chart;
+mod figures;
 mod history;
 mod options;
 mod progress;
@@ -43,6 +44,8 @@ enum Command {
     Run(scene::RunCommand),
     /// Chart speed against accuracy: every method, over its steps or tolerances
     Chart(chart::ChartCommand),
+    /// Every figure of the paper, and what goes beyond it
+    Figures(figures::FiguresCommand),
     /// Measure every backend of this machine on the same maps, and print the table
     Bench(bench::BenchCommand),
     /// List the GPU adapters of this machine
@@ -65,6 +68,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
         Some(Command::Chart(command)) => command.run(),
+        Some(Command::Figures(command)) => command.run(),
         Some(Command::Bench(command)) => command.run(),
         Some(Command::Adapters) => adapters::run(),
         None => scene::run_default(&arguments.options),

@@ -29,14 +29,7 @@ impl RunCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
-        let size = std::fs::metadata(&self.scene)
-            .map_err(|e| refused(format!("{e}; give a scene that can be read")))?
-            .len();
-        if size > LARGEST {
-            return Err(refused("larger than 1 MiB; this is no scene".into()).into());
-        }
-        let text = std::fs::read_to_string(&self.scene)
-            .map_err(|e| refused(format!("{e}; give a scene that can be read")))?;
+        let text = read(&self.scene).map_err(refused)?;
         let scene = SceneText::from_toml(&text).map_err(refused)?;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
@@ -50,4 +43,16 @@ pub fn run_default(options: &RunOptions) -> anyhow::Result<()> {
     let text = SceneText::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
     report::run_map(&scene, options)
+}
+
+/// Reads a scene's file.
+///
+/// # Errors
+/// What is wrong and what to do.
+pub fn read(path: &Path) -> Result<String, String> {
+    let refused = |e: std::io::Error| format!("{e}; give a scene that can be read");
+    if std::fs::metadata(path).map_err(refused)?.len() > LARGEST {
+        return Err("larger than 1 MiB; this is no scene".into());
+    }
+    std::fs::read_to_string(path).map_err(refused)
 }

@@ -25,7 +25,7 @@ pub const COLUMNS: [&str; 13] = [
 ];
 
 /// A number in as few digits as tell it from its neighbours: those of f32 where it came from one.
-pub(super) struct Number(pub f64);
+pub struct Number(pub f64);
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -62,16 +62,7 @@ impl SceneText {
     /// # Errors
     /// One line with the line and column at fault: a syntax error, an unknown key, a wrong type.
     pub fn from_toml(text: &str) -> Result<SceneText, String> {
-        toml::from_str(text).map_err(|error| {
-            let place = error.span().map(|span| {
-                let before = &text[..span.start.min(text.len())];
-                let line = before.matches('\n').count() + 1;
-                let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
-                format!("line {line}, column {column}: ")
-            });
-            let message: Vec<&str> = error.message().split_whitespace().collect();
-            format!("{}{}", place.unwrap_or_default(), message.join(" "))
-        })
+        toml::from_str(text).map_err(|error| located(text, &error))
     }
 
     /// Checks the scene; a record's files are looked for from the working directory.
@@ -87,28 +78,46 @@ impl SceneText {
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check_in(&self, directory: &Path) -> Result<Scene, SceneError> {
+        self.check_shaken_by(|| match (&self.pulse, &self.record) {
+            (Some(_), Some(_)) => {
+                let problem = "a scene has a pulse or a record; leave one out";
+                Err(SceneError::new("record", problem))
+            }
+            (_, Some(record)) => {
+                Ok(Excitation::Record(excitation::check_record(record, directory)?))
+            }
+            (pulse, None) => {
+                let pulse = pulse.clone().unwrap_or_default();
+                Ok(Excitation::Pulse(excitation::check_pulse(&pulse)?))
+            }
+        })
+    }
+
+    /// Checks the scene under an excitation that is at hand; its own pulse or record is not read.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check_under(&self, excitation: Excitation) -> Result<Scene, SceneError> {
+        self.check_shaken_by(|| Ok(excitation))
+    }
+
+    fn check_shaken_by(
+        &self,
+        excitation: impl FnOnce() -> Result<Excitation, SceneError>,
+    ) -> Result<Scene, SceneError> {
         let (block, plate_h, plate_v) = block::check(&self.block)?;
         let isolation = isolation::check(&self.base, plate_h, plate_v)?;
+        let excitation = excitation()?;
         for (key, range) in [
             ("t_h", isolation.horizontal.map(|base| base.t_h)),
             ("t_v", isolation.vertical.map(|base| base.t_v)),
         ] {
-            if self.record.is_none() && range.is_some_and(|range| range.count > 1) {
+            let pulse = matches!(excitation, Excitation::Pulse(_));
+            if pulse && range.is_some_and(|range| range.count > 1) {
                 let problem = "a pulse map sweeps omega and a_h; give this a single number";
                 return Err(SceneError::new(key, problem));
             }
         }
-        let excitation = match (&self.pulse, &self.record) {
-            (Some(_), Some(_)) => {
-                let problem = "a scene has a pulse or a record; leave one out";
-                return Err(SceneError::new("record", problem));
-            }
-            (_, Some(record)) => Excitation::Record(excitation::check_record(record, directory)?),
-            (pulse, None) => {
-                let pulse = pulse.clone().unwrap_or_default();
-                Excitation::Pulse(excitation::check_pulse(&pulse)?)
-            }
-        };
         let (default_title, shortest) = match &excitation {
             Excitation::Pulse(_) => ("Overturning spectral map", 30.0),
             Excitation::Record(pair) => ("Rocking map", pair.duration()),
@@ -151,4 +160,16 @@ impl SceneText {
         }
         Ok(scene)
     }
+}
+
+/// A parser's message with its line and column, in one line.
+pub(crate) fn located(text: &str, error: &toml::de::Error) -> String {
+    let place = error.span().map(|span| {
+        let before = &text[..span.start.min(text.len())];
+        let line = before.matches('\n').count() + 1;
+        let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+        format!("line {line}, column {column}: ")
+    });
+    let message: Vec<&str> = error.message().split_whitespace().collect();
+    format!("{}{}", place.unwrap_or_default(), message.join(" "))
 }

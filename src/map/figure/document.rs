@@ -62,12 +62,10 @@ pub fn beside(size: (u32, u32), left: &str, right: &str) -> String {
 /// Symbols with an index, set as such: `A_h` becomes A with a lowered h.
 fn with_subscripts(drawing: &str) -> String {
     let mut text = drawing.to_string();
-    for symbol in ["A_h", "A_v", "T_h", "T_v"] {
-        let (letter, index) = symbol.split_at(1);
-        let set = format!(
-            "{letter}<tspan baseline-shift=\"sub\" font-size=\"75%\">{}</tspan>",
-            &index[1..]
-        );
+    for symbol in ["A_h", "A_v", "T_h", "T_v", "J_C", "m_h", "m_v", "ξ_h", "ξ_v", "α_y"] {
+        let Some((letter, index)) = symbol.split_once('_') else { continue };
+        let set =
+            format!("{letter}<tspan baseline-shift=\"sub\" font-size=\"75%\">{index}</tspan>");
         text = text.replace(symbol, &set);
     }
     text
@@ -81,11 +79,29 @@ static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
-/// Renders an SVG at `scale` pixels a unit.
+/// Renders an SVG at `scale` pixels a unit, as a PNG.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
 pub fn render(svg: &str, scale: f32) -> Result<Vec<u8>, FigureError> {
+    rasterise(svg, scale)?.encode_png().map_err(|e| FigureError::Encode(e.to_string()))
+}
+
+/// Renders an SVG at a pixel a unit: width, height, and the pixels' red, green, blue and opacity.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn pixels(svg: &str) -> Result<(u16, u16, Vec<u8>), FigureError> {
+    let pixmap = rasterise(svg, 1.0)?;
+    let side = |length: u32| {
+        u16::try_from(length)
+            .map_err(|_| FigureError::Encode(format!("{length} pixels are too many")))
+    };
+    // The paper is white and opaque: no pixel's colour is scaled by its opacity.
+    Ok((side(pixmap.width())?, side(pixmap.height())?, pixmap.take()))
+}
+
+fn rasterise(svg: &str, scale: f32) -> Result<Pixmap, FigureError> {
     let failed = |e: String| FigureError::Encode(e);
     let options = Options { fontdb: Arc::clone(&FONTS), ..Options::default() };
     let tree = Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
@@ -94,5 +110,5 @@ pub fn render(svg: &str, scale: f32) -> Result<Vec<u8>, FigureError> {
     let mut pixmap = Pixmap::new(pixels(size.width()), pixels(size.height()))
         .ok_or_else(|| failed("no memory for the picture".into()))?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
-    pixmap.encode_png().map_err(|e| failed(e.to_string()))
+    Ok(pixmap)
 }

@@ -8,7 +8,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::super::Map;
 use super::document::Place;
 use super::tick;
-use crate::scene::{Excitation, GRAVITY, Range, Scene};
+use crate::scene::grid::Axis;
+use crate::scene::{Excitation, GRAVITY, Grid, Range, Scene};
 
 /// Size of a map figure.
 pub const SIZE: (u32, u32) = (960, 758);
@@ -18,6 +19,8 @@ pub const PLOT: Place = Place { x: 90, y: 76, width: 610, height: 610 };
 pub const FINE: i32 = 8;
 /// White margin outside the axes' names.
 const EDGE: i32 = 16;
+/// Length of a tick.
+const TICK: i32 = 5;
 
 /// What drawing may fail with.
 pub type Drawn<T> = Result<T, Box<dyn std::error::Error>>;
@@ -105,34 +108,111 @@ pub fn outline(root: &Area, place: Place, tenths: i32) -> Drawn<()> {
     Ok(())
 }
 
+/// Where a pair of axes lies, and what it says.
+#[derive(Debug, Clone, Copy)]
+pub struct Axes {
+    /// Size of the document.
+    pub size: (u32, u32),
+    /// Place of the plot in it.
+    pub plot: Place,
+    /// Room for the axes' names and numbers, left of the plot and below it; none where a
+    /// neighbour has them.
+    pub room: (Option<i32>, Option<i32>),
+    /// Size of the numbers; names are a fifth larger.
+    pub font: i32,
+}
+
+/// Draws the frame of a plot over a grid, with its axes.
+pub fn axes<'b>(root: &Area<'b>, grid: &Grid, axes: &Axes) -> Drawn<Plot<'b, 'b>> {
+    let Axes { size, plot, room, font } = *axes;
+    let named = |axis: &Axis| format!("{} [{}]", axis.symbol, axis.unit);
+    let (x, y) = (Named::of(&grid.x, named(&grid.x)), Named::of(&grid.y, named(&grid.y)));
+    frame(root, size, plot, room, font, (&x, &y))
+}
+
+/// An axis: its ends and its name.
+pub struct Named {
+    /// From where to where.
+    pub ends: std::ops::Range<f64>,
+    /// Symbol and unit.
+    pub name: String,
+}
+
+impl Named {
+    /// The axis of a grid.
+    fn of(axis: &Axis, name: String) -> Named {
+        Named { ends: extent(&axis.range), name }
+    }
+}
+
+/// How an axis writes a number.
+type Writing = dyn Fn(f64) -> String;
+
+/// Draws the frame of a plot, with its axes.
+pub fn frame<'b>(
+    root: &Area<'b>,
+    size: (u32, u32),
+    plot: Place,
+    room: (Option<i32>, Option<i32>),
+    font: i32,
+    (x, y): (&Named, &Named),
+) -> Drawn<Plot<'b, 'b>> {
+    let width = (y.ends.end - y.ends.start).abs().max(1.0e-3);
+    frame_with(root, size, plot, room, font, (x, y), &move |value| tick(value, width))
+}
+
+/// The same, the numbers of the vertical axis written in another way.
+pub fn frame_with<'b>(
+    root: &Area<'b>,
+    size: (u32, u32),
+    plot: Place,
+    room: (Option<i32>, Option<i32>),
+    font: i32,
+    (x, y): (&Named, &Named),
+    written: &Writing,
+) -> Drawn<Plot<'b, 'b>> {
+    let right = size.0 as i32 - plot.x - plot.width;
+    let bottom = size.1 as i32 - plot.y - plot.height;
+    // Where nothing is written there are still the ticks.
+    let (left_room, bottom_room) = (room.0.unwrap_or(TICK), room.1.unwrap_or(TICK));
+    let mut chart = ChartBuilder::on(root)
+        .margin_top(plot.y * FINE)
+        .margin_right(right * FINE)
+        .margin_left((plot.x - left_room) * FINE)
+        .margin_bottom((bottom - bottom_room) * FINE)
+        .set_label_area_size(LabelAreaPosition::Left, left_room * FINE)
+        .set_label_area_size(LabelAreaPosition::Bottom, bottom_room * FINE)
+        .build_cartesian_2d(x.ends.clone(), y.ends.clone())?;
+    let width = (x.ends.end - x.ends.start).abs().max(1.0e-3);
+    let format_x = |value: &f64| room.1.map_or(String::new(), |_| tick(*value, width));
+    let format_y = |value: &f64| room.0.map_or(String::new(), |_| written(*value));
+    // A number for every so many units.
+    let labels = |length: i32| (length / (font * 5)).clamp(3, 12) as usize;
+    let mut mesh = chart.configure_mesh();
+    mesh.disable_mesh()
+        .x_labels(labels(plot.width))
+        .y_labels(if plot.height < 4 * font { 0 } else { labels(plot.height) })
+        .label_style(text(font))
+        .axis_desc_style(text(font * 6 / 5))
+        .set_all_tick_mark_size(TICK * FINE)
+        .axis_style(stroke(BLACK, 10))
+        .x_label_formatter(&format_x)
+        .y_label_formatter(&format_y);
+    if room.1.is_some() {
+        mesh.x_desc(&x.name);
+    }
+    if room.0.is_some() {
+        mesh.y_desc(&y.name);
+    }
+    mesh.draw()?;
+    outline(root, plot, 10)?;
+    Ok(chart)
+}
+
 /// Draws title and caption, and the frame of a map's plot with its axes.
 pub fn map_frame<'b>(root: &Area<'b>, map: &Map, title: &str) -> Drawn<Plot<'b, 'b>> {
     root.draw(&Text::new(title.to_string(), at(PLOT.x, 20), text(22)))?;
     root.draw(&Text::new(caption(map.scene), at(PLOT.x, 49), text(15)))?;
-    let right = SIZE.0 as i32 - PLOT.x - PLOT.width;
-    let bottom = SIZE.1 as i32 - PLOT.y - PLOT.height;
-    let (x, y) = (&map.grid.x, &map.grid.y);
-    let width = |range: &Range| (range.stop - range.start).abs().max(1.0e-3);
-    let mut chart = ChartBuilder::on(root)
-        .margin_top(PLOT.y * FINE)
-        .margin_right(right * FINE)
-        .margin_left(EDGE * FINE)
-        .margin_bottom(EDGE * FINE)
-        .set_label_area_size(LabelAreaPosition::Left, (PLOT.x - EDGE) * FINE)
-        .set_label_area_size(LabelAreaPosition::Bottom, (bottom - EDGE) * FINE)
-        .build_cartesian_2d(extent(&x.range), extent(&y.range))?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_desc(format!("{} [{}]", x.symbol, x.unit))
-        .y_desc(format!("{} [{}]", y.symbol, y.unit))
-        .label_style(text(15))
-        .axis_desc_style(text(18))
-        .set_all_tick_mark_size(5 * FINE)
-        .axis_style(stroke(BLACK, 10))
-        .x_label_formatter(&|value| tick(*value, width(&x.range)))
-        .y_label_formatter(&|value| tick(*value, width(&y.range)))
-        .draw()?;
-    outline(root, PLOT, 10)?;
-    Ok(chart)
+    let room = (Some(PLOT.x - EDGE), Some(SIZE.1 as i32 - PLOT.y - PLOT.height - EDGE));
+    axes(root, &map.grid, &Axes { size: SIZE, plot: PLOT, room, font: 15 })
 }

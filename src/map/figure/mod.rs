@@ -3,7 +3,9 @@
 pub mod document;
 pub mod field;
 pub mod frame;
+pub mod greys;
 pub mod history;
+pub mod labels;
 pub mod overturning;
 pub mod palette;
 pub mod raster;

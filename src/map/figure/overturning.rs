@@ -12,6 +12,7 @@ use super::frame::{
 };
 use super::palette::Kind;
 use super::raster::png;
+use crate::integrate::outcome::{Class, Outcome};
 
 /// What a hatch says.
 pub fn hatch_labels(map: &Map) -> [String; 2] {
@@ -32,43 +33,51 @@ const HATCH_PITCH: usize = 12;
 /// # Errors
 /// Any [`FigureError`].
 pub fn draw(map: &Map) -> Result<String, FigureError> {
-    let (columns, rows) = map.grid.shape();
-    let cells = png(columns, rows, |column, row| {
-        let [r, g, b] = Kind::of(&map.outcomes[(rows - 1 - row) * columns + column]).colour();
-        [r, g, b, 255]
-    })?;
-    let mut images = vec![(PLOT, cells)];
-    let beyond = |index: usize| map.beyond_the_model(&map.outcomes[index]);
-    let unresolved = |index: usize| Kind::of(&map.outcomes[index]) == Kind::Unresolved;
-    let any = |test: &dyn Fn(usize) -> bool| (0..map.outcomes.len()).any(test);
-    let hatched = any(&beyond);
-    if hatched || any(&unresolved) {
-        images.push((PLOT, hatch(columns, rows, &beyond, &unresolved)?));
-    }
+    let mut images = vec![(PLOT, cells(map, |cell| Kind::of(cell).colour())?)];
+    let hatch = hatched(map, PLOT)?;
+    let has_hatch = map.outcomes.iter().any(|cell| map.beyond_the_model(cell));
+    images.extend(hatch.map(|image| (PLOT, image)));
     let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
     let mut drawing = String::new();
-    frame(map, &kinds, hatched, &mut drawing).map_err(|e| FigureError::Draw(e.to_string()))?;
+    frame(map, &kinds, has_hatch, &mut drawing).map_err(|e| FigureError::Draw(e.to_string()))?;
     Ok(compose(SIZE, &images, &drawing))
 }
 
-/// Lines over the cells where the model does not hold, crosses over the unresolved ones.
-pub fn hatch(
-    columns: usize,
-    rows: usize,
-    beyond: &dyn Fn(usize) -> bool,
-    unresolved: &dyn Fn(usize) -> bool,
-) -> Result<Vec<u8>, FigureError> {
-    let (width, height) = (PLOT.width as usize * HATCH_SCALE, PLOT.height as usize * HATCH_SCALE);
-    png(width, height, |x, y| {
-        let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
+/// The cells of a map in the colours of their outcomes, as an image.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn cells(map: &Map, colour: impl Fn(&Outcome) -> [u8; 3]) -> Result<Vec<u8>, FigureError> {
+    let (columns, rows) = map.grid.shape();
+    png(columns, rows, |column, row| {
+        let [r, g, b] = colour(&map.outcomes[(rows - 1 - row) * columns + column]);
+        [r, g, b, 255]
+    })
+}
+
+/// Lines over the cells where the model does not hold, crosses over the unresolved ones, as an
+/// image for `place`; none where there are no such cells.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn hatched(map: &Map, place: Place) -> Result<Option<Vec<u8>>, FigureError> {
+    let marked = |cell: &Outcome| cell.class == Class::Unresolved || map.beyond_the_model(cell);
+    if !map.outcomes.iter().any(marked) {
+        return Ok(None);
+    }
+    let (columns, rows) = map.grid.shape();
+    let (width, height) = (place.width as usize * HATCH_SCALE, place.height as usize * HATCH_SCALE);
+    let image = png(width, height, |x, y| {
+        let cell = &map.outcomes[(rows - 1 - y * rows / height) * columns + x * columns / width];
         let rising = (x + y) % HATCH_PITCH < 2;
         let falling = (x + height - y) % HATCH_PITCH < 2;
-        match (unresolved(cell), beyond(cell)) {
+        match (cell.class == Class::Unresolved, map.beyond_the_model(cell)) {
             (true, _) if rising || falling => [0, 0, 0, 255],
             (false, true) if rising => [0, 0, 0, 150],
             _ => [0, 0, 0, 0],
         }
-    })
+    })?;
+    Ok(Some(image))
 }
 
 fn frame(map: &Map, kinds: &BTreeSet<Kind>, hatched: bool, drawing: &mut String) -> Drawn<()> {

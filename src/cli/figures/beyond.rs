@@ -1,0 +1,85 @@
+//! Figures that go beyond the paper's: boundaries, shares, motions.
+
+use topple::figures::animation::{self, Moving};
+use topple::figures::boundary::{self, Least};
+use topple::figures::shares::{self, Shares};
+use topple::figures::{Figure, curves, letter};
+use topple::scene::{Grid, Scene};
+use topple::sweep::history;
+
+use super::super::progress::Progress;
+use super::Work;
+
+impl Work<'_> {
+    /// The least amplitude that overturns, with isolation and without.
+    pub(super) fn boundaries(&self, figure: &Figure) -> anyhow::Result<()> {
+        let cells: usize = figure.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum();
+        let progress = Progress::new(2 * cells, self.options.quiet);
+        let mut drawn = Vec::with_capacity(figure.panels.len());
+        for (k, panel) in figure.panels.iter().enumerate() {
+            let name = format!("{}-{}", figure.name, letter(k));
+            let curve = |scene: &Scene| -> anyhow::Result<Vec<Least>> {
+                Ok(boundary::least(scene, &self.sweep(scene, panel.fixed_step, &name, &progress)?))
+            };
+            let isolated = curve(&panel.scene)?;
+            let free = curve(&boundary::without_isolation(&panel.scene))?;
+            self.out.write(&format!("{name}.csv"), |w| boundary::write(&isolated, &free, w))?;
+            drawn.push((isolated, free));
+        }
+        progress.finish();
+        let rows = Grid::of(&figure.panels[0].scene).shape().1;
+        let caption = format!(
+            "The lowest of {rows} amplitudes that overturns, bisected by the adaptive reference to {} m/s².",
+            boundary::WITHIN
+        );
+        let svg = curves::boundaries(figure, &drawn, &[caption, self.how()])?;
+        let count: usize = drawn.iter().map(|(with, _)| 2 * with.len()).sum();
+        self.picture(&figure.name, &svg, &format!("{count} boundaries by the reference"))
+    }
+
+    /// The shares of the outcomes against the eccentricity.
+    pub(super) fn shares(&self, figure: &Figure) -> anyhow::Result<()> {
+        let values = |k: usize| figure.panels[k].eccentricities.map_or(0, |range| range.count);
+        let cells: usize = (0..figure.panels.len())
+            .map(|k| values(k) as usize * Grid::of(&figure.panels[k].scene).len())
+            .sum();
+        let progress = Progress::new(cells, self.options.quiet);
+        let mut drawn = Vec::with_capacity(figure.panels.len());
+        for (k, panel) in figure.panels.iter().enumerate() {
+            let name = format!("{}-{}", figure.name, letter(k));
+            let mut rows: Vec<(f64, Shares)> = Vec::new();
+            for eccentricity in panel.eccentricities.iter().flat_map(|range| range.values()) {
+                let scene = shares::at(&panel.scene, eccentricity);
+                rows.push((
+                    eccentricity,
+                    Shares::of(&self.sweep(&scene, panel.fixed_step, &name, &progress)?),
+                ));
+            }
+            self.out.write(&format!("{name}.csv"), |w| shares::write(&rows, w))?;
+            drawn.push(rows);
+        }
+        progress.finish();
+        let svg = curves::shares(figure, &drawn, &[self.how()])?;
+        self.picture(&figure.name, &svg, &format!("{cells} cells"))
+    }
+
+    /// Cells in motion.
+    pub(super) fn motion(&self, figure: &Figure) -> anyhow::Result<()> {
+        for (k, panel) in figure.panels.iter().enumerate() {
+            let name = format!("{}-{}", figure.name, letter(k));
+            let scenes: Vec<Scene> =
+                panel.cells.iter().filter_map(|cell| cell.scene(&panel.scene)).collect();
+            let mut moving = Vec::with_capacity(scenes.len());
+            for (cell, scene) in panel.cells.iter().zip(&scenes) {
+                let plan = self.plan(scene, panel.fixed_step, &name)?;
+                let (rows, outcome) = history::by_steps::<f64>(&plan, &Grid::of(scene).point(0));
+                moving.push(Moving::new(cell, scene, rows, outcome));
+            }
+            let bytes = animation::draw(&figure.title, &moving)?;
+            self.out.write(&format!("{name}.gif"), |w| std::io::Write::write_all(w, &bytes))?;
+            let place = self.out.file(&format!("{name}.gif"));
+            self.say(&format!("{name:10} {} cells in motion; {}", moving.len(), place.display()));
+        }
+        Ok(())
+    }
+}

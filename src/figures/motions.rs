@@ -1,0 +1,122 @@
+//! The motions of figures: records by name, looked for in a directory of the user's.
+//!
+//! Where a component's file is missing, the synthetic component of the given peak stands in, and
+//! the motion says so.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::text::ReadError;
+use crate::scene::GRAVITY;
+use crate::scene::record::read::{self, Told};
+use crate::scene::record::synthetic::{self, HORIZONTAL, Parameters, VERTICAL};
+use crate::scene::record::{Pair, Record, Units};
+use crate::scene::text::located;
+
+/// A motion as written.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MotionText {
+    /// Short name, as in panels: `Kobe`.
+    pub name: String,
+    /// Event, station and components.
+    pub title: String,
+    /// The horizontal component.
+    pub horizontal: ComponentText,
+    /// The vertical one, positive up.
+    pub vertical: ComponentText,
+}
+
+/// A component as written.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ComponentText {
+    /// Name of its file in the directory.
+    pub file: String,
+    /// Time between samples, s, where the file does not tell.
+    pub dt: Option<f64>,
+    /// Units of the values, where the file does not tell.
+    pub units: Option<Units>,
+    /// Peak of the synthetic component that stands in for a missing file, m/s^2.
+    pub stand_in: f64,
+}
+
+/// A motion ready to shake a base.
+#[derive(Debug, Clone)]
+pub struct Motion {
+    /// Short name.
+    pub name: String,
+    /// Both components.
+    pub pair: Pair,
+    /// What it is made of, for captions: one line.
+    pub line: String,
+    /// Components that are synthetic, each with the file that is missing.
+    pub missing: Vec<String>,
+}
+
+/// All motions by key.
+pub type Motions = BTreeMap<String, MotionText>;
+
+/// Reads the motions' TOML.
+///
+/// # Errors
+/// [`ReadError`] with the line at fault.
+pub fn from_toml(place: &str, text: &str) -> Result<Motions, ReadError> {
+    toml::from_str(text).map_err(|error| ReadError::new(place, located(text, &error)))
+}
+
+impl MotionText {
+    /// Opens the files in `directory`; a component without a file is synthetic.
+    ///
+    /// # Errors
+    /// [`ReadError`] where a file is there and is no record.
+    pub fn open(&self, directory: Option<&Path>) -> Result<Motion, ReadError> {
+        let mut missing = Vec::new();
+        let mut parts = Vec::new();
+        let mut component = |kind: &str, text: &ComponentText, like: &Parameters| {
+            let found = text.open(directory)?;
+            let peak =
+                |record: &Record| record.samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
+            let record = match found {
+                Some(record) => {
+                    parts.push(format!("{kind} {:.3} g", peak(&record) / GRAVITY));
+                    record
+                }
+                None => {
+                    missing.push(format!("{}: {kind} synthetic, no {}", self.name, text.file));
+                    parts.push(format!(
+                        "{kind} SYNTHETIC, {:.3} g ({} is missing)",
+                        text.stand_in / GRAVITY,
+                        text.file
+                    ));
+                    synthetic::make("synthetic", &Parameters { peak: text.stand_in, ..*like })
+                }
+            };
+            Ok::<Record, ReadError>(record)
+        };
+        let horizontal = component("horizontal", &self.horizontal, &HORIZONTAL)?;
+        let vertical = component("vertical", &self.vertical, &VERTICAL)?;
+        let mut pair = Pair::new(horizontal, Some(vertical));
+        let line = format!("{}: {}; {}", self.name, self.title, parts.join(", "));
+        pair.title.clone_from(&line);
+        Ok(Motion { name: self.name.clone(), pair, line, missing })
+    }
+}
+
+impl ComponentText {
+    /// The file's record; none where there is no such file.
+    fn open(&self, directory: Option<&Path>) -> Result<Option<Record>, ReadError> {
+        let Some(path) = directory.map(|directory| directory.join(&self.file)) else {
+            return Ok(None);
+        };
+        if !path.exists() {
+            return Ok(None);
+        }
+        let told = Told { dt: self.dt, units: self.units, scaled: false };
+        let record = read::file(&path, &told)
+            .map_err(|error| ReadError::new(path.display().to_string(), error.to_string()))?;
+        Ok(Some(record))
+    }
+}

@@ -1,0 +1,197 @@
+//! Figures as written: TOML.
+//!
+//! `[scene]` holds what the panels share, with the keys of a scene; each `[[panel]]` has a `scene`
+//! of its own whose keys replace those.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use super::marks::{self, Point, Window};
+use super::motions::{Motion, Motions};
+use super::{Figure, Panel, Shows, letter};
+use crate::scene::text::{SceneText, located};
+use crate::scene::{Excitation, Range};
+
+/// What is wrong with a figure or a motion, and where.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {problem}")]
+pub struct ReadError {
+    /// File, and panel if it is one's.
+    pub place: String,
+    /// What is wrong and what to do.
+    pub problem: String,
+}
+
+impl ReadError {
+    /// An error at a place.
+    pub fn new(place: impl Into<String>, problem: impl Into<String>) -> ReadError {
+        ReadError { place: place.into(), problem: problem.into() }
+    }
+}
+
+/// A figure as written.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FigureText {
+    title: String,
+    shows: Shows,
+    #[serde(default = "one")]
+    columns: usize,
+    #[serde(default)]
+    scene: Table,
+    panel: Vec<PanelText>,
+}
+
+fn one() -> usize {
+    1
+}
+
+/// A panel as written.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+struct PanelText {
+    shows: Option<Shows>,
+    motion: Option<String>,
+    label: Option<String>,
+    fixed_step: Option<f64>,
+    window: Option<Window>,
+    points: Vec<Point>,
+    paths: Vec<marks::Path>,
+    cells: Vec<marks::Cell>,
+    eccentricities: Option<Range>,
+    scene: Table,
+}
+
+/// What a figure is read with.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting<'a> {
+    /// The motions there are.
+    pub motions: &'a Motions,
+    /// Where their files are.
+    pub records: Option<&'a Path>,
+    /// Points of every axis that has several, in place of what is written.
+    pub cells: Option<u32>,
+}
+
+impl Figure {
+    /// Reads a figure from TOML, and opens its motions; returns these too.
+    ///
+    /// # Errors
+    /// [`ReadError`] with the line or the panel at fault.
+    pub fn from_toml(
+        name: &str,
+        text: &str,
+        setting: &Setting,
+    ) -> Result<(Figure, Vec<Motion>), ReadError> {
+        let written: FigureText =
+            toml::from_str(text).map_err(|error| ReadError::new(name, located(text, &error)))?;
+        if written.columns == 0 {
+            return Err(ReadError::new(name, "columns must be at least 1"));
+        }
+        let mut motions: Vec<Motion> = Vec::new();
+        let mut panels = Vec::with_capacity(written.panel.len());
+        for (index, panel) in written.panel.into_iter().enumerate() {
+            let place = format!("{name}, panel {}", letter(index));
+            let shows = panel.shows.unwrap_or(written.shows);
+            panels.push(read(&place, shows, &written.scene, panel, setting, &mut motions)?);
+        }
+        if panels.is_empty() {
+            return Err(ReadError::new(name, "no panel; give a [[panel]] at least"));
+        }
+        if let Some(other) =
+            panels.iter().find(|panel| panel.shows.family() != panels[0].shows.family())
+        {
+            let problem = format!("{:?} and {:?} do not go together", panels[0].shows, other.shows);
+            return Err(ReadError::new(name, problem));
+        }
+        let figure = Figure {
+            name: name.to_string(),
+            title: written.title,
+            columns: written.columns,
+            panels,
+        };
+        Ok((figure, motions))
+    }
+}
+
+fn read(
+    place: &str,
+    shows: Shows,
+    shared: &Table,
+    panel: PanelText,
+    setting: &Setting,
+    motions: &mut Vec<Motion>,
+) -> Result<Panel, ReadError> {
+    let refused = |problem: String| ReadError::new(place, problem);
+    let mut table = shared.clone();
+    merge(&mut table, panel.scene);
+    let mut text: SceneText =
+        table.try_into().map_err(|error: toml::de::Error| refused(error.message().to_string()))?;
+    if let Some(cells) = setting.cells {
+        coarsen(&mut text, cells);
+    }
+    let scene = match &panel.motion {
+        None => text.check().map_err(|error| refused(error.to_string()))?,
+        Some(key) => {
+            let Some(motion) = setting.motions.get(key) else {
+                let known: Vec<&str> = setting.motions.keys().map(String::as_str).collect();
+                let problem = format!("no motion '{key}'; there are {}", known.join(", "));
+                return Err(refused(problem));
+            };
+            let opened = match motions.iter().find(|opened| opened.name == motion.name) {
+                Some(opened) => opened.clone(),
+                None => {
+                    motions.push(motion.open(setting.records)?);
+                    motions[motions.len() - 1].clone()
+                }
+            };
+            let excitation = Excitation::Record(opened.pair);
+            text.check_under(excitation).map_err(|error| refused(error.to_string()))?
+        }
+    };
+    let motion = panel.motion.and_then(|key| setting.motions.get(&key)).map(|m| m.name.clone());
+    if let Some(step) = panel.fixed_step
+        && !(step > 0.0 && step.is_finite())
+    {
+        return Err(refused(format!("fixed_step: {step} must be a positive number of seconds")));
+    }
+    let PanelText { label, fixed_step, window, points, paths, cells, eccentricities, .. } = panel;
+    Ok(Panel {
+        shows,
+        scene,
+        motion,
+        label,
+        fixed_step,
+        window,
+        points,
+        paths,
+        cells,
+        eccentricities,
+    })
+}
+
+/// Puts the keys of a table over those of another, tables within them key by key.
+fn merge(table: &mut Table, over: Table) {
+    for (key, value) in over {
+        match (table.get_mut(&key), value) {
+            (Some(Value::Table(below)), Value::Table(above)) => merge(below, above),
+            (_, value) => {
+                table.insert(key, value);
+            }
+        }
+    }
+}
+
+/// Gives every axis with several points `count` of them.
+fn coarsen(text: &mut SceneText, count: u32) {
+    let (base, pulse) = (&mut text.base, text.pulse.as_mut());
+    let ranges = [base.t_h.as_mut(), base.t_v.as_mut()];
+    let swept = pulse.map(|pulse| [pulse.omega.as_mut(), pulse.a_h.as_mut()]);
+    for range in ranges.into_iter().chain(swept.into_iter().flatten()).flatten() {
+        if range.count > 1 {
+            range.count = count;
+        }
+    }
+}
