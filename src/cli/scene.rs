@@ -11,6 +11,9 @@ use super::report;
 
 const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
 
+/// What only a figure's file has.
+pub const FIGURE: &str = "[[panel]]";
+
 /// Largest scene file that is read, bytes.
 const LARGEST: u64 = 1 << 20;
 
@@ -30,6 +33,10 @@ impl RunCommand {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
         let text = read(&self.scene).map_err(refused)?;
+        if text.contains(FIGURE) {
+            let problem = "this is a figure of several panels; run it by topple figures --scenes";
+            return Err(refused(problem.into()).into());
+        }
         let scene = SceneText::from_toml(&text).map_err(refused)?;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;

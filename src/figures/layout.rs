@@ -71,16 +71,16 @@ impl Layout {
         };
         let plots: Vec<Place> = (0..count as i32).map(place).collect();
         let right = MARGIN + LEFT + columns * (side + gap_x) - gap_x;
-        let panels = rows * (side + gap_y) - gap_y + BELOW;
-        let bottom = TOP + ABOVE + panels.max(legend);
+        let bottom = TOP + ABOVE + rows * (side + gap_y) - gap_y + BELOW;
         let width = right + MARGIN + LEGEND;
-        let fits = (f64::from(width - 2 * MARGIN) * CHARACTERS) as usize;
+        let fits = (f64::from(right - MARGIN) * CHARACTERS) as usize;
         let lines: Vec<String> = caption
             .iter()
             .flat_map(|text| textwrap::wrap(text, fits))
             .map(|line| line.into_owned())
             .collect();
-        let height = bottom + MARGIN + LINE * lines.len() as i32 + MARGIN;
+        let written = bottom + MARGIN + LINE * lines.len() as i32;
+        let height = written.max(TOP + ABOVE + legend) + MARGIN;
         Layout {
             size: (width as u32, height as u32),
             plots,

@@ -21,12 +21,13 @@ use super::InputError;
 use super::options::RunOptions;
 use super::progress::Progress;
 use super::report;
+use super::scene;
 
 /// A figure's name and its TOML.
 type Written = (String, String);
 
 /// The figures that are part of the binary.
-const BUILT_IN: [(&str, &str); 15] = [
+const BUILT_IN: [(&str, &str); 16] = [
     ("fig04", include_str!("../../../scenes/fig04.toml")),
     ("fig05", include_str!("../../../scenes/fig05.toml")),
     ("fig06", include_str!("../../../scenes/fig06.toml")),
@@ -37,6 +38,7 @@ const BUILT_IN: [(&str, &str); 15] = [
     ("fig12", include_str!("../../../scenes/fig12.toml")),
     ("fig13", include_str!("../../../scenes/fig13.toml")),
     ("fig14", include_str!("../../../scenes/fig14.toml")),
+    ("ground", include_str!("../../../scenes/ground.toml")),
     ("strip", include_str!("../../../scenes/strip.toml")),
     ("boundary", include_str!("../../../scenes/boundary.toml")),
     ("shares", include_str!("../../../scenes/shares.toml")),
@@ -116,7 +118,7 @@ impl FiguresCommand {
                     let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
                     if name == MOTIONS_FILE {
                         (place, motions) = (path.display().to_string(), text);
-                    } else if text.contains("[[panel]]") {
+                    } else if text.contains(scene::FIGURE) {
                         all.push((name, text));
                     }
                 }
@@ -239,5 +241,5 @@ fn tomls(directory: &Path) -> Result<Vec<PathBuf>, InputError> {
 }
 
 fn read(path: &Path) -> Result<String, InputError> {
-    super::scene::read(path).map_err(|reason| InputError(format!("{}: {reason}", path.display())))
+    scene::read(path).map_err(|reason| InputError(format!("{}: {reason}", path.display())))
 }
