@@ -99,7 +99,10 @@ pub fn boundaries(
     let highest = all().filter_map(|least| least.a_h).fold(0.0, f64::max);
     let axes = (
         Named { ends: 0.0..last, name: "Ω [rad/s]".into() },
-        Named { ends: 0.0..1.02 * highest, name: "least A_h that overturns [m/s²]".into() },
+        Named {
+            ends: 0.0..(1.02 * highest).max(1.0e-3),
+            name: "least A_h that overturns [m/s²]".into(),
+        },
     );
     let legend =
         vec![(ISOLATED, "dual isolation".to_string()), (FREE, "on the ground".to_string())];

@@ -50,7 +50,40 @@ pub struct Cell {
     pub seconds: f64,
 }
 
+/// Longest motion that is shown, s.
+const LONGEST: f64 = 120.0;
+
+impl Window {
+    /// What is wrong with it.
+    pub(super) fn fault(&self) -> Option<String> {
+        let all = self.x.iter().chain(&self.y);
+        let finite = all.clone().all(|end| end.is_finite());
+        (!finite).then(|| "window: its ends must be finite numbers".into())
+    }
+}
+
+impl Point {
+    /// What is wrong with it.
+    pub(super) fn fault(&self) -> Option<String> {
+        let finite = self.x.is_finite() && self.y.is_finite();
+        (!finite).then(|| format!("point {}: x and y must be finite numbers", self.name))
+    }
+}
+
 impl Path {
+    /// What is wrong with it on the map of a scene.
+    pub(super) fn fault(&self, map: &Scene) -> Option<String> {
+        let problem = if !matches!(map.excitation, Excitation::Pulse(_)) {
+            "a record's map has no amplitudes to go along"
+        } else if !(self.omega > 0.0 && self.omega.is_finite()) {
+            "omega must be a positive number"
+        } else if self.a_h.count < 2 {
+            "a_h must be start:stop:count with two points or more"
+        } else {
+            return None;
+        };
+        Some(format!("{}: {problem}", self.name))
+    }
     /// The scene of its cells: those of a map that is one column wide. None under a record.
     pub fn scene(&self, map: &Scene) -> Option<Scene> {
         along(map, Range::single(self.omega), self.a_h)
@@ -58,6 +91,20 @@ impl Path {
 }
 
 impl Cell {
+    /// What is wrong with it in the plane of a scene.
+    pub(super) fn fault(&self, map: &Scene) -> Option<String> {
+        let problem = if !matches!(map.excitation, Excitation::Pulse(_)) {
+            "a cell in motion is of a pulse; a record's is shown by topple history"
+        } else if !(self.omega > 0.0 && self.omega.is_finite() && self.a_h.is_finite()) {
+            "omega must be a positive number, and a_h a finite one"
+        } else if !(self.seconds > 0.0 && self.seconds <= LONGEST) {
+            return Some(format!("cells: seconds must lie above 0 and at most at {LONGEST}"));
+        } else {
+            return None;
+        };
+        Some(format!("cells: {problem}"))
+    }
+
     /// Its scene. None under a record.
     pub fn scene(&self, map: &Scene) -> Option<Scene> {
         along(map, Range::single(self.omega), Range::single(self.a_h))

@@ -167,8 +167,13 @@ fn mark(plot: &mut Plot, panel: &Panel) -> Drawn<()> {
         plot.draw_series(LineSeries::new(line, stroke(WHITE, 30)))?;
         plot.draw_series(LineSeries::new(line, stroke(BLACK, 14)))?;
         let side = Pos::new(HPos::Left, VPos::Top);
+        let width = (8 + 6 * path.name.chars().count() as i32) * FINE;
         plot.draw_series([EmptyElement::at((path.omega, path.a_h.stop))
-            + Text::new(path.name.clone(), (4 * FINE, 4 * FINE), text(FONT).pos(side))])?;
+            + Rectangle::new(
+                [(3 * FINE, 2 * FINE), (width, 16 * FINE)],
+                WHITE.mix(0.85).filled(),
+            )
+            + Text::new(path.name.clone(), (5 * FINE, 4 * FINE), text(FONT).pos(side))])?;
     }
     for point in &panel.points {
         plot.draw_series([EmptyElement::at((point.x, point.y))

@@ -12,7 +12,7 @@ use super::marks::{self, Point, Window};
 use super::motions::{Motion, Motions};
 use super::{Figure, Panel, Shows, letter};
 use crate::scene::text::{SceneText, located};
-use crate::scene::{Excitation, Range};
+use crate::scene::{Excitation, Range, Scene};
 
 /// What is wrong with a figure or a motion, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -120,13 +120,13 @@ fn read(
     place: &str,
     shows: Shows,
     shared: &Table,
-    panel: PanelText,
+    mut panel: PanelText,
     setting: &Setting,
     motions: &mut Vec<Motion>,
 ) -> Result<Panel, ReadError> {
     let refused = |problem: String| ReadError::new(place, problem);
     let mut table = shared.clone();
-    merge(&mut table, panel.scene);
+    merge(&mut table, std::mem::take(&mut panel.scene));
     let mut text: SceneText =
         table.try_into().map_err(|error: toml::de::Error| refused(error.message().to_string()))?;
     if let Some(cells) = setting.cells {
@@ -151,11 +151,22 @@ fn read(
             text.check_under(excitation).map_err(|error| refused(error.to_string()))?
         }
     };
-    let motion = panel.motion.and_then(|key| setting.motions.get(&key)).map(|m| m.name.clone());
+    let motion = panel.motion.as_ref().and_then(|key| setting.motions.get(key));
+    let motion = motion.map(|motion| motion.name.clone());
     if let Some(step) = panel.fixed_step
         && !(step > 0.0 && step.is_finite())
     {
         return Err(refused(format!("fixed_step: {step} must be a positive number of seconds")));
+    }
+    let faults = [
+        panel.window.and_then(|window| window.fault()),
+        panel.points.iter().find_map(Point::fault),
+        panel.paths.iter().find_map(|path| path.fault(&scene)),
+        panel.cells.iter().find_map(|cell| cell.fault(&scene)),
+        asked_for(shows, &panel, &scene),
+    ];
+    if let Some(fault) = faults.into_iter().flatten().next() {
+        return Err(refused(fault));
     }
     let PanelText { label, fixed_step, window, points, paths, cells, eccentricities, .. } = panel;
     Ok(Panel {
@@ -170,6 +181,23 @@ fn read(
         cells,
         eccentricities,
     })
+}
+
+/// What a panel lacks for what it shows.
+fn asked_for(shows: Shows, panel: &PanelText, scene: &Scene) -> Option<String> {
+    let pulse = matches!(scene.excitation, Excitation::Pulse(_));
+    let problem = match (shows, panel.eccentricities) {
+        (Shows::Shares, None) => "eccentricities: missing; give start:stop:count",
+        (Shows::Shares, Some(range))
+            if range.count < 2 || range.start.abs() >= 1.0 || range.stop.abs() >= 1.0 =>
+        {
+            "eccentricities: two or more, all between -1 and 1"
+        }
+        (Shows::Motion, _) if panel.cells.is_empty() => "cells: missing; give one at least",
+        (Shows::LeastAmplitude, _) if !pulse => "the least amplitude is a pulse's; give no motion",
+        _ => return None,
+    };
+    Some(problem.into())
 }
 
 /// Puts the keys of a table over those of another, tables within them key by key.

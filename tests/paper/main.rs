@@ -8,6 +8,7 @@
 mod common;
 
 mod beyond;
+mod command;
 mod ground;
 mod negative;
 mod positive;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use topple::figures::motions::{self, Motion, Motions};
 use topple::figures::text::{ReadError, Setting};
-use topple::figures::{Figure, Shows};
+use topple::figures::{Figure, Shows, letter};
 use topple::integrate::outcome::Outcome;
 use topple::map::figure::document;
 use topple::map::files::Directory;
@@ -88,6 +88,12 @@ impl FiguresCommand {
             .map(|(name, text)| Figure::from_toml(name, text, &setting))
             .collect::<Result<Vec<_>, ReadError>>()
             .map_err(|error| InputError(error.to_string()))?;
+        for (figure, _) in &figures {
+            for (k, panel) in figure.panels.iter().enumerate() {
+                let place = format!("{}, panel {}", figure.name, letter(k));
+                plan(&self.options, &panel.scene, panel.fixed_step, &place)?;
+            }
+        }
         let work = Work {
             options: &self.options,
             out: report::open(&self.options.out)?,
@@ -144,6 +150,23 @@ impl FiguresCommand {
     }
 }
 
+/// See [`Work::plan`].
+fn plan(
+    options: &RunOptions,
+    scene: &Scene,
+    fixed: Option<f64>,
+    place: &str,
+) -> Result<Plan, InputError> {
+    let plan = match fixed {
+        None => Plan::new(scene, options.step),
+        Some(step) => {
+            Plan::resolved(scene, Resolution::exactly(step)).map(|plan| plan.full_model())
+        }
+    };
+    let plan = plan.map_err(|error| InputError(format!("{place}: {error}")))?;
+    Ok(if options.full_model { plan.full_model() } else { plan })
+}
+
 /// What the figures are made with.
 struct Work<'a> {
     options: &'a RunOptions,
@@ -169,14 +192,7 @@ impl Work<'_> {
 
     /// The plan of a scene, by steps of its own or exactly `fixed` ones; `place` names the panel.
     fn plan(&self, scene: &Scene, fixed: Option<f64>, place: &str) -> Result<Plan, InputError> {
-        let plan = match fixed {
-            None => Plan::new(scene, self.options.step),
-            Some(step) => {
-                Plan::resolved(scene, Resolution::exactly(step)).map(|plan| plan.full_model())
-            }
-        };
-        let plan = plan.map_err(|error| InputError(format!("{place}: {error}")))?;
-        Ok(if self.options.full_model { plan.full_model() } else { plan })
+        plan(self.options, scene, fixed, place)
     }
 
     /// Runs the cells of a scene.
