@@ -63,6 +63,26 @@ fn isolation_has_a_range_of_lower_amplitudes_and_the_ground_has_none() {
     }
 }
 
+/// The paper takes that range for a consequence of the base's vertical motion. It is one of the
+/// horizontal isolation: without the vertical one it is the same.
+#[test]
+fn horizontal_isolation_alone_has_the_range_too() {
+    let mut scene = object(1, 0.0, (1.75, 0.75), 0.0, "0.2:6:12", "0.1:6:240");
+    let least = |scene: &_| -> Vec<f64> {
+        let least = boundary::least(scene, &swept(scene));
+        least.iter().map(|least| least.a_h.unwrap()).collect()
+    };
+    let dual = least(&scene);
+    scene.isolation.vertical = None;
+    let horizontal = least(&scene);
+    say(&format!("least amplitudes: dual {dual:.2?}, horizontal {horizontal:.2?}"));
+    let lowest = |curve: &[f64]| curve.iter().copied().fold(f64::INFINITY, f64::min);
+    for curve in [&dual, &horizontal] {
+        assert!(lowest(curve) < 0.6 * curve[0]);
+    }
+    assert!((lowest(&horizontal) / lowest(&dual) - 1.0).abs() < 0.1);
+}
+
 /// The bisected amplitude is the boundary: the reference overturns the block there, and not by
 /// three widths of the bisection below.
 #[test]

@@ -2,10 +2,11 @@
 
 use std::sync::LazyLock;
 
+use topple::figures::shares::{self, Shares};
 use topple::integrate::outcome::Class;
 
 use super::common::say;
-use super::{Ran, along_path, at, counted, ran, sequence};
+use super::{Ran, along_path, at, counted, ran, sequence, swept};
 
 static PLANE: LazyLock<Vec<Ran>> = LazyLock::new(|| ran("fig13", 300));
 static WINDOW: LazyLock<Vec<Ran>> = LazyLock::new(|| ran("fig14", 300));
@@ -32,6 +33,10 @@ fn regions_of_even_counts_appear() {
         let map = at(&PLANE, e, 0.0);
         assert!(map.shares.even > 10.0 * map.shares.odd, "predominantly even");
     }
+    // But for these two: between them there are none.
+    let between = Shares::of(&swept(&shares::at(&at(&PLANE, -0.2, 0.0).panel.scene, -0.25)));
+    say(&format!("even at -0.25: {:.5}", between.even));
+    assert!(between.even < 1.0e-3);
 }
 
 #[test]
