@@ -7,7 +7,7 @@ use super::marks;
 use crate::integrate::outcome::Outcome;
 use crate::map::figure::FigureError;
 use crate::map::figure::document::{Place, compose, pixels};
-use crate::map::figure::frame::{Area, Drawn, FINE, Named, area, at, frame, stroke, text};
+use crate::map::figure::frame::{Area, Axes, Drawn, FINE, Named, area, at, frame, stroke, text};
 use crate::map::figure::palette::Kind;
 use crate::scene::{GRAVITY, Scene};
 use crate::sweep::history::Row;
@@ -121,7 +121,8 @@ fn column(root: &Area, size: (u32, u32), left: i32, moving: &Moving, t: f64) -> 
     let place = Place { x: left + 52, y: GROUND + 26, width: COLUMN - 66, height: 84 };
     let x = Named { ends: 0.0..moving.cell.seconds, name: "t [s]".into() };
     let y = Named { ends: -most..most, name: "φ [rad]".into() };
-    let mut plot = frame(root, size, place, (Some(46), Some(36)), 10, (&x, &y))?;
+    let set = Axes { size, plot: place, room: (Some(46), Some(36)), font: 10 };
+    let mut plot = frame(root, &set, (&x, &y))?;
     for side in [1.0, -1.0] {
         let level = [(0.0, side * critical(side)), (moving.cell.seconds, side * critical(side))];
         plot.draw_series(LineSeries::new(level, stroke(RGBColor(0xd6, 0x2f, 0x2a), 7)))?;

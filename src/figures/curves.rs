@@ -8,7 +8,9 @@ use super::shares::Shares;
 use super::{Figure, panels, parameters};
 use crate::map::figure::FigureError;
 use crate::map::figure::document::compose;
-use crate::map::figure::frame::{Area, Drawn, Named, Plot, area, at, frame, outline, stroke, text};
+use crate::map::figure::frame::{
+    Area, Axes, Drawn, Named, Plot, area, at, frame, outline, stroke, text,
+};
 
 /// Size of the axes' numbers.
 const FONT: i32 = 12;
@@ -54,7 +56,8 @@ impl Curves<'_> {
                 panels::label(&root, place, &panels::title(panel, k, &own[k]))?;
                 let room = Layout::room(k % columns == 0, k + columns >= count);
                 let (x, y) = (&self.axes.0, &self.axes.1);
-                let mut plot = frame(&root, layout.size, place, room, FONT, (x, y))?;
+                let set = Axes { size: layout.size, plot: place, room, font: FONT };
+                let mut plot = frame(&root, &set, (x, y))?;
                 paint(k, &mut plot)?;
                 outline(&root, place, 10)?;
             }

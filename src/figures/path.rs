@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use crate::map::Map;
 use crate::map::figure::FigureError;
 use crate::map::figure::document::{Place, compose};
-use crate::map::figure::frame::{FINE, Named, area, at, frame, frame_with, outline, text};
+use crate::map::figure::frame::{Axes, FINE, Named, area, at, frame, frame_with, outline, text};
 use crate::map::figure::palette::Kind;
 use crate::map::figure::raster::png;
 
@@ -47,8 +47,9 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
             ends: -0.05..f64::from(most).log10() + 0.1,
             name: "impacts before overturning".into(),
         };
-        let room = (Some(IMPACTS.x - 16), None);
-        let mut plot = frame_with(&root, PATH, IMPACTS, room, FONT, (&x, &y), &decade)?;
+        let set =
+            Axes { size: PATH, plot: IMPACTS, room: (Some(IMPACTS.x - 16), None), font: FONT };
+        let mut plot = frame_with(&root, &set, (&x, &y), &decade)?;
         let dots = fallen().filter(|(_, cell)| cell.impacts > 0).map(|(row, cell)| {
             let [r, g, b] = if cell.impacts % 2 == 1 { ODD } else { EVEN };
             let place = (rows.value(row as u32), f64::from(cell.impacts).log10());
@@ -56,7 +57,8 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         });
         plot.draw_series(dots)?;
         let none = Named { ends: 0.0..1.0, name: String::new() };
-        frame(&root, PATH, STRIP, (None, Some(44)), FONT, (&x, &none))?;
+        let set = Axes { size: PATH, plot: STRIP, room: (None, Some(44)), font: FONT };
+        frame(&root, &set, (&x, &none))?;
         let left = IMPACTS.x + IMPACTS.width + 22;
         let mut top = IMPACTS.y;
         for (colour, name) in [(ODD, "odd"), (EVEN, "even")] {

@@ -31,6 +31,12 @@ static PANELS: LazyLock<Option<[Vec<Ran>; 3]>> = LazyLock::new(|| {
     Some([ran(&["fig04", "fig07"]), ran(&["fig08"]), ran(&["fig09"])])
 });
 
+/// The panels, for a test; without records it is skipped, and says so.
+fn panels(test: &str) -> Option<&'static [Vec<Ran>; 3]> {
+    records(test)?;
+    PANELS.as_ref()
+}
+
 /// The panel of an object, a motion and an eccentricity.
 fn at<'a>(panels: &'a [Vec<Ran>; 3], object: usize, motion: &str, e: f64) -> &'a Ran {
     let found = panels[object - 1].iter().find(|ran| {
@@ -66,7 +72,9 @@ fn overturned(ran: &Ran) -> f64 {
 
 #[test]
 fn kobe_has_a_critical_period_that_grows_with_the_eccentricity() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("kobe_has_a_critical_period_that_grows_with_the_eccentricity") else {
+        return;
+    };
     let period = |e| critical_period(at(panels, 1, "Kobe", e));
     let [none, plus20, minus20, plus40, minus40] = [0.0, 0.2, -0.2, 0.4, -0.4].map(period);
     say(&format!(
@@ -86,7 +94,7 @@ fn kobe_has_a_critical_period_that_grows_with_the_eccentricity() {
 
 #[test]
 fn kobe_rocks_in_the_smallest_region() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("kobe_rocks_in_the_smallest_region") else { return };
     let shares = at(panels, 1, "Kobe", 0.0).shares;
     say(&format!(
         "Kobe: overturned {:.3}, rocking {:.3}, full contact {:.3}",
@@ -101,7 +109,7 @@ fn kobe_rocks_in_the_smallest_region() {
 /// paper has 0.5 s.
 #[test]
 fn kobe_lifts_at_some_t_v_whatever_t_h() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("kobe_lifts_at_some_t_v_whatever_t_h") else { return };
     for e in [0.0, 0.2, 0.4, -0.2, -0.4] {
         let map = at(panels, 1, "Kobe", e);
         let never =
@@ -116,7 +124,7 @@ fn kobe_lifts_at_some_t_v_whatever_t_h() {
 /// The paper: for very small T_v the block always overturns. It does not.
 #[test]
 fn kobe_has_no_strip_of_overturning() {
-    let Some(records) = records("the strip") else { return };
+    let Some(records) = records("kobe_has_no_strip_of_overturning") else { return };
     for panel in figure("fig05", Some(24), Some(&records)).0.panels {
         let ran = Ran::new(panel);
         let (t_v, row) = rows(&ran).next().unwrap();
@@ -127,7 +135,9 @@ fn kobe_has_no_strip_of_overturning() {
 
 #[test]
 fn point_a_stays_in_full_contact_within_a_centimetre_or_two() {
-    let Some(records) = records("point A") else { return };
+    let Some(records) = records("point_a_stays_in_full_contact_within_a_centimetre_or_two") else {
+        return;
+    };
     let (figure, _) = figure("fig05", Some(2), Some(&records));
     let panel = figure.panels.iter().find(|panel| !panel.points.is_empty()).unwrap();
     let mut scene = panel.scene.clone();
@@ -147,7 +157,7 @@ fn point_a_stays_in_full_contact_within_a_centimetre_or_two() {
 
 #[test]
 fn displacements_of_the_base() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("displacements_of_the_base") else { return };
     let none = at(panels, 1, "Kobe", 0.0);
     for e in [0.4, -0.4] {
         let other = at(panels, 1, "Kobe", e);
@@ -186,9 +196,33 @@ fn displacements_of_the_base() {
     }
 }
 
+/// Contours of u are vertical where the block stands still at long T_h, and bend at the T_v at which
+/// it rocks whatever T_h.
+#[test]
+fn contours_of_u_bend_where_the_block_rocks() {
+    let Some(panels) = panels("contours_of_u_bend_where_the_block_rocks") else { return };
+    let map = at(panels, 1, "Kobe", 0.4);
+    let column = |t_h: f64| {
+        let place = |k: &usize| (map.grid.coordinates(*k).0 - t_h).abs();
+        let (columns, _) = map.grid.shape();
+        (0..columns).min_by(|a, b| place(a).total_cmp(&place(b))).unwrap()
+    };
+    let i = column(3.0);
+    let spread = |low: f64, high: f64| {
+        let within = rows(map)
+            .filter(|(t_v, row)| *t_v >= low && *t_v <= high && !row[i].class.overturned());
+        let u: Vec<f64> = within.map(|(_, row)| row[i].max_u).collect();
+        let most = u.iter().copied().fold(0.0, f64::max);
+        1.0 - u.iter().copied().fold(f64::INFINITY, f64::min) / most
+    };
+    let (beyond, near) = (spread(0.7, 2.0), spread(0.1, 0.7));
+    say(&format!("max|u| at T_h = 3 s: spread {near:.4} below T_v = 0.7 s, {beyond:.5} beyond"));
+    assert!(near > 5.0 * beyond && beyond < 0.02);
+}
+
 #[test]
 fn pacoima_is_worst_and_parkfield_best() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("pacoima_is_worst_and_parkfield_best") else { return };
     for object in [1, 2, 3] {
         for e in [0.0, 0.4, -0.4] {
             let share = |motion| overturned(at(panels, object, motion, e));
@@ -207,7 +241,10 @@ fn pacoima_is_worst_and_parkfield_best() {
 
 #[test]
 fn critical_periods_grow_with_the_eccentricity_and_differ_by_its_sign() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("critical_periods_grow_with_the_eccentricity_and_differ_by_its_sign")
+    else {
+        return;
+    };
     for (object, motions) in [
         (1, &["Pacoima", "Parkfield"][..]),
         (2, &["Kobe", "Pacoima", "Parkfield"]),
@@ -230,7 +267,7 @@ fn critical_periods_grow_with_the_eccentricity_and_differ_by_its_sign() {
 /// Object 1, the most slender, fares worst, Object 2, the least, best.
 #[test]
 fn slender_blocks_fare_worse() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("slender_blocks_fare_worse") else { return };
     for motion in ["Kobe", "Pacoima", "Parkfield", "Rinaldi"] {
         for e in [0.0, 0.4, -0.4] {
             let [one, two, three] =
@@ -252,7 +289,7 @@ fn slender_blocks_fare_worse() {
 /// at which the block overturns, as the paper says too.
 #[test]
 fn dual_isolation_against_horizontal_alone() {
-    let Some(panels) = PANELS.as_ref() else { return };
+    let Some(panels) = panels("dual_isolation_against_horizontal_alone") else { return };
     for e in [0.0, 0.4, -0.4] {
         let shares = |vertical: Option<f64>| {
             let mut scene = at(panels, 1, "Rinaldi", e).panel.scene.clone();

@@ -122,14 +122,6 @@ pub struct Axes {
     pub font: i32,
 }
 
-/// Draws the frame of a plot over a grid, with its axes.
-pub fn axes<'b>(root: &Area<'b>, grid: &Grid, axes: &Axes) -> Drawn<Plot<'b, 'b>> {
-    let Axes { size, plot, room, font } = *axes;
-    let named = |axis: &Axis| format!("{} [{}]", axis.symbol, axis.unit);
-    let (x, y) = (Named::of(&grid.x, named(&grid.x)), Named::of(&grid.y, named(&grid.y)));
-    frame(root, size, plot, room, font, (&x, &y))
-}
-
 /// An axis: its ends and its name.
 pub struct Named {
     /// From where to where.
@@ -140,7 +132,8 @@ pub struct Named {
 
 impl Named {
     /// The axis of a grid.
-    fn of(axis: &Axis, name: String) -> Named {
+    fn of(axis: &Axis) -> Named {
+        let name = format!("{} [{}]", axis.symbol, axis.unit);
         Named { ends: extent(&axis.range), name }
     }
 }
@@ -148,29 +141,25 @@ impl Named {
 /// How an axis writes a number.
 type Writing = dyn Fn(f64) -> String;
 
+/// Draws the frame of a plot over a grid, with its axes.
+pub fn axes<'b>(root: &Area<'b>, grid: &Grid, axes: &Axes) -> Drawn<Plot<'b, 'b>> {
+    frame(root, axes, (&Named::of(&grid.x), &Named::of(&grid.y)))
+}
+
 /// Draws the frame of a plot, with its axes.
-pub fn frame<'b>(
-    root: &Area<'b>,
-    size: (u32, u32),
-    plot: Place,
-    room: (Option<i32>, Option<i32>),
-    font: i32,
-    (x, y): (&Named, &Named),
-) -> Drawn<Plot<'b, 'b>> {
+pub fn frame<'b>(root: &Area<'b>, axes: &Axes, (x, y): (&Named, &Named)) -> Drawn<Plot<'b, 'b>> {
     let width = (y.ends.end - y.ends.start).abs().max(1.0e-3);
-    frame_with(root, size, plot, room, font, (x, y), &move |value| tick(value, width))
+    frame_with(root, axes, (x, y), &move |value| tick(value, width))
 }
 
 /// The same, the numbers of the vertical axis written in another way.
 pub fn frame_with<'b>(
     root: &Area<'b>,
-    size: (u32, u32),
-    plot: Place,
-    room: (Option<i32>, Option<i32>),
-    font: i32,
+    axes: &Axes,
     (x, y): (&Named, &Named),
     written: &Writing,
 ) -> Drawn<Plot<'b, 'b>> {
+    let Axes { size, plot, room, font } = *axes;
     let right = size.0 as i32 - plot.x - plot.width;
     let bottom = size.1 as i32 - plot.y - plot.height;
     // Where nothing is written there are still the ticks.
