@@ -16,6 +16,7 @@ pub mod integrate;
 pub mod map;
 pub mod model;
 pub mod scene;
+pub mod store;
 pub mod sweep;
 
 /// The README's example, compiled and run with the tests.

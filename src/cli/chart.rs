@@ -18,8 +18,9 @@ use topple::sweep::gpu::device::Gpu;
 
 use super::InputError;
 use super::options::flag_error;
+use super::output::{PNG_SCALE, write_figure};
 use super::progress::Progress;
-use super::report::{self, PNG_SCALE, write_figure};
+use super::report;
 use super::seismic::write_synthetic;
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.

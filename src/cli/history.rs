@@ -13,6 +13,7 @@ use topple::sweep::plan::Plan;
 
 use super::InputError;
 use super::options::{CommonFlags, RunOptions, flag_error};
+use super::output;
 use super::report;
 
 /// The motion of one cell: every parameter a single number.
@@ -77,9 +78,9 @@ impl HistoryCommand {
             (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &point),
         };
         let svg = figure::draw(&scene, &point, &rows, &outcome)?;
-        let png = document::render(&svg, report::PNG_SCALE)?;
+        let png = document::render(&svg, output::PNG_SCALE)?;
         out.write("history.csv", |w| table::write(&rows, w))?;
-        report::write_figure(&out, "history", &svg, &png)?;
+        output::write_figure(&out, "history", &svg, &png)?;
         let backend = if options.backend == Choice::Reference { "reference" } else { "cpu" };
         let manifest = Manifest {
             version: env!("CARGO_PKG_VERSION"),
@@ -89,7 +90,7 @@ impl HistoryCommand {
             largest_step: options.step,
             outcome: &outcome,
         };
-        report::write_json(&out, &manifest)?;
+        output::write_json(&out, &manifest)?;
         if !options.quiet {
             let name = outcome.class.name().replace('_', " ");
             println!(

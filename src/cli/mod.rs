@@ -3,15 +3,18 @@
 mod adapters;
 mod bench;
 mod chart;
+mod dry_run;
 mod figures;
 mod history;
 mod options;
+mod output;
 mod progress;
 mod pulse;
 mod ratios;
 mod report;
 mod scene;
 mod seismic;
+mod words;
 
 use clap::{Parser, Subcommand};
 
@@ -29,7 +32,7 @@ struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
-    options: options::RunOptions,
+    options: options::MapOptions,
 }
 
 #[derive(Subcommand)]

@@ -1,6 +1,7 @@
 //! Options that every run has.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use topple::scene::SceneError;
 use topple::scene::block::BlockText;
@@ -38,6 +39,22 @@ pub struct RunOptions {
     pub quiet: bool,
 }
 
+/// What a map has besides.
+#[derive(clap::Args)]
+pub struct MapOptions {
+    #[command(flatten)]
+    pub run: RunOptions,
+    /// Go on with an interrupted run in the same directory
+    #[arg(long)]
+    pub resume: bool,
+    /// Least time between two writings of what is done, which --resume goes on from, s
+    #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
+    pub keep_every: Duration,
+    /// Say what the run would take, and run nothing but a sample
+    #[arg(long)]
+    pub dry_run: bool,
+}
+
 impl RunOptions {
     /// Opens the backend.
     pub fn open_backend(&self) -> anyhow::Result<Backend> {
@@ -68,6 +85,12 @@ impl CommonFlags {
             run: self.run.clone(),
         }
     }
+}
+
+/// A time in seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let parsed = text.parse::<f64>().ok().and_then(|s| Duration::try_from_secs_f64(s).ok());
+    parsed.ok_or_else(|| "must be a number of seconds, 0 or more".into())
 }
 
 /// A scene's error in terms of flags.

@@ -3,7 +3,7 @@
 use topple::scene::excitation::PulseText;
 use topple::scene::text::SceneText;
 
-use super::options::{CommonFlags, RunOptions, flag_error};
+use super::options::{CommonFlags, MapOptions, flag_error};
 use super::report;
 
 /// Map the outcomes of one-sine pulses over (omega, a_h).
@@ -14,7 +14,7 @@ pub struct PulseCommand {
     #[command(flatten, next_help_heading = "Pulse")]
     pulse: PulseText,
     #[command(flatten, next_help_heading = "Run")]
-    options: RunOptions,
+    options: MapOptions,
 }
 
 impl PulseCommand {

@@ -1,53 +1,53 @@
 //! A map from scene to files, and what is said about it.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
-use rayon::prelude::*;
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
-use topple::integrate::outcome::{Class, Outcome};
-use topple::map::figure::FigureError;
-use topple::map::figure::{document, field, frame, overturning};
-use topple::map::files::{Directory, WriteError};
+use topple::integrate::outcome::Outcome;
+use topple::map::Map;
+use topple::map::figure::frame;
+use topple::map::files::Directory;
 use topple::map::manifest::{self, Manifest, Reduced, Steps, Timings};
-use topple::map::{self, Map};
 use topple::scene::{Excitation, Grid, Scene};
+use topple::store::identity::{Identity, Manner};
+use topple::store::{self, Found, Store, StoreError};
 use topple::sweep::backend::Backend;
-use topple::sweep::plan::{Plan, Reductions};
-use topple::sweep::verification::{self, Verification};
+use topple::sweep::plan::Plan;
+use topple::sweep::tiles::Run;
+use topple::sweep::verification;
 
-use super::InputError;
-use super::options::{RunOptions, flag_error};
+use super::options::{MapOptions, RunOptions, flag_error};
 use super::progress::Progress;
+use super::{InputError, dry_run, output, words};
 
 /// Memory that a cell takes beside its outcome: its number, a column of the archive, its row of the
 /// picture, and its share of what the threads hold.
 const BYTES_A_CELL: usize = 40;
 
-/// Pixels of a PNG for each of its SVG's units.
-pub const PNG_SCALE: f32 = 2.0;
-
 /// Runs a scene's map and writes its files.
-pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
+pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
+    let MapOptions { run: options, resume, keep_every, dry_run } = options;
     let mut plan = Plan::new(scene, options.step).map_err(|e| flag_error(&e))?;
     if options.full_model {
         plan = plan.full_model();
     }
     let grid = Grid::of(scene);
-    // Two sweeps are held beside each other, and parts until they are put in order.
-    let held = if options.resolve || plan.rigid_period().is_some() { 2 } else { 1 };
-    check_memory(&grid, held)?;
+    if *dry_run {
+        return dry_run::tell(scene, &plan, &grid, options);
+    }
+    check_memory(&grid, held(&plan, options))?;
     let out = open(&options.out)?;
     let began = Instant::now();
     let backend = options.open_backend()?;
     let opened = began.elapsed();
+    let (store, found) = unfinished(scene, &backend, options, *resume)?;
     let say = |line: String| {
         if !options.quiet {
             println!("{line}");
         }
     };
     let (columns, rows) = grid.shape();
-    let precision = options.precision.name();
     say(format!("scene      {}, {columns} x {rows} cells", scene.title));
     say(format!("           {}", frame::caption(scene)));
     if let Excitation::Record(pair) = &scene.excitation {
@@ -56,23 +56,47 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
             say(format!("           {note}"));
         }
     }
-    say(format!("backend    {}", describe(&backend, precision)));
-    say(format!("model      {}", describe_model(&plan)));
+    say(format!("backend    {}", words::backend(&backend, options.precision.name())));
+    say(format!("model      {}", words::model(&plan)));
+    for broken in &found.broken {
+        say(format!("again      {broken}"));
+    }
+    let mut outcomes = vec![Outcome::PENDING; grid.len()];
+    let missing = store::missing(&found.tiles, grid.len());
+    for tile in &found.tiles {
+        // The identity has the grid: no tile reaches beyond it.
+        outcomes[tile.cells()].copy_from_slice(&tile.outcomes);
+    }
+    let left: usize = missing.iter().map(|cells| cells.len()).sum();
+    if left < grid.len() {
+        say(format!("resumed    {} of {} cells were done", grid.len() - left, grid.len()));
+    }
+    drop(found);
     let runs = if options.resolve { 2 } else { 1 };
-    let progress = Progress::new(runs * grid.len(), options.quiet);
-    let advance = |cells| progress.advance(cells);
-    let swept = if options.resolve {
-        backend.sweep_resolved(&plan, &grid, options.precision, &advance)
-    } else {
-        backend.sweep(&plan, &grid, options.precision, &advance)
+    let progress = Progress::new(runs * left, options.quiet);
+    let run = Run {
+        backend: &backend,
+        plan: &plan,
+        grid: &grid,
+        precision: options.precision,
+        resolve: options.resolve,
+        patience: *keep_every,
+        progress: &|cells| progress.advance(cells),
     };
+    let swept = run.fill(&mut outcomes, &missing, |first, cells| store.keep(first, cells));
     progress.finish();
-    let swept = swept?;
+    let swept = match swept {
+        Ok(swept) => swept,
+        Err(error) => {
+            store.discard_if_empty()?;
+            return Err(error.into());
+        }
+    };
     let seconds = swept.elapsed.as_secs_f64();
-    let rate = grid.len() as f64 / seconds.max(1.0e-9);
+    let rate = left as f64 / seconds.max(1.0e-9);
     say(format!("sweep      {seconds:.2} s, {rate:.0} cells/s"));
-    let map = Map { scene, grid, outcomes: swept.outcomes };
-    say(format!("outcomes   {}", shares(&map)));
+    let map = Map { scene, grid, outcomes };
+    say(format!("outcomes   {}", words::shares(&map)));
     let judged = Instant::now();
     let verification = verification::verify(&plan, &grid, &map.outcomes, verification::SAMPLE);
     let timings = Timings {
@@ -80,12 +104,13 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         sweep: seconds,
         verification: judged.elapsed().as_secs_f64(),
     };
-    say(format!("reference  {}", agreement(&verification)));
+    say(format!("reference  {}", words::agreement(&verification)));
     let steps = steps(&plan.at(options.precision), &grid);
     let manifest = Manifest {
         version: env!("CARGO_PKG_VERSION"),
         scene,
         cells: grid.len(),
+        resumed_cells: grid.len() - left,
         backend: backend.name(),
         adapter: backend.adapter(),
         threads: threads(),
@@ -100,10 +125,44 @@ pub fn run_map(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         model: Reduced::of(&plan, &map),
         verification: &verification,
     };
-    let picture = write(&out, &map, &manifest)?;
+    let picture = output::write(&out, &map, &manifest)?;
+    store.discard()?;
     say(format!("picture    {}", picture.display()));
     say(format!("data       {} with map.npz, map.svg, run.json", out.file("map.csv").display()));
     Ok(())
+}
+
+/// Outcomes a cell that are held at once: two sweeps beside each other, and parts until they are put
+/// in order.
+pub fn held(plan: &Plan, options: &RunOptions) -> usize {
+    if options.resolve || plan.rigid_period().is_some() { 2 } else { 1 }
+}
+
+/// Memory that a map takes, bytes.
+pub fn memory_of(grid: &Grid, held: usize) -> u64 {
+    grid.len() as u64 * (held * size_of::<Outcome>() + BYTES_A_CELL) as u64
+}
+
+/// The folder in which the run keeps what is done, and what an earlier one left there.
+fn unfinished(
+    scene: &Scene,
+    backend: &Backend,
+    options: &RunOptions,
+    resume: bool,
+) -> anyhow::Result<(Store, Found)> {
+    let manner = Manner {
+        precision: options.precision,
+        largest_step: options.step,
+        resolve: options.resolve,
+        full_model: options.full_model,
+    };
+    let identity = Identity::new(scene, backend, &manner)?;
+    Store::open(&options.out, identity, resume).map_err(|error| match error {
+        StoreError::InUse(_) | StoreError::Unfinished(_) | StoreError::Other { .. } => {
+            InputError(format!("--out: {error}")).into()
+        }
+        other => other.into(),
+    })
 }
 
 /// Opens the directory for the results.
@@ -120,7 +179,7 @@ fn check_memory(grid: &Grid, held: usize) -> Result<(), InputError> {
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let available =
         System::new_with_specifics(memory).map_or(0, |system| system.available_memory());
-    let needed = grid.len() as u64 * (held * size_of::<Outcome>() + BYTES_A_CELL) as u64;
+    let needed = memory_of(grid, held);
     // A machine that does not tell has the benefit of the doubt.
     if available == 0 || needed <= available {
         return Ok(());
@@ -136,79 +195,6 @@ fn check_memory(grid: &Grid, held: usize) -> Result<(), InputError> {
     )))
 }
 
-fn describe(backend: &Backend, precision: &str) -> String {
-    match backend {
-        Backend::Gpu(gpu) => {
-            let adapter = &gpu.description;
-            format!("gpu, {precision}, {} ({}, {})", adapter.name, adapter.kind, adapter.api)
-        }
-        Backend::Cpu => {
-            let threads = threads();
-            format!("cpu, {precision}, {threads} threads")
-        }
-        Backend::Reference => "reference, f64, adaptive".into(),
-    }
-}
-
-/// The coordinates that are integrated, and what is left out.
-fn describe_model(plan: &Plan) -> String {
-    let variant = plan.variant();
-    let mut state = Vec::new();
-    if variant.isolated_h {
-        state.push(if variant.yields { "u z" } else { "u" });
-    }
-    if variant.isolated_v {
-        state.push("v");
-    }
-    state.push("φ");
-    let reductions = plan.reductions;
-    let mut parts = vec![state.join(" ")];
-    if reductions == Reductions::NONE {
-        parts.push("nothing left out".into());
-    }
-    if reductions.certificate {
-        parts.push("cells end where energy proves them final".into());
-    }
-    if reductions.full_contact && plan.scene.tilt == 0.0 {
-        parts.push("full contact shared".into());
-    }
-    parts.join(", ")
-}
-
-fn shares(map: &Map) -> String {
-    let total = map.outcomes.len() as f64;
-    let mut parts = Vec::new();
-    for class in Class::ALL {
-        let count = map.count(class);
-        if count > 0 {
-            let percent = 100.0 * count as f64 / total;
-            parts.push(format!("{} {percent:.1} %", class.name().replace('_', " ")));
-        }
-    }
-    let tensile = map.tensile();
-    if tensile > 0 {
-        let percent = 100.0 * tensile as f64 / total;
-        parts.push(format!("contact force tensile in {percent:.1} %"));
-    }
-    if let (Some(sliding), Some(mu)) = (map.sliding(), map.scene.friction) {
-        let percent = 100.0 * sliding as f64 / total;
-        parts.push(format!("friction above {mu} asked for in {percent:.1} %"));
-    }
-    parts.join(", ")
-}
-
-fn agreement(v: &Verification) -> String {
-    let unresolved = match v.unresolved {
-        0 => String::new(),
-        count => format!("{count} unresolved, "),
-    };
-    format!(
-        "{} cells again, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
-         t_end within {:.0e} s, zeta within {:.0e}",
-        v.sampled, v.beside_boundary, v.differ, v.impacts_differ, v.worst_t_end, v.worst_zeta
-    )
-}
-
 fn steps(plan: &Plan, grid: &Grid) -> Steps {
     let mut steps =
         Steps { largest: plan.resolution.largest_step, shortest: f64::INFINITY, most: 0 };
@@ -219,56 +205,4 @@ fn steps(plan: &Plan, grid: &Grid) -> Steps {
         steps.most = steps.most.max(clock.steps);
     }
     steps
-}
-
-fn write(out: &Directory, map: &Map, manifest: &Manifest) -> anyhow::Result<PathBuf> {
-    let figures = figures(map)?;
-    out.write("map.csv", |w| map::csv::write(map, w))?;
-    out.write("map.npz", |w| map::npz::write(map, w))?;
-    if matches!(map.scene.excitation, Excitation::Record(_)) {
-        out.write("boundaries.csv", |w| map::boundaries::write(map, w))?;
-    }
-    for (name, svg, png) in &figures {
-        write_figure(out, name, svg, png)?;
-    }
-    write_json(out, manifest)?;
-    Ok(out.file("map.png"))
-}
-
-/// A picture's name, its SVG and its PNG.
-type Figure = (&'static str, String, Vec<u8>);
-
-/// The pictures of a map: its outcomes for a pulse, its fields for a record.
-fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
-    let finish = |name, svg: String| {
-        let png = document::render(&svg, PNG_SCALE)?;
-        Ok((name, svg, png))
-    };
-    match map.scene.excitation {
-        Excitation::Pulse(_) => Ok(vec![finish("map", overturning::draw(map)?)?]),
-        Excitation::Record(_) => {
-            let mut figures: Vec<Figure> = field::FIELDS
-                .par_iter()
-                .map(|field| finish(field.name, field::draw(map, field)?))
-                .collect::<Result<_, _>>()?;
-            let [normal, friction] = &field::CONTACT;
-            let (left, right) = (field::draw(map, normal)?, field::draw(map, friction)?);
-            figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
-            Ok(figures)
-        }
-    }
-}
-
-/// Writes a picture as NAME.svg and NAME.png.
-pub fn write_figure(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
-    use std::io::Write;
-    out.write(&format!("{name}.svg"), |w| w.write_all(svg.as_bytes()))?;
-    out.write(&format!("{name}.png"), |w| w.write_all(png))?;
-    Ok(())
-}
-
-/// Writes run.json.
-pub fn write_json(out: &Directory, manifest: &impl serde::Serialize) -> Result<(), WriteError> {
-    out.write("run.json", |w| serde_json::to_writer_pretty(w, manifest))?;
-    Ok(())
 }

@@ -6,7 +6,7 @@ use anyhow::Context;
 use topple::scene::text::SceneText;
 
 use super::InputError;
-use super::options::RunOptions;
+use super::options::MapOptions;
 use super::report;
 
 const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
@@ -24,7 +24,7 @@ pub struct RunCommand {
     #[arg(value_name = "SCENE.toml")]
     scene: PathBuf,
     #[command(flatten)]
-    options: RunOptions,
+    options: MapOptions,
 }
 
 impl RunCommand {
@@ -45,7 +45,7 @@ impl RunCommand {
 }
 
 /// Runs the default scene.
-pub fn run_default(options: &RunOptions) -> anyhow::Result<()> {
+pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     // The scene is part of the binary; a test reads it.
     let text = SceneText::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;

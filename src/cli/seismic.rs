@@ -5,7 +5,7 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 
-use super::options::{CommonFlags, RunOptions, flag_error};
+use super::options::{CommonFlags, MapOptions, flag_error};
 use super::report;
 
 /// Map the response to a ground-motion record over (T_h, T_v).
@@ -16,7 +16,7 @@ pub struct SeismicCommand {
     #[command(flatten, next_help_heading = "Record")]
     record: RecordText,
     #[command(flatten, next_help_heading = "Run")]
-    options: RunOptions,
+    options: MapOptions,
 }
 
 impl SeismicCommand {
@@ -24,7 +24,7 @@ impl SeismicCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut record = self.record.clone();
         if record.horizontal.is_none() && record.vertical.is_none() {
-            let out = report::open(&self.options.out)?;
+            let out = report::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }
         let text = SceneText { record: Some(record), ..self.common.text(None) };

@@ -21,6 +21,8 @@ pub struct Manifest<'a> {
     pub scene: &'a Scene,
     /// Number of cells.
     pub cells: usize,
+    /// Cells that an earlier, interrupted run had done.
+    pub resumed_cells: usize,
     /// gpu, cpu or reference.
     pub backend: &'static str,
     /// The adapter, for a GPU.

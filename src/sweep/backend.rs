@@ -1,5 +1,6 @@
 //! What a sweep runs on.
 
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -121,10 +122,25 @@ impl Backend {
         precision: Precision,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Swept, GpuError> {
+        self.sweep_cells(plan, grid, 0..grid.len(), precision, progress)
+    }
+
+    /// Runs some of a grid's cells, numbered one after the other.
+    ///
+    /// # Errors
+    /// Those of [`Backend::sweep`].
+    pub fn sweep_cells(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        cells: Range<usize>,
+        precision: Precision,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Swept, GpuError> {
         let began = Instant::now();
         let mut compile = Duration::ZERO;
         let mut device = None;
-        let parts = plan.at(precision).parts(grid);
+        let parts = plan.at(precision).parts(grid, cells.clone());
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
             let mut outcomes =
@@ -138,11 +154,11 @@ impl Backend {
             }
             ran.push(outcomes);
         }
-        let outcomes = in_order(grid, &parts, ran);
+        let outcomes = in_order(&cells, &parts, ran);
         Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile, device })
     }
 
-    /// Runs all cells twice, the second time with steps half as long and, where the backend has it,
+    /// Runs some of a grid's cells twice, the second time with steps half as long and, where the backend has it,
     /// in f64, and calls those unresolved whose class the step or the rounding decides; the rest is
     /// of the second run. `progress` hears of every cell twice.
     ///
@@ -152,15 +168,16 @@ impl Backend {
         &self,
         plan: &Plan,
         grid: &Grid,
+        cells: Range<usize>,
         precision: Precision,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Swept, GpuError> {
-        let coarse = self.sweep(plan, grid, precision, progress)?;
+        let coarse = self.sweep_cells(plan, grid, cells.clone(), precision, progress)?;
         let finer = match self {
             Backend::Gpu(gpu) if !gpu.description.f64 => precision,
             _ => Precision::F64,
         };
-        let mut fine = self.sweep(&plan.halved(), grid, finer, progress)?;
+        let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, progress)?;
         for (cell, other) in fine.outcomes.iter_mut().zip(&coarse.outcomes) {
             if cell.class != other.class && cell.class != Class::Unresolved {
                 (cell.class, cell.status) = (Class::Unresolved, Status::Undecided);
@@ -213,19 +230,19 @@ impl Backend {
     }
 }
 
-/// The outcomes of a plan's parts in the grid's order.
-fn in_order(grid: &Grid, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
+/// The outcomes of the parts that some cells were run in, in the grid's order.
+fn in_order(cells: &Range<usize>, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
     if ran.len() == 1 {
         // A part alone holds every cell, in order.
         return ran.remove(0);
     }
-    let mut outcomes: Vec<Option<Outcome>> = vec![None; grid.len()];
+    let mut outcomes: Vec<Option<Outcome>> = vec![None; cells.len()];
     for (part, swept) in parts.iter().zip(ran) {
         for (&index, outcome) in part.cells.iter().zip(swept) {
-            outcomes[index] = Some(outcome);
+            outcomes[index - cells.start] = Some(outcome);
         }
     }
-    // The parts of a plan hold every cell once.
+    // The parts hold every cell once.
     outcomes.into_iter().flatten().collect()
 }
 

@@ -10,4 +10,5 @@ pub mod gpu;
 pub mod history;
 pub mod lanes;
 pub mod plan;
+pub mod tiles;
 pub mod verification;

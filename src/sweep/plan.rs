@@ -1,5 +1,7 @@
 //! A scene made ready: its resolution, what is left out, and the parts that run one model each.
 
+use std::ops::Range;
+
 use bytemuck::Zeroable;
 use serde::Serialize;
 
@@ -127,12 +129,12 @@ impl Plan {
         }
     }
 
-    /// The plan in parts that each run one model: cells as they are, and those whose vertical
+    /// The plan of some of a grid's cells in parts that each run one model: cells as they are, and those whose vertical
     /// isolation is rigid for the record, with that direction locked.
-    pub fn parts(&self, grid: &Grid) -> Vec<Part> {
+    pub fn parts(&self, grid: &Grid, cells: Range<usize>) -> Vec<Part> {
         let rigid = self.rigid_period().unwrap_or(0.0);
         let (stiff, cells): (Vec<usize>, Vec<usize>) =
-            (0..grid.len()).partition(|&index| grid.point(index).t_v < rigid);
+            cells.partition(|&index| grid.point(index).t_v < rigid);
         let mut parts = Vec::new();
         if !cells.is_empty() {
             parts.push(Part { plan: self.clone(), cells, vertical_locked: false });

@@ -86,7 +86,7 @@ pub fn sample(grid: &Grid, outcomes: &[Outcome], size: usize) -> Vec<usize> {
 /// Runs a sample of a sweep's cells again by the reference and compares.
 pub fn verify(plan: &Plan, grid: &Grid, outcomes: &[Outcome], size: usize) -> Verification {
     let cells = sample(grid, outcomes, size);
-    let parts = plan.parts(grid);
+    let parts = plan.parts(grid, 0..grid.len());
     let scene = |index: usize| {
         let part = parts.iter().find(|part| part.cells.binary_search(&index).is_ok());
         part.map_or(&plan.scene, |part| &part.plan.scene)

@@ -98,8 +98,10 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     let undecided = loose.iter().zip(&tight).filter(|(a, b)| a != b).count();
     [Precision::F32, Precision::F64].map(|precision| {
         let plain = Backend::Cpu.sweep(&plan, &grid, precision, &|_| ()).unwrap().outcomes;
-        let resolved =
-            Backend::Cpu.sweep_resolved(&plan, &grid, precision, &|_| ()).unwrap().outcomes;
+        let resolved = Backend::Cpu
+            .sweep_resolved(&plan, &grid, 0..grid.len(), precision, &|_| ())
+            .unwrap()
+            .outcomes;
         let other = |(cell, right): &(&Outcome, &Class)| cell.class != **right;
         let marked = resolved.iter().filter(|cell| cell.status == Status::Undecided).count();
         let found = Standing {

@@ -19,6 +19,7 @@ use topple::sweep::plan::Plan;
 
 use super::InputError;
 use super::options::RunOptions;
+use super::output;
 use super::progress::Progress;
 use super::report;
 use super::scene;
@@ -207,7 +208,7 @@ impl Work<'_> {
         let (plan, grid) = (self.plan(scene, fixed, place)?, Grid::of(scene));
         let advance = |cells| progress.advance(cells);
         let swept = if options.resolve {
-            self.backend.sweep_resolved(&plan, &grid, options.precision, &advance)?
+            self.backend.sweep_resolved(&plan, &grid, 0..grid.len(), options.precision, &advance)?
         } else {
             self.backend.sweep(&plan, &grid, options.precision, &advance)?
         };
@@ -227,8 +228,8 @@ impl Work<'_> {
 
     /// Writes a figure's picture, and says where it is and what it took.
     fn picture(&self, name: &str, svg: &str, what: &str) -> anyhow::Result<()> {
-        let png = document::render(svg, report::PNG_SCALE)?;
-        report::write_figure(&self.out, name, svg, &png)?;
+        let png = document::render(svg, output::PNG_SCALE)?;
+        output::write_figure(&self.out, name, svg, &png)?;
         self.say(&format!("{name:10} {what}; {}", self.out.file(&format!("{name}.png")).display()));
         Ok(())
     }
