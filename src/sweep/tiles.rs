@@ -43,7 +43,7 @@ impl Run<'_> {
     fn tile(&self) -> usize {
         match self.backend {
             Backend::Gpu(_) => 1 << 20,
-            Backend::Cpu => 1 << 16,
+            Backend::Cpu => 1 << 17,
             Backend::Reference => 1 << 9,
         }
     }
