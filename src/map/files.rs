@@ -27,6 +27,9 @@ pub enum WriteError {
     },
 }
 
+/// How the names of files begin that are not whole yet.
+const TEMPORARY: &str = ".topple-";
+
 /// A directory in which files appear whole or not at all.
 #[derive(Debug)]
 pub struct Directory {
@@ -50,6 +53,22 @@ impl Directory {
         self.path.join(name)
     }
 
+    /// Removes what runs that were killed had begun to write: only for who knows that no other is
+    /// writing.
+    ///
+    /// # Errors
+    /// [`WriteError::Directory`].
+    pub fn remove_leftovers(&self) -> Result<(), WriteError> {
+        let refused = |reason| WriteError::Directory { path: self.path.clone(), reason };
+        for entry in fs::read_dir(&self.path).map_err(refused)? {
+            let entry = entry.map_err(refused)?;
+            if entry.file_name().to_string_lossy().starts_with(TEMPORARY) {
+                fs::remove_file(entry.path()).map_err(refused)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Writes a file under a temporary name and renames it once it is whole and on disk.
     ///
     /// # Errors
@@ -61,7 +80,7 @@ impl Directory {
     ) -> Result<PathBuf, WriteError> {
         let path = self.file(name);
         let failed = |reason: String| WriteError::File { path: path.clone(), reason };
-        let mut file = NamedTempFile::with_prefix_in(format!(".{name}."), &self.path)
+        let mut file = NamedTempFile::with_prefix_in(format!("{TEMPORARY}{name}."), &self.path)
             .map_err(|e| failed(e.to_string()))?;
         let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
         contents(&mut writer).map_err(|e| failed(e.to_string()))?;

@@ -94,6 +94,8 @@ impl Store {
             Err(TryLockError::WouldBlock) => return Err(StoreError::InUse(out.to_path_buf())),
             Err(TryLockError::Error(reason)) => return Err(failed(&lock_path, reason)),
         }
+        // Nobody else is writing here: the lock is held.
+        Directory::open(out)?.remove_leftovers()?;
         let store = Store { folder, path, lock, identity };
         let before = store.path.join(IDENTITY);
         let mut found = Found::default();
