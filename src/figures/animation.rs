@@ -108,7 +108,6 @@ pub fn still(title: &str, cells: &[Moving], t: f64) -> Result<String, FigureErro
         Ok(())
     };
     all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-    drop(all);
     Ok(compose(size, &[], &drawing))
 }
 

@@ -72,7 +72,6 @@ impl Curves<'_> {
             Ok(())
         };
         all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-        drop(all);
         Ok(compose(layout.size, &[], &drawing))
     }
 }

@@ -107,7 +107,6 @@ pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String,
         Ok(())
     };
     paint().map_err(failed)?;
-    drop(paint);
     Ok(compose(layout.size, &images, &drawing))
 }
 
@@ -127,7 +126,7 @@ fn fields(figure: &Figure) -> Vec<(&Panel, &'static Field)> {
 /// Which panels write numbers on their vertical and on their horizontal axis: those at the edge,
 /// and those whose neighbour has another axis.
 fn written(columns: usize, maps: &[Map]) -> Vec<(bool, bool)> {
-    let left = |k: usize| (k % columns > 0).then(|| &maps[k - 1]);
+    let left = |k: usize| (!k.is_multiple_of(columns)).then(|| &maps[k - 1]);
     let below = |k: usize| maps.get(k + columns);
     (0..maps.len())
         .map(|k| {

@@ -80,7 +80,6 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         Ok(())
     };
     all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-    drop(all);
     Ok(compose(PATH, &[(STRIP, strip)], &drawing))
 }
 
