@@ -8,14 +8,11 @@ use crate::map::Map;
 use crate::map::figure::FigureError;
 use crate::map::figure::document::{Place, compose};
 use crate::map::figure::frame::{Axes, FINE, Named, area, at, frame, frame_with, outline, text};
-use crate::map::figure::palette::Kind;
+use crate::map::figure::palette::{Kind, Parity};
 use crate::map::figure::raster::png;
 
 /// Size of the axes' numbers.
 const FONT: i32 = 12;
-/// Colours of odd and even counts.
-const ODD: [u8; 3] = [0x2c, 0x5f, 0xb8];
-const EVEN: [u8; 3] = [0xf5, 0x8f, 0x1e];
 /// Size of a path's figure.
 const PATH: (u32, u32) = (960, 420);
 /// Places of its plot and of the strip of outcomes below.
@@ -51,7 +48,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
             Axes { size: PATH, plot: IMPACTS, room: (Some(IMPACTS.x - 16), None), font: FONT };
         let mut plot = frame_with(&root, &set, (&x, &y), &decade)?;
         let dots = fallen().filter(|(_, cell)| cell.impacts > 0).map(|(row, cell)| {
-            let [r, g, b] = if cell.impacts % 2 == 1 { ODD } else { EVEN };
+            let [r, g, b] = Parity::of(cell).colour();
             let place = (rows.value(row as u32), f64::from(cell.impacts).log10());
             Circle::new(place, 3 * FINE / 2, RGBColor(r, g, b).filled())
         });
@@ -61,10 +58,13 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         frame(&root, &set, (&x, &none))?;
         let left = IMPACTS.x + IMPACTS.width + 22;
         let mut top = IMPACTS.y;
-        for (colour, name) in [(ODD, "odd"), (EVEN, "even")] {
-            let [r, g, b] = colour;
+        for parity in [Parity::Odd, Parity::Even, Parity::Rested] {
+            if !fallen().any(|(_, cell)| cell.impacts > 0 && Parity::of(cell) == parity) {
+                continue;
+            }
+            let [r, g, b] = parity.colour();
             root.draw(&Circle::new(at(left + 11, top + 7), 3 * FINE, RGBColor(r, g, b).filled()))?;
-            root.draw(&Text::new(format!("{name} number"), at(left + 30, top), text(13)))?;
+            root.draw(&Text::new(parity.label(), at(left + 30, top), text(13)))?;
             top += 20;
         }
         top += 8;

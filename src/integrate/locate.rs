@@ -5,6 +5,7 @@ use super::switching::{OVERTURN, UPLIFT_RIGHT};
 use crate::model::Setting;
 use crate::model::dynamics::{Motion, Rates, rates, uplift_moment};
 use crate::model::excitation::{ground_at, step_length};
+use crate::model::number::Number;
 use crate::model::real::Real;
 
 /// Trials to locate a switch: enough for bisection down to the tolerance, should all else fail.
@@ -34,9 +35,9 @@ pub struct Located<R> {
 
 /// True where a number goes from one side of zero to the other; zero itself is on neither.
 #[inline(always)]
-pub fn crosses<R: Real>(from: R, to: R) -> bool {
-    let zero = R::of(0.0);
-    (from > zero && to < zero) || (from < zero && to > zero)
+pub fn crosses<N: Number>(from: N, to: N) -> N::Mask {
+    let zero = from.like(0.0);
+    (from.exceeds(zero) & zero.exceeds(to)) | (zero.exceeds(from) & to.exceeds(zero))
 }
 
 /// What changes sign at a kink, positive before it: z or du.

@@ -149,9 +149,15 @@ pub const SIZE_RANGE: f64 = 1.0e4;
 /// sine and cosine.
 #[inline(always)]
 pub fn check_range<R: Real>(state: &mut State<R>) {
-    let y = &state.motion;
-    let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
-    if !(size < R::of(SIZE_RANGE) && y.phi.abs() <= R::of(PHI_RANGE)) {
+    if !is_sound(&state.motion) {
         state.status = DIVERGED;
     }
+}
+
+/// True where a motion is in the range of what a block and its base can do; what is not a number is
+/// out of it.
+#[inline(always)]
+pub fn is_sound<N: Number>(y: &Motion<N>) -> N::Mask {
+    let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
+    size.like(SIZE_RANGE).exceeds(size) & size.like(PHI_RANGE).reaches(y.phi.abs())
 }

@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::full_contact::Tracks;
+use super::full_contact::{Tracks, start};
 use super::lanes;
 use super::plan::Plan;
 use crate::integrate::certificate::{certify, is_due};
@@ -91,12 +91,8 @@ fn each<R: Real, L: Log<R> + Send>(
         .par_iter()
         .with_max_len(BLOCK)
         .map(|&index| {
-            let point = grid.point(index);
-            let (cell, mut state) = plan.cell::<R>(&point);
+            let (point, cell, mut state) = start(plan, grid, index, tracks.as_ref());
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
-            if let Some(tracks) = &tracks {
-                tracks.begin(index, &point, &cell, &mut state);
-            }
             let mut log = log();
             while state.status == RUNNING {
                 sweep_cell(&set, &mut state, CHUNK, &mut log);

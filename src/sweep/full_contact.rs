@@ -133,7 +133,7 @@ impl<R: Real> Tracks<R> {
     /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
     /// excitation.
     #[inline(always)]
-    pub fn begin(&self, index: usize, point: &Point, cell: &Cell<R>, state: &mut State<R>) {
+    fn begin(&self, index: usize, point: &Point, cell: &Cell<R>, state: &mut State<R>) {
         if state.status != RUNNING {
             return;
         }
@@ -301,4 +301,21 @@ impl<R: Real> Track<R> {
         track.strongest = largest(&mut track.acceleration.iter().map(|x| x.abs()));
         track
     }
+}
+
+/// A cell of a grid as its integration begins: its point, its numbers, and the state that the full
+/// contact it shares, if it does, has taken it to.
+#[inline(always)]
+pub fn start<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    index: usize,
+    tracks: Option<&Tracks<R>>,
+) -> (Point, Cell<R>, State<R>) {
+    let point = grid.point(index);
+    let (cell, mut state) = plan.cell::<R>(&point);
+    if let Some(tracks) = tracks {
+        tracks.begin(index, &point, &cell, &mut state);
+    }
+    (point, cell, state)
 }

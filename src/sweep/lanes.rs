@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::{Level, dispatch};
 
-use super::full_contact::Tracks;
+use super::full_contact::{Tracks, start};
 use super::plan::Plan;
 use crate::integrate::lanes::leg::MOST_STEPS;
 use crate::integrate::lanes::{Feed, Job, Lanes, Shared};
@@ -30,13 +30,19 @@ pub fn can_run(plan: &Plan) -> bool {
     plan.variant().in_step && counted
 }
 
-/// Cells and their outcomes on the way from and to a thread.
-struct Belt<'a, R> {
+/// A sweep's cells.
+struct Sweep<'a> {
     plan: &'a Plan,
     grid: &'a Grid,
     cells: &'a [usize],
-    tracks: Option<&'a Tracks<R>>,
     progress: &'a (dyn Fn(usize) + Sync),
+    level: Level,
+}
+
+/// Cells and their outcomes on the way from and to a thread.
+struct Belt<'a, R> {
+    sweep: &'a Sweep<'a>,
+    tracks: Option<&'a Tracks<R>>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Vec<Outcome>>,
     batch: Range<usize>,
@@ -46,7 +52,7 @@ struct Belt<'a, R> {
 impl<R> Belt<'_, R> {
     /// Puts the outcomes in their places.
     fn deliver(&mut self) {
-        (self.progress)(self.ended.len());
+        (self.sweep.progress)(self.ended.len());
         // A thread that panicked has left whole outcomes behind.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
         for (number, outcome) in self.ended.drain(..) {
@@ -59,24 +65,21 @@ impl<R: Real> Feed<R> for Belt<'_, R> {
     #[inline(always)]
     fn next(&mut self) -> Option<Job<R>> {
         if self.batch.is_empty() {
-            let count = self.cells.len();
+            let count = self.sweep.cells.len();
             let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
             self.batch = from..(from + BATCH).min(count);
         }
         let number = self.batch.next()?;
-        let index = self.cells[number];
-        let point = self.grid.point(index);
-        let (cell, mut state) = self.plan.cell::<R>(&point);
-        if let Some(tracks) = self.tracks {
-            tracks.begin(index, &point, &cell, &mut state);
-        }
+        let Sweep { plan, grid, cells, .. } = *self.sweep;
+        let (_, cell, state) = start(plan, grid, cells[number], self.tracks);
         Some(Job { number, cell, state })
     }
 
     #[inline(always)]
     fn done(&mut self, job: &Job<R>) {
-        let point = self.grid.point(self.cells[job.number]);
-        self.ended.push((job.number, self.plan.outcome(&point, &job.state)));
+        let Sweep { plan, grid, cells, .. } = *self.sweep;
+        let point = grid.point(cells[job.number]);
+        self.ended.push((job.number, plan.outcome(&point, &job.state)));
         if self.ended.len() == BATCH {
             self.deliver();
         }
@@ -91,29 +94,18 @@ pub fn sweep<R: Real>(
     progress: &(dyn Fn(usize) + Sync),
     level: Level,
 ) -> Vec<Outcome> {
-    either(size_of::<R>() == size_of::<f64>(), plan, grid, cells, progress, level)
+    let sweep = Sweep { plan, grid, cells, progress, level };
+    either(size_of::<R>() == size_of::<f64>(), &sweep)
 }
 
 /// No longer generic, so that what calls it does not compile all vectors again.
-fn either(
-    double: bool,
-    plan: &Plan,
-    grid: &Grid,
-    cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
-    level: Level,
-) -> Vec<Outcome> {
+fn either(double: bool, sweep: &Sweep) -> Vec<Outcome> {
     let run = if double { run::<f64> } else { run::<f32> };
-    run(plan, grid, cells, progress, level)
+    run(sweep)
 }
 
-fn run<R: Real>(
-    plan: &Plan,
-    grid: &Grid,
-    cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
-    level: Level,
-) -> Vec<Outcome> {
+fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
+    let Sweep { plan, grid, cells, level, .. } = *sweep;
     let model = plan.model::<R>();
     let record = plan.record::<R>();
     let tracks = Tracks::of(plan, grid, &record);
@@ -122,11 +114,8 @@ fn run<R: Real>(
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     rayon::broadcast(|_| {
         let mut belt = Belt {
-            plan,
-            grid,
-            cells,
+            sweep,
             tracks: tracks.as_ref(),
-            progress,
             queue: &queue,
             outcomes: &outcomes,
             batch: 0..0,

@@ -4,16 +4,10 @@
 use crate::model::dynamics::{Rates, uplift_moment};
 use crate::model::vector::Vector;
 
+use super::super::locate::crosses;
 use super::super::rk4::{Stepped, hermite};
 use super::Lanes;
 use super::cubic::{Beyond, Cubic};
-
-/// True where a number goes from one side of zero to the other; zero itself is on neither.
-#[inline(always)]
-pub fn crosses<V: Vector>(from: V, to: V) -> V::Mask {
-    let zero = from.like(0.0);
-    (from.exceeds(zero) & zero.exceeds(to)) | (zero.exceeds(from) & to.exceeds(zero))
-}
 
 /// Lanes whose span holds a switch.
 pub struct Crossing<V: Vector> {

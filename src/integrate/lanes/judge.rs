@@ -7,11 +7,11 @@ use crate::model::impact::change_corner;
 use crate::model::real::Real;
 use crate::model::vector::Vector;
 
+use super::super::locate::crosses;
 use super::super::rk4::{Stepped, rk4, shift};
-use super::super::state::{PHI_RANGE, SIZE_RANGE};
+use super::super::state::is_sound;
 use super::super::switching::{EVENT_BOUND, YIELD_LIMIT};
 use super::Lanes;
-use super::crossing::crosses;
 use super::cubic::{Beyond, Cubic};
 use super::seek::of_kink;
 
@@ -143,9 +143,7 @@ impl<V: Vector> Lanes<'_, V> {
         self.start = V::pick(through, zero, self.start);
         self.events = V::pick(through, zero, self.events);
         self.leg.done = self.leg.done + V::pick(through, one, zero);
-        let y = &self.y;
-        let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
-        let sound = one.like(SIZE_RANGE).exceeds(size) & one.like(PHI_RANGE).reaches(y.phi.abs());
+        let sound = is_sound(&self.y);
         let left = through & self.leg.done.reaches(self.leg.steps);
         let attend =
             (V::bits((through & !sound) | left) | V::bits(endless)) & self.running & !ended;

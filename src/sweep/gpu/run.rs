@@ -9,7 +9,7 @@ use wgpu::{
 };
 
 use super::super::backend::Precision;
-use super::super::full_contact::Tracks;
+use super::super::full_contact::{Tracks, start};
 use super::super::plan::Plan;
 use super::GpuError;
 use super::chunk::{self, WORKGROUP};
@@ -194,11 +194,7 @@ impl<'a> Sweeper<'a> {
     fn prepare<R: Real>(shared: &Shared<R>, indices: &[usize]) -> Prepared<R> {
         let Shared { plan, grid, tracks, .. } = shared;
         let begun = |&index: &usize| {
-            let point = grid.point(index);
-            let (cell, mut state) = plan.cell::<R>(&point);
-            if let Some(tracks) = tracks {
-                tracks.begin(index, &point, &cell, &mut state);
-            }
+            let (_, cell, state) = start(plan, grid, index, tracks.as_ref());
             (cell, state)
         };
         let (cells, states) = indices.par_iter().map(begun).unzip();
