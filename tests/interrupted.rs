@@ -204,6 +204,41 @@ fn a_killed_run_goes_on_and_its_map_is_the_same() {
     assert_eq!(names(&whole), names(&killed));
 }
 
+/// What a map takes is told, and nothing is written: not even the synthetic record.
+#[test]
+fn a_dry_run_leaves_nothing() {
+    let out = TempDir::new().unwrap();
+    let place = out.path().join("made");
+    let periods = ["--t-h", "0.5:4:200", "--t-v", "0.1:2:300"];
+    for (command, grid) in [
+        (
+            &[
+                "pulse",
+                "--t-h",
+                "1.75",
+                "--t-v",
+                "0.75",
+                "--omega",
+                "1:9:16384",
+                "--a-h",
+                "1:9:16384",
+            ][..],
+            "16384 x 16384 = 268435456",
+        ),
+        (&[&["seismic"], &periods[..]].concat(), "200 x 300 = 60000"),
+    ] {
+        let mut run = Command::new(env!("CARGO_BIN_EXE_topple"));
+        let run =
+            run.args(command).args(["--object", "1", "--backend", "cpu", "--dry-run", "--out"]);
+        let output = run.arg(&place).output().unwrap();
+        let said = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success() && !place.exists(), "{said}");
+        for word in [grid, "motion", "time       about", "memory", "disk", "map.csv"] {
+            assert!(said.contains(word), "{word}: {said}");
+        }
+    }
+}
+
 #[test]
 fn the_command_refuses_what_is_not_its_own() {
     let out = TempDir::new().unwrap();

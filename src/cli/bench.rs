@@ -7,7 +7,7 @@ use sysinfo::{CpuRefreshKind, RefreshKind, System};
 use topple::integrate::outcome::Outcome;
 use topple::model::operations::of_step;
 use topple::model::real::Real;
-use topple::scene::record::{Pair, synthetic};
+use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Range, Scene};
 use topple::sweep::backend::Precision;
@@ -147,10 +147,7 @@ impl BenchCommand {
         {
             (h.t_h, v.t_v) = (range(0.5, 4.0), range(0.02, 2.0));
         }
-        let pair = Pair::new(
-            synthetic::make("horizontal", &synthetic::HORIZONTAL),
-            Some(synthetic::make("vertical", &synthetic::VERTICAL)),
-        );
+        let pair = synthetic::pair();
         shaken.t_max = pair.duration();
         shaken.excitation = Excitation::Record(pair);
         Ok([

@@ -1,6 +1,7 @@
 //! `topple seismic`.
 
 use topple::map::files::Directory;
+use topple::scene::Excitation;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
@@ -23,6 +24,14 @@ impl SeismicCommand {
     /// Runs the map.
     pub fn run(&self) -> anyhow::Result<()> {
         let mut record = self.record.clone();
+        if self.options.dry_run && record.horizontal.is_none() && record.vertical.is_none() {
+            // Nothing is written, the synthetic pair neither.
+            let text = self.common.text(None);
+            let scene = text
+                .check_under(Excitation::Record(synthetic::pair()))
+                .map_err(|e| flag_error(&e))?;
+            return report::run_map(&scene, &self.options);
+        }
         if record.horizontal.is_none() && record.vertical.is_none() {
             let out = report::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;

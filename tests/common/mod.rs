@@ -54,10 +54,7 @@ pub fn under(scene: &mut Scene, pair: Pair) {
 
 /// The synthetic pair.
 pub fn synthetic_pair() -> Pair {
-    Pair::new(
-        synthetic::make("h", &synthetic::HORIZONTAL),
-        Some(synthetic::make("v", &synthetic::VERTICAL)),
-    )
+    synthetic::pair()
 }
 
 /// Says something past the test harness, which keeps quiet what passing tests print.

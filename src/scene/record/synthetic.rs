@@ -15,7 +15,7 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
-use super::Record;
+use super::{Pair, Record};
 
 /// Time between samples, s.
 pub const DT: f64 = 0.01;
@@ -61,6 +61,11 @@ pub const VERTICAL: Parameters =
 
 /// Steps of the filters in one of the record.
 const SUBSTEPS: usize = 16;
+
+/// Both components.
+pub fn pair() -> Pair {
+    Pair::new(make("horizontal", &HORIZONTAL), Some(make("vertical", &VERTICAL)))
+}
 
 /// Makes a component.
 pub fn make(title: &str, parameters: &Parameters) -> Record {
