@@ -63,7 +63,7 @@ pub fn tell(scene: &Scene, plan: &Plan, grid: &Grid, options: &RunOptions) -> an
         precision.name(),
         sample_grid.len()
     );
-    let memory = report::memory_of(grid, report::held(plan, options));
+    let memory = report::memory_of(grid.len(), report::held(plan, options));
     println!("memory     {:.2} GB", giga(memory as f64));
     println!(
         "disk       {:.2} GB: map.csv {:.2}, map.npz {:.2}; up to {:.2} while it runs",

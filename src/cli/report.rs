@@ -138,9 +138,9 @@ pub fn held(plan: &Plan, options: &RunOptions) -> usize {
     if options.resolve || plan.rigid_period().is_some() { 2 } else { 1 }
 }
 
-/// Memory that a map takes, bytes.
-pub fn memory_of(grid: &Grid, held: usize) -> u64 {
-    grid.len() as u64 * (held * size_of::<Outcome>() + BYTES_A_CELL) as u64
+/// Memory that so many cells take, bytes.
+pub fn memory_of(cells: usize, held: usize) -> u64 {
+    cells as u64 * (held * size_of::<Outcome>() + BYTES_A_CELL) as u64
 }
 
 /// The folder in which the run keeps what is done, and what an earlier one left there.
@@ -176,20 +176,24 @@ pub fn threads() -> usize {
 }
 
 fn check_memory(grid: &Grid, held: usize) -> Result<(), InputError> {
+    let (columns, rows) = grid.shape();
+    let flag = |key: &str| key.replace('_', "-");
+    let (x, y) = (flag(grid.x.key), flag(grid.y.key));
+    fits(memory_of(grid.len(), held), &format!("--{x}, --{y}: {columns} x {rows} cells"))
+}
+
+/// Refuses what needs more memory than is free; `what` names flags and cells.
+pub fn fits(needed: u64, what: &str) -> Result<(), InputError> {
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let available =
         System::new_with_specifics(memory).map_or(0, |system| system.available_memory());
-    let needed = memory_of(grid, held);
     // A machine that does not tell has the benefit of the doubt.
     if available == 0 || needed <= available {
         return Ok(());
     }
-    let (columns, rows) = grid.shape();
     let giga = |bytes: u64| bytes as f64 / f64::from(1 << 30);
     Err(InputError(format!(
-        "--{}, --{}: {columns} x {rows} cells take {:.1} GiB and {:.1} GiB are free; give fewer points",
-        grid.x.key.replace('_', "-"),
-        grid.y.key.replace('_', "-"),
+        "{what} take {:.1} GiB and {:.1} GiB are free; give fewer points",
         giga(needed),
         giga(available)
     )))

@@ -119,6 +119,7 @@ fn bad_input_is_refused_in_one_line() {
     };
     refused(&["--only", "fig99"], &["--only", "fig99", "fig04"]);
     refused(&["--cells", "1"], &["--cells"]);
+    refused(&["--cells", "1000000"], &["fig04", "GiB"]);
     refused(&["--records", "no/such/place"], &["--records", "no/such/place"]);
     refused(&["--scenes", "no/such/place"], &["--scenes", "no/such/place"]);
     let directory = scenes.path().to_str().unwrap();
@@ -149,6 +150,21 @@ fn bad_input_is_refused_in_one_line() {
         fs::write(scenes.path().join("mine.toml"), text).unwrap();
         refused(&["--scenes", directory], &["mine", said]);
     }
+}
+
+/// A path's name becomes a file's, whatever it holds.
+#[test]
+fn a_path_stays_in_its_directory() {
+    let (out, scenes) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let text = "title = \"t\"\nshows = \"outcomes\"\n[scene]\nblock = { object = 1 }\n\
+                base = { t_h = 1.75, t_v = 0.75 }\npulse = { omega = \"2:3:2\", a_h = \"2:3:2\" }\n\
+                run = { t_max = 3 }\n[[panel]]\n\
+                paths = [{ name = \"../Up & <1>\", omega = 2, a_h = \"1:2:3\" }]\n";
+    fs::write(scenes.path().join("mine.toml"), text).unwrap();
+    let inner = out.path().join("inner");
+    figures(&["--scenes", scenes.path().to_str().unwrap()], &inner).success();
+    assert_eq!(names(out.path()), ["inner"]);
+    assert!(names(&inner).contains(&"mine-a----up----1-.csv".to_string()), "{:?}", names(&inner));
 }
 
 /// A figure is no scene, and its file says how it is run.

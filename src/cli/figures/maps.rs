@@ -106,7 +106,9 @@ impl Work<'_> {
     fn paths(&self, panel: &Panel, panel_name: &str) -> anyhow::Result<()> {
         for along in &panel.paths {
             let Some(scene) = along.scene(&panel.scene) else { continue };
-            let slug = along.name.to_lowercase().replace(' ', "-");
+            // A name may hold what a file's may not.
+            let plain = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+            let slug: String = along.name.chars().map(plain).collect();
             let name = format!("{panel_name}-{slug}");
             let progress = Progress::new(Grid::of(&scene).len(), self.options.quiet);
             let outcomes = self.sweep(&scene, panel.fixed_step, &name, &progress)?;

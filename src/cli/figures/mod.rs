@@ -24,6 +24,9 @@ use super::progress::Progress;
 use super::report;
 use super::scene;
 
+/// Most points of an axis.
+const MOST: i64 = topple::scene::Range::LARGEST_COUNT as i64;
+
 /// A figure's name and its TOML.
 type Written = (String, String);
 
@@ -65,7 +68,7 @@ pub struct FiguresCommand {
     #[arg(long, value_name = "DIR")]
     scenes: Option<PathBuf>,
     /// Points of every axis, in place of what the figures say
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=4096))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=MOST))]
     cells: Option<u32>,
     #[command(flatten)]
     options: RunOptions,
@@ -90,6 +93,8 @@ impl FiguresCommand {
             .collect::<Result<Vec<_>, ReadError>>()
             .map_err(|error| InputError(error.to_string()))?;
         for (figure, _) in &figures {
+            let cells = figure.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum();
+            report::fits(report::memory_of(cells, 1), &format!("{}: {cells} cells", figure.name))?;
             for (k, panel) in figure.panels.iter().enumerate() {
                 let place = format!("{}, panel {}", figure.name, letter(k));
                 plan(&self.options, &panel.scene, panel.fixed_step, &place)?;
