@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use topple::map::{self, Map};
-use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::scene::{Grid, Scene};
 use topple::sweep::plan::Plan;
 
 use super::options::{RunOptions, flag_error};
@@ -31,18 +31,18 @@ impl Write for Count {
 
 /// Says what a map takes; times and sizes are those of a sample, a coarser map of the same scene.
 pub fn tell(scene: &Scene, plan: &Plan, grid: &Grid, options: &RunOptions) -> anyhow::Result<()> {
-    let sample = coarser(scene);
+    let mut sample = scene.clone();
+    for axis in sample.axes_mut() {
+        axis.count = axis.count.min(SIDE);
+    }
     let sample_grid = Grid::of(&sample);
-    let sample_plan = Plan::new(&sample, options.step).map_err(|e| flag_error(&e))?;
-    let sample_plan = if options.full_model { sample_plan.full_model() } else { sample_plan };
+    let sample_plan = options.plan(&sample).map_err(|e| flag_error(&e))?;
     let backend = options.open_backend()?;
     let precision = options.precision;
-    let swept = if options.resolve {
-        let cells = 0..sample_grid.len();
-        backend.sweep_resolved(&sample_plan, &sample_grid, cells, precision, &|_| ())?
-    } else {
-        backend.sweep(&sample_plan, &sample_grid, precision, &|_| ())?
-    };
+    let cells = 0..sample_grid.len();
+    let resolve = options.resolve;
+    let swept =
+        backend.sweep_range(&sample_plan, &sample_grid, cells, precision, resolve, &|_| ())?;
     let rate = sample_grid.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
     let map = Map { scene: &sample, grid: sample_grid, outcomes: swept.outcomes };
     let mut table = Count::default();
@@ -73,25 +73,4 @@ pub fn tell(scene: &Scene, plan: &Plan, grid: &Grid, options: &RunOptions) -> an
         giga(table + archive + PICTURES + topple::store::tile::CELL as f64 * cells)
     );
     Ok(())
-}
-
-/// The same scene over a coarser grid.
-fn coarser(scene: &Scene) -> Scene {
-    let mut scene = scene.clone();
-    let fewer = |range: &mut Range| range.count = range.count.min(SIDE);
-    match &mut scene.excitation {
-        Excitation::Pulse(pulse) => {
-            fewer(&mut pulse.omega);
-            fewer(&mut pulse.a_h);
-        }
-        Excitation::Record(_) => {
-            if let Some(law) = &mut scene.isolation.horizontal {
-                fewer(&mut law.t_h);
-            }
-            if let Some(law) = &mut scene.isolation.vertical {
-                fewer(&mut law.t_v);
-            }
-        }
-    }
-    scene
 }

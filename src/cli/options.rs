@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use topple::scene::SceneError;
 use topple::scene::block::BlockText;
 use topple::scene::isolation::IsolationText;
 use topple::scene::text::{RunText, SceneText};
+use topple::scene::{Scene, SceneError};
 use topple::sweep::backend::{Backend, Choice, Precision};
 use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::plan::Plan;
 
 use super::InputError;
 
@@ -56,6 +57,15 @@ pub struct MapOptions {
 }
 
 impl RunOptions {
+    /// The plan of a scene.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        let plan = Plan::new(scene, self.step)?;
+        Ok(if self.full_model { plan.full_model() } else { plan })
+    }
+
     /// Opens the backend.
     pub fn open_backend(&self) -> anyhow::Result<Backend> {
         Ok(Backend::choose(self.backend, self.precision)?)

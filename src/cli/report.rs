@@ -28,10 +28,7 @@ const BYTES_A_CELL: usize = 40;
 /// Runs a scene's map and writes its files.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let MapOptions { run: options, resume, keep_every, dry_run } = options;
-    let mut plan = Plan::new(scene, options.step).map_err(|e| flag_error(&e))?;
-    if options.full_model {
-        plan = plan.full_model();
-    }
+    let plan = options.plan(scene).map_err(|e| flag_error(&e))?;
     let grid = Grid::of(scene);
     if *dry_run {
         return dry_run::tell(scene, &plan, &grid, options);

@@ -6,8 +6,10 @@ use plotters::prelude::*;
 use super::marks;
 use crate::integrate::outcome::Outcome;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::{Place, compose, pixels};
-use crate::map::figure::frame::{Area, Axes, Drawn, FINE, Named, area, at, frame, stroke, text};
+use crate::map::figure::document::{Place, pixels};
+use crate::map::figure::frame::{
+    Area, Axes, Drawn, FINE, Named, at, document, frame, stroke, text,
+};
 use crate::map::figure::palette::Kind;
 use crate::scene::{GRAVITY, Scene};
 use crate::sweep::history::Row;
@@ -76,13 +78,17 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     let seconds = cells.iter().map(|moving| moving.cell.seconds).fold(0.0, f64::max);
     let frames = (seconds * RATE).ceil() as u32;
     let failed = |reason: String| FigureError::Encode(reason);
-    let (width, height, _) = pixels(&still(title, cells, 0.0)?)?;
+    let (width, height) = size(cells);
+    let side = |length: u32| {
+        u16::try_from(length).map_err(|_| failed(format!("{length} pixels are too many")))
+    };
+    let (width, height) = (side(width)?, side(height)?);
     let mut bytes = Vec::new();
     let mut encoder =
         gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| failed(e.to_string()))?;
     encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| failed(e.to_string()))?;
     for k in 0..=frames {
-        let (width, height, mut rgba) = pixels(&still(title, cells, f64::from(k) / RATE)?)?;
+        let mut rgba = pixels(&still(title, cells, f64::from(k) / RATE)?)?;
         let mut frame = gif::Frame::from_rgba_speed(width, height, &mut rgba, 10);
         frame.delay = if k == frames { HOLD } else { (100.0 / RATE) as u16 };
         encoder.write_frame(&frame).map_err(|e| failed(e.to_string()))?;
@@ -91,24 +97,24 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     Ok(bytes)
 }
 
+/// Size of the picture.
+fn size(cells: &[Moving]) -> (u32, u32) {
+    ((COLUMN * cells.len() as i32) as u32, HEIGHT as u32)
+}
+
 /// The picture at a time, as SVG.
 ///
 /// # Errors
 /// Any [`FigureError`].
 pub fn still(title: &str, cells: &[Moving], t: f64) -> Result<String, FigureError> {
-    let size = ((COLUMN * cells.len() as i32) as u32, HEIGHT as u32);
-    let mut drawing = String::new();
-    let mut all = || {
-        let root = area(&mut drawing, size);
+    let size = size(cells);
+    document(size, &[], |root| {
         root.draw(&Text::new(format!("{title}, t = {t:.2} s"), at(14, 10), text(16)))?;
         for (k, moving) in cells.iter().enumerate() {
-            column(&root, size, COLUMN * k as i32, moving, t)?;
+            column(root, size, COLUMN * k as i32, moving, t)?;
         }
-        root.present()?;
         Ok(())
-    };
-    all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-    Ok(compose(size, &[], &drawing))
+    })
 }
 
 fn column(root: &Area, size: (u32, u32), left: i32, moving: &Moving, t: f64) -> Drawn<()> {

@@ -7,9 +7,8 @@ use super::layout::{LINE, Layout, Written};
 use super::shares::Shares;
 use super::{Figure, panels, parameters};
 use crate::map::figure::FigureError;
-use crate::map::figure::document::compose;
 use crate::map::figure::frame::{
-    Area, Axes, Drawn, Named, Plot, area, at, frame, outline, stroke, text,
+    Area, Axes, Drawn, Named, Plot, at, document, frame, outline, stroke, text,
 };
 
 /// Size of the axes' numbers.
@@ -47,19 +46,17 @@ impl Curves<'_> {
         let (count, columns) = (figure.panels.len(), figure.columns);
         let written = Written { inner_y: false, inner_x: false };
         let layout = Layout::new(count, columns, written, 22 * self.legend.len() as i32, &lines);
-        let mut drawing = String::new();
-        let mut all = || {
-            let root = area(&mut drawing, layout.size);
-            heading(&root, &figure.title, &layout)?;
+        document(layout.size, &[], |root| {
+            heading(root, &figure.title, &layout)?;
             for (k, panel) in figure.panels.iter().enumerate() {
                 let place = layout.plots[k];
-                panels::label(&root, place, &panels::title(panel, k, &own[k]))?;
+                panels::label(root, place, &panels::title(panel, k, &own[k]))?;
                 let room = Layout::room(k % columns == 0, k + columns >= count);
                 let (x, y) = (&self.axes.0, &self.axes.1);
                 let set = Axes { size: layout.size, plot: place, room, font: FONT };
-                let mut plot = frame(&root, &set, (x, y))?;
+                let mut plot = frame(root, &set, (x, y))?;
                 paint(k, &mut plot)?;
-                outline(&root, place, 10)?;
+                outline(root, place, 10)?;
             }
             let (left, mut top) = layout.legend;
             for (colour, name) in &self.legend {
@@ -68,11 +65,8 @@ impl Curves<'_> {
                 root.draw(&Text::new(name.clone(), at(left + 30, top + 1), text(13)))?;
                 top += 22;
             }
-            root.present()?;
             Ok(())
-        };
-        all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-        Ok(compose(layout.size, &[], &drawing))
+        })
     }
 }
 

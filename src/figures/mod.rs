@@ -17,7 +17,7 @@ pub mod text;
 
 use serde::Deserialize;
 
-use crate::scene::Scene;
+use crate::scene::{Grid, Scene};
 use marks::{Path, Point, Window};
 
 /// What the panels of a figure show.
@@ -63,6 +63,13 @@ pub struct Figure {
     pub columns: usize,
     /// Row by row from the upper left.
     pub panels: Vec<Panel>,
+}
+
+impl Figure {
+    /// Cells of all its panels.
+    pub fn cells(&self) -> usize {
+        self.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum()
+    }
 }
 
 /// A panel of a figure.

@@ -10,10 +10,10 @@ use super::{Figure, Panel, Shows, letter, parameters};
 use crate::integrate::outcome::Outcome;
 use crate::map::Map;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::{Place, compose};
+use crate::map::figure::document::Place;
 use crate::map::figure::field::{self, FIELDS, Field};
 use crate::map::figure::frame::{
-    Area, Axes, Drawn, FINE, Plot, area, at, axes, outline, stroke, text,
+    Area, Axes, Drawn, FINE, Plot, at, axes, document, outline, stroke, text,
 };
 use crate::map::figure::greys::{Greys, keys};
 use crate::map::figure::overturning::{self, hatched};
@@ -46,11 +46,8 @@ fn field_of(shows: Shows) -> Option<&'static Field> {
 /// Any [`FigureError`].
 pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String, FigureError> {
     let columns = figure.columns;
-    let alike = |a: &Panel, b: &Panel| a.shows == b.shows;
-    let scale = |panel: &Panel, field: &Field| {
-        let same = figure.panels.iter().zip(maps).filter(|(other, _)| alike(panel, other));
-        Greys::over(same.map(|(_, map)| map), field)
-    };
+    let scales = scales(figure, maps);
+    let scale = |panel: &Panel| scales.iter().find(|scale| scale.shows == panel.shows);
     let written = written(columns, maps);
     let inner = Written {
         inner_y: (0..maps.len()).any(|k| k % columns != 0 && written[k].0),
@@ -59,13 +56,12 @@ pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String,
     let (shared, own) = parameters::split(figure.panels.iter().map(|panel| &panel.scene));
     let mut lines = vec![format!("{}.", shared.join(", "))];
     lines.extend(caption.iter().cloned());
-    let bars = fields(figure).len() as i32;
-    let height = ENTRY * entries(figure, maps).len() as i32 + bars * BAR + KEYS;
+    let height = ENTRY * entries(figure, maps).len() as i32 + BAR * scales.len() as i32 + KEYS;
     let layout = Layout::new(maps.len(), columns, inner, height, &lines);
     let mut images = Vec::new();
     for ((panel, map), place) in figure.panels.iter().zip(maps).zip(&layout.plots) {
-        let cells = match (field_of(panel.shows), panel.shows) {
-            (Some(field), _) => field::cells(map, field, &scale(panel, field))?,
+        let cells = match (scale(panel), panel.shows) {
+            (Some(scale), _) => field::cells(map, scale.field, &scale.greys)?,
             (None, Shows::Parity) => overturning::cells(map, |cell| Parity::of(cell).colour())?,
             (None, _) => overturning::cells(map, |cell| Kind::of(cell).colour())?,
         };
@@ -75,52 +71,54 @@ pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String,
     let mut bars = Vec::new();
     let (x, y) = layout.legend;
     let mut place = Place { x, y: y + 22, width: 18, height: BAR - 46 };
-    for (panel, field) in fields(figure) {
-        let greys = scale(panel, field);
-        images.push((place, greys.bar()?));
-        bars.push((place, greys, field));
+    for scale in &scales {
+        images.push((place, scale.greys.bar()?));
+        bars.push((place, scale));
         place.y += BAR;
     }
-    let mut drawing = String::new();
-    let failed = |e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string());
-    let mut paint = || {
-        let root = area(&mut drawing, layout.size);
+    document(layout.size, &images, |root| {
         let (x, y) = layout.title();
         root.draw(&Text::new(figure.title.clone(), at(x, y), text(19)))?;
         for (k, (panel, map)) in figure.panels.iter().zip(maps).enumerate() {
             let plot_place = layout.plots[k];
-            label(&root, plot_place, &title(panel, k, &own[k]))?;
+            label(root, plot_place, &title(panel, k, &own[k]))?;
             let room = Layout::room(written[k].0, written[k].1);
             let set = Axes { size: layout.size, plot: plot_place, room, font: FONT };
-            let mut plot = axes(&root, &map.grid, &set)?;
-            if let Some(field) = field_of(panel.shows) {
-                field::lines(&mut plot, map, field, &scale(panel, field), THICK)?;
+            let mut plot = axes(root, &map.grid, &set)?;
+            if let Some(scale) = scale(panel) {
+                field::lines(&mut plot, map, scale.field, &scale.greys, THICK)?;
             }
             mark(&mut plot, panel)?;
         }
-        legend(&root, figure, maps, &layout, &bars)?;
+        legend(root, figure, maps, &layout, &bars)?;
         for (k, line) in layout.lines.iter().enumerate() {
             let (x, y) = layout.caption;
             root.draw(&Text::new(line.clone(), at(x, y + LINE * k as i32), text(FONT)))?;
         }
-        root.present()?;
         Ok(())
-    };
-    paint().map_err(failed)?;
-    Ok(compose(layout.size, &images, &drawing))
+    })
 }
 
-/// The fields that a figure shows, each with a panel that does.
-fn fields(figure: &Figure) -> Vec<(&Panel, &'static Field)> {
-    let mut found: Vec<(&Panel, &'static Field)> = Vec::new();
-    for panel in &figure.panels {
-        if let Some(field) = field_of(panel.shows)
-            && found.iter().all(|(other, _)| other.shows != panel.shows)
+/// A field with the scale that its panels share.
+struct Scale {
+    shows: Shows,
+    field: &'static Field,
+    greys: Greys,
+}
+
+/// The scales of the fields that a figure shows.
+fn scales(figure: &Figure, maps: &[Map]) -> Vec<Scale> {
+    let mut scales: Vec<Scale> = Vec::new();
+    for Panel { shows, .. } in &figure.panels {
+        if let Some(field) = field_of(*shows)
+            && scales.iter().all(|scale| scale.shows != *shows)
         {
-            found.push((panel, field));
+            let alike = figure.panels.iter().zip(maps).filter(|(other, _)| other.shows == *shows);
+            let greys = Greys::over(alike.map(|(_, map)| map), field);
+            scales.push(Scale { shows: *shows, field, greys });
         }
     }
-    found
+    scales
 }
 
 /// Which panels write numbers on their vertical and on their horizontal axis: those at the edge,
@@ -204,7 +202,7 @@ fn legend(
     figure: &Figure,
     maps: &[Map],
     layout: &Layout,
-    bars: &[(Place, Greys, &Field)],
+    bars: &[(Place, &Scale)],
 ) -> Drawn<()> {
     let (left, mut top) = layout.legend;
     for (colour, name) in entries(figure, maps) {
@@ -215,15 +213,15 @@ fn legend(
         root.draw(&Text::new(name, at(left + 30, top + 1), text(13)))?;
         top += ENTRY;
     }
-    for (place, greys, field) in bars {
-        greys.draw(root, *place, field.label, 14)?;
+    for (place, scale) in bars {
+        scale.greys.draw(root, *place, scale.field.label, 14)?;
         top = place.y + place.height + 26;
     }
     let beyond = |map: &Map| map.outcomes.iter().any(|cell: &Outcome| map.beyond_the_model(cell));
     let all: Vec<&Map> = maps.iter().collect();
     match bars.last() {
-        Some((_, _, field)) => {
-            keys(root, &all, field, maps.iter().any(beyond), (left, top), 12)?;
+        Some((_, scale)) => {
+            keys(root, &all, scale.field, maps.iter().any(beyond), (left, top), 12)?;
         }
         None if maps.iter().any(beyond) => {
             top += 6;

@@ -6,8 +6,10 @@ use plotters::prelude::*;
 
 use crate::map::Map;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::{Place, compose};
-use crate::map::figure::frame::{Axes, FINE, Named, area, at, frame, frame_with, outline, text};
+use crate::map::figure::document::Place;
+use crate::map::figure::frame::{
+    Axes, FINE, Named, at, document, frame, frame_with, outline, text,
+};
 use crate::map::figure::palette::{Kind, Parity};
 use crate::map::figure::raster::png;
 
@@ -34,9 +36,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
     let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
     let fallen = || map.outcomes.iter().enumerate().filter(|(_, cell)| cell.class.overturned());
     let most = fallen().map(|(_, cell)| cell.impacts).max().unwrap_or(1).max(10);
-    let mut drawing = String::new();
-    let mut all = || {
-        let root = area(&mut drawing, PATH);
+    document(PATH, &[(STRIP, strip)], |root| {
         root.draw(&Text::new(title.to_string(), at(IMPACTS.x, 14), text(18)))?;
         root.draw(&Text::new(caption.to_string(), at(IMPACTS.x, 40), text(FONT)))?;
         let x = Named { ends: rows.start..rows.stop, name: "A_h [m/s²]".into() };
@@ -46,7 +46,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         };
         let set =
             Axes { size: PATH, plot: IMPACTS, room: (Some(IMPACTS.x - 16), None), font: FONT };
-        let mut plot = frame_with(&root, &set, (&x, &y), &decade)?;
+        let mut plot = frame_with(root, &set, (&x, &y), &decade)?;
         let dots = fallen().filter(|(_, cell)| cell.impacts > 0).map(|(row, cell)| {
             let [r, g, b] = Parity::of(cell).colour();
             let place = (rows.value(row as u32), f64::from(cell.impacts).log10());
@@ -55,7 +55,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         plot.draw_series(dots)?;
         let none = Named { ends: 0.0..1.0, name: String::new() };
         let set = Axes { size: PATH, plot: STRIP, room: (None, Some(44)), font: FONT };
-        frame(&root, &set, (&x, &none))?;
+        frame(root, &set, (&x, &none))?;
         let left = IMPACTS.x + IMPACTS.width + 22;
         let mut top = IMPACTS.y;
         for parity in [Parity::Odd, Parity::Even, Parity::Rested] {
@@ -72,15 +72,12 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
             let [r, g, b] = kind.colour();
             let swatch = [at(left, top), at(left + 22, top + 13)];
             root.draw(&Rectangle::new(swatch, RGBColor(r, g, b).filled()))?;
-            outline(&root, Place { x: left, y: top, width: 22, height: 13 }, 10)?;
+            outline(root, Place { x: left, y: top, width: 22, height: 13 }, 10)?;
             root.draw(&Text::new(kind.label(), at(left + 30, top), text(13)))?;
             top += 20;
         }
-        root.present()?;
         Ok(())
-    };
-    all().map_err(|e: Box<dyn std::error::Error>| FigureError::Draw(e.to_string()))?;
-    Ok(compose(PATH, &[(STRIP, strip)], &drawing))
+    })
 }
 
 /// A whole power of ten by its exponent; nothing between.

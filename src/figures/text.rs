@@ -12,7 +12,7 @@ use super::marks::{self, Point, Window};
 use super::motions::{Motion, Motions};
 use super::{Figure, Panel, Shows, letter};
 use crate::scene::text::{SceneText, located};
-use crate::scene::{Excitation, Range, Scene};
+use crate::scene::{Excitation, Range, Scene, SceneError};
 
 /// What is wrong with a figure or a motion, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -127,13 +127,11 @@ fn read(
     let refused = |problem: String| ReadError::new(place, problem);
     let mut table = shared.clone();
     merge(&mut table, std::mem::take(&mut panel.scene));
-    let mut text: SceneText =
+    let text: SceneText =
         table.try_into().map_err(|error: toml::de::Error| refused(error.message().to_string()))?;
-    if let Some(cells) = setting.cells {
-        coarsen(&mut text, cells);
-    }
-    let scene = match &panel.motion {
-        None => text.check().map_err(|error| refused(error.to_string()))?,
+    let checked = |scene: Result<Scene, SceneError>| scene.map_err(|e| refused(e.to_string()));
+    let (mut scene, motion) = match &panel.motion {
+        None => (checked(text.check())?, None),
         Some(key) => {
             let Some(motion) = setting.motions.get(key) else {
                 let known: Vec<&str> = setting.motions.keys().map(String::as_str).collect();
@@ -148,11 +146,14 @@ fn read(
                 }
             };
             let excitation = Excitation::Record(opened.pair);
-            text.check_under(excitation).map_err(|error| refused(error.to_string()))?
+            (checked(text.check_under(excitation))?, Some(opened.name))
         }
     };
-    let motion = panel.motion.as_ref().and_then(|key| setting.motions.get(key));
-    let motion = motion.map(|motion| motion.name.clone());
+    if let Some(cells) = setting.cells {
+        for axis in scene.axes_mut().filter(|axis| axis.count > 1) {
+            axis.count = cells;
+        }
+    }
     if let Some(step) = panel.fixed_step
         && !(step > 0.0 && step.is_finite())
     {
@@ -208,18 +209,6 @@ fn merge(table: &mut Table, over: Table) {
             (_, value) => {
                 table.insert(key, value);
             }
-        }
-    }
-}
-
-/// Gives every axis with several points `count` of them.
-fn coarsen(text: &mut SceneText, count: u32) {
-    let (base, pulse) = (&mut text.base, text.pulse.as_mut());
-    let ranges = [base.t_h.as_mut(), base.t_v.as_mut()];
-    let swept = pulse.map(|pulse| [pulse.omega.as_mut(), pulse.a_h.as_mut()]);
-    for range in ranges.into_iter().chain(swept.into_iter().flatten()).flatten() {
-        if range.count > 1 {
-            range.count = count;
         }
     }
 }

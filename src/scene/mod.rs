@@ -70,6 +70,18 @@ pub struct SceneError {
 }
 
 impl Scene {
+    /// The ranges that the scene's grid is made of, those of a single value among them.
+    pub fn axes_mut(&mut self) -> impl Iterator<Item = &mut Range> {
+        let (horizontal, vertical) =
+            (self.isolation.horizontal.as_mut(), self.isolation.vertical.as_mut());
+        let periods = [horizontal.map(|law| &mut law.t_h), vertical.map(|law| &mut law.t_v)];
+        let swept = match &mut self.excitation {
+            Excitation::Pulse(pulse) => [Some(&mut pulse.omega), Some(&mut pulse.a_h)],
+            Excitation::Record(_) => [None, None],
+        };
+        periods.into_iter().chain(swept).flatten()
+    }
+
     /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
     pub fn overturning_angle(&self, side: f64) -> f64 {
         match self.overturn {

@@ -125,11 +125,28 @@ impl Backend {
         self.sweep_cells(plan, grid, 0..grid.len(), precision, progress)
     }
 
+    /// Runs some of a grid's cells, each once, or twice to `resolve` it.
+    ///
+    /// # Errors
+    /// Those of [`Backend::sweep`].
+    pub fn sweep_range(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        cells: Range<usize>,
+        precision: Precision,
+        resolve: bool,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Swept, GpuError> {
+        let sweep = if resolve { Backend::sweep_resolved } else { Backend::sweep_cells };
+        sweep(self, plan, grid, cells, precision, progress)
+    }
+
     /// Runs some of a grid's cells, numbered one after the other.
     ///
     /// # Errors
     /// Those of [`Backend::sweep`].
-    pub fn sweep_cells(
+    fn sweep_cells(
         &self,
         plan: &Plan,
         grid: &Grid,

@@ -92,11 +92,7 @@ impl Run<'_> {
     }
 
     fn sweep(&self, cells: Range<usize>) -> Result<Swept, GpuError> {
-        let Run { backend, plan, grid, precision, progress, .. } = *self;
-        if self.resolve {
-            backend.sweep_resolved(plan, grid, cells, precision, progress)
-        } else {
-            backend.sweep_cells(plan, grid, cells, precision, progress)
-        }
+        let Run { backend, plan, grid, precision, resolve, progress, .. } = *self;
+        backend.sweep_range(plan, grid, cells, precision, resolve, progress)
     }
 }

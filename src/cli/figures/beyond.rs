@@ -8,12 +8,12 @@ use topple::scene::{Grid, Scene};
 use topple::sweep::history;
 
 use super::super::progress::Progress;
-use super::Work;
+use super::{Work, plan};
 
 impl Work<'_> {
     /// The least amplitude that overturns, with isolation and without.
     pub(super) fn boundaries(&self, figure: &Figure) -> anyhow::Result<()> {
-        let cells: usize = figure.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum();
+        let cells = figure.cells();
         let progress = Progress::new(2 * cells, self.options.quiet);
         let mut drawn = Vec::with_capacity(figure.panels.len());
         for (k, panel) in figure.panels.iter().enumerate() {
@@ -71,8 +71,9 @@ impl Work<'_> {
                 panel.cells.iter().filter_map(|cell| cell.scene(&panel.scene)).collect();
             let mut moving = Vec::with_capacity(scenes.len());
             for (cell, scene) in panel.cells.iter().zip(&scenes) {
-                let plan = self.plan(scene, panel.fixed_step, &name)?;
-                let (rows, outcome) = history::by_steps::<f64>(&plan, &Grid::of(scene).point(0));
+                let by_steps = plan(self.options, scene, panel.fixed_step, &name)?;
+                let (rows, outcome) =
+                    history::by_steps::<f64>(&by_steps, &Grid::of(scene).point(0));
                 moving.push(Moving::new(cell, scene, rows, outcome));
             }
             let bytes = animation::draw(&figure.title, &moving)?;

@@ -12,7 +12,7 @@ use topple::sweep::backend::Precision;
 use topple::sweep::verification::{self, Verification};
 
 use super::super::progress::Progress;
-use super::Work;
+use super::{Work, plan};
 
 /// Cells of a panel, and of a path, that the reference runs again.
 const SAMPLE: usize = 32;
@@ -42,7 +42,7 @@ struct PanelManifest<'a> {
 impl Work<'_> {
     /// Runs a figure's panels, and writes picture and data.
     pub(super) fn maps(&self, figure: &Figure, motions: &[Motion]) -> anyhow::Result<()> {
-        let cells: usize = figure.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum();
+        let cells = figure.cells();
         let progress = Progress::new(cells, self.options.quiet);
         let began = Instant::now();
         let mut maps: Vec<Map> = Vec::with_capacity(figure.panels.len());
@@ -98,8 +98,8 @@ impl Work<'_> {
 
     /// A sample of a map's cells by the reference.
     fn judge(&self, map: &Map, place: &str) -> anyhow::Result<Verification> {
-        let plan = self.plan(map.scene, None, place)?;
-        Ok(verification::verify(&plan, &map.grid, &map.outcomes, SAMPLE))
+        let by_steps = plan(self.options, map.scene, None, place)?;
+        Ok(verification::verify(&by_steps, &map.grid, &map.outcomes, SAMPLE))
     }
 
     /// What the paths of a panel meet: a picture and a table each.

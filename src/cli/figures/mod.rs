@@ -93,7 +93,7 @@ impl FiguresCommand {
             .collect::<Result<Vec<_>, ReadError>>()
             .map_err(|error| InputError(error.to_string()))?;
         for (figure, _) in &figures {
-            let cells = figure.panels.iter().map(|panel| Grid::of(&panel.scene).len()).sum();
+            let cells = figure.cells();
             report::fits(report::memory_of(cells, 1), &format!("{}: {cells} cells", figure.name))?;
             for (k, panel) in figure.panels.iter().enumerate() {
                 let place = format!("{}, panel {}", figure.name, letter(k));
@@ -156,7 +156,7 @@ impl FiguresCommand {
     }
 }
 
-/// See [`Work::plan`].
+/// The plan of a scene, by steps of its own or exactly `fixed` ones; `place` names the panel.
 fn plan(
     options: &RunOptions,
     scene: &Scene,
@@ -164,13 +164,12 @@ fn plan(
     place: &str,
 ) -> Result<Plan, InputError> {
     let plan = match fixed {
-        None => Plan::new(scene, options.step),
+        None => options.plan(scene),
         Some(step) => {
             Plan::resolved(scene, Resolution::exactly(step)).map(|plan| plan.full_model())
         }
     };
-    let plan = plan.map_err(|error| InputError(format!("{place}: {error}")))?;
-    Ok(if options.full_model { plan.full_model() } else { plan })
+    plan.map_err(|error| InputError(format!("{place}: {error}")))
 }
 
 /// What the figures are made with.
@@ -196,11 +195,6 @@ impl Work<'_> {
         }
     }
 
-    /// The plan of a scene, by steps of its own or exactly `fixed` ones; `place` names the panel.
-    fn plan(&self, scene: &Scene, fixed: Option<f64>, place: &str) -> Result<Plan, InputError> {
-        plan(self.options, scene, fixed, place)
-    }
-
     /// Runs the cells of a scene.
     fn sweep(
         &self,
@@ -210,14 +204,10 @@ impl Work<'_> {
         progress: &Progress,
     ) -> anyhow::Result<Vec<Outcome>> {
         let options = self.options;
-        let (plan, grid) = (self.plan(scene, fixed, place)?, Grid::of(scene));
+        let (plan, grid) = (plan(options, scene, fixed, place)?, Grid::of(scene));
+        let (cells, precision, resolve) = (0..grid.len(), options.precision, options.resolve);
         let advance = |cells| progress.advance(cells);
-        let swept = if options.resolve {
-            self.backend.sweep_resolved(&plan, &grid, 0..grid.len(), options.precision, &advance)?
-        } else {
-            self.backend.sweep(&plan, &grid, options.precision, &advance)?
-        };
-        Ok(swept.outcomes)
+        Ok(self.backend.sweep_range(&plan, &grid, cells, precision, resolve, &advance)?.outcomes)
     }
 
     /// How the cells were computed, for captions.

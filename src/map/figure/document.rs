@@ -87,18 +87,13 @@ pub fn render(svg: &str, scale: f32) -> Result<Vec<u8>, FigureError> {
     rasterise(svg, scale)?.encode_png().map_err(|e| FigureError::Encode(e.to_string()))
 }
 
-/// Renders an SVG at a pixel a unit: width, height, and the pixels' red, green, blue and opacity.
+/// Renders an SVG at a pixel a unit: the pixels' red, green, blue and opacity.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn pixels(svg: &str) -> Result<(u16, u16, Vec<u8>), FigureError> {
-    let pixmap = rasterise(svg, 1.0)?;
-    let side = |length: u32| {
-        u16::try_from(length)
-            .map_err(|_| FigureError::Encode(format!("{length} pixels are too many")))
-    };
+pub fn pixels(svg: &str) -> Result<Vec<u8>, FigureError> {
     // The paper is white and opaque: no pixel's colour is scaled by its opacity.
-    Ok((side(pixmap.width())?, side(pixmap.height())?, pixmap.take()))
+    Ok(rasterise(svg, 1.0)?.take())
 }
 
 fn rasterise(svg: &str, scale: f32) -> Result<Pixmap, FigureError> {

@@ -6,8 +6,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::super::Map;
-use super::document::Place;
-use super::tick;
+use super::document::{Place, compose};
+use super::{FigureError, tick};
 use crate::scene::grid::Axis;
 use crate::scene::{Excitation, GRAVITY, Grid, Range, Scene};
 
@@ -54,6 +54,24 @@ pub fn stroke(colour: RGBColor, tenths: i32) -> ShapeStyle {
 pub fn area(drawing: &mut String, size: (u32, u32)) -> Area<'_> {
     let fine = FINE as u32;
     SVGBackend::with_string(drawing, (size.0 * fine, size.1 * fine)).into_drawing_area()
+}
+
+/// A document of a size: images, and on top of them what `paint` draws.
+///
+/// # Errors
+/// [`FigureError::Draw`].
+pub fn document(
+    size: (u32, u32),
+    images: &[(Place, Vec<u8>)],
+    paint: impl FnOnce(&Area) -> Drawn<()>,
+) -> Result<String, FigureError> {
+    let mut drawing = String::new();
+    let root = area(&mut drawing, size);
+    let painted = paint(&root).and_then(|()| Ok(root.present()?));
+    painted.map_err(|e| FigureError::Draw(e.to_string()))?;
+    // What draws writes into the text until it goes.
+    drop(root);
+    Ok(compose(size, images, &drawing))
 }
 
 /// The two ends of an axis, half a cell beyond its first and last value.
