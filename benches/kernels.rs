@@ -111,12 +111,14 @@ fn writers(c: &mut Criterion) {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &|_| ());
-    let map = Map { scene: &scene, grid, outcomes };
+    let map = Map { scene: &scene, grid, outcomes: outcomes.into() };
     c.bench_function("writer, csv, 128 x 128", |b| {
-        b.iter(|| map::csv::write(&map, Vec::with_capacity(1 << 22)).unwrap());
+        b.iter(|| map::csv::write(&map.grid, &map, Vec::with_capacity(1 << 22)).unwrap());
     });
     c.bench_function("writer, npz, 128 x 128", |b| {
-        b.iter(|| map::npz::write(&map, Cursor::new(Vec::with_capacity(1 << 22))).unwrap());
+        b.iter(|| {
+            map::npz::write(&map.grid, &map, Cursor::new(Vec::with_capacity(1 << 22))).unwrap()
+        });
     });
     c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map).unwrap()));
     let svg = overturning::draw(&map).unwrap();

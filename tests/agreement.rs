@@ -53,7 +53,10 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
     for (scene, judged) in JUDGED.iter() {
         let grid = Grid::of(scene);
         let outcomes = sweep(&Plan::new(scene, DEFAULT_STEP).unwrap(), &grid);
-        let report = compare(&grid, judged, |index| outcomes[index]);
+        let report = compare(
+            &grid,
+            judged.iter().map(|&(index, reference)| (index, outcomes[index], reference)),
+        );
         let topple::scene::Excitation::Pulse(pulse) = &scene.excitation else { panic!() };
         say(&format!(
             "{name}: e = {:+.1}, A_v = {}: {} of {} cells differ, {} in impacts, zeta median {:.0e} worst {:.0e}",
@@ -113,7 +116,10 @@ fn a_wrong_sign_in_the_shader_shows() {
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
         let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
-        let report = compare(&grid, &judged, |index| cells[index]);
+        let report = compare(
+            &grid,
+            judged.iter().map(|&(index, reference)| (index, cells[index], reference)),
+        );
         (report.differ + report.unresolved, report.median_zeta)
     };
     let passes =
@@ -156,12 +162,18 @@ fn locked_directions_agree_with_the_reference() {
         let run = |index| (index, reference::run(&scene, &grid.point(index), &Settings::default()));
         let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
         let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
-        let report = compare(&grid, &judged, |index| twin[index]);
+        let report = compare(
+            &grid,
+            judged.iter().map(|&(index, reference)| (index, twin[index], reference)),
+        );
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
             let shader = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
-            let report = compare(&grid, &judged, |index| shader[index]);
+            let report = compare(
+                &grid,
+                judged.iter().map(|&(index, reference)| (index, shader[index], reference)),
+            );
             assert!(
                 report.differ + report.unresolved <= 1,
                 "{isolation}: {:?}",

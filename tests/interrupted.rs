@@ -12,10 +12,12 @@ use std::time::Duration;
 use common::{object, say};
 use tempfile::TempDir;
 use topple::integrate::outcome::{Class, Outcome, Status};
+use topple::map::outcomes::{Column, Outcomes};
 use topple::scene::Scene;
 use topple::store::identity::{Identity, Manner};
-use topple::store::tile::{Tile, to_bytes};
-use topple::store::{Found, Store, StoreError, missing};
+use topple::store::shelf::{Shelf, missing};
+use topple::store::tile::{self, Tile, check, to_bytes};
+use topple::store::{Found, Store, StoreError};
 use topple::sweep::backend::{Backend, Precision};
 
 /// Outcomes of every class, and of numbers that are easily mistaken.
@@ -42,9 +44,42 @@ fn outcomes() -> Vec<Outcome> {
 #[test]
 fn a_tile_holds_its_outcomes_bit_by_bit() {
     let (outcomes, tag) = (outcomes(), 7);
-    let tile = Tile::from_bytes(&to_bytes(42, &outcomes, tag), tag).unwrap();
-    assert_eq!((tile.cells(), &tile.outcomes), (42..46, &outcomes));
-    assert!(tile.outcomes[0].min_contact.is_sign_negative());
+    let out = TempDir::new().unwrap();
+    let path = out.path().join("some.tile");
+    fs::write(&path, to_bytes(42, &outcomes, tag)).unwrap();
+    let tile = tile::find(&path, tag).unwrap().unwrap();
+    assert_eq!(tile.cells, 42..46);
+    let read = tile::read(&tile, 42..46, &Column::ALL).unwrap();
+    assert_eq!(read, outcomes);
+    assert!(read[0].min_contact.is_sign_negative());
+    // Some of the cells, and some of what is known of them.
+    let some = tile::read(&tile, 43..45, &[Column::Status, Column::TUplift]).unwrap();
+    let known = |cell: &Outcome| (cell.status, cell.t_uplift);
+    assert_eq!(
+        some.iter().map(known).collect::<Vec<_>>(),
+        [known(&outcomes[1]), known(&outcomes[2])]
+    );
+    assert!(some.iter().all(|cell| cell.class == Outcome::PENDING.class && cell.zeta == 0.0));
+}
+
+/// Tiles side by side are read as one, whatever the pieces.
+#[test]
+fn a_shelf_reads_across_its_tiles() {
+    let out = TempDir::new().unwrap();
+    let all: Vec<Outcome> = (0..10).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
+    let tile = |cells: std::ops::Range<usize>| {
+        let path = out.path().join(tile::name(cells.start));
+        fs::write(&path, to_bytes(cells.start, &all[cells], 7)).unwrap();
+        tile::find(&path, 7).unwrap().unwrap()
+    };
+    let tiles = vec![tile(6..10), tile(0..1), tile(1..6)];
+    let shelf = Shelf::new(tiles.clone(), 10).unwrap();
+    for (start, end) in [(0, 10), (0, 1), (3, 5), (5, 7), (9, 10)] {
+        assert_eq!(shelf.read(start..end, &Column::ALL).unwrap(), &all[start..end]);
+    }
+    assert!(Shelf::new(tiles.clone(), 11).is_none(), "a cell is missing");
+    assert!(Shelf::new(tiles[..2].to_vec(), 10).is_none(), "a tile is missing");
+    assert!(Shelf::new([&tiles[..], &tiles[..1]].concat(), 10).is_none(), "a tile twice");
 }
 
 /// Every shortening and every bit turned over is found.
@@ -52,25 +87,28 @@ fn a_tile_holds_its_outcomes_bit_by_bit() {
 fn a_damaged_tile_is_refused() {
     let bytes = to_bytes(42, &outcomes(), 7);
     for length in 0..bytes.len() {
-        assert!(Tile::from_bytes(&bytes[..length], 7).is_err(), "{length} bytes pass for whole");
+        assert!(check(&bytes[..length], 7).is_err(), "{length} bytes pass for whole");
     }
     for bit in 0..8 * bytes.len() {
         let mut damaged = bytes.clone();
         damaged[bit / 8] ^= 1 << (bit % 8);
-        assert!(Tile::from_bytes(&damaged, 7).is_err(), "bit {bit} passes");
+        assert!(check(&damaged, 7).is_err(), "bit {bit} passes");
     }
-    assert!(Tile::from_bytes(&[&bytes[..], &[0]].concat(), 7).is_err());
-    assert_eq!(Tile::from_bytes(&bytes, 8), Err("a tile of another run"));
+    assert!(check(&[&bytes[..], &[0]].concat(), 7).is_err());
+    assert_eq!(check(&bytes, 8), Err("a tile of another run"));
 }
 
 #[test]
 fn what_is_missing_is_what_no_tile_holds() {
-    let tile = |first: usize, count: usize| Tile { first, outcomes: vec![Outcome::PENDING; count] };
-    assert_eq!(missing(&[], 10), vec![0..10; 1]);
-    assert_eq!(missing(&[tile(3, 2), tile(7, 3)], 10), [0..3, 5..7]);
+    let tile = |first: usize, count: usize| Tile { path: "".into(), cells: first..first + count };
+    assert_eq!(missing(&[], &(0..10)), vec![0..10; 1]);
+    assert_eq!(missing(&[tile(3, 2), tile(7, 3)], &(0..10)), [0..3, 5..7]);
     // Out of order, one within another, and beside one another.
-    assert_eq!(missing(&[tile(4, 4), tile(0, 2), tile(5, 1), tile(2, 2)], 10), vec![8..10; 1]);
-    assert!(missing(&[tile(0, 10)], 10).is_empty());
+    let some = [tile(4, 4), tile(0, 2), tile(5, 1), tile(2, 2)];
+    assert_eq!(missing(&some, &(0..10)), vec![8..10; 1]);
+    assert!(missing(&[tile(0, 10)], &(0..10)).is_empty());
+    // Of a part.
+    assert_eq!(missing(&[tile(6, 2)], &(5..10)), [5..6, 8..10]);
 }
 
 fn scene(eccentricity: f64) -> Scene {
@@ -84,7 +122,7 @@ fn open(
     resume: bool,
 ) -> Result<(Store, Found), StoreError> {
     let manner = Manner { precision, largest_step: 1.0 / 128.0, resolve: false, full_model: false };
-    Store::open(out, Identity::new(scene, &Backend::Cpu, &manner).unwrap(), resume)
+    Store::open(out, Identity::new(scene, &Backend::Cpu, &manner, None).unwrap(), resume)
 }
 
 #[test]
@@ -110,7 +148,7 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
         );
     }
     let (store, found) = open(out.path(), &scene(0.2), f32, true).unwrap();
-    assert_eq!(missing(&found.tiles, 16), [4..8, 12..16]);
+    assert_eq!(missing(&found.tiles, &(0..16)), [4..8, 12..16]);
     store.discard().unwrap();
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
     // A run that kept nothing leaves nothing.
@@ -139,13 +177,13 @@ fn a_damaged_tile_is_run_again() {
     store.keep(0, &outcomes()).unwrap();
     store.keep(4, &outcomes()).unwrap();
     drop(store);
-    let path = out.path().join("unfinished").join(topple::store::tile::name(4));
+    let path = out.path().join("unfinished").join(tile::name(4));
     let mut bytes = fs::read(&path).unwrap();
     bytes[100] ^= 1;
     fs::write(&path, bytes).unwrap();
     let (_store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
-    assert_eq!(missing(&found.tiles, 8), vec![4..8; 1]);
-    assert!(found.broken.len() == 1 && found.broken[0].contains("damaged") && !path.exists());
+    assert_eq!(missing(&found.tiles, &(0..8)), vec![4..8; 1]);
+    assert!(found.broken.len() == 1 && found.broken[0].1 == "damaged" && !path.exists());
 }
 
 /// A map by the reference, a few seconds of work in tiles of 512 cells.

@@ -9,11 +9,11 @@ pub fn run() -> anyhow::Result<()> {
         println!("no GPU adapter (Vulkan, Metal, DX12) was found; topple computes on the CPU");
         return Ok(());
     }
-    println!("{:<44} {:<10} {:<7} {:<8} driver", "adapter", "kind", "api", "numbers");
-    for adapter in &adapters {
+    println!("{:>2}  {:<44} {:<10} {:<7} {:<8} driver", "", "adapter", "kind", "api", "numbers");
+    for (number, adapter) in adapters.iter().enumerate() {
         let Description { name, kind, api, driver, f64 } = Description::of(adapter);
         let numbers = if f64 { "f32 f64" } else { "f32" };
-        println!("{name:<44} {kind:<10} {api:<7} {numbers:<8} {driver}");
+        println!("{number:>2}  {name:<44} {kind:<10} {api:<7} {numbers:<8} {driver}");
     }
     if adapters.iter().all(adapter::is_software) {
         println!("\nonly software adapters: --backend auto computes on the CPU");

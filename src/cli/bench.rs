@@ -18,7 +18,7 @@ use topple::sweep::plan::Plan;
 use topple::sweep::{clock, cpu, lanes};
 
 use super::progress::Progress;
-use super::{InputError, ratios, report};
+use super::{InputError, ratios, words};
 
 /// Most points of an axis: a map of 4096 x 4096 takes two gigabytes.
 const MOST: u32 = 4096;
@@ -86,7 +86,7 @@ impl BenchCommand {
             System::new_with_specifics(RefreshKind::nothing().with_cpu(CpuRefreshKind::nothing()));
         let brand = cpus.ok().and_then(|system| Some(system.cpus().first()?.brand().to_string()));
         let brand = brand.unwrap_or_else(|| "processor".into());
-        println!("{brand}, {} threads, topple {}", report::threads(), env!("CARGO_PKG_VERSION"));
+        println!("{brand}, {} threads, topple {}", words::threads(), env!("CARGO_PKG_VERSION"));
         if !self.peer.is_empty() {
             return ratios::print(&self.peer);
         }
@@ -111,7 +111,7 @@ impl BenchCommand {
                 })?);
             }
             if !self.no_shader
-                && let Ok(adapter) = adapter::choose(precision)
+                && let Ok(adapter) = adapter::best(precision)
             {
                 let gpu = Gpu::open(&adapter)?;
                 let name = format!("shader, {}", gpu.description.name);

@@ -18,10 +18,11 @@ use topple::sweep::gpu::device::Gpu;
 
 use super::InputError;
 use super::options::flag_error;
+use super::output;
 use super::output::{PNG_SCALE, write_figure};
 use super::progress::Progress;
-use super::report;
 use super::seismic::write_synthetic;
+use super::words;
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.
 #[derive(clap::Args)]
@@ -51,7 +52,7 @@ pub struct ChartCommand {
 impl ChartCommand {
     /// Runs the trials and draws them.
     pub fn run(&self) -> anyhow::Result<()> {
-        let out = report::open(&self.out)?;
+        let out = output::open(&self.out)?;
         let mut record = self.record.clone();
         if record.horizontal.is_none() && record.vertical.is_none() {
             record = write_synthetic(&out, record)?;
@@ -102,7 +103,7 @@ impl ChartCommand {
         if self.no_shader {
             return Ok(None);
         }
-        match adapter::choose(Precision::F32) {
+        match adapter::best(Precision::F32) {
             Ok(adapter) => {
                 let gpu = Gpu::open(&adapter)?;
                 let d = &gpu.description;
@@ -122,7 +123,7 @@ impl ChartCommand {
         benches: &[Bench],
         gpu: Option<&Gpu>,
     ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Told>>)> {
-        let threads = report::threads();
+        let threads = words::threads();
         let (mut rows, mut truths) = (Vec::new(), Vec::new());
         for bench in benches {
             self.say(format!("{:<10} {} ({} cells)", bench.name, bench.title, bench.len()));

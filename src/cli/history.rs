@@ -7,14 +7,14 @@ use topple::map::history::{self as table};
 use topple::scene::excitation::{PulseText, RecordText};
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Point, Scene};
-use topple::sweep::backend::{Choice, Precision};
+use topple::sweep::backend::Precision;
+use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;
 use topple::sweep::plan::Plan;
 
 use super::InputError;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
-use super::report;
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]
@@ -70,7 +70,7 @@ impl HistoryCommand {
             return Err(InputError(problem.into()).into());
         }
         let plan = Plan::new(&scene, options.step).map_err(|e| flag_error(&e))?;
-        let out = report::open(&options.out)?;
+        let out = output::open(&options.out)?;
         let point: Point = grid.point(0);
         let (rows, outcome) = match (options.backend, options.precision) {
             (Choice::Reference, _) => motion::by_reference(&scene, &point),

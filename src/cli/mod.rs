@@ -3,15 +3,18 @@
 mod adapters;
 mod bench;
 mod chart;
-mod dry_run;
+mod estimate;
 mod figures;
+mod finish;
 mod history;
+mod memory;
+mod merge;
 mod options;
 mod output;
 mod progress;
 mod pulse;
 mod ratios;
-mod report;
+mod run;
 mod scene;
 mod seismic;
 mod words;
@@ -41,6 +44,8 @@ enum Command {
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record over (T_h, T_v)
     Seismic(seismic::SeismicCommand),
+    /// Join the parts of a map that runs with --tile left
+    Merge(merge::MergeCommand),
     /// The motion of one cell: every parameter a single number
     History(history::HistoryCommand),
     /// Run a scene from a TOML file
@@ -68,6 +73,7 @@ pub fn run() -> anyhow::Result<()> {
     match arguments.command {
         Some(Command::Pulse(command)) => command.run(),
         Some(Command::Seismic(command)) => command.run(),
+        Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
         Some(Command::Chart(command)) => command.run(),

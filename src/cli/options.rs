@@ -7,8 +7,11 @@ use topple::scene::block::BlockText;
 use topple::scene::isolation::IsolationText;
 use topple::scene::text::{RunText, SceneText};
 use topple::scene::{Scene, SceneError};
-use topple::sweep::backend::{Backend, Choice, Precision};
+use topple::store::part::Part;
+use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::choice::Choice;
 use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
 
 use super::InputError;
@@ -22,6 +25,9 @@ pub struct RunOptions {
     /// What to compute on; auto takes a real GPU, else the CPU
     #[arg(long, default_value = "auto")]
     pub backend: Choice,
+    /// GPUs to compute on, by their numbers in topple adapters [default: all that are like the best]
+    #[arg(long, value_name = "N,...", value_delimiter = ',')]
+    pub adapter: Vec<usize>,
     /// Number type of the sweep
     #[arg(long, default_value = "f32")]
     pub precision: Precision,
@@ -51,6 +57,9 @@ pub struct MapOptions {
     /// Least time between two writings of what is done, which --resume goes on from, s
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
+    /// Run the k-th of n parts only, and leave it in the directory for topple merge
+    #[arg(long, value_name = "K/N")]
+    pub tile: Option<Part>,
     /// Say what the run would take, and run nothing but a sample
     #[arg(long)]
     pub dry_run: bool,
@@ -66,9 +75,21 @@ impl RunOptions {
         Ok(if self.full_model { plan.full_model() } else { plan })
     }
 
-    /// Opens the backend.
-    pub fn open_backend(&self) -> anyhow::Result<Backend> {
-        Ok(Backend::choose(self.backend, self.precision)?)
+    /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.
+    ///
+    /// # Errors
+    /// Those of [`Choice::open`].
+    pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
+        if !self.adapter.is_empty() && matches!(self.backend, Choice::Cpu | Choice::Reference) {
+            let problem = "--adapter: the CPU has none; give --backend gpu, or leave it out";
+            return Err(InputError(problem.into()).into());
+        }
+        self.backend.open(self.precision, &self.adapter).map_err(|error| match error {
+            GpuError::NoSuchAdapter(_) | GpuError::Unlike(..) => {
+                InputError(format!("--adapter: {error}")).into()
+            }
+            error => error.into(),
+        })
     }
 }
 

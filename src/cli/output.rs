@@ -1,23 +1,37 @@
 //! The files of a map.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use topple::map::figure::FigureError;
 use topple::map::figure::{document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::Manifest;
+use topple::map::outcomes::Outcomes;
 use topple::map::{self, Map};
-use topple::scene::Excitation;
+use topple::scene::{Excitation, Grid};
+
+use super::InputError;
 
 /// Pixels of a PNG for each of its SVG's units.
 pub const PNG_SCALE: f32 = 2.0;
 
-/// Writes the files of a map; the path of its picture.
-pub fn write(out: &Directory, map: &Map, manifest: &Manifest) -> anyhow::Result<PathBuf> {
+/// Opens the directory for the results.
+pub fn open(out: &Path) -> Result<Directory, InputError> {
+    Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
+}
+
+/// Writes the files of a map, of which `map` is what is drawn; the path of its picture.
+pub fn write(
+    out: &Directory,
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    map: &Map,
+    manifest: &Manifest,
+) -> anyhow::Result<PathBuf> {
     let figures = figures(map)?;
-    out.write("map.csv", |w| map::csv::write(map, w))?;
-    out.write("map.npz", |w| map::npz::write(map, w))?;
+    out.write("map.csv", |w| map::csv::write(grid, outcomes, w))?;
+    out.write("map.npz", |w| map::npz::write(grid, outcomes, w))?;
     if matches!(map.scene.excitation, Excitation::Record(_)) {
         out.write("boundaries.csv", |w| map::boundaries::write(map, w))?;
     }

@@ -4,7 +4,7 @@ use topple::scene::excitation::PulseText;
 use topple::scene::text::SceneText;
 
 use super::options::{CommonFlags, MapOptions, flag_error};
-use super::report;
+use super::run;
 
 /// Map the outcomes of one-sine pulses over (omega, a_h).
 #[derive(clap::Args)]
@@ -22,6 +22,6 @@ impl PulseCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let text = SceneText { pulse: Some(self.pulse.clone()), ..self.common.text(None) };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        report::run_map(&scene, &self.options)
+        run::run_map(&scene, &self.options)
     }
 }

@@ -13,7 +13,7 @@ use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
 
 use super::options::flag_error;
-use super::{InputError, report};
+use super::{InputError, words};
 
 /// Points of an axis of the map that topple is timed on, beside the peers' cells.
 const SIDE: u32 = 400;
@@ -41,7 +41,7 @@ pub fn print(files: &[PathBuf]) -> anyhow::Result<()> {
     let wrong =
         truth.iter().zip(&outcomes).filter(|(truth, ours)| truth.outcome.class != ours.class);
     let wrong = wrong.count();
-    let threads = report::threads();
+    let threads = words::threads();
     println!("\n{}\n", small.title);
     println!("| program | setting | threads | cells/s | wrong of {count} | topple's map is |");
     println!("|---|---|--:|--:|--:|--:|");

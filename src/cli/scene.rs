@@ -7,7 +7,7 @@ use topple::scene::text::SceneText;
 
 use super::InputError;
 use super::options::MapOptions;
-use super::report;
+use super::run;
 
 const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
 
@@ -40,7 +40,7 @@ impl RunCommand {
         let scene = SceneText::from_toml(&text).map_err(refused)?;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
-        report::run_map(&scene, &self.options)
+        run::run_map(&scene, &self.options)
     }
 }
 
@@ -49,7 +49,7 @@ pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     // The scene is part of the binary; a test reads it.
     let text = SceneText::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
-    report::run_map(&scene, options)
+    run::run_map(&scene, options)
 }
 
 /// Reads a scene's file.

@@ -7,7 +7,8 @@ use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 
 use super::options::{CommonFlags, MapOptions, flag_error};
-use super::report;
+use super::output;
+use super::run;
 
 /// Map the response to a ground-motion record over (T_h, T_v).
 #[derive(clap::Args)]
@@ -30,15 +31,15 @@ impl SeismicCommand {
             let scene = text
                 .check_under(Excitation::Record(synthetic::pair()))
                 .map_err(|e| flag_error(&e))?;
-            return report::run_map(&scene, &self.options);
+            return run::run_map(&scene, &self.options);
         }
         if record.horizontal.is_none() && record.vertical.is_none() {
-            let out = report::open(&self.options.run.out)?;
+            let out = output::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }
         let text = SceneText { record: Some(record), ..self.common.text(None) };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        report::run_map(&scene, &self.options)
+        run::run_map(&scene, &self.options)
     }
 }
 

@@ -1,15 +1,61 @@
 //! What is said about a run.
 
+use std::fmt::Display;
+
 use topple::integrate::outcome::Class;
-use topple::map::Map;
-use topple::sweep::backend::Backend;
+use topple::map::figure::frame;
+use topple::map::outcomes::Tally;
+use topple::scene::{Excitation, Grid, Scene};
+use topple::store::parts::Report;
+use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::plan::{Plan, Reductions};
 use topple::sweep::verification::Verification;
 
-use super::report::threads;
+/// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
+pub struct Say(bool);
+
+impl Say {
+    /// Says nothing where it is to be quiet.
+    pub fn unless(quiet: bool) -> Say {
+        Say(!quiet)
+    }
+
+    /// Says a line.
+    pub fn line(&self, name: &str, text: impl Display) {
+        if self.0 {
+            println!("{name:<10} {text}");
+        }
+    }
+}
+
+/// Threads that a sweep on the CPU takes.
+pub fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// A scene and its cells.
+pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
+    let (columns, rows) = grid.shape();
+    say.line("scene", format!("{}, {columns} x {rows} cells", scene.title));
+    say.line("", frame::caption(scene));
+    if let Excitation::Record(pair) = &scene.excitation {
+        say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
+        for note in &pair.notes {
+            say.line("", note);
+        }
+    }
+}
+
+/// What is about to be run, and on what.
+pub fn head(say: &Say, plan: &Plan, grid: &Grid, backends: &[Backend], precision: Precision) {
+    scene(say, &plan.scene, grid);
+    let several = if backends.len() > 1 { format!("{} x ", backends.len()) } else { String::new() };
+    say.line("backend", format!("{several}{}", backend(&backends[0], precision.name())));
+    say.line("model", model(plan));
+}
 
 /// The backend, in a few words.
-pub fn backend(backend: &Backend, precision: &str) -> String {
+fn backend(backend: &Backend, precision: &str) -> String {
     match backend {
         Backend::Gpu(gpu) => {
             let adapter = &gpu.description;
@@ -24,7 +70,7 @@ pub fn backend(backend: &Backend, precision: &str) -> String {
 }
 
 /// The coordinates that are integrated, and what is left out.
-pub fn model(plan: &Plan) -> String {
+fn model(plan: &Plan) -> String {
     let variant = plan.variant();
     let mut state = Vec::new();
     if variant.isolated_h {
@@ -49,26 +95,36 @@ pub fn model(plan: &Plan) -> String {
 }
 
 /// The share of each outcome.
-pub fn shares(map: &Map) -> String {
-    let total = map.outcomes.len() as f64;
+pub fn shares(tally: &Tally, friction: Option<f64>) -> String {
+    let percent = |count: usize| 100.0 * count as f64 / tally.cells as f64;
     let mut parts = Vec::new();
     for class in Class::ALL {
-        let count = map.count(class);
+        let count = tally.count(class);
         if count > 0 {
-            let percent = 100.0 * count as f64 / total;
-            parts.push(format!("{} {percent:.1} %", class.name().replace('_', " ")));
+            parts.push(format!("{} {:.1} %", class.name().replace('_', " "), percent(count)));
         }
     }
-    let tensile = map.tensile();
-    if tensile > 0 {
-        let percent = 100.0 * tensile as f64 / total;
-        parts.push(format!("contact force tensile in {percent:.1} %"));
+    if tally.tensile > 0 {
+        parts.push(format!("contact force tensile in {:.1} %", percent(tally.tensile)));
     }
-    if let (Some(sliding), Some(mu)) = (map.sliding(), map.scene.friction) {
-        let percent = 100.0 * sliding as f64 / total;
-        parts.push(format!("friction above {mu} asked for in {percent:.1} %"));
+    if let (Some(sliding), Some(mu)) = (tally.sliding, friction) {
+        parts.push(format!("friction above {mu} asked for in {:.1} %", percent(sliding)));
     }
     parts.join(", ")
+}
+
+/// Cells that took so many seconds.
+pub fn speed(cells: usize, seconds: f64) -> String {
+    format!("{seconds:.2} s, {:.0} cells/s", cells as f64 / seconds.max(1.0e-9))
+}
+
+/// What a part is, in a line.
+pub fn part(report: &Report) -> String {
+    let on = match &report.adapter {
+        Some(adapter) => format!("{}, {}", report.backend, adapter.name),
+        None => report.backend.clone(),
+    };
+    format!("{} cells from number {} on, {on}", report.cells, report.first)
 }
 
 /// How the reference's sample came out.

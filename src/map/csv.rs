@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-use super::Map;
+use super::outcomes::{Column, Outcomes, each_block};
+use crate::integrate::outcome::Outcome;
+use crate::scene::Grid;
 
 /// Columns after the two of the axes.
 pub const COLUMNS: [&str; 13] = [
@@ -38,38 +40,39 @@ impl Serialize for Number {
 }
 
 /// Rows that a thread makes at once.
-const BLOCK: usize = 1 << 12;
-/// Blocks that are made before they are written.
-const BLOCKS: usize = 16;
+const ROWS: usize = 1 << 12;
 
 /// Writes the table, its rows made on all cores.
 ///
 /// # Errors
-/// Those of the writer.
-pub fn write(map: &Map, mut writer: impl Write) -> Result<(), csv::Error> {
+/// Those of the writer, and of reading the outcomes.
+pub fn write(
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    mut writer: impl Write,
+) -> Result<(), csv::Error> {
     let mut head = csv::Writer::from_writer(&mut writer);
-    head.write_record([map.grid.x.key, map.grid.y.key].iter().chain(&COLUMNS))?;
+    head.write_record([grid.x.key, grid.y.key].iter().chain(&COLUMNS))?;
     head.flush()?;
     drop(head);
-    let starts: Vec<usize> = (0..map.outcomes.len()).step_by(BLOCK).collect();
-    for some in starts.chunks(BLOCKS) {
-        let blocks: Vec<Vec<u8>> =
-            some.par_iter().map(|&start| rows(map, start)).collect::<Result<_, _>>()?;
-        for block in blocks {
-            writer.write_all(&block)?;
-        }
-    }
+    each_block(grid, outcomes, &Column::ALL, |first, block| {
+        let made: Vec<Vec<u8>> = block
+            .par_chunks(ROWS)
+            .enumerate()
+            .map(|(k, cells)| rows(grid, first + k * ROWS, cells))
+            .collect::<Result<_, _>>()?;
+        made.iter().try_for_each(|rows| writer.write_all(rows))
+    })?;
     writer.flush()?;
     Ok(())
 }
 
-/// The rows of a block of cells.
-fn rows(map: &Map, start: usize) -> Result<Vec<u8>, csv::Error> {
+/// The rows of some cells.
+fn rows(grid: &Grid, first: usize, cells: &[Outcome]) -> Result<Vec<u8>, csv::Error> {
     let mut table =
-        csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(BLOCK << 7));
-    let end = (start + BLOCK).min(map.outcomes.len());
-    for (index, cell) in (start..end).zip(&map.outcomes[start..end]) {
-        let (x, y) = map.grid.coordinates(index);
+        csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
+    for (index, cell) in (first..).zip(cells) {
+        let (x, y) = grid.coordinates(index);
         table.serialize((
             Number(x),
             Number(y),

@@ -1,12 +1,13 @@
 //! run.json: what was run, on what, and how well it agrees with the reference.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use serde::Serialize;
 
-use super::Map;
-use crate::integrate::outcome::{Class, Status};
+use super::outcomes::Tally;
 use crate::scene::Scene;
+use crate::store::parts::Report;
 use crate::sweep::backend::Precision;
 use crate::sweep::gpu::adapter::Description;
 use crate::sweep::plan::{Plan, Reductions};
@@ -23,9 +24,9 @@ pub struct Manifest<'a> {
     pub cells: usize,
     /// Cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
-    /// gpu, cpu or reference.
-    pub backend: &'static str,
-    /// The adapter, for a GPU.
+    /// gpu, cpu or reference; of parts that differ all of them, as in cpu+gpu.
+    pub backend: String,
+    /// The adapter, for a GPU, if all parts have run on the same.
     pub adapter: Option<&'a Description>,
     /// Threads of the CPU.
     pub threads: usize,
@@ -50,6 +51,20 @@ pub struct Manifest<'a> {
     pub model: Reduced,
     /// The sample that the reference ran again.
     pub verification: &'a Verification,
+    /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
+    pub drawn: (usize, usize),
+    /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
+    pub parts: Vec<Origin<'a>>,
+}
+
+/// A run of cells and what ran them.
+#[derive(Debug, Serialize)]
+pub struct Origin<'a> {
+    /// The part's folder; none for what this run ran.
+    pub folder: Option<&'a Path>,
+    /// The cells, and what ran them.
+    #[serde(flatten)]
+    pub report: &'a Report,
 }
 
 /// Steps of a sweep, s.
@@ -78,7 +93,7 @@ pub struct Reduced {
 
 impl Reduced {
     /// The model of a plan, and how far its map had to be simulated.
-    pub fn of(plan: &Plan, map: &Map) -> Reduced {
+    pub fn of(plan: &Plan, tally: &Tally) -> Reduced {
         let variant = plan.variant();
         let state = [
             (variant.isolated_h, "u"),
@@ -86,17 +101,11 @@ impl Reduced {
             (variant.yields, "z"),
             (true, "phi"),
         ];
-        let stand: Vec<f64> = map
-            .outcomes
-            .iter()
-            .filter(|cell| !cell.class.overturned() && cell.class != Class::Unresolved)
-            .map(|cell| cell.t_simulated)
-            .collect();
         Reduced {
             state: state.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect(),
             reductions: plan.reductions,
-            proved_cells: map.outcomes.iter().filter(|cell| cell.status == Status::Proved).count(),
-            mean_time: stand.iter().sum::<f64>() / stand.len().max(1) as f64,
+            proved_cells: tally.proved,
+            mean_time: tally.mean_time,
         }
     }
 }
@@ -110,9 +119,4 @@ pub struct Timings {
     pub sweep: f64,
     /// The reference's sample.
     pub verification: f64,
-}
-
-/// Cells of each class, by name.
-pub fn outcomes(map: &Map) -> BTreeMap<&'static str, usize> {
-    Class::ALL.into_iter().map(|class| (class.name(), map.count(class))).collect()
 }

@@ -1,14 +1,16 @@
 //! map.npz: the columns of map.csv as arrays of shape (y, x), with the axes.
 
-use std::io::{Seek, Write};
+use std::io::{self, BufWriter, Seek, Write};
 
-use ndarray::{Array1, Array2};
-use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
+use npyz::{AutoSerialize, WriterBuilder};
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
 
-use super::Map;
+use super::outcomes::{Column, Outcomes, each_block};
 use crate::integrate::outcome::{Class, Outcome, Status};
+use crate::scene::Grid;
 
-/// Code of a class in the array `outcome`; the array `outcome_names` spells them out.
+/// Code of a class in the array `outcome`.
 pub fn class_code(class: Class) -> u8 {
     match class {
         Class::FullContact => 0,
@@ -31,43 +33,83 @@ pub fn status_code(status: Status) -> u8 {
     }
 }
 
-/// Writes the archive. `outcome` is 0 full contact, 1 rocking, 2 overturned left, 3 overturned
-/// right, 4 unresolved; `status` is 0 ok, 1 event limit, 2 diverged, 3 step limit,
-/// 4 ok with the vertical direction locked, 5 undecided; `t_uplift` is not a number where there is
-/// no uplift.
+/// Writes the archive, column by column, never a whole one in memory. `outcome` is 0 full contact,
+/// 1 rocking, 2 overturned left, 3 overturned right, 4 unresolved; `status` is 0 ok, 1 event limit,
+/// 2 diverged, 3 step limit, 4 ok with the vertical direction locked, 5 undecided; `t_uplift` is not
+/// a number where there is no uplift.
 ///
 /// # Errors
-/// Those of the writer.
-pub fn write(map: &Map, writer: impl Write + Seek) -> Result<(), WriteNpzError> {
-    let mut archive = NpzWriter::new(writer);
-    for axis in [&map.grid.x, &map.grid.y] {
-        archive.add_array(axis.key, &Array1::from_iter(axis.range.values()))?;
+/// Those of the writer, and of reading the outcomes.
+pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) -> io::Result<()> {
+    let mut archive = Archive { zip: ZipWriter::new(writer), grid, outcomes };
+    for axis in [&grid.x, &grid.y] {
+        let values = |push: &mut Push<f64>| axis.range.values().try_for_each(push);
+        archive.array(axis.key, &[u64::from(axis.range.count)], values)?;
     }
-    add(map, &mut archive, "outcome", |cell| class_code(cell.class))?;
-    add(map, &mut archive, "impacts", |cell| cell.impacts)?;
-    add(map, &mut archive, "uplifts", |cell| cell.uplifts)?;
-    add(map, &mut archive, "t_end", |cell| cell.t_end)?;
-    add(map, &mut archive, "t_uplift", |cell| cell.t_uplift.unwrap_or(f64::NAN))?;
-    add(map, &mut archive, "zeta", |cell| cell.zeta)?;
-    add(map, &mut archive, "max_phi_left", |cell| cell.max_phi_left)?;
-    add(map, &mut archive, "max_phi_right", |cell| cell.max_phi_right)?;
-    add(map, &mut archive, "max_u", |cell| cell.max_u)?;
-    add(map, &mut archive, "max_v", |cell| cell.max_v)?;
-    add(map, &mut archive, "min_contact", |cell| cell.min_contact)?;
-    add(map, &mut archive, "friction", |cell| cell.friction)?;
-    add(map, &mut archive, "status", |cell| status_code(cell.status))?;
-    archive.finish()?;
+    archive.column("outcome", Column::Outcome, |cell| class_code(cell.class))?;
+    archive.column("impacts", Column::Impacts, |cell| cell.impacts)?;
+    archive.column("uplifts", Column::Uplifts, |cell| cell.uplifts)?;
+    archive.column("t_end", Column::TEnd, |cell| cell.t_end)?;
+    archive.column("t_uplift", Column::TUplift, |cell| cell.t_uplift.unwrap_or(f64::NAN))?;
+    archive.column("zeta", Column::Zeta, |cell| cell.zeta)?;
+    archive.column("max_phi_left", Column::MaxPhiLeft, |cell| cell.max_phi_left)?;
+    archive.column("max_phi_right", Column::MaxPhiRight, |cell| cell.max_phi_right)?;
+    archive.column("max_u", Column::MaxU, |cell| cell.max_u)?;
+    archive.column("max_v", Column::MaxV, |cell| cell.max_v)?;
+    archive.column("min_contact", Column::MinContact, |cell| cell.min_contact)?;
+    archive.column("friction", Column::Friction, |cell| cell.friction)?;
+    archive.column("status", Column::Status, |cell| status_code(cell.status))?;
+    archive.zip.finish()?;
     Ok(())
 }
 
-fn add<T: WritableElement + Copy, W: Write + Seek>(
-    map: &Map,
-    archive: &mut NpzWriter<W>,
-    name: &str,
-    value: impl Fn(&Outcome) -> T,
-) -> Result<(), WriteNpzError> {
-    let (columns, rows) = map.grid.shape();
-    let array =
-        Array2::from_shape_fn((rows, columns), |(j, i)| value(&map.outcomes[j * columns + i]));
-    archive.add_array(name, &array)
+/// Takes the next value of an array.
+type Push<'a, T> = dyn FnMut(T) -> io::Result<()> + 'a;
+
+/// An archive while it is written.
+struct Archive<'a, W: Write + Seek> {
+    zip: ZipWriter<W>,
+    grid: &'a Grid,
+    outcomes: &'a dyn Outcomes,
+}
+
+impl<W: Write + Seek> Archive<'_, W> {
+    /// Adds an array of a shape, the last index fastest.
+    fn array<T: AutoSerialize>(
+        &mut self,
+        name: &str,
+        shape: &[u64],
+        values: impl FnOnce(&mut Push<T>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
+        // Beyond 4 GiB with its head the archive needs longer numbers.
+        let large = bytes >= u64::from(u32::MAX) - (1 << 10);
+        let options = SimpleFileOptions::default()
+            .compression_method(zip::CompressionMethod::Stored)
+            .large_file(large);
+        self.zip.start_file(format!("{name}.npy"), options)?;
+        let mut array = npyz::WriteOptions::new()
+            .default_dtype()
+            .shape(shape)
+            .writer(BufWriter::with_capacity(1 << 16, &mut self.zip))
+            .begin_nd()?;
+        values(&mut |value| array.push(&value))?;
+        array.finish()
+    }
+
+    /// Adds a column as an array of shape (y, x).
+    fn column<T: AutoSerialize>(
+        &mut self,
+        name: &str,
+        column: Column,
+        value: impl Fn(&Outcome) -> T,
+    ) -> io::Result<()> {
+        let (grid, outcomes) = (self.grid, self.outcomes);
+        let (columns, rows) = grid.shape();
+        self.array(name, &[rows as u64, columns as u64], |push| {
+            each_block(grid, outcomes, &[column], |_, block| {
+                block.iter().try_for_each(|cell| push(value(cell)))
+            })
+        })
+    }
 }

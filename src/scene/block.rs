@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{SceneError, positive};
 
 /// A rigid block, Fig. 1(a) of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Block {
     /// B, half the base, m.
     pub half_width: f64,

@@ -10,7 +10,7 @@ use super::record::{Pair, Units};
 use super::{SceneError, positive};
 
 /// What shakes the base.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {
     /// A one-sine pulse in both directions, (22).
@@ -20,7 +20,7 @@ pub enum Excitation {
 }
 
 /// A one-sine pulse (22), swept over its frequency and its horizontal amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pulse {
     /// Omega, rad/s.
     pub omega: Range,

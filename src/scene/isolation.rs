@@ -6,7 +6,7 @@ use super::range::Range;
 use super::{SceneError, positive, within};
 
 /// The base: what isolates it in each direction, and the masses of its plates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Isolation {
     /// m_h, kg.
     pub plate_h: f64,
@@ -19,7 +19,7 @@ pub struct Isolation {
 }
 
 /// Hysteretic horizontal isolation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BoucWen {
     /// T_h of (19), s.
     pub t_h: Range,
@@ -34,7 +34,7 @@ pub struct BoucWen {
 }
 
 /// Viscoelastic vertical isolation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct KelvinVoigt {
     /// T_v of (20), s.
     pub t_v: Range,

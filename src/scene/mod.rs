@@ -13,7 +13,7 @@ pub mod text;
 
 use std::f64::consts::FRAC_PI_2;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use block::Block;
 pub use excitation::{Excitation, Pulse};
@@ -25,7 +25,7 @@ pub use range::Range;
 pub const GRAVITY: f64 = 9.81;
 
 /// When a block counts as overturned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, serde::Deserialize, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Overturn {
     /// |phi| reaches arctan((B +- e)/H), the paper's convention (section 2.6).
@@ -35,7 +35,7 @@ pub enum Overturn {
 }
 
 /// A checked scene. SI units everywhere.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// One line for figures and manifests.
     pub title: String,

@@ -1,8 +1,11 @@
 //! What a run is: two runs of one identity make the same map, byte for byte.
 
-use serde::Serialize;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::part::Part;
 use crate::scene::{Excitation, Scene};
 use crate::sweep::backend::{Backend, Precision};
 
@@ -10,25 +13,32 @@ use crate::sweep::backend::{Backend, Precision};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identity {
     text: String,
+    content: Content,
 }
 
 /// An identity as written.
-#[derive(Serialize)]
-struct Written<'a> {
-    version: &'static str,
-    scene: &'a Scene,
-    /// Checksum of the record's samples, which the scene only counts.
-    samples: Option<u32>,
-    backend: &'static str,
-    adapter: Option<&'a str>,
-    precision: Precision,
-    largest_step: f64,
-    resolve: bool,
-    full_model: bool,
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Content {
+    version: String,
+    scene: Scene,
+    /// The record's, which the scene only counts.
+    samples: Option<Samples>,
+    #[serde(flatten)]
+    manner: Manner,
+    backend: String,
+    adapter: Option<String>,
+    part: Option<Part>,
+}
+
+/// A record's accelerations, m/s^2.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Samples {
+    horizontal: Vec<f64>,
+    vertical: Vec<f64>,
 }
 
 /// How a scene is run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Manner {
     /// Number type.
     pub precision: Precision,
@@ -41,33 +51,72 @@ pub struct Manner {
 }
 
 impl Identity {
-    /// The identity of a scene run by a backend.
+    /// The identity of a scene, or of a part of it, run by a backend.
     ///
     /// # Errors
     /// The JSON writer's: none for the numbers that a checked scene has.
-    pub fn new(scene: &Scene, backend: &Backend, manner: &Manner) -> serde_json::Result<Identity> {
+    pub fn new(
+        scene: &Scene,
+        backend: &Backend,
+        manner: &Manner,
+        part: Option<Part>,
+    ) -> serde_json::Result<Identity> {
         let samples = match &scene.excitation {
             Excitation::Pulse(_) => None,
-            Excitation::Record(pair) => {
-                let mut sum = crc32fast::Hasher::new();
-                for sample in pair.horizontal.iter().chain(pair.vertical.iter()) {
-                    sum.update(&sample.to_le_bytes());
-                }
-                Some(sum.finalize())
-            }
+            Excitation::Record(pair) => Some(Samples {
+                horizontal: pair.horizontal.to_vec(),
+                vertical: pair.vertical.to_vec(),
+            }),
         };
-        let written = Written {
-            version: env!("CARGO_PKG_VERSION"),
-            scene,
+        let content = Content {
+            version: env!("CARGO_PKG_VERSION").into(),
+            scene: scene.clone(),
             samples,
-            backend: backend.name(),
-            adapter: backend.adapter().map(|adapter| adapter.name.as_str()),
-            precision: manner.precision,
-            largest_step: manner.largest_step,
-            resolve: manner.resolve,
-            full_model: manner.full_model,
+            backend: backend.name().into(),
+            adapter: backend.adapter().map(|adapter| adapter.name.clone()),
+            manner: *manner,
+            part,
         };
-        Ok(Identity { text: serde_json::to_string_pretty(&written)? })
+        Ok(Identity { text: serde_json::to_string_pretty(&content)?, content })
+    }
+
+    /// Reads an identity as another run wrote it.
+    ///
+    /// # Errors
+    /// Those of JSON: it is none, or another version's.
+    pub fn read(text: &str) -> serde_json::Result<Identity> {
+        let mut content: Content = serde_json::from_str(text)?;
+        if let (Excitation::Record(pair), Some(samples)) =
+            (&mut content.scene.excitation, &content.samples)
+        {
+            pair.horizontal = Arc::from(samples.horizontal.as_slice());
+            pair.vertical = Arc::from(samples.vertical.as_slice());
+        }
+        Ok(Identity { text: text.into(), content })
+    }
+
+    /// The identity of the map that its part is of.
+    ///
+    /// # Errors
+    /// As [`Identity::new`].
+    pub fn whole(&self) -> serde_json::Result<Identity> {
+        let content = Content { part: None, ..self.content.clone() };
+        Ok(Identity { text: serde_json::to_string_pretty(&content)?, content })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.content.scene
+    }
+
+    /// How it is run.
+    pub fn manner(&self) -> &Manner {
+        &self.content.manner
+    }
+
+    /// The part of the grid, unless it is all of it.
+    pub fn part(&self) -> Option<Part> {
+        self.content.part
     }
 
     /// The identity as text: JSON.
@@ -85,14 +134,23 @@ impl Identity {
         if other == self.text {
             return None;
         }
-        let parse = |text: &str| serde_json::from_str::<Value>(text).unwrap_or(Value::Null);
-        let (there, here) = (parse(other), parse(&self.text));
-        Some(differ("", &there, &here).unwrap_or_else(|| "its identity cannot be read".into()))
+        let differs = differ("", &parse(other), &parse(&self.text), &[]);
+        Some(differs.unwrap_or_else(|| "its identity cannot be read".into()))
+    }
+
+    /// The first thing that keeps another identity's part, given as text, out of the map of this
+    /// one's: any but what ran it, and which part it is.
+    pub fn apart(&self, other: &str) -> Option<String> {
+        differ("", &parse(other), &parse(&self.text), &["backend", "adapter", "part"])
     }
 }
 
-/// Where two values first differ.
-fn differ(place: &str, there: &Value, here: &Value) -> Option<String> {
+fn parse(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or(Value::Null)
+}
+
+/// Where two values first differ, but for keys that are `free` to.
+fn differ(place: &str, there: &Value, here: &Value, free: &[&str]) -> Option<String> {
     if let (Value::Object(a), Value::Object(b)) = (there, here) {
         let keys = b.keys().chain(a.keys().filter(|key| !b.contains_key(*key)));
         let of =
@@ -100,8 +158,12 @@ fn differ(place: &str, there: &Value, here: &Value) -> Option<String> {
         let deeper =
             |key: &String| if place.is_empty() { key.clone() } else { format!("{place}.{key}") };
         return keys
-            .into_iter()
-            .find_map(|key| differ(&deeper(key), &of(a, key.as_str()), &of(b, key.as_str())));
+            .filter(|key| !free.contains(&key.as_str()))
+            .find_map(|key| differ(&deeper(key), &of(a, key.as_str()), &of(b, key.as_str()), &[]));
     }
-    (there != here).then(|| format!("{place} is {there} there and {here} here"))
+    let differs = there != here;
+    if there.is_array() || here.is_array() {
+        return differs.then(|| format!("{place} are others there"));
+    }
+    differs.then(|| format!("{place} is {there} there and {here} here"))
 }

@@ -1,25 +1,32 @@
 //! A sweep on disk while it runs: what is done is kept, so that an interrupted run goes on from there.
 //!
-//! `DIR/unfinished` holds the run's [`Identity`], a lock, and tiles: runs of cells, each a file of its
-//! own that appears whole or not at all. When the map is written the folder goes.
+//! A folder in the run's directory holds the run's [`Identity`], a lock, and tiles: runs of cells, each
+//! a file of its own that appears whole or not at all. A whole map's is `unfinished`, and goes when the
+//! map is written. A part's is `part-3-of-16`, and stays: a report is added when the part is done.
 
 pub mod identity;
+pub mod keeper;
+pub mod part;
+pub mod parts;
+pub mod shelf;
 pub mod tile;
 
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
-use std::ops::Range;
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use crate::integrate::outcome::Outcome;
 use crate::map::files::{Directory, WriteError};
 use identity::Identity;
+use parts::Report;
 use tile::Tile;
 
-/// Name of the folder in a run's directory.
+/// Name of a whole map's folder in a run's directory.
 const FOLDER: &str = "unfinished";
 /// Name of the identity's file.
 const IDENTITY: &str = "identity.json";
+/// Name of a finished part's report.
+const REPORT: &str = "report.json";
 /// Name of the file that a running sweep holds locked.
 const LOCK: &str = "lock";
 
@@ -50,9 +57,18 @@ pub enum StoreError {
         /// What the system says.
         reason: io::Error,
     },
+    /// Cells that no tile holds, or two: a mistake in topple.
+    #[error("the tiles of the run do not hold every cell once")]
+    Incomplete,
     /// A file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
+}
+
+impl StoreError {
+    fn file(path: &Path) -> impl Fn(io::Error) -> StoreError + '_ {
+        |reason| StoreError::File { path: path.to_path_buf(), reason }
+    }
 }
 
 /// What an earlier run left.
@@ -61,7 +77,7 @@ pub struct Found {
     /// Its whole tiles.
     pub tiles: Vec<Tile>,
     /// Files that are no whole tiles, and are run again: each with what is wrong.
-    pub broken: Vec<String>,
+    pub broken: Vec<(PathBuf, &'static str)>,
 }
 
 /// A sweep's folder, locked for as long as it lives.
@@ -84,71 +100,58 @@ impl Store {
         identity: Identity,
         resume: bool,
     ) -> Result<(Store, Found), StoreError> {
-        let path = out.join(FOLDER);
+        let (path, place) = match identity.part() {
+            None => (out.join(FOLDER), out.to_path_buf()),
+            Some(part) => (out.join(part.folder()), out.join(part.folder())),
+        };
         let folder = Directory::open(&path)?;
-        let lock_path = path.join(LOCK);
-        let failed = |path: &Path, reason| StoreError::File { path: path.to_path_buf(), reason };
-        let lock = File::create(&lock_path).map_err(|e| failed(&lock_path, e))?;
-        match lock.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(StoreError::InUse(out.to_path_buf())),
-            Err(TryLockError::Error(reason)) => return Err(failed(&lock_path, reason)),
-        }
-        // Nobody else is writing here: the lock is held.
-        Directory::open(out)?.remove_leftovers()?;
+        let lock = lock(&path, &place)?;
+        // Nobody else is writing there: the lock is held.
+        Directory::open(&place)?.remove_leftovers()?;
+        folder.remove_leftovers()?;
         let store = Store { folder, path, lock, identity };
         let before = store.path.join(IDENTITY);
-        let mut found = Found::default();
-        if before.exists() {
-            if !resume {
-                return Err(StoreError::Unfinished(out.to_path_buf()));
-            }
-            let text = fs::read_to_string(&before).map_err(|e| failed(&before, e))?;
-            if let Some(difference) = store.identity.difference(&text) {
-                let place = out.to_path_buf();
-                return Err(StoreError::Other { place, difference });
-            }
-            found = store.read()?;
+        if !before.exists() {
+            return Ok((store, Found::default()));
+        }
+        if !resume {
+            return Err(StoreError::Unfinished(place));
+        }
+        let text = fs::read_to_string(&before).map_err(StoreError::file(&before))?;
+        if let Some(difference) = store.identity.difference(&text) {
+            return Err(StoreError::Other { place, difference });
+        }
+        let found = Found::in_folder(&store.path, store.identity.tag())?;
+        for (path, _) in &found.broken {
+            fs::remove_file(path).map_err(StoreError::file(path))?;
         }
         Ok((store, found))
-    }
-
-    /// Reads the tiles that are there; removes what is none.
-    fn read(&self) -> Result<Found, StoreError> {
-        let failed = |path: &Path, reason| StoreError::File { path: path.to_path_buf(), reason };
-        let mut paths = Vec::new();
-        for entry in fs::read_dir(&self.path).map_err(|e| failed(&self.path, e))? {
-            let path = entry.map_err(|e| failed(&self.path, e))?.path();
-            if path.extension().is_some_and(|extension| extension == tile::EXTENSION) {
-                paths.push(path);
-            }
-        }
-        paths.sort();
-        let mut found = Found::default();
-        for path in paths {
-            let bytes = fs::read(&path).map_err(|e| failed(&path, e))?;
-            match Tile::from_bytes(&bytes, self.identity.tag()) {
-                Ok(tile) => found.tiles.push(tile),
-                Err(reason) => {
-                    fs::remove_file(&path).map_err(|e| failed(&path, e))?;
-                    found.broken.push(format!("{}: {reason}", path.display()));
-                }
-            }
-        }
-        Ok(found)
     }
 
     /// Keeps the outcomes of cells from `first` on: they are on disk, whole, when this returns.
     ///
     /// # Errors
     /// [`StoreError::Write`], with nothing left behind.
-    pub fn keep(&self, first: usize, outcomes: &[Outcome]) -> Result<(), StoreError> {
+    pub fn keep(&self, first: usize, outcomes: &[Outcome]) -> Result<Tile, StoreError> {
         if !self.path.join(IDENTITY).exists() {
             self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
         }
         let bytes = tile::to_bytes(first, outcomes, self.identity.tag());
-        self.folder.write(&tile::name(first), |w| w.write_all(&bytes))?;
-        Ok(())
+        let path = self.folder.write(&tile::name(first), |w| w.write_all(&bytes))?;
+        Ok(Tile { path, cells: first..first + outcomes.len() })
+    }
+
+    /// Says that all of a part is there, and how it was run; of a part that was finished before, the
+    /// report is left as it was. The part's folder.
+    ///
+    /// # Errors
+    /// [`StoreError::Write`], with nothing left behind.
+    pub fn finish(self, report: &Report) -> Result<PathBuf, StoreError> {
+        if report.resumed_cells == report.cells && self.path.join(REPORT).exists() {
+            return Ok(self.path);
+        }
+        self.folder.write(REPORT, |w| serde_json::to_writer_pretty(w, report))?;
+        Ok(self.path)
     }
 
     /// Removes the folder: its run is finished, or left nothing to go on with.
@@ -159,7 +162,7 @@ impl Store {
         let Store { path, lock, .. } = self;
         // An open file cannot be removed everywhere.
         drop(lock);
-        fs::remove_dir_all(&path).map_err(|reason| StoreError::File { path, reason })
+        fs::remove_dir_all(&path).map_err(StoreError::file(&path))
     }
 
     /// Removes the folder if nothing was kept in it.
@@ -171,20 +174,37 @@ impl Store {
     }
 }
 
-/// The runs of cells from 0 to `count` that no tile holds.
-pub fn missing(tiles: &[Tile], count: usize) -> Vec<Range<usize>> {
-    let mut held: Vec<Range<usize>> = tiles.iter().map(Tile::cells).collect();
-    held.sort_by_key(|cells| cells.start);
-    let mut missing = Vec::new();
-    let mut from = 0;
-    for cells in held {
-        if cells.start > from {
-            missing.push(from..cells.start);
+impl Found {
+    /// The tiles of an identity's tag in a folder.
+    fn in_folder(folder: &Path, tag: u32) -> Result<Found, StoreError> {
+        let mut paths = Vec::new();
+        for entry in fs::read_dir(folder).map_err(StoreError::file(folder))? {
+            let path = entry.map_err(StoreError::file(folder))?.path();
+            if path.extension().is_some_and(|extension| extension == tile::EXTENSION) {
+                paths.push(path);
+            }
         }
-        from = from.max(cells.end);
+        paths.sort();
+        let mut found = Found::default();
+        for path in paths {
+            match tile::find(&path, tag).map_err(StoreError::file(&path))? {
+                Ok(tile) => found.tiles.push(tile),
+                Err(reason) => found.broken.push((path, reason)),
+            }
+        }
+        Ok(found)
     }
-    if from < count {
-        missing.push(from..count);
+}
+
+/// Locks a folder; `place` is what the user knows it by.
+fn lock(folder: &Path, place: &Path) -> Result<File, StoreError> {
+    let path = folder.join(LOCK);
+    let lock = File::create(&path).map_err(StoreError::file(&path))?;
+    match lock.try_lock() {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err(StoreError::InUse(place.to_path_buf())),
+        // A file system that knows no locks, as some of clusters do, is used without.
+        Err(TryLockError::Error(reason)) if reason.kind() == ErrorKind::Unsupported => Ok(lock),
+        Err(TryLockError::Error(reason)) => Err(StoreError::file(&path)(reason)),
     }
-    missing
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cpu;
 use super::gpu::GpuError;
-use super::gpu::adapter::{self, Description};
+use super::gpu::adapter::Description;
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
 use super::plan::{Part, Plan};
@@ -36,20 +36,6 @@ impl Precision {
     }
 }
 
-/// The backend that a user asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "lowercase")]
-pub enum Choice {
-    /// A real GPU, else the CPU.
-    Auto,
-    /// A GPU, a software adapter if there is no other.
-    Gpu,
-    /// The CPU.
-    Cpu,
-    /// The adaptive reference, on the CPU, in f64.
-    Reference,
-}
-
 /// A backend ready to run.
 pub enum Backend {
     /// The shader on a device.
@@ -73,24 +59,12 @@ pub struct Swept {
 }
 
 impl Backend {
-    /// The backend for a choice.
-    ///
-    /// # Errors
-    /// A [`GpuError`] where a GPU was asked for and there is none, or not for this precision.
-    pub fn choose(choice: Choice, precision: Precision) -> Result<Backend, GpuError> {
-        match choice {
-            Choice::Cpu => Ok(Backend::Cpu),
-            Choice::Reference => Ok(Backend::Reference),
-            Choice::Gpu => {
-                let adapter = adapter::choose(precision)?;
-                Ok(Backend::Gpu(Box::new(Gpu::open(&adapter)?)))
-            }
-            Choice::Auto => match adapter::choose(precision) {
-                Ok(adapter) if !adapter::is_software(&adapter) => {
-                    Ok(Backend::Gpu(Box::new(Gpu::open(&adapter)?)))
-                }
-                _ => Ok(Backend::Cpu),
-            },
+    /// Cells of a tile: some seconds' work.
+    pub fn tile(&self) -> usize {
+        match self {
+            Backend::Gpu(_) => 1 << 20,
+            Backend::Cpu => 1 << 17,
+            Backend::Reference => 1 << 9,
         }
     }
 

@@ -2,6 +2,7 @@
 
 pub mod backend;
 pub mod cells;
+pub mod choice;
 pub mod clock;
 pub mod coefficients;
 pub mod cpu;

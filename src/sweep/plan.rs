@@ -10,7 +10,7 @@ use super::clock::Resolution;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
-use crate::scene::{Excitation, Grid, Scene, SceneError, positive};
+use crate::scene::{Excitation, Grid, Point, Scene, SceneError, positive};
 
 /// A vertical isolation whose period is below this share of a record's time step is rigid for that
 /// record, which holds nothing faster than two steps.
@@ -129,12 +129,16 @@ impl Plan {
         }
     }
 
+    /// True for a cell whose vertical isolation is rigid for the record, and is locked.
+    pub fn locks_vertical(&self, point: &Point) -> bool {
+        self.rigid_period().is_some_and(|rigid| point.t_v < rigid)
+    }
+
     /// The plan of some of a grid's cells in parts that each run one model: cells as they are, and those whose vertical
     /// isolation is rigid for the record, with that direction locked.
     pub fn parts(&self, grid: &Grid, cells: Range<usize>) -> Vec<Part> {
-        let rigid = self.rigid_period().unwrap_or(0.0);
         let (stiff, cells): (Vec<usize>, Vec<usize>) =
-            cells.partition(|&index| grid.point(index).t_v < rigid);
+            cells.partition(|&index| self.locks_vertical(&grid.point(index)));
         let mut parts = Vec::new();
         if !cells.is_empty() {
             parts.push(Part { plan: self.clone(), cells, vertical_locked: false });

@@ -1,36 +1,34 @@
-//! A sweep tile by tile: what is done is handed over before the rest goes on.
+//! A sweep tile by tile, by one worker or by several: what is done is handed over while the rest goes on.
 
+use std::collections::VecDeque;
 use std::ops::Range;
-use std::time::{Duration, Instant};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
 
-use super::backend::{Backend, Precision, Swept};
+use super::backend::Swept;
 use super::gpu::GpuError;
-use super::plan::Plan;
 use crate::integrate::outcome::Outcome;
-use crate::scene::Grid;
 
-/// How a sweep is run.
-pub struct Run<'a> {
-    /// What computes.
-    pub backend: &'a Backend,
-    /// The scene's plan.
-    pub plan: &'a Plan,
-    /// Its cells.
-    pub grid: &'a Grid,
-    /// Number type.
-    pub precision: Precision,
-    /// Every cell twice.
-    pub resolve: bool,
-    /// Time that passes at least before what is done is handed over: short runs need not write.
-    pub patience: Duration,
-    /// Hears of cells as they are done.
-    pub progress: &'a (dyn Fn(usize) + Sync),
+/// What sweeps the cells of a tile: a backend with its plan, or in a test its double.
+pub type Worker<'a> = Box<dyn Fn(Range<usize>) -> Result<Swept, GpuError> + Sync + 'a>;
+
+/// What a sweep took.
+#[derive(Debug, Default)]
+pub struct Took {
+    /// Time of the sweep: of the worker that swept longest.
+    pub elapsed: Duration,
+    /// Time of compiling shaders, of the worker that compiled longest.
+    pub compile: Duration,
+    /// Workers that failed while others went on, each with its error.
+    pub lost: Vec<(usize, GpuError)>,
 }
 
 /// Why a sweep stopped.
 #[derive(Debug, thiserror::Error)]
 pub enum TiledError<E> {
-    /// The device failed.
+    /// The last worker failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
     /// What was done could not be handed over.
@@ -38,61 +36,113 @@ pub enum TiledError<E> {
     Keep(E),
 }
 
-impl Run<'_> {
-    /// Cells of a tile: some seconds' work.
-    fn tile(&self) -> usize {
-        match self.backend {
-            Backend::Gpu(_) => 1 << 20,
-            Backend::Cpu => 1 << 17,
-            Backend::Reference => 1 << 9,
+/// Workers, and the tiles that they have not begun.
+struct Pool {
+    queue: VecDeque<Range<usize>>,
+    orders: Vec<mpsc::Sender<Range<usize>>>,
+    idle: Vec<usize>,
+    running: usize,
+}
+
+impl Pool {
+    /// Gives every idle worker a tile, while there are any.
+    fn dispatch(&mut self) {
+        while let Some(worker) = self.idle.pop() {
+            let Some(cells) = self.queue.pop_front() else {
+                self.idle.push(worker);
+                return;
+            };
+            // A worker hears its orders until the pool is gone.
+            let _ = self.orders[worker].send(cells);
+            self.running += 1;
         }
     }
+}
 
-    /// Runs the `missing` cells into `outcomes`, which has one a cell of the grid; `keep` is handed
-    /// what is done, in runs of cells, the first of each by number.
-    ///
-    /// # Errors
-    /// The device's, or those of `keep`. What `keep` was handed before stays as it is.
-    pub fn fill<E>(
-        &self,
-        outcomes: &mut [Outcome],
-        missing: &[Range<usize>],
-        mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E>,
-    ) -> Result<Swept, TiledError<E>> {
-        let mut ran = Swept {
-            outcomes: Vec::new(),
-            elapsed: Duration::ZERO,
-            compile: Duration::ZERO,
-            device: None,
+/// Runs the `missing` cells in tiles of so many on workers of one kind, each taking the next when it is
+/// done; `keep` is handed every tile as it comes, by its first cell. A worker that fails takes no
+/// more, and its tile goes to another.
+///
+/// # Errors
+/// The error of the worker that failed last, when none is left; those of `keep`. What `keep` was
+/// handed before stays as it is.
+pub fn sweep<E>(
+    workers: &[Worker],
+    missing: &[Range<usize>],
+    tile: usize,
+    mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E>,
+) -> Result<Took, TiledError<E>> {
+    let cut = |range: &Range<usize>| {
+        let end = range.end;
+        range.clone().step_by(tile).map(move |start| start..(start + tile).min(end))
+    };
+    let mut took = Took::default();
+    let mut times = vec![(Duration::ZERO, Duration::ZERO); workers.len()];
+    let left = thread::scope(|scope| {
+        let (report, reports) = mpsc::channel();
+        let mut orders = Vec::with_capacity(workers.len());
+        for (number, worker) in workers.iter().enumerate() {
+            let (order, ordered) = mpsc::channel();
+            let report = report.clone();
+            scope.spawn(move || work(number, worker, ordered, report));
+            orders.push(order);
+        }
+        let mut pool = Pool {
+            queue: missing.iter().flat_map(cut).collect(),
+            orders,
+            idle: (0..workers.len()).rev().collect(),
+            running: 0,
         };
-        let began = Instant::now();
-        let mut handed = began;
-        for range in missing {
-            let mut waiting = range.start;
-            for start in range.clone().step_by(self.tile()) {
-                let cells = start..(start + self.tile()).min(range.end);
-                let swept = self.sweep(cells.clone())?;
-                outcomes[cells.clone()].copy_from_slice(&swept.outcomes);
-                ran.elapsed += swept.elapsed;
-                ran.compile += swept.compile;
-                if let Some(time) = swept.device {
-                    ran.device = Some(ran.device.unwrap_or_default() + time);
+        pool.dispatch();
+        while pool.running > 0
+            && let Ok((worker, cells, swept)) = reports.recv()
+        {
+            pool.running -= 1;
+            match swept {
+                Err(error) => {
+                    pool.queue.push_front(cells);
+                    took.lost.push((worker, error));
+                    pool.dispatch();
                 }
-                if handed.elapsed() >= self.patience {
-                    keep(waiting, &outcomes[waiting..cells.end]).map_err(TiledError::Keep)?;
-                    (waiting, handed) = (cells.end, Instant::now());
+                Ok(swept) => {
+                    times[worker].0 += swept.elapsed;
+                    times[worker].1 += swept.compile;
+                    pool.idle.push(worker);
+                    // The worker goes on while its tile is kept.
+                    pool.dispatch();
+                    keep(cells.start, &swept.outcomes).map_err(TiledError::Keep)?;
                 }
-            }
-            // What is left of a range goes over at its end, if the run has been long at all.
-            if waiting < range.end && began.elapsed() >= self.patience {
-                keep(waiting, &outcomes[waiting..range.end]).map_err(TiledError::Keep)?;
             }
         }
-        Ok(ran)
+        Ok::<usize, TiledError<E>>(pool.queue.len())
+    })?;
+    if left > 0
+        && let Some((_, error)) = took.lost.pop()
+    {
+        return Err(error.into());
     }
+    took.elapsed = times.iter().map(|(elapsed, _)| *elapsed).max().unwrap_or_default();
+    took.compile = times.iter().map(|(_, compile)| *compile).max().unwrap_or_default();
+    Ok(took)
+}
 
-    fn sweep(&self, cells: Range<usize>) -> Result<Swept, GpuError> {
-        let Run { backend, plan, grid, precision, resolve, progress, .. } = *self;
-        backend.sweep_range(plan, grid, cells, precision, resolve, progress)
+/// What a worker tells of a tile: its number, the cells, what became of them.
+type Told = (usize, Range<usize>, Result<Swept, GpuError>);
+
+/// Sweeps one tile after another, as they are ordered.
+fn work(
+    number: usize,
+    worker: &Worker,
+    orders: mpsc::Receiver<Range<usize>>,
+    report: mpsc::Sender<Told>,
+) {
+    for cells in orders {
+        // A driver may take its thread with it; the others are to hear of it, not to wait for ever.
+        let swept = catch_unwind(AssertUnwindSafe(|| worker(cells.clone())));
+        let swept = swept.unwrap_or(Err(GpuError::BrokeOff));
+        // Nobody hears it where the sweep has ended with an error.
+        if report.send((number, cells, swept)).is_err() {
+            return;
+        }
     }
 }

@@ -1,10 +1,13 @@
 //! A sample of a sweep's cells, run again by the reference.
 
+use std::io;
+
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::integrate::outcome::{Class, Outcome};
 use crate::integrate::reference::{self, Settings};
+use crate::map::outcomes::{BLOCK, Column, Outcomes};
 use crate::scene::Grid;
 
 use super::plan::Plan;
@@ -53,63 +56,100 @@ pub struct Verification {
 /// Most differing cells that are listed.
 const LISTED: usize = 16;
 
-/// True where a neighbour has another outcome.
-fn beside_boundary(grid: &Grid, outcomes: &[Outcome], index: usize) -> bool {
+/// Goes through all cells and tells of each whether a neighbour has another outcome; a few rows are
+/// in memory at a time.
+fn beside_boundary(
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    mut tell: impl FnMut(usize, bool),
+) -> io::Result<()> {
     let (columns, rows) = grid.shape();
-    let (i, j) = (index % columns, index / columns);
-    let differs = |other: usize| outcomes[other].class != outcomes[index].class;
-    (i > 0 && differs(index - 1))
-        || (i + 1 < columns && differs(index + 1))
-        || (j > 0 && differs(index - columns))
-        || (j + 1 < rows && differs(index + columns))
+    let height = (BLOCK / columns).max(1);
+    for first in (0..rows).step_by(height) {
+        let last = (first + height).min(rows);
+        let (below, above) = (first.saturating_sub(1), (last + 1).min(rows));
+        let read = outcomes.read(below * columns..above * columns, &[Column::Outcome])?;
+        for j in first..last {
+            for i in 0..columns {
+                let cell = (j - below) * columns + i;
+                let differs = |other: usize| read[other].class != read[cell].class;
+                let beside = (i > 0 && differs(cell - 1))
+                    || (i + 1 < columns && differs(cell + 1))
+                    || (j > 0 && differs(cell - columns))
+                    || (j + 1 < rows && differs(cell + columns));
+                tell(j * columns + i, beside);
+            }
+        }
+    }
+    Ok(())
 }
 
-/// `count` elements spread evenly over a list.
-fn spread(list: &[usize], count: usize) -> impl Iterator<Item = usize> + '_ {
-    let count = count.min(list.len());
-    (0..count).map(move |k| list[(2 * k + 1) * list.len() / (2 * count)])
+/// The places of `count` elements spread evenly over a list of a length.
+fn spread(length: usize, count: usize) -> impl Iterator<Item = usize> {
+    let count = count.min(length);
+    (0..count).map(move |k| (2 * k + 1) * length / (2 * count))
 }
 
-/// The cells to run again: half beside a boundary, half elsewhere; one half fills up the other
-/// where it has too few.
-pub fn sample(grid: &Grid, outcomes: &[Outcome], size: usize) -> Vec<usize> {
-    let (beside, elsewhere): (Vec<usize>, Vec<usize>) =
-        (0..outcomes.len()).partition(|&index| beside_boundary(grid, outcomes, index));
-    let from_beside = (size / 2).max(size.saturating_sub(elsewhere.len())).min(beside.len());
-    let mut cells: Vec<usize> = spread(&beside, from_beside)
-        .chain(spread(&elsewhere, size.saturating_sub(from_beside)))
-        .collect();
-    cells.sort_unstable();
-    cells
+/// The cells to run again, in order, and how many of them lie beside a boundary: half do, half
+/// do not; one half fills up the other where it has too few.
+///
+/// # Errors
+/// Those of reading the outcomes.
+pub fn sample(
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    size: usize,
+) -> io::Result<(Vec<usize>, usize)> {
+    let mut beside = 0;
+    beside_boundary(grid, outcomes, |_, is_beside| beside += usize::from(is_beside))?;
+    let elsewhere = grid.len() - beside;
+    let from_beside = (size / 2).max(size.saturating_sub(elsewhere)).min(beside);
+    let mut chosen = [
+        spread(elsewhere, size.saturating_sub(from_beside)).peekable(),
+        spread(beside, from_beside).peekable(),
+    ];
+    let (mut cells, mut seen) = (Vec::with_capacity(size), [0; 2]);
+    beside_boundary(grid, outcomes, |cell, is_beside| {
+        let kind = usize::from(is_beside);
+        if chosen[kind].next_if_eq(&seen[kind]).is_some() {
+            cells.push(cell);
+        }
+        seen[kind] += 1;
+    })?;
+    Ok((cells, from_beside))
 }
 
 /// Runs a sample of a sweep's cells again by the reference and compares.
-pub fn verify(plan: &Plan, grid: &Grid, outcomes: &[Outcome], size: usize) -> Verification {
-    let cells = sample(grid, outcomes, size);
-    let parts = plan.parts(grid, 0..grid.len());
-    let scene = |index: usize| {
-        let part = parts.iter().find(|part| part.cells.binary_search(&index).is_ok());
-        part.map_or(&plan.scene, |part| &part.plan.scene)
-    };
+///
+/// # Errors
+/// Those of reading the outcomes.
+pub fn verify(
+    plan: &Plan,
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    size: usize,
+) -> io::Result<Verification> {
+    let (cells, beside_boundary) = sample(grid, outcomes, size)?;
+    let locked = plan.without_vertical();
     let settings = Settings::default();
-    let judged: Vec<(usize, Outcome)> = cells
-        .par_iter()
-        .map(|&index| (index, reference::run(scene(index), &grid.point(index), &settings)))
-        .collect();
-    let mut report = compare(grid, &judged, |index| outcomes[index]);
-    report.beside_boundary =
-        cells.iter().filter(|&&index| beside_boundary(grid, outcomes, index)).count();
-    report
+    let judge = |&index: &usize| {
+        let point = grid.point(index);
+        let scene = if plan.locks_vertical(&point) { &locked.scene } else { &plan.scene };
+        let cell = outcomes.read(index..index + 1, &Column::ALL)?[0];
+        Ok((index, cell, reference::run(scene, &point, &settings)))
+    };
+    let judged: Vec<(usize, Outcome, Outcome)> =
+        cells.par_iter().map(judge).collect::<io::Result<_>>()?;
+    Ok(Verification { beside_boundary, ..compare(grid, judged) })
 }
 
-/// Compares a sweep with the reference's outcomes of some of its cells.
+/// Compares a sweep's outcomes of some cells with the reference's, which come second.
 pub fn compare(
     grid: &Grid,
-    judged: &[(usize, Outcome)],
-    sweep: impl Fn(usize) -> Outcome,
+    judged: impl IntoIterator<Item = (usize, Outcome, Outcome)>,
 ) -> Verification {
     let mut report = Verification {
-        sampled: judged.len(),
+        sampled: 0,
         beside_boundary: 0,
         unresolved: 0,
         differ: 0,
@@ -121,8 +161,8 @@ pub fn compare(
         median_zeta: 0.0,
     };
     let mut zeta_errors = Vec::new();
-    for (index, reference) in judged {
-        let cell = sweep(*index);
+    for (index, cell, reference) in judged {
+        report.sampled += 1;
         if cell.class == Class::Unresolved {
             report.unresolved += 1;
             continue;
@@ -130,7 +170,7 @@ pub fn compare(
         if cell.class != reference.class {
             report.differ += 1;
             if report.differences.len() < LISTED {
-                let (x, y) = grid.coordinates(*index);
+                let (x, y) = grid.coordinates(index);
                 let (sweep, reference) = (cell.class, reference.class);
                 report.differences.push(Difference { x, y, sweep, reference });
             }

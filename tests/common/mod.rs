@@ -65,7 +65,7 @@ pub fn say(line: &str) {
 /// The adapter to test the shader on. Without one the test is skipped, and says so; where
 /// TOPPLE_REQUIRE_ADAPTER is set, that is a failure.
 pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
-    match adapter::choose(precision).and_then(|adapter| Gpu::open(&adapter)) {
+    match adapter::best(precision).and_then(|adapter| Gpu::open(&adapter)) {
         Ok(gpu) => {
             let d = &gpu.description;
             say(&format!("{test} ({precision:?}): adapter {} ({}, {})", d.name, d.kind, d.api));

@@ -54,7 +54,7 @@ impl Work<'_> {
             });
             let outcomes = match twin {
                 Some(twin) => maps[twin].outcomes.clone(),
-                None => self.sweep(&panel.scene, panel.fixed_step, &place, &progress)?,
+                None => self.sweep(&panel.scene, panel.fixed_step, &place, &progress)?.into(),
             };
             maps.push(Map { scene: &panel.scene, grid: Grid::of(&panel.scene), outcomes });
         }
@@ -63,7 +63,7 @@ impl Work<'_> {
         let mut told = Vec::with_capacity(maps.len());
         for (k, (panel, map)) in figure.panels.iter().zip(&maps).enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
-            self.out.write(&format!("{name}.csv"), |w| map::csv::write(map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| map::csv::write(&map.grid, map, w))?;
             told.push(PanelManifest {
                 letter: letter(k),
                 scene: &panel.scene,
@@ -99,7 +99,7 @@ impl Work<'_> {
     /// A sample of a map's cells by the reference.
     fn judge(&self, map: &Map, place: &str) -> anyhow::Result<Verification> {
         let by_steps = plan(self.options, map.scene, None, place)?;
-        Ok(verification::verify(&by_steps, &map.grid, &map.outcomes, SAMPLE))
+        Ok(verification::verify(&by_steps, &map.grid, map, SAMPLE)?)
     }
 
     /// What the paths of a panel meet: a picture and a table each.
@@ -113,9 +113,9 @@ impl Work<'_> {
             let progress = Progress::new(Grid::of(&scene).len(), self.options.quiet);
             let outcomes = self.sweep(&scene, panel.fixed_step, &name, &progress)?;
             progress.finish();
-            let map = Map { scene: &scene, grid: Grid::of(&scene), outcomes };
+            let map = Map { scene: &scene, grid: Grid::of(&scene), outcomes: outcomes.into() };
             let judged = self.judge(&map, &name)?;
-            self.out.write(&format!("{name}.csv"), |w| map::csv::write(&map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| map::csv::write(&map.grid, &map, w))?;
             let title = format!("{}: upwards at Ω = {} rad/s", along.name, along.omega);
             let caption = format!(
                 "Object and base of {panel_name}, ε = {}; {}",

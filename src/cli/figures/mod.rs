@@ -18,10 +18,10 @@ use topple::sweep::clock::Resolution;
 use topple::sweep::plan::Plan;
 
 use super::InputError;
+use super::memory;
 use super::options::RunOptions;
 use super::output;
 use super::progress::Progress;
-use super::report;
 use super::scene;
 
 /// Most points of an axis.
@@ -94,7 +94,7 @@ impl FiguresCommand {
             .map_err(|error| InputError(error.to_string()))?;
         for (figure, _) in &figures {
             let cells = figure.cells();
-            report::fits(report::memory_of(cells, 1), &format!("{}: {cells} cells", figure.name))?;
+            memory::fits(memory::of_cells(cells), &format!("{}: {cells} cells", figure.name))?;
             for (k, panel) in figure.panels.iter().enumerate() {
                 let place = format!("{}, panel {}", figure.name, letter(k));
                 plan(&self.options, &panel.scene, panel.fixed_step, &place)?;
@@ -102,8 +102,9 @@ impl FiguresCommand {
         }
         let work = Work {
             options: &self.options,
-            out: report::open(&self.options.out)?,
-            backend: self.options.open_backend()?,
+            out: output::open(&self.options.out)?,
+            // A choice has one backend at least.
+            backend: self.options.open_backends()?.swap_remove(0),
         };
         work.say_missing(&figures);
         for (figure, motions) in &figures {

@@ -2,22 +2,23 @@
 
 use std::sync::Arc;
 
-use serde::{Serialize, Serializer};
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Record;
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Pair {
     /// Titles of the components.
     pub title: String,
     /// Time between samples, s.
     pub dt: f64,
     /// Horizontal accelerations, m/s^2.
-    #[serde(serialize_with = "count")]
+    #[serde(serialize_with = "count", deserialize_with = "none")]
     pub horizontal: Arc<[f64]>,
     /// Vertical accelerations, m/s^2; zeros where there is no vertical record.
-    #[serde(serialize_with = "count")]
+    #[serde(serialize_with = "count", deserialize_with = "none")]
     pub vertical: Arc<[f64]>,
     /// PGA_h of (21), m/s^2.
     pub pga_h: f64,
@@ -30,6 +31,11 @@ pub struct Pair {
 /// A manifest tells how many samples there are.
 fn count<S: Serializer>(samples: &Arc<[f64]>, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_u64(samples.len() as u64)
+}
+
+/// What was only counted is to be filled in.
+fn none<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Arc<[f64]>, D::Error> {
+    IgnoredAny::deserialize(deserializer).map(|_| Arc::from([]))
 }
 
 impl Pair {

@@ -1,15 +1,17 @@
 //! A device, and every way in which it can fail.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use wgpu::{
-    Adapter, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures, Features, MemoryHints,
-    PollType, Queue, SubmissionIndex, Trace,
+    Adapter, ComputePipeline, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures,
+    Features, MemoryHints, PollType, Queue, SubmissionIndex, Trace,
 };
 
+use super::super::backend::Precision;
 use super::GpuError;
 use super::adapter::Description;
+use crate::model::isolation::Variant;
 
 /// An open device.
 pub struct Gpu {
@@ -21,7 +23,12 @@ pub struct Gpu {
     pub description: Description,
     /// The first failure that came outside of a call.
     failure: Arc<Mutex<Option<GpuError>>>,
+    /// The sweeps compiled so far: tiles after the first need not wait for the compiler.
+    pipelines: Mutex<Vec<(Key, ComputePipeline)>>,
 }
+
+/// What a compiled sweep is for.
+type Key = (Precision, Variant);
 
 impl Gpu {
     /// Opens a device with all that its adapter allows in sizes, and with `f64` and time stamps
@@ -51,12 +58,31 @@ impl Gpu {
         });
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
-        Ok(Gpu { device, queue, description, failure })
+        Ok(Gpu { device, queue, description, failure, pipelines: Mutex::default() })
     }
 
     /// True where the device can tell the time that a pass took.
     pub fn has_clock(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
+    }
+
+    /// The compiled sweep for a number type and a variant, compiled by `compile` the first time.
+    ///
+    /// # Errors
+    /// Those of `compile`.
+    pub fn pipeline(
+        &self,
+        key: Key,
+        compile: impl FnOnce() -> Result<ComputePipeline, GpuError>,
+    ) -> Result<ComputePipeline, GpuError> {
+        // Where a thread broke off there is no half-made entry: the list is as it was.
+        let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, pipeline)) = pipelines.iter().find(|(known, _)| *known == key) {
+            return Ok(pipeline.clone());
+        }
+        let pipeline = compile()?;
+        pipelines.push((key, pipeline.clone()));
+        Ok(pipeline)
     }
 
     /// Runs `commands` and reports what the device refused of them.

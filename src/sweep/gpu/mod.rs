@@ -16,6 +16,12 @@ pub enum GpuError {
     /// An adapter without double precision.
     #[error("{0} has no double precision; use --precision f32 or --backend cpu")]
     NoF64(String),
+    /// An adapter that is not there.
+    #[error("there is no adapter {0}; topple adapters lists them, from 0")]
+    NoSuchAdapter(usize),
+    /// Adapters that may round differently.
+    #[error("{0} and {1} are not alike; give adapters of one kind, or a part to each by --tile")]
+    Unlike(String, String),
     /// The adapter gave no device.
     #[error("{adapter} gave no device: {reason}")]
     NoDevice {
@@ -33,6 +39,9 @@ pub enum GpuError {
     /// The driver or wgpu refused a command: a mistake in topple.
     #[error("the GPU refused a command: {0}")]
     Refused(String),
+    /// The sweep panicked.
+    #[error("a sweep broke off: a mistake in topple or in the driver; its cells are not used")]
+    BrokeOff,
     /// Cells came back that never ran to their end.
     #[error("the GPU left {0} cells unfinished; its results are not used")]
     Unfinished(usize),

@@ -68,7 +68,9 @@ impl<'a> Sweeper<'a> {
         precision: Precision,
         variant: Variant,
     ) -> Result<Sweeper<'a>, GpuError> {
-        Sweeper::from_source(gpu, &shader::source(precision, Switches::Forgotten), variant, 0)
+        let compile = || compile(gpu, &shader::source(precision, Switches::Forgotten), variant, 0);
+        let pipeline = gpu.pipeline((precision, variant), compile)?;
+        Ok(Sweeper { gpu, pipeline, events_kept: 0 })
     }
 
     /// Compiles a shader that keeps the first `events_kept` switches of each cell.
@@ -96,37 +98,7 @@ impl<'a> Sweeper<'a> {
         variant: Variant,
         events_kept: usize,
     ) -> Result<Sweeper<'a>, GpuError> {
-        let mut constants = vec![
-            ("recorded", f64::from(u8::from(variant.recorded))),
-            ("isolated_h", f64::from(u8::from(variant.isolated_h))),
-            ("isolated_v", f64::from(u8::from(variant.isolated_v))),
-            ("kinks", f64::from(u8::from(variant.kinks))),
-            ("yields", f64::from(u8::from(variant.yields))),
-            ("certificate", f64::from(u8::from(variant.certificate))),
-            ("in_step", f64::from(u8::from(variant.in_step))),
-            ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
-            ("workgroup_size", WORKGROUP as f64),
-        ];
-        if events_kept > 0 {
-            constants.push(("events_kept", events_kept as f64));
-        }
-        let pipeline = gpu.checked(|| {
-            let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
-                label: Some("sweep"),
-                source: ShaderSource::Wgsl(source.into()),
-            });
-            gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
-                label: Some("sweep"),
-                layout: None,
-                module: &module,
-                entry_point: Some("sweep"),
-                compilation_options: PipelineCompilationOptions {
-                    constants: &constants,
-                    ..PipelineCompilationOptions::default()
-                },
-                cache: None,
-            })
-        })?;
+        let pipeline = compile(gpu, source, variant, events_kept)?;
         Ok(Sweeper { gpu, pipeline, events_kept })
     }
 
@@ -250,4 +222,44 @@ impl<'a> Sweeper<'a> {
             back
         })
     }
+}
+
+/// Compiles a shader's text.
+fn compile(
+    gpu: &Gpu,
+    source: &str,
+    variant: Variant,
+    events_kept: usize,
+) -> Result<ComputePipeline, GpuError> {
+    let mut constants = vec![
+        ("recorded", f64::from(u8::from(variant.recorded))),
+        ("isolated_h", f64::from(u8::from(variant.isolated_h))),
+        ("isolated_v", f64::from(u8::from(variant.isolated_v))),
+        ("kinks", f64::from(u8::from(variant.kinks))),
+        ("yields", f64::from(u8::from(variant.yields))),
+        ("certificate", f64::from(u8::from(variant.certificate))),
+        ("in_step", f64::from(u8::from(variant.in_step))),
+        ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
+        ("workgroup_size", WORKGROUP as f64),
+    ];
+    if events_kept > 0 {
+        constants.push(("events_kept", events_kept as f64));
+    }
+    gpu.checked(|| {
+        let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
+            label: Some("sweep"),
+            source: ShaderSource::Wgsl(source.into()),
+        });
+        gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some("sweep"),
+            layout: None,
+            module: &module,
+            entry_point: Some("sweep"),
+            compilation_options: PipelineCompilationOptions {
+                constants: &constants,
+                ..PipelineCompilationOptions::default()
+            },
+            cache: None,
+        })
+    })
 }

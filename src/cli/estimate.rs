@@ -1,0 +1,190 @@
+//! What a run will take, from a sample of it: said before it starts, and all that `--dry-run` does.
+
+use std::io::{self, Write};
+use std::ops::Range;
+
+use topple::map;
+use topple::scene::Grid;
+use topple::store::tile;
+use topple::sweep::backend::Backend;
+use topple::sweep::plan::Plan;
+
+use super::options::{MapOptions, flag_error};
+use super::{InputError, memory};
+
+/// Most points of an axis of the sample, and the least.
+const SIDE: [f64; 2] = [16.0, 96.0];
+/// Cells of a run for each one of its sample.
+const SHARE: f64 = 100.0;
+/// Cells of a run that is over before a sample of it would be.
+const SMALL: usize = 10_000;
+/// Bytes of the pictures, about.
+const PICTURES: f64 = 2.0e6;
+
+/// Counts what is written to it.
+#[derive(Default)]
+struct Count(u64);
+
+impl Write for Count {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0 += bytes.len() as u64;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// What a run takes.
+struct Estimate {
+    /// Cells of the sample.
+    sampled: usize,
+    /// Cells a second of one worker.
+    rate: f64,
+    /// Bytes of map.csv and of map.npz.
+    table: f64,
+    archive: f64,
+    /// Most bytes on disk while it runs and while its files are written.
+    disk: f64,
+}
+
+impl Estimate {
+    /// Of `cells` cells of a grid, from a coarser grid of the same scene.
+    fn of(
+        plan: &Plan,
+        grid: &Grid,
+        options: &MapOptions,
+        backend: &Backend,
+        cells: usize,
+    ) -> anyhow::Result<Estimate> {
+        let mut sample = plan.scene.clone();
+        let side = (cells as f64 / SHARE).sqrt().clamp(SIDE[0], SIDE[1]) as u32;
+        for axis in sample.axes_mut() {
+            axis.count = axis.count.min(side);
+        }
+        let sample_plan = options.run.plan(&sample).map_err(|e| flag_error(&e))?;
+        let sample = Grid::of(&sample);
+        let (precision, resolve) = (options.run.precision, options.run.resolve);
+        let all = 0..sample.len();
+        let swept = backend.sweep_range(&sample_plan, &sample, all, precision, resolve, &|_| ())?;
+        let outcomes = swept.outcomes;
+        let mut table = Count::default();
+        map::csv::write(&sample, &outcomes, &mut table)?;
+        let mut archive = io::Cursor::new(Vec::new());
+        map::npz::write(&sample, &outcomes, &mut archive)?;
+        let scaled = |bytes: u64| bytes as f64 * grid.len() as f64 / sample.len() as f64;
+        let table = scaled(table.0);
+        let archive = scaled(archive.into_inner().len() as u64);
+        // A part leaves tiles and no more.
+        let files = if options.tile.is_some() { 0.0 } else { table + archive + PICTURES };
+        let rate = sample.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
+        let disk = files + (tile::CELL * cells) as f64;
+        Ok(Estimate { sampled: sample.len(), rate, table, archive, disk })
+    }
+}
+
+/// Says what a run takes, and runs no more than the sample.
+pub fn tell(
+    plan: &Plan,
+    grid: &Grid,
+    options: &MapOptions,
+    wanted: &Range<usize>,
+) -> anyhow::Result<()> {
+    let backends = options.run.open_backends()?;
+    // A choice has one backend at least.
+    let backend = &backends[0];
+    let takes = Estimate::of(plan, grid, options, backend, wanted.len())?;
+    let (columns, rows) = grid.shape();
+    let part = match options.tile {
+        None => String::new(),
+        Some(part) => format!(", part {part} of them {}", wanted.len()),
+    };
+    println!("cells      {columns} x {rows} = {}{part}", grid.len());
+    println!("motion     {:.3e} s simulated at the most", motion(plan, wanted.len()));
+    println!(
+        "time       about {} of sweep by {} {}, {:.0} cells/s on {} cells",
+        duration(wanted.len() as f64 / takes.rate / backends.len() as f64),
+        backend.name(),
+        options.run.precision.name(),
+        takes.rate * backends.len() as f64,
+        takes.sampled
+    );
+    let held = options.tile.is_none() && memory::holds(grid);
+    let runs = if options.run.resolve { 2 } else { 1 };
+    let bytes = memory::of_run(grid, held, &backends, runs) as f64;
+    println!("memory     up to {}", size(bytes));
+    let tiles = (tile::CELL * wanted.len()) as f64;
+    let files = if options.tile.is_some() {
+        format!("{} of tiles", size(tiles))
+    } else {
+        let (table, archive) = (takes.table, takes.archive);
+        let all = size(table + archive + PICTURES);
+        let (table, archive) = (size(table), size(archive));
+        format!(
+            "{all}: map.csv {table}, map.npz {archive}; up to {} while it runs",
+            size(takes.disk)
+        )
+    };
+    let room = match memory::room(&options.run.out) {
+        Some(room) => format!("; {} are free", size(room as f64)),
+        None => String::new(),
+    };
+    println!("disk       {files}{room}");
+    Ok(())
+}
+
+/// What a run takes that is about to start, on a line.
+///
+/// # Errors
+/// [`InputError`] where the disk has not as much room.
+pub fn before(
+    plan: &Plan,
+    grid: &Grid,
+    options: &MapOptions,
+    backends: &[Backend],
+    left: usize,
+) -> anyhow::Result<String> {
+    let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(plan, left));
+    if left < SMALL {
+        return Ok(motion);
+    }
+    let takes = Estimate::of(plan, grid, options, &backends[0], left)?;
+    if let Some(room) = memory::room(&options.run.out)
+        && takes.disk > room as f64
+    {
+        return Err(InputError(format!(
+            "--out: the run takes about {} and {} are free; give a directory with more room, or \
+             fewer points",
+            size(takes.disk),
+            size(room as f64)
+        ))
+        .into());
+    }
+    let time = left as f64 / takes.rate / backends.len() as f64;
+    Ok(format!("{motion}, about {}, up to {} of disk", duration(time), size(takes.disk)))
+}
+
+/// Time that cells simulate if none ends early, s.
+fn motion(plan: &Plan, cells: usize) -> f64 {
+    cells as f64 * plan.scene.t_max
+}
+
+/// A time in the unit that a reader would use.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 1.0 => "a second".into(),
+        s if s < 120.0 => format!("{s:.0} s"),
+        s if s < 7200.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+/// A size in the unit that a reader would use.
+fn size(bytes: f64) -> String {
+    match bytes {
+        b if b < 1.0e9 => format!("{:.0} MB", b / 1.0e6),
+        b if b < 1.0e12 => format!("{:.1} GB", b / 1.0e9),
+        b => format!("{:.1} TB", b / 1.0e12),
+    }
+}

@@ -1,0 +1,70 @@
+//! What a map takes of memory and disk, and what there is.
+
+use std::path::Path;
+
+use sysinfo::{MemoryRefreshKind, RefreshKind, System};
+use topple::integrate::outcome::Outcome;
+use topple::map::outcomes::DRAWN;
+use topple::scene::Grid;
+use topple::sweep::backend::Backend;
+
+use super::InputError;
+
+/// Memory that a cell takes beside its outcome: its number and its share of what the threads hold.
+const BYTES_A_CELL: usize = 40;
+/// Most cells of a map that is held in memory; a larger one lies on disk and is read as it is needed.
+const MOST_HELD: usize = 1 << 24;
+/// Tiles that a worker has at once: one that it runs, one that is kept.
+const TILES: usize = 2;
+/// Memory that the motions in full contact may take, bytes, and all else.
+const REST: usize = 600 << 20;
+
+/// Memory that so many cells in memory take, bytes.
+pub fn of_cells(cells: usize) -> u64 {
+    cells as u64 * (size_of::<Outcome>() + BYTES_A_CELL) as u64
+}
+
+/// True where a map is held in memory until it is written: it is no huge one, and half of what is
+/// free is enough for it.
+pub fn holds(grid: &Grid) -> bool {
+    let available = available();
+    grid.len() <= MOST_HELD && (available == 0 || of_cells(grid.len()) <= available / 2)
+}
+
+/// Most memory that a run takes, bytes: of a map held in memory all of its cells, of another the
+/// tiles at work, twice where each cell runs twice, and what is drawn.
+pub fn of_run(grid: &Grid, held: bool, workers: &[Backend], runs: usize) -> u64 {
+    let tiles = TILES * workers.iter().map(Backend::tile).sum::<usize>() * runs;
+    let drawn = grid.shape().0.min(DRAWN as usize) * grid.shape().1.min(DRAWN as usize);
+    let kept = if held { grid.len() } else { drawn };
+    of_cells(kept + tiles.min(grid.len())) + REST as u64
+}
+
+/// Memory that is free, bytes; zero where the machine does not tell.
+fn available() -> u64 {
+    let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
+    System::new_with_specifics(memory).map_or(0, |system| system.available_memory())
+}
+
+/// Refuses what needs more memory than is free; `what` names flags and cells.
+pub fn fits(needed: u64, what: &str) -> Result<(), InputError> {
+    let available = available();
+    // A machine that does not tell has the benefit of the doubt.
+    if available == 0 || needed <= available {
+        return Ok(());
+    }
+    let giga = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+    Err(InputError(format!(
+        "{what} take {:.1} GiB and {:.1} GiB are free; give fewer points",
+        giga(needed),
+        giga(available)
+    )))
+}
+
+/// Room on the disk of a directory, or of the nearest one above that is there, bytes; none where the
+/// system does not tell.
+pub fn room(directory: &Path) -> Option<u64> {
+    let there = std::path::absolute(directory).ok()?;
+    let there = there.ancestors().find(|place| place.is_dir())?;
+    fs4::available_space(there).ok()
+}

@@ -1,0 +1,53 @@
+//! `topple merge`.
+
+use std::path::PathBuf;
+
+use topple::scene::Grid;
+use topple::store::parts::{Parts, Report};
+use topple::sweep::plan::Plan;
+
+use super::finish::{self, Finished};
+use super::words::{self, Say};
+use super::{InputError, output, run};
+
+/// Join the parts of a map that runs with --tile left, and write its files.
+#[derive(clap::Args)]
+pub struct MergeCommand {
+    /// Directories of the runs with --tile, or the parts' own
+    #[arg(value_name = "DIR", required = true)]
+    parts: Vec<PathBuf>,
+    /// Directory for the map; made if need be
+    #[arg(long, value_name = "DIR", default_value = "topple-out")]
+    out: PathBuf,
+    /// Print nothing but errors
+    #[arg(long)]
+    quiet: bool,
+}
+
+impl MergeCommand {
+    /// Joins the parts.
+    pub fn run(&self) -> anyhow::Result<()> {
+        // What is wrong with the parts is wrong with what was given.
+        let joined = Parts::join(&self.parts).map_err(|error| InputError(error.to_string()))?;
+        let Parts { identity, reports, shelf } = joined;
+        let scene = identity.scene().clone();
+        let manner = *identity.manner();
+        let plan = Plan::new(&scene, manner.largest_step)?;
+        let plan = if manner.full_model { plan.full_model() } else { plan };
+        let out = output::open(&self.out)?;
+        // Nobody else is to write there, and a run that was interrupted there is not to be lost.
+        let (store, _) = run::open_store(&self.out, identity, false)?;
+        let say = Say::unless(self.quiet);
+        let grid = Grid::of(&scene);
+        words::scene(&say, &scene, &grid);
+        for (folder, report) in &reports {
+            say.line("part", format!("{}: {}", folder.display(), words::part(report)));
+        }
+        let parts: Vec<(Option<PathBuf>, Report)> =
+            reports.into_iter().map(|(folder, report)| (Some(folder), report)).collect();
+        let finished = Finished { plan: &plan, grid, outcomes: &shelf, manner, parts };
+        let written = finish::write(&out, &finished, &say);
+        store.discard()?;
+        written
+    }
+}

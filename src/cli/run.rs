@@ -1,0 +1,201 @@
+//! From a scene to outcomes: a map, or a part of one.
+
+use std::ops::Range;
+use std::path::Path;
+use std::time::Instant;
+
+use topple::map::outcomes::Outcomes;
+use topple::scene::{Grid, Scene};
+use topple::store::identity::{Identity, Manner};
+use topple::store::keeper::Keeper;
+use topple::store::part::Part;
+use topple::store::parts::Report;
+use topple::store::shelf::missing;
+use topple::store::{Found, Store, StoreError};
+use topple::sweep::backend::Backend;
+use topple::sweep::plan::Plan;
+use topple::sweep::tiles::{self, Took, Worker};
+
+use super::finish::{self, Finished};
+use super::options::{MapOptions, RunOptions, flag_error};
+use super::progress::Progress;
+use super::words::{self, Say};
+use super::{InputError, estimate, memory, output};
+
+/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
+pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
+    let plan = options.run.plan(scene).map_err(|e| flag_error(&e))?;
+    let grid = Grid::of(scene);
+    let wanted = cells(&grid, options.tile)?;
+    if options.dry_run {
+        return estimate::tell(&plan, &grid, options, &wanted);
+    }
+    let out = output::open(&options.run.out)?;
+    let opening = Instant::now();
+    let backends = options.run.open_backends()?;
+    let opened = opening.elapsed();
+    // A choice has one backend at least.
+    let backend = &backends[0];
+    let (store, found) = unfinished(scene, backend, options)?;
+    let left = missing(&found.tiles, &wanted);
+    let missing_cells: usize = left.iter().map(Range::len).sum();
+    let resumed_cells = wanted.len() - missing_cells;
+    let takes = match missing_cells {
+        0 => Ok(None),
+        left => estimate::before(&plan, &grid, options, &backends, left).map(Some),
+    };
+    let takes = match takes {
+        Ok(takes) => takes,
+        Err(error) => {
+            store.discard_if_empty()?;
+            return Err(error);
+        }
+    };
+    let say = Say::unless(options.run.quiet);
+    words::head(&say, &plan, &grid, &backends, options.run.precision);
+    for (path, reason) in &found.broken {
+        say.line("again", format!("{}: {reason}", path.display()));
+    }
+    if let Some(part) = options.tile {
+        say.line("part", format!("{part}, {} cells from number {} on", wanted.len(), wanted.start));
+    }
+    if resumed_cells > 0 {
+        say.line("resumed", format!("{resumed_cells} of {} cells were done", wanted.len()));
+    }
+    if let Some(takes) = takes {
+        say.line("takes", takes);
+    }
+    let job = Job { plan: &plan, grid: &grid, backends: &backends, options, store: &store };
+    let swept = job.sweep(found, &left);
+    let (outcomes, took) = match swept {
+        Ok(swept) => swept,
+        Err(error) => {
+            store.discard_if_empty()?;
+            return Err(error);
+        }
+    };
+    for (number, error) in &took.lost {
+        say.line("lost", format!("GPU {number}: {error}; the others did its cells"));
+    }
+    let report = Report {
+        first: wanted.start,
+        cells: wanted.len(),
+        backend: backend.name().into(),
+        adapter: backend.adapter().cloned(),
+        devices: backends.len(),
+        threads: words::threads(),
+        start: (opened + took.compile).as_secs_f64(),
+        sweep: took.elapsed.as_secs_f64(),
+        resumed_cells,
+    };
+    if missing_cells > 0 {
+        say.line("sweep", words::speed(missing_cells, report.sweep));
+    }
+    let Some(outcomes) = outcomes else {
+        let folder = store.finish(&report)?;
+        say.line("tiles", format!("{}; topple merge joins the parts", folder.display()));
+        return Ok(());
+    };
+    let finished = Finished {
+        plan: &plan,
+        grid,
+        outcomes: outcomes.as_ref(),
+        manner: manner(&options.run),
+        parts: vec![(None, report)],
+    };
+    finish::write(&out, &finished, &say)?;
+    drop(outcomes);
+    store.discard()?;
+    Ok(())
+}
+
+/// The cells to run.
+fn cells(grid: &Grid, part: Option<Part>) -> Result<Range<usize>, InputError> {
+    let Some(part) = part else { return Ok(0..grid.len()) };
+    let cells = part.cells(grid.len());
+    if cells.is_empty() {
+        let problem = format!("part {part} of {} cells has none; give fewer parts", grid.len());
+        return Err(InputError(format!("--tile: {problem}")));
+    }
+    Ok(cells)
+}
+
+/// How a scene is run.
+pub fn manner(options: &RunOptions) -> Manner {
+    Manner {
+        precision: options.precision,
+        largest_step: options.step,
+        resolve: options.resolve,
+        full_model: options.full_model,
+    }
+}
+
+/// The folder in which the run keeps what is done, and what an earlier one left there.
+fn unfinished(
+    scene: &Scene,
+    backend: &Backend,
+    options: &MapOptions,
+) -> anyhow::Result<(Store, Found)> {
+    let manner = manner(&options.run);
+    let identity = Identity::new(scene, backend, &manner, options.tile)?;
+    open_store(&options.run.out, identity, options.resume)
+}
+
+/// Opens a run's folder; what is wrong with it is the directory's fault, given by `--out`.
+pub fn open_store(out: &Path, identity: Identity, resume: bool) -> anyhow::Result<(Store, Found)> {
+    Store::open(out, identity, resume).map_err(|error| match error {
+        StoreError::InUse(_) | StoreError::Unfinished(_) | StoreError::Other { .. } => {
+            InputError(format!("--out: {error}")).into()
+        }
+        other => other.into(),
+    })
+}
+
+/// A sweep with all that it needs.
+struct Job<'a> {
+    plan: &'a Plan,
+    grid: &'a Grid,
+    backends: &'a [Backend],
+    options: &'a MapOptions,
+    store: &'a Store,
+}
+
+impl Job<'_> {
+    /// Sweeps what is left: the outcomes of all cells, but for a part, which stays on disk.
+    fn sweep(
+        &self,
+        found: Found,
+        left: &[Range<usize>],
+    ) -> anyhow::Result<(Option<Box<dyn Outcomes>>, Took)> {
+        let Job { plan, grid, backends, options, store } = *self;
+        let RunOptions { precision, resolve, quiet, .. } = options.run;
+        let mut keeper = if options.tile.is_none() && memory::holds(grid) {
+            Keeper::in_memory(store, &found.tiles, grid.len(), options.keep_every)?
+        } else {
+            Keeper::on_disk(store, found.tiles)
+        };
+        let cells: usize = left.iter().map(Range::len).sum();
+        let progress = Progress::new(if resolve { 2 * cells } else { cells }, quiet);
+        let advance = |cells| progress.advance(cells);
+        let worker = |backend| -> Worker<'_> {
+            let backend: &Backend = backend;
+            Box::new(move |cells| {
+                backend.sweep_range(plan, grid, cells, precision, resolve, &advance)
+            })
+        };
+        let workers: Vec<Worker> = backends.iter().map(worker).collect();
+        // Several workers are all to have some, and to end together.
+        let tile = match workers.len() {
+            1 => backends[0].tile(),
+            several => backends[0].tile().min(cells.div_ceil(4 * several).max(1)),
+        };
+        let took = tiles::sweep(&workers, left, tile, |first, some| keeper.take(first, some));
+        progress.finish();
+        let took = took?;
+        let outcomes = match options.tile {
+            None => Some(keeper.finish(grid.len())?),
+            Some(_) => None,
+        };
+        Ok((outcomes, took))
+    }
+}
