@@ -191,6 +191,7 @@ impl Job<'_> {
         };
         let took = tiles::sweep(&workers, left, tile, |first, some| keeper.take(first, some));
         progress.finish();
+        plan.forget();
         let took = took?;
         let outcomes = match options.tile {
             None => Some(keeper.finish(grid.len())?),

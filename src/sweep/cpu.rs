@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::full_contact::{Tracks, start};
+use super::full_contact::start;
 use super::lanes;
 use super::plan::Plan;
 use crate::integrate::certificate::{certify, is_due};
@@ -85,13 +85,13 @@ fn each<R: Real, L: Log<R> + Send>(
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let tracks = Tracks::of(plan, grid, &record);
+    let tracks = plan.tracks(grid, &record);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
         .with_max_len(BLOCK)
         .map(|&index| {
-            let (point, cell, mut state) = start(plan, grid, index, tracks.as_ref());
+            let (point, cell, mut state) = start(plan, grid, index, tracks.as_ref().as_ref());
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
             let mut log = log();
             while state.status == RUNNING {

@@ -108,14 +108,14 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let Sweep { plan, grid, cells, level, .. } = *sweep;
     let model = plan.model::<R>();
     let record = plan.record::<R>();
-    let tracks = Tracks::of(plan, grid, &record);
+    let tracks = plan.tracks(grid, &record);
     let shared = Shared { variant: plan.variant(), model: &model, record: &record };
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     rayon::broadcast(|_| {
         let mut belt = Belt {
             sweep,
-            tracks: tracks.as_ref(),
+            tracks: tracks.as_ref().as_ref(),
             queue: &queue,
             outcomes: &outcomes,
             batch: 0..0,

@@ -11,5 +11,6 @@ pub mod gpu;
 pub mod history;
 pub mod lanes;
 pub mod plan;
+pub mod shared;
 pub mod tiles;
 pub mod verification;

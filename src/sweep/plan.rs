@@ -1,12 +1,14 @@
 //! A scene made ready: its resolution, what is left out, and the parts that run one model each.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use bytemuck::Zeroable;
 use serde::Serialize;
 
 use super::backend::Precision;
 use super::clock::Resolution;
+use super::shared::Kept;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
@@ -62,6 +64,8 @@ pub struct Plan {
     pub(super) mu_h: f64,
     /// M/(M + m_v); zero where the vertical direction is locked.
     pub(super) mu_v: f64,
+    /// What its tiles share.
+    pub(super) kept: Arc<Kept>,
 }
 
 impl Plan {
@@ -84,8 +88,8 @@ impl Plan {
         let mass_h = mass_v + base.plate_h;
         let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
         let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
-        let plan =
-            Plan { scene: scene.clone(), resolution, reductions: Reductions::ALL, mu_h, mu_v };
+        let (copy, reductions, kept) = (scene.clone(), Reductions::ALL, Arc::default());
+        let plan = Plan { scene: copy, resolution, reductions, mu_h, mu_v, kept };
         let mut shortest = Grid::of(scene).extreme();
         if let Some(rigid) = plan.rigid_period() {
             // Stiffer cells run without the vertical direction.

@@ -1,5 +1,6 @@
 //! A sweep on a device: tiles of cells, chunks of steps.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use rayon::prelude::*;
@@ -37,7 +38,7 @@ pub struct Sweeper<'a> {
 struct Shared<'a, R> {
     plan: &'a Plan,
     grid: &'a Grid,
-    tracks: Option<Tracks<R>>,
+    tracks: Arc<Option<Tracks<R>>>,
     record: Buffer,
     progress: &'a (dyn Fn(usize) + Sync),
 }
@@ -120,7 +121,7 @@ impl<'a> Sweeper<'a> {
             device: self.gpu.has_clock().then_some(Duration::ZERO),
         };
         let samples = plan.record::<R>();
-        let tracks = Tracks::of(plan, grid, &samples);
+        let tracks = plan.tracks(grid, &samples);
         let record = self.gpu.checked(|| Tile::record(self.gpu, &samples))?;
         let shared = Shared { plan, grid, tracks, record, progress };
         // While a tile is on the device, the host makes the next one ready and the last one's
@@ -166,7 +167,7 @@ impl<'a> Sweeper<'a> {
     fn prepare<R: Real>(shared: &Shared<R>, indices: &[usize]) -> Prepared<R> {
         let Shared { plan, grid, tracks, .. } = shared;
         let begun = |&index: &usize| {
-            let (_, cell, state) = start(plan, grid, index, tracks.as_ref());
+            let (_, cell, state) = start(plan, grid, index, tracks.as_ref().as_ref());
             (cell, state)
         };
         let (cells, states) = indices.par_iter().map(begun).unzip();
