@@ -333,6 +333,49 @@ fn a_directory_that_cannot_be_made_is_refused() {
     assert!(error.contains("--out"), "{error}");
 }
 
+/// A directory that nothing can be written to, if there is one for who runs the test: root may write
+/// to any but those that no one may.
+#[cfg(unix)]
+fn read_only(directory: &Path) -> Option<std::path::PathBuf> {
+    use std::os::unix::fs::PermissionsExt;
+    let locked = directory.join("locked");
+    fs::create_dir(&locked).unwrap();
+    fs::set_permissions(&locked, fs::Permissions::from_mode(0o555)).unwrap();
+    let places = [locked, "/proc/self".into()];
+    places.into_iter().find(|place| place.is_dir() && tempfile::tempfile_in(place).is_err())
+}
+
+#[cfg(unix)]
+#[test]
+fn a_read_only_directory_is_refused() {
+    let directory = TempDir::new().unwrap();
+    let Some(place) = read_only(directory.path()) else {
+        eprintln!("a_read_only_directory_is_refused: SKIPPED, every directory can be written to");
+        return;
+    };
+    let grid = [&PULSE[..], &["--omega", "3:12:7", "--a-h", "1:12:9"]].concat();
+    let cell = ["--object", "1", "--t-h", "1", "--t-v", "1"];
+    for arguments in [
+        grid.clone(),
+        [&grid[..], &["--tile", "1/2"]].concat(),
+        [&grid[..], &["--resume"]].concat(),
+        [&["seismic"], &cell[..]].concat(),
+        [&["history"], &cell[..], &["--omega", "5", "--a-h", "3"]].concat(),
+        vec!["figures", "--only", "fig12"],
+        vec!["chart"],
+    ] {
+        for place in [place.clone(), place.join("below")] {
+            let run = topple().args(&arguments).arg("--out").arg(&place).assert().code(2);
+            let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+            assert!(
+                error.contains("--out") && error.lines().count() == 1,
+                "{arguments:?}: {error}"
+            );
+            assert!(error.contains(place.to_str().unwrap()), "{arguments:?}: {error}");
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 use std::ops::Range;
+use std::time::Duration;
 
 use topple::map;
 use topple::scene::Grid;
@@ -42,6 +43,8 @@ struct Estimate {
     sampled: usize,
     /// Cells a second of one worker.
     rate: f64,
+    /// Time of compiling the shader.
+    compile: Duration,
     /// Bytes of map.csv and of map.npz.
     table: f64,
     archive: f64,
@@ -80,7 +83,7 @@ impl Estimate {
         let files = if options.tile.is_some() { 0.0 } else { table + archive + PICTURES };
         let rate = sample.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
         let disk = files + (tile::CELL * cells) as f64;
-        Ok(Estimate { sampled: sample.len(), rate, table, archive, disk })
+        Ok(Estimate { sampled: sample.len(), rate, compile: swept.compile, table, archive, disk })
     }
 }
 
@@ -110,9 +113,7 @@ pub fn tell(
         takes.rate * backends.len() as f64,
         takes.sampled
     );
-    let held = options.tile.is_none() && memory::holds(grid);
-    let runs = if options.run.resolve { 2 } else { 1 };
-    let bytes = memory::of_run(grid, held, &backends, runs) as f64;
+    let bytes = memory::of_run(grid, options, &backends) as f64;
     println!("memory     up to {}", size(bytes));
     let tiles = (tile::CELL * wanted.len()) as f64;
     let files = if options.tile.is_some() {
@@ -134,7 +135,15 @@ pub fn tell(
     Ok(())
 }
 
-/// What a run takes that is about to start, on a line.
+/// What a run takes that is about to start.
+pub struct Takes {
+    /// In a line.
+    pub line: String,
+    /// Time that the sample spent on compiling the shader, which the run need not spend again.
+    pub compile: Duration,
+}
+
+/// What a run takes that is about to start, with `left` cells to run.
 ///
 /// # Errors
 /// [`InputError`] where the disk has not as much room.
@@ -144,10 +153,10 @@ pub fn before(
     options: &MapOptions,
     backends: &[Backend],
     left: usize,
-) -> anyhow::Result<String> {
+) -> anyhow::Result<Takes> {
     let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(plan, left));
     if left < SMALL {
-        return Ok(motion);
+        return Ok(Takes { line: motion, compile: Duration::ZERO });
     }
     let takes = Estimate::of(plan, grid, options, &backends[0], left)?;
     if let Some(room) = memory::room(&options.run.out)
@@ -162,7 +171,8 @@ pub fn before(
         .into());
     }
     let time = left as f64 / takes.rate / backends.len() as f64;
-    Ok(format!("{motion}, about {}, up to {} of disk", duration(time), size(takes.disk)))
+    let line = format!("{motion}, about {}, up to {} of disk", duration(time), size(takes.disk));
+    Ok(Takes { line, compile: takes.compile })
 }
 
 /// Time that cells simulate if none ends early, s.

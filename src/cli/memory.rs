@@ -9,6 +9,7 @@ use topple::scene::Grid;
 use topple::sweep::backend::Backend;
 
 use super::InputError;
+use super::options::MapOptions;
 
 /// Memory that a cell takes beside its outcome: its number and its share of what the threads hold.
 const BYTES_A_CELL: usize = 40;
@@ -16,8 +17,8 @@ const BYTES_A_CELL: usize = 40;
 const MOST_HELD: usize = 1 << 24;
 /// Tiles that a worker has at once: one that it runs, one that is kept.
 const TILES: usize = 2;
-/// Memory that the motions in full contact may take, bytes, and all else.
-const REST: usize = 600 << 20;
+/// Memory that the motions in full contact may take, bytes.
+const MOTIONS: usize = 512 << 20;
 
 /// Memory that so many cells in memory take, bytes.
 pub fn of_cells(cells: usize) -> u64 {
@@ -31,13 +32,18 @@ pub fn holds(grid: &Grid) -> bool {
     grid.len() <= MOST_HELD && (available == 0 || of_cells(grid.len()) <= available / 2)
 }
 
-/// Most memory that a run takes, bytes: of a map held in memory all of its cells, of another the
-/// tiles at work, twice where each cell runs twice, and what is drawn.
-pub fn of_run(grid: &Grid, held: bool, workers: &[Backend], runs: usize) -> u64 {
+/// Most memory that a run takes, bytes: that of a map's cells if it is held in memory, or else of what
+/// is drawn of it, unless it is a part; and of the tiles at work, twice where each cell runs twice.
+pub fn of_run(grid: &Grid, options: &MapOptions, workers: &[Backend]) -> u64 {
+    let runs = if options.run.resolve { 2 } else { 1 };
     let tiles = TILES * workers.iter().map(Backend::tile).sum::<usize>() * runs;
-    let drawn = grid.shape().0.min(DRAWN as usize) * grid.shape().1.min(DRAWN as usize);
-    let kept = if held { grid.len() } else { drawn };
-    of_cells(kept + tiles.min(grid.len())) + REST as u64
+    let (columns, rows) = grid.shape();
+    let kept = match options.tile {
+        Some(_) => 0,
+        None if holds(grid) => grid.len(),
+        None => columns.min(DRAWN as usize) * rows.min(DRAWN as usize),
+    };
+    of_cells(kept + tiles.min(grid.len())) + MOTIONS as u64
 }
 
 /// Memory that is free, bytes; zero where the machine does not tell.

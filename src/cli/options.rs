@@ -54,7 +54,8 @@ pub struct MapOptions {
     /// Go on with an interrupted run in the same directory
     #[arg(long)]
     pub resume: bool,
-    /// Least time between two writings of what is done, which --resume goes on from, s
+    /// Least time between two writings of what is done, which --resume goes on from, s; a part, and
+    /// a map larger than memory, is written tile by tile
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
     /// Run the k-th of n parts only, and leave it in the directory for topple merge

@@ -40,11 +40,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let left = missing(&found.tiles, &wanted);
     let missing_cells: usize = left.iter().map(Range::len).sum();
     let resumed_cells = wanted.len() - missing_cells;
-    let takes = match missing_cells {
-        0 => Ok(None),
-        left => estimate::before(&plan, &grid, options, &backends, left).map(Some),
-    };
-    let takes = match takes {
+    let takes = match estimate::before(&plan, &grid, options, &backends, missing_cells) {
         Ok(takes) => takes,
         Err(error) => {
             store.discard_if_empty()?;
@@ -62,17 +58,17 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if resumed_cells > 0 {
         say.line("resumed", format!("{resumed_cells} of {} cells were done", wanted.len()));
     }
-    if let Some(takes) = takes {
-        say.line("takes", takes);
+    if missing_cells > 0 {
+        say.line("takes", &takes.line);
     }
     let job = Job { plan: &plan, grid: &grid, backends: &backends, options, store: &store };
     let swept = job.sweep(found, &left);
     let (outcomes, took) = match swept {
         Ok(swept) => swept,
-        Err(error) => {
-            store.discard_if_empty()?;
-            return Err(error);
+        Err(error) if store.discard_if_empty()? => {
+            return Err(error.context("interrupted; --resume goes on from what is done"));
         }
+        Err(error) => return Err(error),
     };
     for (number, error) in &took.lost {
         say.line("lost", format!("GPU {number}: {error}; the others did its cells"));
@@ -84,7 +80,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         adapter: backend.adapter().cloned(),
         devices: backends.len(),
         threads: words::threads(),
-        start: (opened + took.compile).as_secs_f64(),
+        start: (opened + takes.compile + took.compile).as_secs_f64(),
         sweep: took.elapsed.as_secs_f64(),
         resumed_cells,
     };
@@ -192,7 +188,10 @@ impl Job<'_> {
         let took = tiles::sweep(&workers, left, tile, |first, some| keeper.take(first, some));
         progress.finish();
         plan.forget();
-        let took = took?;
+        let took = took.inspect_err(|_| {
+            // What was done is to be found again; where it cannot be kept, that error was the first.
+            let _ = keeper.rescue();
+        })?;
         let outcomes = match options.tile {
             None => Some(keeper.finish(grid.len())?),
             Some(_) => None,

@@ -81,6 +81,14 @@ impl<'a> Keeper<'a> {
         Ok(())
     }
 
+    /// Keeps what is only in memory, if the run has been long at all: it is about to end.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn rescue(&mut self) -> Result<(), StoreError> {
+        if self.began.elapsed() >= self.patience { self.keep_waiting() } else { Ok(()) }
+    }
+
     fn keep_waiting(&mut self) -> Result<(), StoreError> {
         if let Place::Memory(all) = &self.place {
             for cells in self.waiting.drain(..) {
@@ -91,15 +99,13 @@ impl<'a> Keeper<'a> {
         Ok(())
     }
 
-    /// All outcomes of a grid of `count` cells. What is left over goes to disk if the run has been long at all: to write the map
-    /// takes its time, too.
+    /// All outcomes of a grid of `count` cells. What is left over goes to disk if the run has been
+    /// long at all: to write the map takes its time, too.
     ///
     /// # Errors
     /// Those of the store.
     pub fn finish(mut self, count: usize) -> Result<Box<dyn Outcomes>, StoreError> {
-        if self.began.elapsed() >= self.patience {
-            self.keep_waiting()?;
-        }
+        self.rescue()?;
         match self.place {
             Place::Memory(outcomes) => Ok(Box::new(outcomes)),
             Place::Disk(tiles) => match Shelf::new(tiles, count) {

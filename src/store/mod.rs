@@ -165,12 +165,15 @@ impl Store {
         fs::remove_dir_all(&path).map_err(StoreError::file(&path))
     }
 
-    /// Removes the folder if nothing was kept in it.
+    /// Removes the folder if nothing was kept in it; true if something was.
     ///
     /// # Errors
     /// [`StoreError::File`].
-    pub fn discard_if_empty(self) -> Result<(), StoreError> {
-        if self.path.join(IDENTITY).exists() { Ok(()) } else { self.discard() }
+    pub fn discard_if_empty(self) -> Result<bool, StoreError> {
+        if self.path.join(IDENTITY).exists() {
+            return Ok(true);
+        }
+        self.discard().map(|()| false)
     }
 }
 
