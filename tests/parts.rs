@@ -15,7 +15,7 @@ use common::{object, synthetic_pair, under};
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::integrate::outcome::Outcome;
-use topple::map::outcomes::{Column, DRAWN, Tally, drawn};
+use topple::map::outcomes::{Column, DRAWN, Tally, thinned};
 use topple::scene::{Grid, Scene};
 use topple::store::Store;
 use topple::store::identity::{Identity, Manner};
@@ -197,7 +197,7 @@ fn a_fine_map_is_drawn_with_fewer_cells() {
     let grid = Grid::of(&scene);
     let outcomes: Vec<Outcome> =
         (0..15_000).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
-    let map = drawn(&scene, &grid, &outcomes).unwrap();
+    let map = thinned(&scene, &grid, &outcomes, DRAWN).unwrap();
     assert_eq!(map.grid.shape(), (DRAWN as usize, 3));
     assert_eq!((map.outcomes[0].impacts, map.outcomes[map.grid.len() - 1].impacts), (0, 14_999));
     let pitch = 11.0 / 4999.0;

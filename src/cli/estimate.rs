@@ -1,17 +1,16 @@
 //! What a run will take, from a sample of it: said before it starts, and all that `--dry-run` does.
 
-use std::io::{self, Write};
 use std::ops::Range;
 use std::time::Duration;
 
-use topple::map;
 use topple::scene::Grid;
 use topple::store::tile;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
 
+use super::disk::{self, Files, size};
+use super::memory;
 use super::options::{MapOptions, flag_error};
-use super::{InputError, memory};
 
 /// Most points of an axis of the sample, and the least.
 const SIDE: [f64; 2] = [16.0, 96.0];
@@ -19,23 +18,6 @@ const SIDE: [f64; 2] = [16.0, 96.0];
 const SHARE: f64 = 100.0;
 /// Cells of a run that is over before a sample of it would be.
 const SMALL: usize = 10_000;
-/// Bytes of the pictures, about.
-const PICTURES: f64 = 2.0e6;
-
-/// Counts what is written to it.
-#[derive(Default)]
-struct Count(u64);
-
-impl Write for Count {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0 += bytes.len() as u64;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
 
 /// What a run takes.
 struct Estimate {
@@ -45,9 +27,8 @@ struct Estimate {
     rate: f64,
     /// Time of compiling the shader.
     compile: Duration,
-    /// Bytes of map.csv and of map.npz.
-    table: f64,
-    archive: f64,
+    /// Bytes of the map's files.
+    files: Files,
     /// Most bytes on disk while it runs and while its files are written.
     disk: f64,
 }
@@ -72,18 +53,12 @@ impl Estimate {
         let all = 0..sample.len();
         let swept = backend.sweep_range(&sample_plan, &sample, all, precision, resolve, &|_| ())?;
         let outcomes = swept.outcomes;
-        let mut table = Count::default();
-        map::csv::write(&sample, &outcomes, &mut table)?;
-        let mut archive = io::Cursor::new(Vec::new());
-        map::npz::write(&sample, &outcomes, &mut archive)?;
-        let scaled = |bytes: u64| bytes as f64 * grid.len() as f64 / sample.len() as f64;
-        let table = scaled(table.0);
-        let archive = scaled(archive.into_inner().len() as u64);
+        let files = Files::of(&sample, &outcomes, grid.len())?;
         // A part leaves tiles and no more.
-        let files = if options.tile.is_some() { 0.0 } else { table + archive + PICTURES };
+        let written = if options.tile.is_some() { 0.0 } else { files.all() };
         let rate = sample.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
-        let disk = files + (tile::CELL * cells) as f64;
-        Ok(Estimate { sampled: sample.len(), rate, compile: swept.compile, table, archive, disk })
+        let disk = written + (tile::CELL * cells) as f64;
+        Ok(Estimate { sampled: sample.len(), rate, compile: swept.compile, files, disk })
     }
 }
 
@@ -119,15 +94,14 @@ pub fn tell(
     let files = if options.tile.is_some() {
         format!("{} of tiles", size(tiles))
     } else {
-        let (table, archive) = (takes.table, takes.archive);
-        let all = size(table + archive + PICTURES);
-        let (table, archive) = (size(table), size(archive));
+        let Files { table, archive } = takes.files;
+        let (all, table, archive) = (size(takes.files.all()), size(table), size(archive));
         format!(
             "{all}: map.csv {table}, map.npz {archive}; up to {} while it runs",
             size(takes.disk)
         )
     };
-    let room = match memory::room(&options.run.out) {
+    let room = match disk::room(&options.run.out) {
         Some(room) => format!("; {} are free", size(room as f64)),
         None => String::new(),
     };
@@ -146,7 +120,7 @@ pub struct Takes {
 /// What a run takes that is about to start, with `left` cells to run.
 ///
 /// # Errors
-/// [`InputError`] where the disk has not as much room.
+/// An [`InputError`](super::InputError) where the disk has not as much room.
 pub fn before(
     plan: &Plan,
     grid: &Grid,
@@ -159,17 +133,7 @@ pub fn before(
         return Ok(Takes { line: motion, compile: Duration::ZERO });
     }
     let takes = Estimate::of(plan, grid, options, &backends[0], left)?;
-    if let Some(room) = memory::room(&options.run.out)
-        && takes.disk > room as f64
-    {
-        return Err(InputError(format!(
-            "--out: the run takes about {} and {} are free; give a directory with more room, or \
-             fewer points",
-            size(takes.disk),
-            size(room as f64)
-        ))
-        .into());
-    }
+    disk::fits(takes.disk, &options.run.out)?;
     let time = left as f64 / takes.rate / backends.len() as f64;
     let line = format!("{motion}, about {}, up to {} of disk", duration(time), size(takes.disk));
     Ok(Takes { line, compile: takes.compile })
@@ -187,14 +151,5 @@ fn duration(seconds: f64) -> String {
         s if s < 120.0 => format!("{s:.0} s"),
         s if s < 7200.0 => format!("{:.0} min", s / 60.0),
         s => format!("{:.1} h", s / 3600.0),
-    }
-}
-
-/// A size in the unit that a reader would use.
-fn size(bytes: f64) -> String {
-    match bytes {
-        b if b < 1.0e9 => format!("{:.0} MB", b / 1.0e6),
-        b if b < 1.0e12 => format!("{:.1} GB", b / 1.0e9),
-        b => format!("{:.1} TB", b / 1.0e12),
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use topple::map::files::Directory;
 use topple::map::manifest::{Manifest, Origin, Reduced, Steps, Timings};
-use topple::map::outcomes::{DRAWN, Outcomes, Tally, drawn};
+use topple::map::outcomes::{DRAWN, Outcomes, Tally, thinned};
 use topple::scene::Grid;
 use topple::store::identity::Manner;
 use topple::store::parts::Report;
@@ -14,6 +14,7 @@ use topple::sweep::plan::Plan;
 use topple::sweep::verification;
 
 use super::output;
+use super::progress::Watched;
 use super::words::{self, Say};
 
 /// A map that is run, and how it was.
@@ -30,15 +31,24 @@ pub struct Finished<'a> {
     pub parts: Vec<(Option<PathBuf>, Report)>,
 }
 
+/// Columns that are read to count cells and to choose the reference's sample.
+const COUNTED: usize = 5 + 2;
+/// Columns that are read for map.csv and map.npz.
+const WRITTEN: usize = 14 + 13;
+
 /// Judges a map by the reference and writes its files.
 pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<()> {
     let Finished { plan, grid, outcomes, manner, parts } = finished;
     let scene = &plan.scene;
-    let tally = Tally::of(scene, grid, *outcomes)?;
-    say.line("outcomes", words::shares(&tally, scene.friction));
+    let watch =
+        |doing, columns| Watched::new(*outcomes, doing, grid.len(), columns, say.is_quiet());
+    let counted = watch("counting", COUNTED);
+    let tally = Tally::of(scene, grid, &counted)?;
     let judging = Instant::now();
-    let verification = verification::verify(plan, grid, *outcomes, verification::SAMPLE)?;
+    let verification = verification::verify(plan, grid, &counted, verification::SAMPLE)?;
     let verified = judging.elapsed().as_secs_f64();
+    counted.finish();
+    say.line("outcomes", words::shares(&tally, scene.friction));
     say.line("reference", words::agreement(&verification));
     let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
     let resumed: usize = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -50,7 +60,7 @@ pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<
     // One that all parts share, if they do.
     let adapter = parts[0].1.adapter.as_ref();
     let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
-    let map = drawn(scene, grid, *outcomes)?;
+    let map = thinned(scene, grid, *outcomes, DRAWN)?;
     let manifest = Manifest {
         version: env!("CARGO_PKG_VERSION"),
         scene,
@@ -75,7 +85,9 @@ pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<
             .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
             .collect(),
     };
-    let picture = output::write(out, grid, *outcomes, &map, &manifest)?;
+    let written = watch("writing", WRITTEN);
+    let picture = output::write(out, grid, &written, &map, &manifest)?;
+    written.finish();
     let thinned = match map.grid == *grid {
         true => String::new(),
         false => format!(", {DRAWN} cells a side of them"),

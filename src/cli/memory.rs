@@ -1,6 +1,4 @@
-//! What a map takes of memory and disk, and what there is.
-
-use std::path::Path;
+//! What a map takes of memory, and what there is.
 
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
 use topple::integrate::outcome::Outcome;
@@ -65,12 +63,4 @@ pub fn fits(needed: u64, what: &str) -> Result<(), InputError> {
         giga(needed),
         giga(available)
     )))
-}
-
-/// Room on the disk of a directory, or of the nearest one above that is there, bytes; none where the
-/// system does not tell.
-pub fn room(directory: &Path) -> Option<u64> {
-    let there = std::path::absolute(directory).ok()?;
-    let there = there.ancestors().find(|place| place.is_dir())?;
-    fs4::available_space(there).ok()
 }

@@ -3,6 +3,7 @@
 mod adapters;
 mod bench;
 mod chart;
+mod disk;
 mod estimate;
 mod figures;
 mod finish;

@@ -20,6 +20,11 @@ impl Say {
         Say(!quiet)
     }
 
+    /// True where nothing is said.
+    pub fn is_quiet(&self) -> bool {
+        !self.0
+    }
+
     /// Says a line.
     pub fn line(&self, name: &str, text: impl Display) {
         if self.0 {

@@ -1,7 +1,7 @@
 //! The directory that a run leaves its files in.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
@@ -89,8 +89,24 @@ impl Directory {
         file.as_file().sync_all().map_err(|e| failed(e.to_string()))?;
         share(file.path()).map_err(|e| failed(e.to_string()))?;
         file.persist(&path).map_err(|e| failed(e.to_string()))?;
+        settle(&self.path).map_err(|e| failed(e.to_string()))?;
         Ok(path)
     }
+}
+
+/// Sees to it that a new name in a directory outlives a power cut.
+#[cfg(unix)]
+fn settle(directory: &Path) -> io::Result<()> {
+    match fs::File::open(directory)?.sync_all() {
+        // File systems that have no such call keep names in their own way.
+        Err(e) if matches!(e.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
+        settled => settled,
+    }
+}
+
+#[cfg(not(unix))]
+fn settle(_: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 /// Gives a temporary file, which is private, the rights of an ordinary one.

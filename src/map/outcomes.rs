@@ -183,16 +183,21 @@ impl Tally {
 /// Most cells a side of what is drawn: four times the pixels that a figure has for them.
 pub const DRAWN: u32 = 2048;
 
-/// The map as it is drawn: all of its cells, or of a longer side [`DRAWN`] evenly spread ones, each
-/// at its place to within a cell.
+/// A map with at most so many cells a side, as of [`DRAWN`] it is drawn: all of its cells, or of a
+/// longer side as many evenly spread ones, each at its place to within a cell.
 ///
 /// # Errors
 /// Those of reading.
-pub fn drawn<'a>(scene: &'a Scene, grid: &Grid, outcomes: &'a dyn Outcomes) -> io::Result<Map<'a>> {
+pub fn thinned<'a>(
+    scene: &'a Scene,
+    grid: &Grid,
+    outcomes: &'a dyn Outcomes,
+    most: u32,
+) -> io::Result<Map<'a>> {
     let (columns, rows) = grid.shape();
     let mut thin = *grid;
     for axis in [&mut thin.x, &mut thin.y] {
-        axis.range.count = axis.range.count.min(DRAWN);
+        axis.range.count = axis.range.count.min(most);
     }
     if thin == *grid {
         let outcomes = outcomes.read(0..grid.len(), &Column::ALL)?;

@@ -121,7 +121,7 @@ impl Store {
         if let Some(difference) = store.identity.difference(&text) {
             return Err(StoreError::Other { place, difference });
         }
-        let found = Found::in_folder(&store.path, store.identity.tag())?;
+        let found = Found::in_folder(&store.path, store.identity.tag(), &|_| ())?;
         for (path, _) in &found.broken {
             fs::remove_file(path).map_err(StoreError::file(path))?;
         }
@@ -178,8 +178,8 @@ impl Store {
 }
 
 impl Found {
-    /// The tiles of an identity's tag in a folder.
-    fn in_folder(folder: &Path, tag: u32) -> Result<Found, StoreError> {
+    /// The tiles of an identity's tag in a folder; `seen` hears of the cells of each.
+    fn in_folder(folder: &Path, tag: u32, seen: &dyn Fn(usize)) -> Result<Found, StoreError> {
         let mut paths = Vec::new();
         for entry in fs::read_dir(folder).map_err(StoreError::file(folder))? {
             let path = entry.map_err(StoreError::file(folder))?.path();
@@ -191,7 +191,10 @@ impl Found {
         let mut found = Found::default();
         for path in paths {
             match tile::find(&path, tag).map_err(StoreError::file(&path))? {
-                Ok(tile) => found.tiles.push(tile),
+                Ok(tile) => {
+                    seen(tile.cells.len());
+                    found.tiles.push(tile);
+                }
                 Err(reason) => found.broken.push((path, reason)),
             }
         }

@@ -121,15 +121,16 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Finds the parts in directories, each a run's or a part's own, and joins them.
+    /// Finds the parts in directories, each a run's or a part's own, and joins them; `seen` hears of cells
+    /// that are found whole.
     ///
     /// # Errors
     /// [`PartsError`].
-    pub fn join(directories: &[PathBuf]) -> Result<Parts, PartsError> {
+    pub fn join(directories: &[PathBuf], seen: &dyn Fn(usize)) -> Result<Parts, PartsError> {
         let mut pieces = Vec::new();
         for directory in directories {
             for place in folders(directory)? {
-                pieces.push(Piece::read(place)?);
+                pieces.push(Piece::read(place, seen)?);
             }
         }
         let first = pieces.first().ok_or_else(|| PartsError::None(PathBuf::new()))?;
@@ -161,7 +162,7 @@ impl Parts {
 }
 
 impl Piece {
-    fn read(place: PathBuf) -> Result<Piece, PartsError> {
+    fn read(place: PathBuf, seen: &dyn Fn(usize)) -> Result<Piece, PartsError> {
         let text = |name: &str| {
             let path = place.join(name);
             fs::read_to_string(&path).map_err(StoreError::file(&path))
@@ -172,7 +173,7 @@ impl Piece {
         };
         let identity =
             Identity::read(&text(IDENTITY)?).map_err(|error| unreadable(IDENTITY, error))?;
-        let found = Found::in_folder(&place, identity.tag())?;
+        let found = Found::in_folder(&place, identity.tag(), seen)?;
         if let Some((place, reason)) = found.broken.into_iter().next() {
             return Err(PartsError::Broken { place, reason });
         }
