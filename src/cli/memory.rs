@@ -13,8 +13,8 @@ use super::options::MapOptions;
 const BYTES_A_CELL: usize = 40;
 /// Most cells of a map that is held in memory; a larger one lies on disk and is read as it is needed.
 const MOST_HELD: usize = 1 << 24;
-/// Tiles that a worker has at once: one that it runs, one that is kept.
-const TILES: usize = 2;
+/// Tiles that there are at once: one that a worker runs, and those that are kept or wait for it.
+const TILES: usize = 5;
 /// Memory that the motions in full contact may take, bytes.
 const MOTIONS: usize = 512 << 20;
 

@@ -1,14 +1,17 @@
 //! map.npz: the columns of map.csv as arrays of shape (y, x), with the axes.
 
-use std::io::{self, BufWriter, Seek, Write};
+use std::io::{self, Seek, Write};
 
+use bytemuck::NoUninit;
 use npyz::{AutoSerialize, WriterBuilder};
+use rayon::prelude::*;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::outcomes::{Column, Outcomes, each_block};
 use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::scene::Grid;
+use crate::scene::grid::Axis;
 
 /// Code of a class in the array `outcome`.
 pub fn class_code(class: Class) -> u8 {
@@ -43,8 +46,7 @@ pub fn status_code(status: Status) -> u8 {
 pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) -> io::Result<()> {
     let mut archive = Archive { zip: ZipWriter::new(writer), grid, outcomes };
     for axis in [&grid.x, &grid.y] {
-        let values = |push: &mut Push<f64>| axis.range.values().try_for_each(push);
-        archive.array(axis.key, &[u64::from(axis.range.count)], values)?;
+        archive.axis(axis)?;
     }
     archive.column("outcome", Column::Outcome, |cell| class_code(cell.class))?;
     archive.column("impacts", Column::Impacts, |cell| cell.impacts)?;
@@ -63,9 +65,6 @@ pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) ->
     Ok(())
 }
 
-/// Takes the next value of an array.
-type Push<'a, T> = dyn FnMut(T) -> io::Result<()> + 'a;
-
 /// An archive while it is written.
 struct Archive<'a, W: Write + Seek> {
     zip: ZipWriter<W>,
@@ -74,13 +73,8 @@ struct Archive<'a, W: Write + Seek> {
 }
 
 impl<W: Write + Seek> Archive<'_, W> {
-    /// Adds an array of a shape, the last index fastest.
-    fn array<T: AutoSerialize>(
-        &mut self,
-        name: &str,
-        shape: &[u64],
-        values: impl FnOnce(&mut Push<T>) -> io::Result<()>,
-    ) -> io::Result<()> {
+    /// Begins an array of a shape, the last index fastest: its values are to follow.
+    fn begin<T: AutoSerialize>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
         let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
         // Beyond 4 GiB with its head the archive needs longer numbers.
         let large = bytes >= u64::from(u32::MAX) - (1 << 10);
@@ -88,28 +82,35 @@ impl<W: Write + Seek> Archive<'_, W> {
             .compression_method(zip::CompressionMethod::Stored)
             .large_file(large);
         self.zip.start_file(format!("{name}.npy"), options)?;
-        let mut array = npyz::WriteOptions::new()
-            .default_dtype()
+        // The type is that of numbers as they lie in memory.
+        npyz::WriteOptions::new_header_only()
+            .dtype(T::default_dtype())
             .shape(shape)
-            .writer(BufWriter::with_capacity(1 << 16, &mut self.zip))
-            .begin_nd()?;
-        values(&mut |value| array.push(&value))?;
-        array.finish()
+            .writer(&mut self.zip)
+            .write_header_only()?;
+        Ok(())
     }
 
-    /// Adds a column as an array of shape (y, x).
-    fn column<T: AutoSerialize>(
+    /// Adds the values of an axis.
+    fn axis(&mut self, axis: &Axis) -> io::Result<()> {
+        let values: Vec<f64> = axis.range.values().collect();
+        self.begin::<f64>(axis.key, &[values.len() as u64])?;
+        self.zip.write_all(bytemuck::cast_slice(&values))
+    }
+
+    /// Adds a column as an array of shape (y, x), its values made on all cores.
+    fn column<T: AutoSerialize + NoUninit + Send>(
         &mut self,
         name: &str,
         column: Column,
-        value: impl Fn(&Outcome) -> T,
+        value: impl Fn(&Outcome) -> T + Sync,
     ) -> io::Result<()> {
-        let (grid, outcomes) = (self.grid, self.outcomes);
-        let (columns, rows) = grid.shape();
-        self.array(name, &[rows as u64, columns as u64], |push| {
-            each_block(grid, outcomes, &[column], |_, block| {
-                block.iter().try_for_each(|cell| push(value(cell)))
-            })
+        let (columns, rows) = self.grid.shape();
+        self.begin::<T>(name, &[rows as u64, columns as u64])?;
+        let mut values = Vec::new();
+        each_block(self.grid, self.outcomes, &[column], |_, block| {
+            block.par_iter().map(&value).collect_into_vec(&mut values);
+            self.zip.write_all(bytemuck::cast_slice(&values))
         })
     }
 }

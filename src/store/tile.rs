@@ -49,14 +49,16 @@ pub fn name(first: usize) -> String {
 
 /// The bytes of a tile.
 pub fn to_bytes(first: usize, outcomes: &[Outcome], tag: u32) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(START + CELL * outcomes.len());
-    bytes.extend(LETTERS);
-    bytes.extend(tag.to_le_bytes());
-    bytes.extend([0; 4]);
-    bytes.extend((first as u64).to_le_bytes());
-    bytes.extend((outcomes.len() as u64).to_le_bytes());
+    let mut bytes = vec![0; START + CELL * outcomes.len()];
+    bytes[..8].copy_from_slice(LETTERS);
+    bytes[8..12].copy_from_slice(&tag.to_le_bytes());
+    bytes[HEAD..HEAD + 8].copy_from_slice(&(first as u64).to_le_bytes());
+    bytes[HEAD + 8..START].copy_from_slice(&(outcomes.len() as u64).to_le_bytes());
+    let mut place = START;
     for column in Column::ALL {
-        outcomes.iter().for_each(|cell| put(column, cell, &mut bytes));
+        let end = place + width(column) * outcomes.len();
+        put(column, outcomes, &mut bytes[place..end]);
+        place = end;
     }
     let sum = crc32fast::hash(&bytes[HEAD..]);
     bytes[12..16].copy_from_slice(&sum.to_le_bytes());
@@ -103,10 +105,7 @@ pub fn read(tile: &Tile, cells: Range<usize>, columns: &[Column]) -> io::Result<
             bytes.resize(width * cells.len(), 0);
             file.seek(SeekFrom::Start((place + width * from) as u64)).map_err(named)?;
             file.read_exact(&mut bytes).map_err(named)?;
-            let values = bytes.chunks_exact(width).zip(&mut outcomes);
-            for (value, outcome) in values {
-                take(column, value, outcome).ok_or_else(|| named(damaged()))?;
-            }
+            take(column, &bytes, &mut outcomes).ok_or_else(|| named(damaged()))?;
         }
         place += width * count;
     }
@@ -143,46 +142,89 @@ fn array<const N: usize>(bytes: &[u8]) -> [u8; N] {
     array
 }
 
-/// A number's place in an outcome.
-fn number(column: Column, cell: &mut Outcome) -> Option<&mut f64> {
-    match column {
-        Column::TEnd => Some(&mut cell.t_end),
-        Column::TSimulated => Some(&mut cell.t_simulated),
-        Column::Zeta => Some(&mut cell.zeta),
-        Column::MaxPhiLeft => Some(&mut cell.max_phi_left),
-        Column::MaxPhiRight => Some(&mut cell.max_phi_right),
-        Column::MaxU => Some(&mut cell.max_u),
-        Column::MaxV => Some(&mut cell.max_v),
-        Column::MinContact => Some(&mut cell.min_contact),
-        Column::Friction => Some(&mut cell.friction),
-        _ => None,
-    }
-}
-
-fn put(column: Column, cell: &Outcome, bytes: &mut Vec<u8>) {
-    let place = |found: Option<usize>| found.map_or(u8::MAX, |place| place as u8);
-    match column {
-        Column::Outcome => bytes.push(place(CLASSES.iter().position(|c| *c == cell.class))),
-        Column::Status => bytes.push(place(STATUSES.iter().position(|s| *s == cell.status))),
-        Column::Impacts => bytes.extend(cell.impacts.to_le_bytes()),
-        Column::Uplifts => bytes.extend(cell.uplifts.to_le_bytes()),
-        // No uplift has no time.
-        Column::TUplift => bytes.extend(cell.t_uplift.unwrap_or(f64::NAN).to_le_bytes()),
-        _ => bytes.extend(number(column, &mut { *cell }).map_or([0; 8], |n| n.to_le_bytes())),
-    }
-}
-
-fn take(column: Column, bytes: &[u8], cell: &mut Outcome) -> Option<()> {
-    match column {
-        Column::Outcome => cell.class = *CLASSES.get(usize::from(bytes[0]))?,
-        Column::Status => cell.status = *STATUSES.get(usize::from(bytes[0]))?,
-        Column::Impacts => cell.impacts = u32::from_le_bytes(array(bytes)),
-        Column::Uplifts => cell.uplifts = u32::from_le_bytes(array(bytes)),
-        Column::TUplift => {
-            let time = f64::from_le_bytes(array(bytes));
-            cell.t_uplift = (!time.is_nan()).then_some(time);
+/// Writes a column's values one after the other.
+fn put(column: Column, outcomes: &[Outcome], bytes: &mut [u8]) {
+    fn each<const N: usize>(
+        outcomes: &[Outcome],
+        bytes: &mut [u8],
+        value: impl Fn(&Outcome) -> [u8; N],
+    ) {
+        for (cell, place) in outcomes.iter().zip(bytes.chunks_exact_mut(N)) {
+            place.copy_from_slice(&value(cell));
         }
-        _ => *number(column, cell)? = f64::from_le_bytes(array(bytes)),
     }
-    Some(())
+    let place = |found: Option<usize>| [found.map_or(u8::MAX, |place| place as u8)];
+    match column {
+        Column::Outcome => {
+            each(outcomes, bytes, |cell| place(CLASSES.iter().position(|c| *c == cell.class)));
+        }
+        Column::Status => {
+            each(outcomes, bytes, |cell| place(STATUSES.iter().position(|s| *s == cell.status)));
+        }
+        Column::Impacts => each(outcomes, bytes, |cell| cell.impacts.to_le_bytes()),
+        Column::Uplifts => each(outcomes, bytes, |cell| cell.uplifts.to_le_bytes()),
+        Column::TEnd => each(outcomes, bytes, |cell| cell.t_end.to_le_bytes()),
+        Column::TSimulated => each(outcomes, bytes, |cell| cell.t_simulated.to_le_bytes()),
+        // No uplift has no time.
+        Column::TUplift => {
+            each(outcomes, bytes, |cell| cell.t_uplift.unwrap_or(f64::NAN).to_le_bytes());
+        }
+        Column::Zeta => each(outcomes, bytes, |cell| cell.zeta.to_le_bytes()),
+        Column::MaxPhiLeft => each(outcomes, bytes, |cell| cell.max_phi_left.to_le_bytes()),
+        Column::MaxPhiRight => each(outcomes, bytes, |cell| cell.max_phi_right.to_le_bytes()),
+        Column::MaxU => each(outcomes, bytes, |cell| cell.max_u.to_le_bytes()),
+        Column::MaxV => each(outcomes, bytes, |cell| cell.max_v.to_le_bytes()),
+        Column::MinContact => each(outcomes, bytes, |cell| cell.min_contact.to_le_bytes()),
+        Column::Friction => each(outcomes, bytes, |cell| cell.friction.to_le_bytes()),
+    }
+}
+
+/// Reads a column's values into outcomes; none where one is of no cell.
+fn take(column: Column, bytes: &[u8], outcomes: &mut [Outcome]) -> Option<()> {
+    fn each<const N: usize>(
+        bytes: &[u8],
+        outcomes: &mut [Outcome],
+        set: impl Fn(&mut Outcome, [u8; N]) -> Option<()>,
+    ) -> Option<()> {
+        let mut values = outcomes.iter_mut().zip(bytes.chunks_exact(N));
+        values.try_for_each(|(cell, value)| set(cell, array(value)))
+    }
+    let number = |place: fn(&mut Outcome) -> &mut f64| {
+        move |cell: &mut Outcome, value: [u8; 8]| {
+            *place(cell) = f64::from_le_bytes(value);
+            Some(())
+        }
+    };
+    match column {
+        Column::Outcome => each(bytes, outcomes, |cell, [code]| {
+            cell.class = *CLASSES.get(usize::from(code))?;
+            Some(())
+        }),
+        Column::Status => each(bytes, outcomes, |cell, [code]| {
+            cell.status = *STATUSES.get(usize::from(code))?;
+            Some(())
+        }),
+        Column::Impacts => each(bytes, outcomes, |cell, value| {
+            cell.impacts = u32::from_le_bytes(value);
+            Some(())
+        }),
+        Column::Uplifts => each(bytes, outcomes, |cell, value| {
+            cell.uplifts = u32::from_le_bytes(value);
+            Some(())
+        }),
+        Column::TUplift => each(bytes, outcomes, |cell, value| {
+            let time = f64::from_le_bytes(value);
+            cell.t_uplift = (!time.is_nan()).then_some(time);
+            Some(())
+        }),
+        Column::TEnd => each(bytes, outcomes, number(|cell| &mut cell.t_end)),
+        Column::TSimulated => each(bytes, outcomes, number(|cell| &mut cell.t_simulated)),
+        Column::Zeta => each(bytes, outcomes, number(|cell| &mut cell.zeta)),
+        Column::MaxPhiLeft => each(bytes, outcomes, number(|cell| &mut cell.max_phi_left)),
+        Column::MaxPhiRight => each(bytes, outcomes, number(|cell| &mut cell.max_phi_right)),
+        Column::MaxU => each(bytes, outcomes, number(|cell| &mut cell.max_u)),
+        Column::MaxV => each(bytes, outcomes, number(|cell| &mut cell.max_v)),
+        Column::MinContact => each(bytes, outcomes, number(|cell| &mut cell.min_contact)),
+        Column::Friction => each(bytes, outcomes, number(|cell| &mut cell.friction)),
+    }
 }

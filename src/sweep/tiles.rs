@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 use std::ops::Range;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
@@ -36,6 +36,9 @@ pub enum TiledError<E> {
     Keep(E),
 }
 
+/// Tiles that may wait to be kept.
+const BACKLOG: usize = 3;
+
 /// Workers, and the tiles that they have not begun.
 struct Pool {
     queue: VecDeque<Range<usize>>,
@@ -66,11 +69,11 @@ impl Pool {
 /// # Errors
 /// The error of the worker that failed last, when none is left; those of `keep`. What `keep` was
 /// handed before stays as it is.
-pub fn sweep<E>(
+pub fn sweep<E: Send>(
     workers: &[Worker],
     missing: &[Range<usize>],
     tile: usize,
-    mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E>,
+    mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E> + Send,
 ) -> Result<Took, TiledError<E>> {
     let cut = |range: &Range<usize>| {
         let end = range.end;
@@ -93,6 +96,10 @@ pub fn sweep<E>(
             idle: (0..workers.len()).rev().collect(),
             running: 0,
         };
+        // What is done is kept while the workers go on, unless that takes much longer than the work.
+        let (done, to_keep) = mpsc::sync_channel::<(usize, Vec<Outcome>)>(BACKLOG);
+        let keeper = scope
+            .spawn(move || to_keep.iter().try_for_each(|(first, outcomes)| keep(first, &outcomes)));
         pool.dispatch();
         while pool.running > 0
             && let Ok((worker, cells, swept)) = reports.recv()
@@ -108,13 +115,20 @@ pub fn sweep<E>(
                     times[worker].0 += swept.elapsed;
                     times[worker].1 += swept.compile;
                     pool.idle.push(worker);
-                    // The worker goes on while its tile is kept.
                     pool.dispatch();
-                    keep(cells.start, &swept.outcomes).map_err(TiledError::Keep)?;
+                    if done.send((cells.start, swept.outcomes)).is_err() {
+                        // The keeper has ended, with an error.
+                        break;
+                    }
                 }
             }
         }
-        Ok::<usize, TiledError<E>>(pool.queue.len())
+        drop(done);
+        match keeper.join() {
+            Ok(Ok(())) => Ok(pool.queue.len()),
+            Ok(Err(error)) => Err(TiledError::Keep(error)),
+            Err(panic) => resume_unwind(panic),
+        }
     })?;
     if left > 0
         && let Some((_, error)) = took.lost.pop()
