@@ -18,8 +18,7 @@ use topple::sweep::gpu::device::Gpu;
 
 use super::InputError;
 use super::options::flag_error;
-use super::output;
-use super::output::{PNG_SCALE, write_figure};
+use super::output::{self, PNG_SCALE, write_figure};
 use super::progress::Progress;
 use super::seismic::write_synthetic;
 use super::words;

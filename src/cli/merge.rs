@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use topple::map::outcomes::thinned;
 use topple::scene::Grid;
 use topple::store::parts::{Parts, Report};
-use topple::sweep::plan::Plan;
 
 use super::disk::{self, Files, size};
 use super::finish::{self, Finished};
@@ -41,8 +40,7 @@ impl MergeCommand {
         let Parts { identity, reports, shelf } = joined;
         let scene = identity.scene().clone();
         let manner = *identity.manner();
-        let plan = Plan::new(&scene, manner.largest_step)?;
-        let plan = if manner.full_model { plan.full_model() } else { plan };
+        let plan = manner.plan(&scene)?;
         let out = output::open(&self.out)?;
         let grid = Grid::of(&scene);
         let sample = thinned(&scene, &grid, &shelf, SAMPLE)?;

@@ -7,6 +7,7 @@ use topple::scene::block::BlockText;
 use topple::scene::isolation::IsolationText;
 use topple::scene::text::{RunText, SceneText};
 use topple::scene::{Scene, SceneError};
+use topple::store::identity::Manner;
 use topple::store::part::Part;
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::choice::Choice;
@@ -70,10 +71,19 @@ impl RunOptions {
     /// The plan of a scene.
     ///
     /// # Errors
-    /// Those of [`Plan::new`].
+    /// Those of [`Manner::plan`].
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
-        let plan = Plan::new(scene, self.step)?;
-        Ok(if self.full_model { plan.full_model() } else { plan })
+        self.manner().plan(scene)
+    }
+
+    /// How a scene is run.
+    pub fn manner(&self) -> Manner {
+        Manner {
+            precision: self.precision,
+            largest_step: self.step,
+            resolve: self.resolve,
+            full_model: self.full_model,
+        }
     }
 
     /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use topple::map::outcomes::Outcomes;
 use topple::scene::{Grid, Scene};
-use topple::store::identity::{Identity, Manner};
+use topple::store::identity::Identity;
 use topple::store::keeper::Keeper;
 use topple::store::part::Part;
 use topple::store::parts::Report;
@@ -96,7 +96,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         plan: &plan,
         grid,
         outcomes: outcomes.as_ref(),
-        manner: manner(&options.run),
+        manner: options.run.manner(),
         parts: vec![(None, report)],
     };
     finish::write(&out, &finished, &say)?;
@@ -116,24 +116,13 @@ fn cells(grid: &Grid, part: Option<Part>) -> Result<Range<usize>, InputError> {
     Ok(cells)
 }
 
-/// How a scene is run.
-pub fn manner(options: &RunOptions) -> Manner {
-    Manner {
-        precision: options.precision,
-        largest_step: options.step,
-        resolve: options.resolve,
-        full_model: options.full_model,
-    }
-}
-
 /// The folder in which the run keeps what is done, and what an earlier one left there.
 fn unfinished(
     scene: &Scene,
     backend: &Backend,
     options: &MapOptions,
 ) -> anyhow::Result<(Store, Found)> {
-    let manner = manner(&options.run);
-    let identity = Identity::new(scene, backend, &manner, options.tile)?;
+    let identity = Identity::new(scene, backend, &options.run.manner(), options.tile)?;
     open_store(&options.run.out, identity, options.resume)
 }
 

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::part::Part;
-use crate::scene::{Excitation, Scene};
+use crate::scene::{Excitation, Scene, SceneError};
 use crate::sweep::backend::{Backend, Precision};
+use crate::sweep::plan::Plan;
 
 /// Everything that a map depends on.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +51,17 @@ pub struct Manner {
     pub full_model: bool,
 }
 
+impl Manner {
+    /// The plan of a scene that is run so.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        let plan = Plan::new(scene, self.largest_step)?;
+        Ok(if self.full_model { plan.full_model() } else { plan })
+    }
+}
+
 impl Identity {
     /// The identity of a scene, or of a part of it, run by a backend.
     ///
@@ -77,6 +89,10 @@ impl Identity {
             manner: *manner,
             part,
         };
+        Identity::of(content)
+    }
+
+    fn of(content: Content) -> serde_json::Result<Identity> {
         Ok(Identity { text: serde_json::to_string_pretty(&content)?, content })
     }
 
@@ -100,8 +116,7 @@ impl Identity {
     /// # Errors
     /// As [`Identity::new`].
     pub fn whole(&self) -> serde_json::Result<Identity> {
-        let content = Content { part: None, ..self.content.clone() };
-        Ok(Identity { text: serde_json::to_string_pretty(&content)?, content })
+        Identity::of(Content { part: None, ..self.content.clone() })
     }
 
     /// The scene.

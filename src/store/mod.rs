@@ -107,8 +107,10 @@ impl Store {
         let folder = Directory::open(&path)?;
         let lock = lock(&path, &place)?;
         // Nobody else is writing there: the lock is held.
-        Directory::open(&place)?.remove_leftovers()?;
         folder.remove_leftovers()?;
+        if place != path {
+            Directory::open(&place)?.remove_leftovers()?;
+        }
         let store = Store { folder, path, lock, identity };
         let before = store.path.join(IDENTITY);
         if !before.exists() {
