@@ -5,7 +5,7 @@ override workgroup_size: u32 = 64u;
 struct Chunk {
     // Cells of the tile.
     cells: u32,
-    // Steps and switches of a cell at most.
+    // Turns of a cell at least.
     work: u32,
     // Number of the chunk in the tile.
     number: u32,
@@ -40,12 +40,12 @@ fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
     let cell = cells[lane];
     var state = states[lane];
     let first = state.step;
+    var turns = begin_turns(cell, state);
     var done = 0u;
-    while done < chunk.work && state.status == RUNNING {
-        done += 1u + advance(cell, &state);
-        if state.status == RUNNING && is_due(cell, state) {
-            certify(cell, &state);
-        }
+    // A cell leaves at a step's edge, so that no search is kept between chunks.
+    while state.status == RUNNING && (done < chunk.work || !at_an_edge(turns)) {
+        turn(cell, &state, &turns);
+        done += 1u;
     }
     states[lane] = state;
     atomicAdd(&tallies[next].steps, state.step - first);

@@ -5,11 +5,11 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
-use topple::integrate::log::Event;
-use topple::integrate::state::State;
 use topple::model::block::{Corner, Model};
 use topple::model::dynamics::Motion;
 use topple::model::excitation::{Cell, Ground};
+use topple::stepping::log::Event;
+use topple::stepping::state::State;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::shader::{self, Switches};
 
@@ -109,7 +109,13 @@ macro_rules! same_layouts {
                 inverse_mu_h,
                 inverse_mu_v,
                 least_arm,
-                topple_energy
+                topple_energy,
+                impact_gain,
+                normal_share,
+                normal_by_shear,
+                normal_by_turn,
+                shear_by_normal,
+                shear_by_turn
             }
         );
         same_layout!(
@@ -174,8 +180,8 @@ fn host_structs_are_laid_out_as_the_shaders() {
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
-    use topple::integrate::{certificate, locate, state, switching};
     use topple::model::block;
+    use topple::stepping::{certificate, forcing, guards, state};
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module
@@ -199,16 +205,16 @@ fn constants_agree_with_the_twin() {
         ("EVENT_LIMIT", state::EVENT_LIMIT),
         ("DIVERGED", state::DIVERGED),
         ("PROVED", state::PROVED),
-        ("TRIES", certificate::TRIES),
-        ("NOTHING", switching::NOTHING),
-        ("UPLIFT_LEFT", switching::UPLIFT_LEFT),
-        ("UPLIFT_RIGHT", switching::UPLIFT_RIGHT),
-        ("IMPACT", switching::IMPACT),
-        ("OVERTURN", switching::OVERTURN),
-        ("KINK", switching::KINK),
-        ("EVENT_BOUND", switching::EVENT_BOUND),
-        ("LOCATE_BOUND", locate::LOCATE_BOUND),
-        ("GUESS_BOUND", locate::GUESS_BOUND),
+        ("STEPS_A_TRY", certificate::STEPS_A_TRY),
+        ("MOST_STEPS", forcing::MOST_STEPS),
+        ("NOTHING", guards::NOTHING),
+        ("UPLIFT_LEFT", guards::UPLIFT_LEFT),
+        ("UPLIFT_RIGHT", guards::UPLIFT_RIGHT),
+        ("IMPACT", guards::IMPACT),
+        ("OVERTURN", guards::OVERTURN),
+        ("KINK", guards::KINK),
+        ("EVENT_BOUND", guards::EVENT_BOUND),
+        ("LOCATE_BOUND", guards::LOCATE_BOUND),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

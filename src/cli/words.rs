@@ -2,10 +2,10 @@
 
 use std::fmt::Display;
 
-use topple::integrate::outcome::Class;
 use topple::map::figure::frame;
 use topple::map::outcomes::Tally;
 use topple::scene::{Excitation, Grid, Scene};
+use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::plan::{Plan, Reductions};

@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use bytemuck::Zeroable;
 
 use super::plan::Plan;
-use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::state::{
-    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State, check_cell,
-};
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::{Excitation, GRAVITY, Point};
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State, check_cell,
+};
 
 /// A landing block comes to rest when its next flight would last less than this share of a step.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
@@ -41,7 +41,8 @@ impl Plan {
             cell.post_yield = R::of(base.psi * omega_h * omega_h);
             cell.hysteretic = R::of((1.0 - base.psi) * yield_force);
             cell.damping_h = R::of(2.0 * base.xi_h * omega_h);
-            cell.reach_h = R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h).sqrt());
+            cell.reach_h =
+                R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / self.free_share_h()).sqrt());
             let u_y = yield_force / (omega_h * omega_h);
             cell.yield_energy = R::of((1.0 - base.psi) * yield_force * u_y);
             // Without horizontal excitation u_y is zero, and so is the force that z carries.
@@ -54,7 +55,8 @@ impl Plan {
             let omega_v = TAU / point.t_v;
             cell.stiffness_v = R::of(omega_v * omega_v);
             cell.damping_v = R::of(2.0 * base.xi_v * omega_v);
-            cell.reach_v = R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v).sqrt());
+            cell.reach_v =
+                R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / self.free_share_v()).sqrt());
             let deflection = GRAVITY / (omega_v * omega_v);
             cell.deflection = R::of(deflection);
             state.motion.v = R::of(-deflection);

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::bounds::Lever;
 use super::clock::Clock;
 use super::plan::Plan;
 use crate::model::block::{Corner, Model};
@@ -56,6 +57,12 @@ impl Plan {
             inverse_mu_v: inverse(self.mu_v),
             least_arm: R::of(block.arm(1.0).min(block.arm(-1.0))),
             topple_energy: R::of(GRAVITY * (radius(1.0).min(radius(-1.0)) - block.height)),
+            impact_gain: R::of(self.impact_gain()),
+            normal_share: R::of(self.normal_share()),
+            normal_by_shear: R::of((1.0 - self.mu_v) * self.most_pq()),
+            normal_by_turn: R::of((1.0 - self.mu_v) * self.most_by_turn(Lever::Height)),
+            shear_by_normal: R::of((1.0 - self.mu_h) * self.most_pq()),
+            shear_by_turn: R::of((1.0 - self.mu_h) * self.most_by_turn(Lever::Arm)),
         }
     }
 

@@ -11,15 +11,16 @@
 use rayon::prelude::*;
 
 use super::plan::Plan;
-use crate::integrate::state::{FINISHED, RUNNING, State};
-use crate::integrate::switching::advance;
-use crate::model::Setting;
+use crate::model::CellEquations;
 use crate::model::block::{FULL_CONTACT, pivot};
 use crate::model::dynamics::{Motion, rates};
-use crate::model::excitation::{Cell, Ground, ground_at};
+use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Point};
+use crate::stepping::forcing::ground_at;
+use crate::stepping::single::Single;
+use crate::stepping::state::{FINISHED, RUNNING, State};
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
@@ -234,8 +235,8 @@ impl<R: Real> Track<R> {
         let mut model = plan.model::<R>();
         // No lever arm lifts: the uplift moments (14) are zero.
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (cell, mut state) = plan.cell::<R>(point);
-        let set = Setting { variant, model: &model, cell: &cell, record };
+        let (cell, state) = plan.cell::<R>(point);
+        let set = CellEquations { variant, model: &model, cell: &cell, record };
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
         let mut track = Track {
             motion: Vec::with_capacity(count),
@@ -259,6 +260,8 @@ impl<R: Real> Track<R> {
             let k = rates(&set, &corner, false, &state.motion, ground);
             if direction == Direction::Horizontal { k.shear } else { k.normal }
         };
+        let mut single = Single::new(&set, &state, ());
+        let mut state = state;
         let mut now = acceleration(&state);
         let mut lowest = now;
         for sample in 0..count {
@@ -272,7 +275,8 @@ impl<R: Real> Track<R> {
             }
             let (mut least, mut most, mut change) = (now, now, R::of(0.0));
             for _ in 0..cell.substeps {
-                advance(&set, &mut state, &mut ());
+                single.step();
+                state = single.state();
                 let next = acceleration(&state);
                 change = change.max((next - now).abs());
                 if next < least {

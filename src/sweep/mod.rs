@@ -1,6 +1,7 @@
 //! A scene over its grid: cells, backends, and the check against the reference.
 
 pub mod backend;
+mod bounds;
 pub mod cells;
 pub mod choice;
 pub mod clock;

@@ -193,7 +193,6 @@ impl Plan {
             kinks: self.resolution.kinks && yields,
             yields: base.horizontal.is_some() && (yields || !self.reductions.linear),
             certificate: self.reductions.certificate,
-            in_step: self.resolution.in_step,
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
         }
     }

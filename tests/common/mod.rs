@@ -4,11 +4,11 @@
 
 use std::io::Write;
 
-use topple::integrate::outcome::Outcome;
-use topple::integrate::reference::{self, Settings};
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;

@@ -17,13 +17,13 @@ use super::chunk::{self, WORKGROUP};
 use super::device::Gpu;
 use super::shader::{self, Switches};
 use super::tile::Tile;
-use crate::integrate::log::Event;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::state::{PROVED, RUNNING, State};
 use crate::model::excitation::Cell;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::Grid;
+use crate::stepping::log::Event;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::{PROVED, RUNNING, State};
 
 /// Most cells that are on the device at once.
 const MOST_CELLS: usize = 1 << 20;
@@ -239,7 +239,6 @@ fn compile(
         ("kinks", f64::from(u8::from(variant.kinks))),
         ("yields", f64::from(u8::from(variant.yields))),
         ("certificate", f64::from(u8::from(variant.certificate))),
-        ("in_step", f64::from(u8::from(variant.in_step))),
         ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
         ("workgroup_size", WORKGROUP as f64),
     ];

@@ -9,11 +9,11 @@ use wgpu::{
 };
 
 use super::device::Gpu;
-use crate::integrate::log::Event;
-use crate::integrate::state::{RUNNING, State};
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
+use crate::stepping::log::Event;
+use crate::stepping::state::{RUNNING, State};
 
 /// Chunks that are on the way at once: while the host looks at one, the device runs the next.
 pub const FLIGHTS: usize = 2;

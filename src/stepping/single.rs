@@ -1,0 +1,75 @@
+//! One cell by itself: vectors of one lane.
+
+use crate::model::CellEquations;
+use crate::model::real::Real;
+
+use super::lanes::{Job, Lanes, Shared};
+use super::log::Log;
+use super::state::{RUNNING, State};
+
+/// One cell on its way.
+pub struct Single<'a, R: Real, L: Log<R> = ()> {
+    lanes: Lanes<'a, R, L>,
+}
+
+impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
+    /// A cell at a state; `log` hears of its switches.
+    pub fn new(set: &CellEquations<'a, R>, state: &State<R>, log: L) -> Single<'a, R, L> {
+        let shared = Shared { variant: set.variant, model: set.model, record: set.record };
+        let mut lanes = Lanes::new(shared, R::of(0.0), log);
+        if state.status == RUNNING {
+            lanes.load(0, Job { number: 0, cell: *set.cell, state: *state });
+        } else {
+            lanes.lanes[0].job.state = *state;
+        }
+        Single { lanes }
+    }
+
+    /// One turn; false where the cell has ended.
+    fn turn(&mut self) -> bool {
+        if self.lanes.running != 0 && self.lanes.turn() != 0 {
+            self.lanes.store(0);
+            self.lanes.running = 0;
+        }
+        self.lanes.running != 0
+    }
+
+    /// Takes the cell over the rest of its step, to its start at a boundary; false where it has
+    /// ended.
+    pub fn step(&mut self) -> bool {
+        if self.lanes.running == 0 {
+            return false;
+        }
+        let step = self.lanes.step(0);
+        while self.turn() {
+            if self.lanes.step(0) != step {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The state so far.
+    pub fn state(&mut self) -> State<R> {
+        if self.lanes.running != 0 {
+            self.lanes.store(0);
+        }
+        self.lanes.lanes[0].job.state
+    }
+
+    /// What hears of its switches.
+    pub fn log(&mut self) -> &mut L {
+        &mut self.lanes.log
+    }
+
+    /// Takes the cell to its end.
+    pub fn finish(mut self) -> State<R> {
+        while self.turn() {}
+        self.state()
+    }
+}
+
+/// A cell from a state to its end.
+pub fn run<R: Real>(set: &CellEquations<R>, state: &State<R>, log: impl Log<R>) -> State<R> {
+    Single::new(set, state, log).finish()
+}
