@@ -29,11 +29,13 @@ pub struct Corner<R> {
     pub eta_u: R,
     /// eta_v of (17b), m.
     pub eta_v: R,
+    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    pub padding: R,
 }
 
-pod!(Corner, reals: 7, words: 0);
-reals!(Corner, 7, side arm inertia overturn eta_phi eta_u eta_v);
-pod!(Model, reals: 22, words: 0);
+pod!(Corner, reals: 8, words: 0);
+reals!(Corner, 8, side arm inertia overturn eta_phi eta_u eta_v padding);
+pod!(Model, reals: 24, words: 0);
 
 /// What every cell of a sweep shares: the block, and the mass ratios of its base.
 #[repr(C)]

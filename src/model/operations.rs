@@ -141,6 +141,7 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
         eta_phi: one,
         eta_u: one,
         eta_v: one,
+        padding: one,
     };
     let model = Model {
         left: corner,

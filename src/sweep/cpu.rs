@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::full_contact::start;
+use super::cells::Cells;
 use super::lanes;
 use super::plan::Plan;
 use crate::integrate::certificate::{certify, is_due};
@@ -85,20 +85,20 @@ fn each<R: Real, L: Log<R> + Send>(
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let tracks = plan.tracks(grid, &record);
+    let all = Cells::of(plan, grid, &record);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
         .with_max_len(BLOCK)
         .map(|&index| {
-            let (point, cell, mut state) = start(plan, grid, index, tracks.as_ref().as_ref());
+            let (cell, mut state) = all.begin(index);
             let set = Setting { variant, model: &model, cell: &cell, record: &record };
             let mut log = log();
             while state.status == RUNNING {
                 sweep_cell(&set, &mut state, CHUNK, &mut log);
             }
             progress(1);
-            (plan.outcome(&point, &state), log)
+            (all.outcome(index, &state), log)
         })
         .collect_into_vec(&mut outcomes);
     outcomes

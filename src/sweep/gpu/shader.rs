@@ -12,7 +12,7 @@ pub enum Switches {
 }
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 13] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 14] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -35,6 +35,7 @@ pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'stat
         ("switching.wgsl", include_str!("../../../shaders/switching.wgsl")),
         ("certificate.wgsl", include_str!("../../../shaders/certificate.wgsl")),
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
+        ("begin.wgsl", include_str!("../../../shaders/begin.wgsl")),
     ]
 }
 
