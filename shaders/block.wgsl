@@ -12,6 +12,8 @@ struct Corner {
     eta_phi: real,
     eta_u: real,
     eta_v: real,
+    // Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    padding: real,
 }
 
 struct Model {
@@ -31,9 +33,11 @@ struct Model {
     normal_by_turn: real,
     shear_by_normal: real,
     shear_by_turn: real,
+    padding_0: real,
+    padding_1: real,
 }
 
-@group(0) @binding(0) var<storage, read> model: Model;
+@group(0) @binding(0) var<uniform> model: Model;
 
 // The corner that the block turns about in a rocking mode.
 fn pivot(mode: u32) -> Corner {

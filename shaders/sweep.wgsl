@@ -3,54 +3,91 @@
 override workgroup_size: u32 = 64u;
 
 struct Chunk {
-    // Cells of the tile.
-    cells: u32,
+    // Slots for cells, those of two tiles.
+    slots: u32,
     // Turns of a cell at least.
     work: u32,
-    // Number of the chunk in the tile.
+    // Number of the chunk, from 0 to 3 and again.
     number: u32,
+    padding: u32,
 }
 
 struct Tally {
-    // Cells that still run after a chunk.
-    running: atomic<u32>,
-    // Steps that all cells took in it.
+    // Cells to run in a chunk, a ring: a chunk reads its own number and adds to the next one.
+    running: array<atomic<u32>, 4>,
+    // Cells of each of the two tiles that still run.
+    left: array<atomic<u32>, 2>,
+    // Steps that all cells took so far, modulo 2^32.
     steps: atomic<u32>,
+    padding: u32,
 }
 
 @group(0) @binding(1) var<storage, read> cells: array<Cell>;
 @group(0) @binding(2) var<storage, read_write> states: array<State>;
 @group(0) @binding(3) var<uniform> chunk: Chunk;
-// A ring: a chunk reads the tally of the one before it and writes the next.
-@group(0) @binding(4) var<storage, read_write> tallies: array<Tally, 4>;
-// The cells that still run, twice: a chunk reads one list and writes the other.
+@group(0) @binding(4) var<storage, read_write> tally: Tally;
+// The cells that run, twice: a chunk reads one list and writes the other.
 @group(0) @binding(7) var<storage, read_write> running: array<u32>;
 
 // This thread's cell.
 var<private> lane: u32;
 
+// A workgroup adds up its cells before one of its threads adds them to the tally, so that few threads
+// wait for each other, and neighbours in one list are neighbours in the next.
+var<workgroup> group_running: atomic<u32>;
+var<workgroup> group_ended: array<atomic<u32>, 2>;
+var<workgroup> group_steps: atomic<u32>;
+var<workgroup> group_place: u32;
+
+// Puts those of a workgroup's cells that run in the list of a chunk. Every thread must come here.
+fn enlist(local: u32, runs: bool, number: u32, slots: u32) {
+    var place = 0u;
+    if runs {
+        place = atomicAdd(&group_running, 1u);
+    }
+    workgroupBarrier();
+    if local == 0u {
+        group_place = atomicAdd(&tally.running[number % 4u], atomicLoad(&group_running));
+    }
+    workgroupBarrier();
+    if runs {
+        running[(number % 2u) * slots + group_place + place] = lane;
+    }
+}
+
 @compute @workgroup_size(workgroup_size)
-fn sweep(@builtin(global_invocation_id) id: vec3<u32>) {
-    let here = chunk.number % 4u;
-    let next = (chunk.number + 1u) % 4u;
-    if id.x >= atomicLoad(&tallies[here].running) {
-        return;
+fn sweep(
+    @builtin(global_invocation_id) id: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
+    if id.x == 0u {
+        // Nobody adds to it before the next chunk.
+        atomicStore(&tally.running[(chunk.number + 2u) % 4u], 0u);
     }
-    lane = running[(chunk.number % 2u) * chunk.cells + id.x];
-    let cell = cells[lane];
-    var state = states[lane];
-    let first = state.step;
-    var turns = begin_turns(cell, state);
-    var done = 0u;
-    // A cell leaves at a step's edge, so that no search is kept between chunks.
-    while state.status == RUNNING && (done < chunk.work || !at_an_edge(turns)) {
-        turn(cell, &state, &turns);
-        done += 1u;
+    var runs = false;
+    if id.x < atomicLoad(&tally.running[chunk.number]) {
+        lane = running[(chunk.number % 2u) * chunk.slots + id.x];
+        let cell = cells[lane];
+        var state = states[lane];
+        let first = state.step;
+        var turns = begin_turns(cell, state);
+        var done = 0u;
+        // A cell leaves at a step's edge, so that no search is kept between chunks.
+        while state.status == RUNNING && (done < chunk.work || !at_an_edge(turns)) {
+            turn(cell, &state, &turns);
+            done += 1u;
+        }
+        states[lane] = state;
+        runs = state.status == RUNNING;
+        atomicAdd(&group_steps, state.step - first);
+        if !runs {
+            atomicAdd(&group_ended[lane / (chunk.slots / 2u)], 1u);
+        }
     }
-    states[lane] = state;
-    atomicAdd(&tallies[next].steps, state.step - first);
-    if state.status == RUNNING {
-        let place = atomicAdd(&tallies[next].running, 1u);
-        running[(next % 2u) * chunk.cells + place] = lane;
+    enlist(local, runs, chunk.number + 1u, chunk.slots);
+    if local == 0u {
+        atomicAdd(&tally.steps, atomicLoad(&group_steps));
+        atomicSub(&tally.left[0], atomicLoad(&group_ended[0]));
+        atomicSub(&tally.left[1], atomicLoad(&group_ended[1]));
     }
 }

@@ -204,7 +204,7 @@ fn a_shader_that_does_nothing_is_an_error() {
     let zeroed = sweep("states[lane] = state;", "states[lane] = State();");
     assert!(matches!(zeroed, Err(GpuError::Unfinished(_))), "{zeroed:?}");
     // Cells that a chunk leaves running lost from the list of the next.
-    let lost = sweep("+ place] = lane;", "+ place] = 0u;");
+    let lost = sweep("+ group_place + place] = lane;", "+ group_place + place] = 0u;");
     assert!(matches!(lost, Err(GpuError::Unfinished(_))), "{lost:?}");
     let refused = Sweeper::from_source(&gpu, "no shader", plan.variant(), 0);
     assert!(matches!(refused, Err(GpuError::Refused(_))));

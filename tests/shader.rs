@@ -12,6 +12,8 @@ use topple::stepping::log::Event;
 use topple::stepping::state::State;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::shader::{self, Switches};
+use topple::sweep::gpu::tile::Tile;
+use topple::sweep::groups::Steps;
 
 fn parse(precision: Precision, switches: Switches) -> Module {
     let source = shader::source(precision, switches);
@@ -26,7 +28,7 @@ fn both_precisions_validate() {
             let module = parse(precision, switches);
             let mut validator = Validator::new(ValidationFlags::all(), Capabilities::FLOAT64);
             validator.validate(&module).unwrap();
-            assert_eq!(module.entry_points.len(), 1);
+            assert_eq!(module.entry_points.len(), 2);
         }
     }
 }
@@ -89,12 +91,18 @@ macro_rules! same_layout {
     };
 }
 
+macro_rules! offsets {
+    ($($field:ident),* $(,)?) => {
+        vec![$((stringify!($field).to_string(), std::mem::offset_of!(Tile, $field) as u32)),*]
+    };
+}
+
 macro_rules! same_layouts {
     ($precision:expr, $real:ty) => {
         same_layout!(
             $precision,
             $real,
-            Corner { side, arm, inertia, overturn, eta_phi, eta_u, eta_v }
+            Corner { side, arm, inertia, overturn, eta_phi, eta_u, eta_v, padding }
         );
         same_layout!(
             $precision,
@@ -115,7 +123,9 @@ macro_rules! same_layouts {
                 normal_by_shear,
                 normal_by_turn,
                 shear_by_normal,
-                shear_by_turn
+                shear_by_turn,
+                padding_0,
+                padding_1
             }
         );
         same_layout!(
@@ -142,6 +152,20 @@ macro_rules! same_layouts {
                 steps,
                 substeps,
                 padding
+            }
+        );
+        same_layout!(
+            $precision,
+            $real,
+            Steps {
+                phase_step,
+                step_forced,
+                step_free,
+                rest_speed,
+                steps_forced,
+                steps,
+                substeps,
+                sound
             }
         );
         same_layout!($precision, $real, Ground { h, v });
@@ -177,9 +201,62 @@ fn host_structs_are_laid_out_as_the_shaders() {
     same_layouts!(Precision::F64, f64);
 }
 
+/// A uniform buffer holds structs in structs at whole 16 bytes, and is as long.
+#[test]
+fn uniform_numbers_lie_as_a_uniform_buffer_asks() {
+    assert_eq!((size_of::<Corner<f32>>() % 16, size_of::<Corner<f64>>() % 16), (0, 0));
+    assert_eq!(size_of::<Tile>() % 16, 0);
+    for precision in [Precision::F32, Precision::F64] {
+        let module = parse(precision, Switches::Forgotten);
+        let uniform: Vec<&str> = module
+            .global_variables
+            .iter()
+            .filter(|(_, variable)| variable.space == naga::AddressSpace::Uniform)
+            .filter_map(|(_, variable)| variable.name.as_deref())
+            .collect();
+        assert_eq!(uniform, ["model", "chunk", "tile"]);
+    }
+}
+
+/// WebGPU lets a kernel have eight storage buffers.
+#[test]
+fn a_kernel_has_no_more_storage_buffers_than_every_device_allows() {
+    for switches in [Switches::Forgotten, Switches::Kept] {
+        let module = parse(Precision::F32, switches);
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::FLOAT64);
+        let info = validator.validate(&module).unwrap();
+        for (index, entry) in module.entry_points.iter().enumerate() {
+            let storage = module.global_variables.iter().filter(|(handle, variable)| {
+                let used = !info.get_entry_point(index)[*handle].is_empty();
+                used && matches!(variable.space, naga::AddressSpace::Storage { .. })
+            });
+            let count = storage.count();
+            assert!(count <= 8, "{} has {count}", entry.name);
+        }
+    }
+}
+
+/// Structs of words alone.
+#[test]
+fn words_are_laid_out_as_the_shaders() {
+    let (members, size) = layout(&parse(Precision::F32, Switches::Kept), "Tile");
+    let host: Vec<(String, u32)> = offsets!(
+        horizontal, vertical, drive, clock, across, up, up_values, shared_contact, still, mode,
+        cells, columns, first_column, first_row, order, blocks, first_slot, slots, number,
+        padding_0, padding_1, padding_2
+    );
+    assert_eq!(members, host);
+    assert_eq!(size as usize, size_of::<Tile>());
+    let (_, size) = layout(&parse(Precision::F32, Switches::Kept), "Tally");
+    assert_eq!(u64::from(size), topple::sweep::gpu::slots::TALLY);
+}
+
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
+    use topple::stepping::{certificate, forcing, guards, state};
+    use topple::sweep::gpu::tile;
+    use topple::sweep::tracks;
     use topple::model::block;
     use topple::stepping::{certificate, forcing, guards, state};
     let module = parse(Precision::F32, Switches::Kept);
@@ -215,6 +292,27 @@ fn constants_agree_with_the_twin() {
         ("KINK", guards::KINK),
         ("EVENT_BOUND", guards::EVENT_BOUND),
         ("LOCATE_BOUND", guards::LOCATE_BOUND),
+        ("IN_ORDER", tile::IN_ORDER),
+        ("IN_BLOCKS", tile::IN_BLOCKS),
+        ("LISTED", tile::LISTED),
+        ("BLOCK_WIDTH", tile::BLOCK_WIDTH as u32),
+        ("BLOCK_HEIGHT", tile::BLOCK_HEIGHT as u32),
+        ("BLOCK_CELLS", (tile::BLOCK_WIDTH * tile::BLOCK_HEIGHT) as u32),
+        ("DISPLACEMENT", tracks::DISPLACEMENT as u32),
+        ("VELOCITY", tracks::VELOCITY as u32),
+        ("ACCELERATION", tracks::ACCELERATION as u32),
+        ("LEAST", tracks::LEAST as u32),
+        ("PEAK", tracks::PEAK as u32),
+        ("LOWEST", tracks::LOWEST as u32),
+        ("HYSTERETIC", tracks::HYSTERETIC as u32),
+        ("MOST", tracks::MOST as u32),
+        ("HIGHEST", tracks::HIGHEST as u32),
+        ("DEEPEST", tracks::DEEPEST as u32),
+        ("STRONGEST", tracks::STRONGEST as u32),
+        ("TROUGH", tracks::TROUGH as u32),
+        ("CREST", tracks::CREST as u32),
+        ("QUARTERS_V", tracks::QUARTERS_V as u32),
+        ("QUARTERS_H", tracks::QUARTERS_H as u32),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

@@ -29,11 +29,13 @@ pub struct Corner<R> {
     pub eta_u: R,
     /// eta_v of (17b), m.
     pub eta_v: R,
+    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    pub padding: R,
 }
 
-pod!(Corner, reals: 7, words: 0);
-reals!(Corner, 7, side arm inertia overturn eta_phi eta_u eta_v);
-pod!(Model, reals: 28, words: 0);
+pod!(Corner, reals: 8, words: 0);
+reals!(Corner, 8, side arm inertia overturn eta_phi eta_u eta_v padding);
+pod!(Model, reals: 32, words: 0);
 
 /// What every cell of a sweep shares: the block, and the mass ratios of its base.
 #[repr(C)]
@@ -74,6 +76,10 @@ pub struct Model<R> {
     pub shear_by_normal: R,
     /// The most of kappa_h Q w [1 + (mu_h - mu_v) P^2/D] over the energy over M, 1/m.
     pub shear_by_turn: R,
+    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    pub padding_0: R,
+    /// The same.
+    pub padding_1: R,
 }
 
 impl<R: Copy> Model<R> {
@@ -97,6 +103,8 @@ impl<R: Copy> Model<R> {
             normal_by_turn: make(self.normal_by_turn),
             shear_by_normal: make(self.shear_by_normal),
             shear_by_turn: make(self.shear_by_turn),
+            padding_0: make(self.padding_0),
+            padding_1: make(self.padding_1),
         }
     }
 }

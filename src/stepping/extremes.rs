@@ -44,7 +44,7 @@ pub fn peak<N: Number>(x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
 /// The extremum of the parabola through a span's start, middle and end, where it lies inside; else
 /// the start.
 #[inline(always)]
-fn crest<N: Number>(start: N, mid: N, end: N) -> N {
+pub fn crest<N: Number>(start: N, mid: N, end: N) -> N {
     let (half, three, four) = (start.like(0.5), start.like(3.0), start.like(4.0));
     let rise = four * mid - three * start - end;
     let fall = three * end - four * mid + start;

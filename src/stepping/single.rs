@@ -57,6 +57,12 @@ impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
         self.lanes.lanes[0].job.state
     }
 
+    /// Forgets the contact forces seen so far: the state's are those from here on.
+    pub fn forget_contact(&mut self) {
+        self.lanes.extremes.min_contact = R::of(f64::from(f32::MAX));
+        self.lanes.extremes.friction = R::of(0.0);
+    }
+
     /// What hears of its switches.
     pub fn log(&mut self) -> &mut L {
         &mut self.lanes.log

@@ -38,6 +38,7 @@ impl Plan {
             eta_phi: R::of(eta_phi),
             eta_u: R::of(width * b * h * self.mu_h * kappa_v / d),
             eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d),
+            padding: R::of(0.0),
         }
     }
 
@@ -63,71 +64,96 @@ impl Plan {
             normal_by_turn: R::of((1.0 - self.mu_v) * self.most_by_turn(Lever::Height)),
             shear_by_normal: R::of((1.0 - self.mu_h) * self.most_pq()),
             shear_by_turn: R::of((1.0 - self.mu_h) * self.most_by_turn(Lever::Arm)),
+            padding_0: R::of(0.0),
+            padding_1: R::of(0.0),
         }
     }
 
-    /// The cell's longest step, s: bounded by its fastest period, that of the base with the block
-    /// rocking on it, which is shorter than the base's own.
-    fn longest_step(&self, point: &Point) -> f64 {
-        let block = &self.scene.block;
-        let mut square: f64 = 0.0;
-        for side in [1.0, -1.0] {
-            let b = block.arm(side);
-            let (h2, b2) = (block.height * block.height, b * b);
-            // Larger than in any position: P^2 and Q^2 at their largest, their sum fixed.
-            let d = self.impact_inertia(b).min(self.least_inertia(b));
+    /// The squares of the base's largest angular frequencies with the block rocking on it, which are
+    /// larger than the base's own: a part for each direction, whose sum is the square about a corner.
+    pub(super) fn swing_h(&self, t_h: f64) -> SwingH {
+        let Some(law) = &self.scene.isolation.horizontal else {
+            return SwingH { squares: [0.0; 2], longest: f64::INFINITY };
+        };
+        let squares = [1.0, -1.0].map(|side| {
+            let b = self.scene.block.arm(side);
+            let (h2, b2) = (self.scene.block.height * self.scene.block.height, b * b);
+            (TAU / t_h).powi(2) * (1.0 + self.mu_h * (h2 + b2) / self.swing_inertia(b))
+        });
+        let longest = if self.has_hysteretic_variable() {
+            let yield_time = law.alpha_y * t_h / (TAU * f64::from(law.n));
+            self.resolution.longest_in_yield(yield_time)
+        } else {
+            f64::INFINITY
+        };
+        SwingH { squares, longest }
+    }
+
+    /// The vertical part of [`Plan::swing_h`].
+    pub(super) fn swing_v(&self, t_v: f64) -> SwingV {
+        if self.scene.isolation.vertical.is_none() {
+            return SwingV { squares: [0.0; 2] };
+        }
+        let squares = [1.0, -1.0].map(|side| {
+            let b = self.scene.block.arm(side);
+            let (h2, b2) = (self.scene.block.height * self.scene.block.height, b * b);
             let q2 = match self.scene.overturn {
                 Overturn::CriticalAngle => b2,
                 Overturn::QuarterTurn => b2 + h2,
             };
-            let mut sum = 0.0;
-            if self.scene.isolation.horizontal.is_some() {
-                sum += (TAU / point.t_h).powi(2) * (1.0 + self.mu_h * (h2 + b2) / d);
-            }
-            if self.scene.isolation.vertical.is_some() {
-                sum += (TAU / point.t_v).powi(2) * (1.0 + self.mu_v * q2 / d);
-            }
-            square = square.max(sum);
-        }
-        // Infinite where nothing oscillates.
-        let longest = self.resolution.longest_step(TAU / square.sqrt());
-        match &self.scene.isolation.horizontal {
-            Some(law) if law.psi < 1.0 => {
-                let yield_time = law.alpha_y * point.t_h / (TAU * f64::from(law.n));
-                longest.min(self.resolution.longest_in_yield(yield_time))
-            }
-            _ => longest,
-        }
+            (TAU / t_v).powi(2) * (1.0 + self.mu_v * q2 / self.swing_inertia(b))
+        });
+        SwingV { squares }
     }
 
-    /// The least that I/M - mu_h P^2 - mu_v Q^2 can be about a corner.
-    fn least_inertia(&self, b: f64) -> f64 {
+    /// No larger than I/M - mu_h P^2 - mu_v Q^2 about a corner in any position: P^2 and Q^2 at their
+    /// largest, their sum fixed.
+    fn swing_inertia(&self, b: f64) -> f64 {
         let block = &self.scene.block;
         let radius2 = block.height * block.height + b * b;
-        block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v))
+        let least =
+            block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
+        self.impact_inertia(b).min(least)
+    }
+
+    /// The excitation's part of a clock.
+    pub(super) fn span(&self, omega: f64) -> Span {
+        let (forced, longest) = match &self.scene.excitation {
+            Excitation::Pulse(_) => {
+                let pulse = TAU / omega;
+                (pulse.min(self.scene.t_max), self.resolution.longest_in_pulse(pulse))
+            }
+            Excitation::Record(pair) => (pair.duration(), f64::INFINITY),
+        };
+        Span { omega, forced, longest }
     }
 
     /// The steps of a cell: the pulse's end is a step boundary.
     pub fn clock(&self, point: &Point) -> Clock {
-        let longest = self.longest_step(point);
-        let (forced, steps_forced, substeps) = match &self.scene.excitation {
-            Excitation::Pulse(_) => {
-                let pulse = TAU / point.omega;
-                let forced = pulse.min(self.scene.t_max);
-                let steps =
-                    (forced / longest.min(self.resolution.longest_in_pulse(pulse))).ceil().max(1.0);
-                (forced, steps, 1.0)
-            }
+        let span = self.span(point.omega);
+        self.clock_of(&self.swing_h(point.t_h), &self.swing_v(point.t_v), &span)
+    }
+
+    /// The clock of its parts.
+    #[inline]
+    pub(super) fn clock_of(&self, h: &SwingH, v: &SwingV, span: &Span) -> Clock {
+        let square = |corner: usize| h.squares[corner] + v.squares[corner];
+        let square = square(0).max(square(1));
+        // The longest step is bounded by the cell's fastest period, infinite where nothing
+        // oscillates.
+        let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
+        let (steps_forced, substeps) = match &self.scene.excitation {
+            Excitation::Pulse(_) => ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0),
             Excitation::Record(pair) => {
                 let substeps = (pair.dt / longest).ceil().max(1.0);
-                (pair.duration(), substeps * (pair.len() - 1) as f64, substeps)
+                (substeps * (pair.len() - 1) as f64, substeps)
             }
         };
-        let free = self.scene.t_max - forced;
+        let free = self.scene.t_max - span.forced;
         // What rounding leaves of a duration is no step.
         let steps_free = (free / longest - 1.0e-9).ceil().max(0.0);
         Clock {
-            step_forced: forced / steps_forced,
+            step_forced: span.forced / steps_forced,
             step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
             // `as` saturates; `Plan::new` refuses a scene that comes near.
             steps_forced: steps_forced as u32,
@@ -135,4 +161,31 @@ impl Plan {
             steps: (steps_forced + steps_free) as u32,
         }
     }
+}
+
+/// The horizontal isolation's part of a clock, by T_h.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SwingH {
+    /// About the left and the right corner, 1/s^2.
+    squares: [f64; 2],
+    /// The longest step of a base that yields, s; infinite for one that does not.
+    longest: f64,
+}
+
+/// The vertical isolation's part of a clock, by T_v.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SwingV {
+    /// About the left and the right corner, 1/s^2.
+    squares: [f64; 2],
+}
+
+/// The excitation's part of a clock, by Omega.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    /// rad/s; of no meaning for a record.
+    pub(super) omega: f64,
+    /// Duration of the excitation, s.
+    forced: f64,
+    /// The longest step of a pulse, s; infinite for a record.
+    longest: f64,
 }

@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::full_contact::start;
+use super::cells::Cells;
 use super::lanes;
 use super::plan::Plan;
 use crate::model::CellEquations;
@@ -62,18 +62,18 @@ fn each<R: Real, L: Log<R> + Send>(
     let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let tracks = plan.tracks(grid, &record);
+    let all = Cells::of(plan, grid, &record);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
         .with_max_len(BLOCK)
         .map(|&index| {
-            let (point, cell, state) = start(plan, grid, index, tracks.as_ref().as_ref());
+            let (cell, state) = all.begin(index);
             let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
             let mut log = log();
             let state = single::run(&set, &state, &mut log);
             progress(1);
-            (plan.outcome(&point, &state), log)
+            (all.outcome(index, &state), log)
         })
         .collect_into_vec(&mut outcomes);
     outcomes

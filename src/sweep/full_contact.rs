@@ -10,36 +10,28 @@
 
 use rayon::prelude::*;
 
+use super::cell_tables::Place;
 use super::plan::Plan;
+use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, PEAK, VELOCITY};
+use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
+use super::tracks::{CREST, LOWEST, QUARTERS_H, QUARTERS_V, TROUGH, VERTICAL_FIELDS};
 use crate::model::CellEquations;
 use crate::model::block::{FULL_CONTACT, pivot};
 use crate::model::dynamics::{Motion, rates};
-use crate::model::excitation::{Cell, Ground};
+use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Point};
 use crate::stepping::forcing::ground_at;
+use crate::stepping::rk4::hermite;
 use crate::stepping::single::Single;
-use crate::stepping::state::{FINISHED, RUNNING, State};
+use crate::stepping::state::State;
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
 /// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
 /// 80 steps a period leave 8e-4.
-const CREST: f64 = 2.0e-3;
-
-/// Gaps that a cell is looked through at once.
-const BLOCK: usize = 16;
-
-/// The bounds of a block of gaps from a sample on, the upper and the lower ones, and the acceleration
-/// at its samples; none where as many are not left.
-#[inline(always)]
-fn block<R>(track: &Track<R>, from: usize) -> Option<(&[R; BLOCK], &[R; BLOCK], &[R; BLOCK])> {
-    let most = track.most.get(from..)?.first_chunk()?;
-    let least = track.least.get(from..)?.first_chunk()?;
-    let acceleration = track.acceleration.get(from..)?.first_chunk()?;
-    Some((most, least, acceleration))
-}
+const SLACK: f64 = 2.0e-3;
 
 /// A motion in one direction, sample by sample.
 struct Track<R> {
@@ -50,6 +42,10 @@ struct Track<R> {
     /// Bounds of it from each sample to the next.
     least: Vec<R>,
     most: Vec<R>,
+    /// It after one, two and three quarters of each gap.
+    quarters: [Vec<R>; 3],
+    /// Its largest magnitude (of v its least) in each gap, crests between steps included.
+    crest: Vec<R>,
     /// Largest |u| or |v| up to each sample, m.
     peak: Vec<R>,
     /// Least of the acceleration up to each sample.
@@ -69,19 +65,28 @@ enum Direction {
 }
 
 /// The full-contact motions of a plan's grid.
+#[derive(Debug)]
 pub struct Tracks<R> {
     /// Of u: by column of the grid; one where all are alike.
-    across: Vec<Track<R>>,
+    pub(super) across: Motions<R>,
     /// Of v: by row under a record, by column under a pulse; one where all are alike.
-    up: Vec<Track<R>>,
-    by_row: bool,
+    pub(super) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
-    still: bool,
-    /// A_h that the motions of u are of, m/s^2; none where they are every cell's own.
-    amplitude: Option<f64>,
-    width: usize,
-    height: R,
-    arms: [R; 2],
+    pub(super) still: bool,
+    /// H, and the two lever arms.
+    pub(super) height: R,
+    pub(super) arms: [R; 2],
+}
+
+impl Plan {
+    /// A_h that shared motions of u are of, m/s^2, to which they are proportional; none under a
+    /// record, where they are every cell's own.
+    pub(super) fn shared_amplitude(&self) -> Option<f64> {
+        match &self.scene.excitation {
+            Excitation::Record(_) => None,
+            Excitation::Pulse(pulse) => Some(pulse.a_h.start.abs().max(pulse.a_h.stop.abs())),
+        }
+    }
 }
 
 impl<R: Real> Tracks<R> {
@@ -90,13 +95,10 @@ impl<R: Real> Tracks<R> {
     pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<Tracks<R>> {
         let (width, height) = grid.shape();
         let base = &plan.scene.isolation;
-        let (gaps, amplitude, by_row, still) = match &plan.scene.excitation {
-            Excitation::Record(pair) => (pair.len(), None, true, false),
-            Excitation::Pulse(pulse) => {
-                let most = pulse.a_h.start.abs().max(pulse.a_h.stop.abs());
-                let steps = plan.clock(&grid.extreme()).steps_forced as usize;
-                (steps, Some(most), false, pulse.a_v == 0.0)
-            }
+        let amplitude = plan.shared_amplitude();
+        let (by_row, still) = match &plan.scene.excitation {
+            Excitation::Record(_) => (true, false),
+            Excitation::Pulse(pulse) => (false, pulse.a_v == 0.0),
         };
         let across = if by_row && base.horizontal.is_none() { 1 } else { width };
         let up = match (by_row, still) {
@@ -105,7 +107,15 @@ impl<R: Real> Tracks<R> {
             (true, _) => height,
             (false, _) => width,
         };
-        let bytes = (across + up) * gaps * (size_of::<Motion<R>>() + 8 * size_of::<R>());
+        let samples = |motions: usize| match &plan.scene.excitation {
+            Excitation::Record(pair) => motions * pair.len(),
+            Excitation::Pulse(_) => {
+                let steps = |column| plan.clock(&grid.point(column)).steps_forced as usize;
+                (0..motions).map(|column| steps(column) + 1).sum()
+            }
+        };
+        let numbers = samples(across) * HORIZONTAL_FIELDS + samples(up) * VERTICAL_FIELDS;
+        let bytes = numbers * size_of::<R>();
         // As many motions as cells save nothing.
         let pays = across + up < grid.len() && amplitude != Some(0.0);
         if !plan.reductions.full_contact || plan.scene.tilt != 0.0 || bytes > MOST_MEMORY || !pays {
@@ -122,106 +132,65 @@ impl<R: Real> Tracks<R> {
             Track::new(clock, alone.variant(), &point, direction, record)
         };
         let columns = (0..across).into_par_iter();
-        let across = columns.map(|column| of(Direction::Horizontal, grid.point(column))).collect();
+        let along_x = columns.map(|column| of(Direction::Horizontal, grid.point(column))).collect();
         let first = |index: usize| grid.point(if by_row { index * width } else { index });
-        let up: Vec<Track<R>> =
-            (0..up).into_par_iter().map(|index| of(Direction::Vertical, first(index))).collect();
+        let along_y = (0..up).into_par_iter();
+        let along_y = along_y.map(|index| of(Direction::Vertical, first(index))).collect();
+        let stride = |count: usize, by_row: bool| -> Place {
+            let step = usize::from(count > 1);
+            if by_row { [0, step] } else { [step, 0] }
+        };
         let model = plan.model::<R>();
-        let arms = [model.left.arm, model.right.arm];
-        Some(Tracks { across, up, by_row, still, amplitude, width, height: model.height, arms })
+        Some(Tracks {
+            across: horizontal(along_x, stride(across, false)),
+            up: vertical(along_y, stride(up, by_row)),
+            still,
+            height: model.height,
+            arms: [model.left.arm, model.right.arm],
+        })
     }
+}
 
-    /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
-    /// excitation.
-    #[inline(always)]
-    fn begin(&self, index: usize, point: &Point, cell: &Cell<R>, state: &mut State<R>) {
-        if state.status != RUNNING {
-            return;
-        }
-        let (column, row) = (index % self.width, index / self.width);
-        let h = &self.across[column.min(self.across.len() - 1)];
-        let place = if self.by_row { row } else { column };
-        let v = &self.up[place.min(self.up.len() - 1)];
-        // u is A_h times what it is for A_h = 1.
-        let scale = R::of(self.amplitude.map_or(1.0, |amplitude| point.a_h / amplitude));
-        let lever = self.height * scale;
-        let (left, right) = (self.arms[0], self.arms[1]);
-        let zero = R::of(0.0);
-        let mut friction = zero;
-        let mut sample = 0;
-        // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
-        let last = h.motion.len() - 1;
-        let lifts = |most: R, least: R, least_y: R| {
-            // A negative lever turns the bounds about.
-            let (one, other) = (lever * most, lever * least);
-            (one.max(other) > left * least_y) | ((-one).max(-other) > right * least_y)
-        };
-        if self.still {
-            // Nothing but u changes from gap to gap: the first that lifts is searched for.
-            let (y, least_y) = (v.acceleration[0], v.least[0]);
-            let size = lever.abs();
-            let arms = if lever < zero { (right, left) } else { (left, right) };
-            let up = h.highest.partition_point(|most| !(size * *most > arms.0 * least_y));
-            let down = h.deepest.partition_point(|most| !(size * *most > arms.1 * least_y));
-            sample = up.min(down);
-            if sample > 0 && y > zero {
-                friction = scale.abs() * h.strongest[sample - 1] / y;
-            }
-        }
-        // Whole blocks of gaps at once, without a branch in them.
-        while !self.still
-            && let Some((h_most, h_least, x)) = block(h, sample)
-            && let Some((_, v_least, y)) = block(v, sample.min(v.least.len().saturating_sub(BLOCK)))
-        {
-            let mut any = false;
-            let mut largest = friction;
-            for i in 0..BLOCK {
-                any |= lifts(h_most[i], h_least[i], v_least[i]);
-                let share = scale.abs() * x[i].abs() / y[i];
-                let pressed = if y[i] > zero { share } else { zero };
-                largest = largest.max(pressed);
-            }
-            if any {
-                break;
-            }
-            friction = largest;
-            sample += BLOCK;
-        }
-        while !self.still && sample < last {
-            let gap = sample.min(v.least.len() - 1);
-            if lifts(h.most[sample], h.least[sample], v.least[gap]) {
-                break;
-            }
-            let (x, y) = (scale.abs() * h.acceleration[sample].abs(), v.acceleration[gap]);
-            if x > friction * y && y > zero {
-                friction = x / y;
-            }
-            sample += 1;
-        }
-        let at = sample.min(v.motion.len() - 1);
-        let (across, up) = (&h.motion[sample], &v.motion[at]);
-        let turned = if scale < zero { -across.z } else { across.z };
-        state.motion = Motion {
-            u: scale * across.u,
-            du: scale * across.du,
-            v: up.v,
-            dv: up.dv,
-            z: turned,
-            phi: zero,
-            dphi: zero,
-        };
-        state.max_u = scale.abs() * h.peak[sample];
-        state.max_v = v.peak[at];
-        if v.lowest[at] < state.min_contact {
-            state.min_contact = v.lowest[at];
-        }
-        state.friction = friction;
-        // A sample is a step of the cell or more, of which there are fewer than 2^32.
-        state.step = (sample as u32 * cell.substeps).min(cell.steps_forced);
-        if state.step >= cell.steps {
-            state.status = FINISHED;
+/// Motions of u, as they are kept.
+fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
+    let lengths = tracks.iter().map(|track| track.motion.len());
+    let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
+    for (number, track) in tracks.iter().enumerate() {
+        motions.fill(DISPLACEMENT, number, track.motion.iter().map(|motion| motion.u));
+        motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.du));
+        motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
+        motions.fill(LEAST, number, track.least.iter().copied());
+        motions.fill(PEAK, number, track.peak.iter().copied());
+        motions.fill(HYSTERETIC, number, track.motion.iter().map(|motion| motion.z));
+        motions.fill(MOST, number, track.most.iter().copied());
+        motions.fill(HIGHEST, number, track.highest.iter().copied());
+        motions.fill(DEEPEST, number, track.deepest.iter().copied());
+        motions.fill(STRONGEST, number, track.strongest.iter().copied());
+        motions.fill(CREST, number, track.crest.iter().copied());
+        for (quarter, values) in track.quarters.iter().enumerate() {
+            motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
         }
     }
+    motions
+}
+
+/// Motions of v, as they are kept.
+fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
+    let lengths = tracks.iter().map(|track| track.motion.len());
+    let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);
+    for (number, track) in tracks.iter().enumerate() {
+        motions.fill(DISPLACEMENT, number, track.motion.iter().map(|motion| motion.v));
+        motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.dv));
+        motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
+        motions.fill(LEAST, number, track.least.iter().copied());
+        motions.fill(PEAK, number, track.peak.iter().copied());
+        motions.fill(LOWEST, number, track.lowest.iter().copied());
+        motions.fill(TROUGH, number, track.crest.iter().copied());
+        for (quarter, values) in track.quarters.iter().enumerate() {
+            motions.fill(QUARTERS_V + quarter, number, values.iter().copied());
+        }
+    }
+    motions
 }
 
 impl<R: Real> Track<R> {
@@ -245,20 +214,37 @@ impl<R: Real> Track<R> {
             most: Vec::with_capacity(count),
             peak: Vec::with_capacity(count),
             lowest: Vec::with_capacity(count),
+            quarters: [(); 3].map(|()| Vec::with_capacity(count)),
+            crest: Vec::with_capacity(count),
             highest: Vec::new(),
             deepest: Vec::new(),
             strongest: Vec::new(),
         };
-        let acceleration = |state: &State<R>| {
-            // The last step's end belongs to it.
-            let (step, fraction) = match state.step {
-                step if step < cell.steps_forced => (step, 0.0),
-                _ => (cell.steps_forced - 1, 1.0),
-            };
+        let of = |motion: &Motion<R>, step: u32, fraction: R| {
             let corner = pivot(&model, FULL_CONTACT);
-            let ground = ground_at(&set, step, R::of(fraction));
-            let k = rates(&set, &corner, false, &state.motion, ground);
-            if direction == Direction::Horizontal { k.shear } else { k.normal }
+            let k = rates(&set, &corner, false, motion, ground_at(&set, step, fraction));
+            (if direction == Direction::Horizontal { k.shear } else { k.normal }, k)
+        };
+        let acceleration = |state: &State<R>| match state.step {
+            step if step < cell.steps_forced => of(&state.motion, step, R::of(0.0)).0,
+            // The last step's end belongs to it.
+            _ => of(&state.motion, cell.steps_forced - 1, R::of(1.0)).0,
+        };
+        // Between a step's ends by the cubic through them.
+        let between = |before: &State<R>, after: &State<R>, fraction: R| {
+            let (y0, y1, h) = (&before.motion, &after.motion, cell.step_forced);
+            let k0 = of(y0, before.step, R::of(0.0)).1;
+            let k1 = of(y1, before.step, R::of(1.0)).1;
+            let at = |x0, slope0, x1, slope1| hermite(x0, h * slope0, x1, h * slope1, fraction);
+            let motion = Motion {
+                u: at(y0.u, k0.du, y1.u, k1.du),
+                du: at(y0.du, k0.ddu, y1.du, k1.ddu),
+                v: at(y0.v, k0.dv, y1.v, k1.dv),
+                dv: at(y0.dv, k0.ddv, y1.dv, k1.ddv),
+                z: at(y0.z, k0.dz, y1.z, k1.dz),
+                ..*y0
+            };
+            of(&motion, before.step, fraction).0
         };
         let mut single = Single::new(&set, &state, ());
         let mut state = state;
@@ -274,9 +260,19 @@ impl<R: Real> Track<R> {
                 break;
             }
             let (mut least, mut most, mut change) = (now, now, R::of(0.0));
-            for _ in 0..cell.substeps {
+            single.forget_contact();
+            for part in 0..cell.substeps {
+                let before = state;
                 single.step();
                 state = single.state();
+                for quarter in 1..=3_u32 {
+                    let place = f64::from(quarter) / 4.0 * f64::from(cell.substeps);
+                    if place.floor() as u32 == part {
+                        let fraction = R::of(place - f64::from(part));
+                        let value = between(&before, &state, fraction);
+                        track.quarters[quarter as usize - 1].push(value);
+                    }
+                }
                 let next = acceleration(&state);
                 change = change.max((next - now).abs());
                 if next < least {
@@ -285,10 +281,16 @@ impl<R: Real> Track<R> {
                 most = most.max(next);
                 now = next;
             }
-            if least < lowest {
-                lowest = least;
+            // With the other direction locked the friction asked for is |X|/g.
+            let crest = match direction {
+                Direction::Horizontal => state.friction * model.gravity,
+                Direction::Vertical => state.min_contact,
+            };
+            track.crest.push(crest);
+            if crest < lowest {
+                lowest = crest;
             }
-            let slack = change + R::of(CREST) * most.abs().max(least.abs());
+            let slack = change + R::of(SLACK) * most.abs().max(least.abs());
             track.least.push(least - slack);
             track.most.push(most + slack);
         }
@@ -302,24 +304,7 @@ impl<R: Real> Track<R> {
         };
         track.highest = largest(&mut track.most.iter().copied());
         track.deepest = largest(&mut track.least.iter().map(|&least| -least));
-        track.strongest = largest(&mut track.acceleration.iter().map(|x| x.abs()));
+        track.strongest = largest(&mut track.crest.iter().copied());
         track
     }
-}
-
-/// A cell of a grid as its integration begins: its point, its numbers, and the state that the full
-/// contact it shares, if it does, has taken it to.
-#[inline(always)]
-pub fn start<R: Real>(
-    plan: &Plan,
-    grid: &Grid,
-    index: usize,
-    tracks: Option<&Tracks<R>>,
-) -> (Point, Cell<R>, State<R>) {
-    let point = grid.point(index);
-    let (cell, mut state) = plan.cell::<R>(&point);
-    if let Some(tracks) = tracks {
-        tracks.begin(index, &point, &cell, &mut state);
-    }
-    (point, cell, state)
 }

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::{Level, dispatch};
 
-use super::full_contact::{Tracks, start};
+use super::cells::Cells;
 use super::plan::Plan;
 use crate::model::real::Real;
 use crate::scene::Grid;
@@ -28,7 +28,7 @@ struct Sweep<'a> {
 /// Cells and their outcomes on the way from and to a thread.
 struct Belt<'a, R> {
     sweep: &'a Sweep<'a>,
-    tracks: Option<&'a Tracks<R>>,
+    all: &'a Cells<'a, R>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Vec<Outcome>>,
     batch: Range<usize>,
@@ -56,16 +56,14 @@ impl<R: Real> Feed<R> for Belt<'_, R> {
             self.batch = from..(from + BATCH).min(count);
         }
         let number = self.batch.next()?;
-        let Sweep { plan, grid, cells, .. } = *self.sweep;
-        let (_, cell, state) = start(plan, grid, cells[number], self.tracks);
+        let (cell, state) = self.all.begin(self.sweep.cells[number]);
         Some(Job { number, cell, state })
     }
 
     #[inline(always)]
     fn done(&mut self, job: &Job<R>) {
-        let Sweep { plan, grid, cells, .. } = *self.sweep;
-        let point = grid.point(cells[job.number]);
-        self.ended.push((job.number, plan.outcome(&point, &job.state)));
+        let outcome = self.all.outcome(self.sweep.cells[job.number], &job.state);
+        self.ended.push((job.number, outcome));
         if self.ended.len() == BATCH {
             self.deliver();
         }
@@ -94,14 +92,14 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let Sweep { plan, grid, cells, level, .. } = *sweep;
     let model = plan.model::<R>();
     let record = plan.record::<R>();
-    let tracks = plan.tracks(grid, &record);
+    let all = Cells::of(plan, grid, &record);
     let shared = Shared { variant: plan.variant(), model: &model, record: &record };
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     rayon::broadcast(|_| {
         let mut belt = Belt {
             sweep,
-            tracks: tracks.as_ref().as_ref(),
+            all: &all,
             queue: &queue,
             outcomes: &outcomes,
             batch: 0..0,

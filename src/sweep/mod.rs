@@ -1,7 +1,9 @@
 //! A scene over its grid: cells, backends, and the check against the reference.
 
 pub mod backend;
+pub mod begin;
 mod bounds;
+pub mod cell_tables;
 pub mod cells;
 pub mod choice;
 pub mod clock;
@@ -9,9 +11,11 @@ pub mod coefficients;
 pub mod cpu;
 pub mod full_contact;
 pub mod gpu;
+pub mod groups;
 pub mod history;
 pub mod lanes;
 pub mod plan;
 pub mod shared;
 pub mod tiles;
+pub mod tracks;
 pub mod verification;

@@ -1,148 +1,211 @@
-//! Chunks of steps: how much at a time, and one ahead of what the host has seen.
+//! A submission: cells made, chunks of steps one after the other, and what they tell.
 
-use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use wgpu::{
-    CommandEncoderDescriptor, ComputePassDescriptor, ComputePassTimestampWrites, ComputePipeline,
-    SubmissionIndex,
+    BindGroup, CommandEncoder, CommandEncoderDescriptor, ComputePassDescriptor,
+    ComputePassTimestampWrites, SubmissionIndex,
 };
 
 use super::GpuError;
 use super::device::Gpu;
-use super::tile::{FLIGHTS, TALLIES, TALLY, Tile};
-use crate::model::excitation::Cell;
+use super::pipelines::{Pipelines, WORKGROUP};
+use super::slots::{CHUNK_STRIDE, RING, SIDES, Slots, TALLY};
 
-/// Threads of a workgroup.
-pub const WORKGROUP: usize = 64;
-/// What a chunk should take: well below the two seconds after which a desktop driver ends it.
-const CHUNK_TIME: Duration = Duration::from_millis(100);
-/// Steps and switches of a cell in the first chunk.
-const FIRST_CHUNK: u32 = 16;
-/// The same in the longest one. Drivers bound the iterations of a shader's loops, the software one
-/// silently at 65,535 for all loops together: a switch takes about 15, a hundred at the worst.
-const LONGEST_CHUNK: f64 = 2048.0;
+/// Cells that are to be made in a submission.
+pub struct Begin {
+    /// Where.
+    pub side: usize,
+    /// Cells.
+    pub cells: usize,
+    /// Threads.
+    pub threads: usize,
+    /// Their buffers.
+    pub group: BindGroup,
+}
 
-/// A chunk on its way.
-struct Flight {
-    number: usize,
-    work: u32,
+/// What a submission is to do.
+pub struct Order<'a> {
+    /// Sides whose last states are copied to where the host can read them.
+    pub copied: [usize; SIDES],
+    /// Cells that are made then.
+    pub begin: Option<Begin>,
+    /// Number of the first chunk.
+    pub number: u32,
+    /// Chunks.
+    pub chunks: u32,
+    /// Steps and switches of a cell in each.
+    pub work: u32,
+    /// Cells that run, at most.
+    pub running: usize,
+    /// Buffers of the chunks.
+    pub groups: &'a [BindGroup; RING],
+}
+
+/// A submission on its way.
+pub struct Flight {
+    /// Its place.
+    pub place: usize,
+    /// Number of the chunk after it.
+    pub number: u32,
+    /// Steps and switches of a cell in it.
+    pub work: u32,
+    /// Cells that ran in it, at most.
+    pub running: usize,
+    /// Cells made in it.
+    pub begun: usize,
+    /// Cells of each side that were copied.
+    pub copied: [usize; SIDES],
     submission: SubmissionIndex,
     submitted: Instant,
+    timed: bool,
 }
 
-/// What a chunk tells.
-struct Told {
+/// What a submission tells.
+pub struct Report {
     /// Cells that still run after it.
-    running: usize,
-    /// Steps that all cells took in it.
-    steps: u64,
+    pub running: usize,
+    /// The same of each side.
+    pub left: [usize; SIDES],
+    /// Steps that all cells took so far, modulo 2^32.
+    pub steps: u32,
     /// Time in the shader.
-    device: Option<Duration>,
+    pub device: Option<Duration>,
+    /// Time from its submission, or from the end of the one before it, to its end.
+    pub host: Duration,
 }
 
-/// Runs the cells of a tile to their ends, of which `running` have any steps to take; the time in
-/// the shader, where the device tells. `progress` hears of cells as they are done, a running one
-/// by the share of its steps.
-pub fn run<R: crate::model::real::Real>(
+/// Hands a submission to the device.
+pub fn submit(
     gpu: &Gpu,
-    pipeline: &ComputePipeline,
-    tile: &Tile,
-    cells: &[Cell<R>],
-    mut running: usize,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<Option<Duration>, GpuError> {
-    let count = cells.len();
-    let most_steps = cells.iter().map(|cell| cell.steps).max().unwrap_or(0);
-    let all_steps: u64 = cells.iter().map(|cell| u64::from(cell.steps)).sum();
-    let mut time = gpu.has_clock().then_some(Duration::ZERO);
-    let (mut steps_taken, mut most_done, mut told) = (0_u64, 0_u64, 0);
-    let mut work = FIRST_CHUNK;
-    let mut flights = VecDeque::with_capacity(FLIGHTS);
-    let mut number = 0;
-    let mut ended = Instant::now();
-    while running > 0 {
-        while flights.len() < FLIGHTS {
-            flights.push_back(submit(gpu, pipeline, tile, number, work, running)?);
-            number += 1;
-        }
-        let Some(flight) = flights.pop_front() else { break };
-        let seen = receive(gpu, tile, &flight)?;
-        // It began when it was submitted, or when the one before it ended.
-        let began = ended.max(flight.submitted);
-        ended = Instant::now();
-        running = seen.running;
-        time = time.zip(seen.device).map(|(sum, chunk)| sum + chunk);
-        // Switches count as work too, so that this is an upper bound.
-        most_done += u64::from(flight.work);
-        let share = (most_done as f64 / f64::from(most_steps.max(1))).min(0.99);
-        let done = count - running + (share * running as f64) as usize;
-        progress(done.saturating_sub(told));
-        told = told.max(done);
-        // A device that stands still, or whose states do not come to stay.
-        steps_taken += seen.steps;
-        if running > 0 && (seen.steps == 0 || steps_taken > all_steps) {
-            return Err(GpuError::Unfinished(running));
-        }
-        let took = seen.device.unwrap_or(ended - began).as_secs_f64().max(1.0e-6);
-        let ratio = CHUNK_TIME.as_secs_f64() / took;
-        work = (f64::from(flight.work) * ratio.clamp(0.25, 4.0)).clamp(1.0, LONGEST_CHUNK) as u32;
-    }
-    progress(count.saturating_sub(told));
-    Ok(time)
-}
-
-/// Hands a chunk of at most `running` cells to the device.
-fn submit(
-    gpu: &Gpu,
-    pipeline: &ComputePipeline,
-    tile: &Tile,
-    number: usize,
-    work: u32,
-    running: usize,
+    pipelines: &Pipelines,
+    slots: &Slots,
+    place: usize,
+    order: &Order,
 ) -> Result<Flight, GpuError> {
-    let place = number % FLIGHTS;
+    let timed = order.begin.is_some() || order.chunks > 0;
     let submission = gpu.checked(|| {
-        // A tile has fewer than 2^32 cells, and takes fewer chunks than steps.
-        let chunk = [tile.cells as u32, work, number as u32, 0];
-        gpu.queue.write_buffer(&tile.chunk, 0, bytemuck::cast_slice(&chunk));
-        let descriptor = CommandEncoderDescriptor { label: Some("chunk") };
-        let mut encoder = gpu.device.create_command_encoder(&descriptor);
-        let tally = (number as u64 + 1) % TALLIES * TALLY;
-        encoder.clear_buffer(&tile.tallies, tally, Some(TALLY));
-        let clock = tile.clocks.as_ref().map(|clocks| &clocks[place]);
-        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
-            label: None,
-            timestamp_writes: clock.map(|clock| ComputePassTimestampWrites {
-                query_set: &clock.queries,
-                beginning_of_pass_write_index: Some(0),
-                end_of_pass_write_index: Some(1),
-            }),
-        });
-        pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, &tile.bind_group, &[]);
-        pass.dispatch_workgroups(running.div_ceil(WORKGROUP) as u32, 1, 1);
-        drop(pass);
-        let back = &tile.back[place];
-        encoder.copy_buffer_to_buffer(&tile.tallies, tally, back, 0, Some(TALLY));
-        if let Some(clock) = clock {
-            encoder.resolve_query_set(&clock.queries, 0..2, &clock.ticks, 0);
-            encoder.copy_buffer_to_buffer(&clock.ticks, 0, back, TALLY, Some(16));
+        let size = (SIDES * slots.tile) as u32;
+        for place in 0..RING {
+            let chunk = [size, order.work, place as u32, 0];
+            let place = place as u64 * CHUNK_STRIDE;
+            gpu.queue.write_buffer(&slots.chunk, place, bytemuck::cast_slice(&chunk));
         }
+        let descriptor = CommandEncoderDescriptor { label: Some("chunks") };
+        let mut encoder = gpu.device.create_command_encoder(&descriptor);
+        for (side, cells) in order.copied.into_iter().enumerate() {
+            copy_back(&mut encoder, slots, side, cells);
+        }
+        if let Some(begin) = &order.begin {
+            clear(&mut encoder, slots, begin);
+        }
+        let flight = &slots.flights[place];
+        if timed {
+            run(&mut encoder, pipelines, slots, place, order);
+            if let Some((queries, ticks)) = &flight.clock {
+                encoder.resolve_query_set(queries, 0..2, ticks, 0);
+                encoder.copy_buffer_to_buffer(ticks, 0, &flight.back, TALLY, Some(16));
+            }
+        }
+        encoder.copy_buffer_to_buffer(&slots.tally, 0, &flight.back, 0, Some(TALLY));
         gpu.queue.submit([encoder.finish()])
     })?;
-    Ok(Flight { number, work, submission, submitted: Instant::now() })
+    Ok(Flight {
+        place,
+        number: order.number.wrapping_add(order.chunks),
+        work: order.chunks * order.work,
+        running: order.running,
+        begun: order.begin.as_ref().map_or(0, |begin| begin.cells),
+        copied: order.copied,
+        submission,
+        submitted: Instant::now(),
+        timed,
+    })
 }
 
-/// Waits for a chunk.
-fn receive(gpu: &Gpu, tile: &Tile, flight: &Flight) -> Result<Told, GpuError> {
-    let back = &tile.back[flight.number % FLIGHTS];
-    let bytes = gpu.read(back, Some(flight.submission.clone()))?;
-    let [running, steps] = bytemuck::pod_read_unaligned::<[u32; 2]>(&bytes[..8]);
-    let device = tile.clocks.as_ref().map(|_| {
-        let [began, ended] = bytemuck::pod_read_unaligned::<[u64; 2]>(&bytes[8..]);
-        let tick = f64::from(gpu.queue.get_timestamp_period());
-        Duration::from_nanos((ended.saturating_sub(began) as f64 * tick) as u64)
+/// Copies the last states of a side's cells to where the host can read them.
+fn copy_back(encoder: &mut CommandEncoder, slots: &Slots, side: usize, cells: usize) {
+    let mut copy = |from, to, size: u64| {
+        let first = (side * slots.tile) as u64 * size;
+        encoder.copy_buffer_to_buffer(from, first, to, 0, Some(cells as u64 * size));
+    };
+    if cells > 0 {
+        copy(&slots.states, &slots.sides[side].states_back, slots.state_size);
+        if let (Some(from), Some(to)) = (&slots.events, &slots.sides[side].events_back) {
+            copy(from, to, slots.events_size);
+        }
+    }
+}
+
+/// Clears what cells before left behind: no state may pass for that of a cell that was never made.
+fn clear(encoder: &mut CommandEncoder, slots: &Slots, begin: &Begin) {
+    let mut clear = |buffer, size: u64| {
+        let first = (begin.side * slots.tile) as u64 * size;
+        encoder.clear_buffer(buffer, first, Some(begin.cells as u64 * size));
+    };
+    clear(&slots.states, slots.state_size);
+    if let Some(events) = &slots.events {
+        clear(events, slots.events_size);
+    }
+}
+
+fn run(
+    encoder: &mut CommandEncoder,
+    pipelines: &Pipelines,
+    slots: &Slots,
+    place: usize,
+    order: &Order,
+) {
+    let clock = slots.flights[place].clock.as_ref();
+    let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
+        label: None,
+        timestamp_writes: clock.map(|(queries, _)| ComputePassTimestampWrites {
+            query_set: queries,
+            beginning_of_pass_write_index: Some(0),
+            end_of_pass_write_index: Some(1),
+        }),
     });
-    Ok(Told { running: running as usize, steps: u64::from(steps), device })
+    if let Some(begin) = &order.begin {
+        pass.set_pipeline(&pipelines.begin);
+        pass.set_bind_group(0, &begin.group, &[]);
+        pass.dispatch_workgroups(begin.threads.div_ceil(WORKGROUP) as u32, 1, 1);
+    }
+    pass.set_pipeline(&pipelines.sweep);
+    for chunk in 0..order.chunks {
+        let number = order.number.wrapping_add(chunk) as usize % RING;
+        pass.set_bind_group(0, &order.groups[number], &[]);
+        pass.dispatch_workgroups(order.running.div_ceil(WORKGROUP) as u32, 1, 1);
+    }
+}
+
+/// Waits for a submission, since the one before it ended. The states that it copied are mapped then.
+pub fn receive(
+    gpu: &Gpu,
+    slots: &Slots,
+    flight: &Flight,
+    since: Instant,
+) -> Result<Report, GpuError> {
+    let back = &slots.flights[flight.place].back;
+    let mut mapped = vec![back];
+    for (side, cells) in slots.sides.iter().zip(flight.copied) {
+        if cells > 0 {
+            mapped.push(&side.states_back);
+            mapped.extend(&side.events_back);
+        }
+    }
+    gpu.map(&mapped, Some(flight.submission.clone()))?;
+    let view = gpu.view(back)?;
+    let told: [u32; 8] = bytemuck::pod_read_unaligned(&view[..32]);
+    let [began, ended]: [u64; 2] = bytemuck::pod_read_unaligned(&view[32..48]);
+    drop(view);
+    back.unmap();
+    let tick = f64::from(gpu.queue.get_timestamp_period());
+    let pass = Duration::from_nanos((ended.saturating_sub(began) as f64 * tick) as u64);
+    Ok(Report {
+        running: told[flight.number as usize % RING] as usize,
+        left: [told[4] as usize, told[5] as usize],
+        steps: told[6],
+        device: (flight.timed && gpu.has_clock()).then_some(pass),
+        host: since.max(flight.submitted).elapsed(),
+    })
 }

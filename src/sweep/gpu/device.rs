@@ -4,13 +4,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use wgpu::{
-    Adapter, ComputePipeline, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures,
+    Adapter, Buffer, BufferView, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures,
     Features, MemoryHints, PollType, Queue, SubmissionIndex, Trace,
 };
 
 use super::super::backend::Precision;
 use super::GpuError;
 use super::adapter::Description;
+use super::pipelines::Pipelines;
+use super::slots::Slots;
 use crate::model::isolation::Variant;
 
 /// An open device.
@@ -24,7 +26,9 @@ pub struct Gpu {
     /// The first failure that came outside of a call.
     failure: Arc<Mutex<Option<GpuError>>>,
     /// The sweeps compiled so far: tiles after the first need not wait for the compiler.
-    pipelines: Mutex<Vec<(Key, ComputePipeline)>>,
+    pipelines: Mutex<Vec<(Key, Pipelines)>>,
+    /// Places for cells, used again by the next sweep.
+    slots: Mutex<Option<Slots>>,
 }
 
 /// What a compiled sweep is for.
@@ -58,7 +62,7 @@ impl Gpu {
         });
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
-        Ok(Gpu { device, queue, description, failure, pipelines: Mutex::default() })
+        Ok(Gpu { device, queue, description, failure, pipelines: Mutex::default(), slots: Mutex::default() })
     }
 
     /// True where the device can tell the time that a pass took.
@@ -70,19 +74,31 @@ impl Gpu {
     ///
     /// # Errors
     /// Those of `compile`.
-    pub fn pipeline(
+    pub fn pipelines(
         &self,
         key: Key,
-        compile: impl FnOnce() -> Result<ComputePipeline, GpuError>,
-    ) -> Result<ComputePipeline, GpuError> {
+        compile: impl FnOnce() -> Result<Pipelines, GpuError>,
+    ) -> Result<Pipelines, GpuError> {
         // Where a thread broke off there is no half-made entry: the list is as it was.
         let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, pipeline)) = pipelines.iter().find(|(known, _)| *known == key) {
-            return Ok(pipeline.clone());
+        if let Some((_, known)) = pipelines.iter().find(|(known, _)| *known == key) {
+            return Ok(known.clone());
         }
-        let pipeline = compile()?;
-        pipelines.push((key, pipeline.clone()));
-        Ok(pipeline)
+        let compiled = compile()?;
+        pipelines.push((key, compiled.clone()));
+        Ok(compiled)
+    }
+
+    /// The places for cells that the last sweep left, where they suit.
+    pub fn slots(&self, suit: impl FnOnce(&Slots) -> bool) -> Option<Slots> {
+        let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
+        // Others are let go of, before new ones take memory.
+        slots.take().filter(suit)
+    }
+
+    /// Keeps places for the cells of the next sweep.
+    pub fn keep(&self, slots: Slots) {
+        *self.slots.lock().unwrap_or_else(PoisonError::into_inner) = Some(slots);
     }
 
     /// Runs `commands` and reports what the device refused of them.
@@ -124,31 +140,40 @@ impl Gpu {
         }
     }
 
-    /// The bytes of a mappable buffer, once the device has done a submission, or all.
+    /// Maps buffers, once the device has done a submission, or all.
     ///
     /// # Errors
-    /// As [`Gpu::wait`], and [`GpuError::Lost`] where the buffer cannot be mapped.
-    pub fn read(
+    /// As [`Gpu::wait`], and [`GpuError::Lost`] where a buffer cannot be mapped.
+    pub fn map(
         &self,
-        buffer: &wgpu::Buffer,
+        buffers: &[&Buffer],
         submission: Option<SubmissionIndex>,
-    ) -> Result<Vec<u8>, GpuError> {
+    ) -> Result<(), GpuError> {
         let (sender, receiver) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
-            // The receiver is gone only if `wait` failed, which is the error to report.
-            let _ = sender.send(mapped);
-        });
-        self.wait(submission)?;
-        match receiver.try_recv() {
-            Ok(Ok(())) => {}
-            Ok(Err(error)) => return Err(GpuError::Lost(error.to_string())),
-            Err(_) => return Err(GpuError::Lost("a result was never delivered".into())),
+        for buffer in buffers {
+            let sender = sender.clone();
+            buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
+                // The receiver is gone only if `wait` failed, which is the error to report.
+                let _ = sender.send(mapped);
+            });
         }
-        let view = buffer.get_mapped_range(..).map_err(|e| GpuError::Lost(e.to_string()))?;
-        let bytes = view.to_vec();
-        drop(view);
-        buffer.unmap();
-        Ok(bytes)
+        self.wait(submission)?;
+        for _ in buffers {
+            match receiver.try_recv() {
+                Ok(Ok(())) => {}
+                Ok(Err(error)) => return Err(GpuError::Lost(error.to_string())),
+                Err(_) => return Err(GpuError::Lost("a result was never delivered".into())),
+            }
+        }
+        Ok(())
+    }
+
+    /// The bytes of a mapped buffer.
+    ///
+    /// # Errors
+    /// [`GpuError::Lost`].
+    pub fn view(&self, buffer: &Buffer) -> Result<BufferView, GpuError> {
+        buffer.get_mapped_range(..).map_err(|error| GpuError::Lost(error.to_string()))
     }
 }
 

@@ -3,9 +3,16 @@
 pub mod adapter;
 mod chunk;
 pub mod device;
+pub mod inputs;
+mod made;
+pub mod outcomes;
+pub mod pace;
+pub mod pipelines;
 pub mod run;
 pub mod shader;
+pub mod slots;
 pub mod tile;
+mod tiles;
 
 /// Why a sweep on a GPU failed.
 #[derive(Debug, thiserror::Error)]

@@ -1,131 +1,171 @@
-//! What a tile of cells has on the device.
+//! What the device is told of a tile: where its cells and their numbers lie. The cells themselves
+//! are made there, by `shaders/begin.wgsl`.
 
-use std::array::from_fn;
+use bytemuck::{Pod, Zeroable};
+use rayon::prelude::*;
 
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, Buffer, BufferDescriptor, BufferUsages,
-    ComputePipeline, QuerySet, QuerySetDescriptor, QueryType,
-};
-
-use super::device::Gpu;
-use crate::model::block::Model;
-use crate::model::excitation::{Cell, Ground};
+use super::super::cell_tables::{CellTables, Clocks, Parts};
+use super::super::clock::Clock;
+use super::super::groups::Steps;
 use crate::model::real::Real;
 use crate::stepping::log::Event;
 use crate::stepping::state::{RUNNING, State};
 
-/// Chunks that are on the way at once: while the host looks at one, the device runs the next.
-pub const FLIGHTS: usize = 2;
-/// Tallies in the ring.
-pub const TALLIES: u64 = 4;
-/// Bytes of a tally.
-pub const TALLY: u64 = 8;
-
-/// The buffers of a tile, and how the shader is given them.
+/// A tile as the shader knows it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
 pub struct Tile {
-    /// Cells in it.
-    pub cells: usize,
-    /// The cells' states.
-    pub states: Buffer,
-    /// How much a chunk is to do.
-    pub chunk: Buffer,
-    /// What chunks did.
-    pub tallies: Buffer,
-    /// A tally, and the clock's ticks, where the host can read them.
-    pub back: [Buffer; FLIGHTS],
-    /// The cells' first switches, where they are kept.
-    pub events: Option<Buffer>,
-    /// The device's clocks, where it has them.
-    pub clocks: Option<[Clock; FLIGHTS]>,
-    /// All of a shader's buffers.
-    pub bind_group: BindGroup,
+    /// Place of the table's first entry in `numbers`, and from a column and from a row to the next.
+    pub horizontal: [u32; 4],
+    /// The same.
+    pub vertical: [u32; 4],
+    /// The same.
+    pub drive: [u32; 4],
+    /// The same in `clocks`; at the end 1 where each cell has the number of its clock in `words`.
+    pub clock: [u32; 4],
+    /// Place of the first motion's first sample in `words`, motions from a column and from a row to
+    /// the next, samples of all motions.
+    pub across: [u32; 4],
+    /// The same of the vertical motions.
+    pub up: [u32; 4],
+    /// Place of the vertical motions in `tracks`.
+    pub up_values: u32,
+    /// 1 where there are shared motions.
+    pub shared_contact: u32,
+    /// 1 where the base does not move vertically before the block lifts.
+    pub still: u32,
+    /// The corner that a tilted block turns about.
+    pub mode: u32,
+    /// Cells of the tile.
+    pub cells: u32,
+    /// Columns of the grid.
+    pub columns: u32,
+    /// Column of the first cell.
+    pub first_column: u32,
+    /// Row of the first cell.
+    pub first_row: u32,
+    /// [`IN_ORDER`], [`IN_BLOCKS`] or [`LISTED`].
+    pub order: u32,
+    /// Blocks in a row of the grid; for [`LISTED`] the place in `words` of the first cell's column.
+    pub blocks: u32,
+    /// The tile's first slot.
+    pub first_slot: u32,
+    /// Slots of all tiles.
+    pub slots: u32,
+    /// Number of the chunk that is to run the cells first.
+    pub number: u32,
+    /// Fills the struct to whole 16 bytes.
+    pub padding_0: u32,
+    /// The same.
+    pub padding_1: u32,
+    /// The same.
+    pub padding_2: u32,
 }
 
-/// The ticks at a pass's two ends.
-pub struct Clock {
-    /// The two queries.
-    pub queries: QuerySet,
-    /// Their results.
-    pub ticks: Buffer,
-}
+/// Cells follow one another in the grid, and threads take them so.
+pub const IN_ORDER: u32 = 0;
+/// Cells follow one another, and threads take them in blocks.
+pub const IN_BLOCKS: u32 = 1;
+/// Each cell's column and row stand in a list.
+pub const LISTED: u32 = 2;
 
-fn filled(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
-    let label = Some(label);
-    gpu.device.create_buffer_init(&BufferInitDescriptor { label, contents, usage })
-}
-
-fn empty(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Buffer {
-    let descriptor =
-        BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false };
-    gpu.device.create_buffer(&descriptor)
-}
+/// Columns of a block of cells: those of a warp are near neighbours, which do much the same.
+pub const BLOCK_WIDTH: usize = 8;
+/// Rows of a block.
+pub const BLOCK_HEIGHT: usize = 4;
 
 impl Tile {
-    /// The record's samples, the same for every tile.
-    pub fn record<R: Real>(gpu: &Gpu, samples: &[Ground<R>]) -> Buffer {
-        filled(gpu, "record", bytemuck::cast_slice(samples), BufferUsages::STORAGE)
+    /// Puts cells of a grid of so many columns in the tile; the threads that make them, and the list
+    /// of their columns and rows for those that do not follow one another, which begins at `listed`
+    /// in `words`.
+    pub fn place(&mut self, columns: usize, cells: &[usize], listed: usize) -> (usize, Vec<u32>) {
+        let first = cells.first().copied().unwrap_or(0);
+        // A grid has fewer than 2^32 columns and rows, a tile fewer than 2^32 cells.
+        let of = |cell: usize| [(cell % columns) as u32, (cell / columns) as u32];
+        self.cells = cells.len() as u32;
+        self.columns = columns as u32;
+        [self.first_column, self.first_row] = of(first);
+        if !cells.windows(2).all(|pair| pair[1] == pair[0] + 1) {
+            (self.order, self.blocks) = (LISTED, listed as u32);
+            return (cells.len(), cells.iter().flat_map(|&cell| of(cell)).collect());
+        }
+        let blocks = columns.div_ceil(BLOCK_WIDTH);
+        let rows = (first % columns + cells.len()).div_ceil(columns);
+        let threads = rows.div_ceil(BLOCK_HEIGHT) * blocks * BLOCK_HEIGHT * BLOCK_WIDTH;
+        // Blocks that are mostly beside the grid, or before or after the cells, are not worth it.
+        if threads <= 2 * cells.len() {
+            (self.order, self.blocks) = (IN_BLOCKS, blocks as u32);
+            return (threads, Vec::new());
+        }
+        (self.order, self.blocks) = (IN_ORDER, 0);
+        (cells.len(), Vec::new())
     }
+}
 
-    /// Puts cells on the device, with place for `events_kept` switches of each.
-    pub fn new<R: Real>(
-        gpu: &Gpu,
-        pipeline: &ComputePipeline,
-        model: &Model<R>,
-        cells: &[Cell<R>],
-        states: &[State<R>],
-        record: &Buffer,
-        events_kept: usize,
-    ) -> Tile {
-        let storage = BufferUsages::STORAGE;
-        let both_ways = storage | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
-        let model = filled(gpu, "model", bytemuck::bytes_of(model), storage);
-        let cells_buffer = filled(gpu, "cells", bytemuck::cast_slice(cells), storage);
-        let states_buffer = filled(gpu, "states", bytemuck::cast_slice(states), both_ways);
-        let chunk = empty(gpu, "chunk", 16, BufferUsages::UNIFORM | BufferUsages::COPY_DST);
-        // Of what still runs the first list, and place for the second.
-        let running = |state: &State<R>| state.status == RUNNING;
-        let mut lists: Vec<u32> = states
+/// The clocks of a tile whose cells have each their own: a list, and each cell's number in it.
+pub struct OwnClocks<R> {
+    /// For each cell.
+    pub numbers: Vec<u32>,
+    /// For the host.
+    pub clocks: Vec<Clock>,
+    /// For the device.
+    pub steps: Vec<Steps<R>>,
+}
+
+/// Cells whose clocks are listed together.
+const CHUNK: usize = 1 << 12;
+/// Clocks that are known again; one that is forgotten is listed once more.
+const REMEMBERED: usize = 256;
+
+impl<R: Real> OwnClocks<R> {
+    /// Those of a tile's cells; none where the tables hold them.
+    pub fn of(tables: &CellTables<R>, cells: &[usize]) -> Option<OwnClocks<R>> {
+        let Clocks::Own(parts) = &tables.clocks else { return None };
+        let mut numbers = vec![0; cells.len()];
+        let chunks = numbers.par_chunks_mut(CHUNK).zip(cells.par_chunks(CHUNK));
+        let lists: Vec<Vec<Listed>> =
+            chunks.map(|(numbers, cells)| list(tables, parts, cells, numbers)).collect();
+        let firsts: Vec<u32> = lists
             .iter()
-            .zip(0_u32..)
-            .filter_map(|(state, lane)| running(state).then_some(lane))
+            .scan(0, |first, list| Some(std::mem::replace(first, *first + list.len() as u32)))
             .collect();
-        let mut tallies = [0_u32; (TALLIES * TALLY / 4) as usize];
-        // A tile has fewer than 2^32 cells.
-        tallies[0] = lists.len() as u32;
-        lists.resize(2 * cells.len(), 0);
-        let tallies = filled(gpu, "tallies", bytemuck::cast_slice(&tallies), both_ways);
-        let lists = filled(gpu, "running", bytemuck::cast_slice(&lists), storage);
-        let event_bytes = (cells.len() * events_kept * size_of::<Event<R>>()) as u64;
-        let events = (events_kept > 0).then(|| empty(gpu, "events", event_bytes, both_ways));
-        let clock = |_| Clock {
-            queries: gpu.device.create_query_set(&QuerySetDescriptor {
-                label: Some("clock"),
-                ty: QueryType::Timestamp,
-                count: 2,
-            }),
-            ticks: empty(gpu, "ticks", 16, BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC),
-        };
-        let clocks = gpu.has_clock().then(|| from_fn(clock));
-        let read = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
-        let back = from_fn(|_| empty(gpu, "back", TALLY + 16, read));
-        let bound = [&model, &cells_buffer, &states_buffer, &chunk, &tallies, record];
-        let entries: Vec<BindGroupEntry> = bound
-            .into_iter()
-            .zip(0..)
-            .chain(events.iter().map(|events| (events, 6)))
-            .chain([(&lists, 7)])
-            .map(|(buffer, binding)| BindGroupEntry {
-                binding,
-                resource: buffer.as_entire_binding(),
-            })
-            .collect();
-        let bind_group = gpu.device.create_bind_group(&BindGroupDescriptor {
-            label: Some("sweep"),
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        });
-        let (cells, states) = (cells.len(), states_buffer);
-        Tile { cells, states, chunk, tallies, back, events, clocks, bind_group }
+        let chunks = numbers.par_chunks_mut(CHUNK).zip(&firsts);
+        chunks.for_each(|(numbers, first)| numbers.iter_mut().for_each(|number| *number += first));
+        let (clocks, steps) = lists
+            .par_iter()
+            .flatten_iter()
+            .map(|listed| (listed.clock, tables.steps_of(listed.omega, &listed.clock)))
+            .unzip();
+        Some(OwnClocks { numbers, clocks, steps })
     }
+}
+
+/// A clock, and Omega.
+#[derive(Clone, Copy, PartialEq)]
+struct Listed {
+    clock: Clock,
+    omega: f64,
+}
+
+/// Lists the clocks of some cells, and numbers them.
+fn list<R: Real>(
+    tables: &CellTables<R>,
+    parts: &Parts,
+    cells: &[usize],
+    numbers: &mut [u32],
+) -> Vec<Listed> {
+    let mut listed: Vec<Listed> = Vec::new();
+    let mut remembered = [0_u32; REMEMBERED];
+    for (number, &cell) in numbers.iter_mut().zip(cells) {
+        let (clock, omega) = tables.own_clock(parts, tables.place(cell));
+        let this = Listed { clock, omega };
+        let hash = (clock.steps ^ clock.substeps.rotate_left(16)).wrapping_mul(0x9E37_79B9) >> 24;
+        let known = &mut remembered[hash as usize % REMEMBERED];
+        if listed.get(*known as usize) != Some(&this) {
+            *known = listed.len() as u32;
+            listed.push(this);
+        }
+        *number = *known;
+    }
+    listed
 }

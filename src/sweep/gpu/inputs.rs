@@ -1,0 +1,236 @@
+//! What the cells of a sweep are made of, on the device.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding,
+    BufferSize, BufferUsages, ComputePipeline,
+};
+
+use super::super::cell_tables::{Clocks, Table};
+use super::super::cells::Cells;
+use super::super::full_contact::Tracks;
+use super::super::groups::Steps;
+use super::super::plan::Plan;
+use super::super::tracks::Motions;
+use super::device::Gpu;
+use super::pipelines::Pipelines;
+use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
+use super::tile::{OwnClocks, Tile};
+use crate::model::excitation::Ground;
+use crate::model::real::Real;
+
+/// Gaps between samples that a thread looks through twice at most: the software driver ends loops silently
+/// after 65,535 turns.
+const MOST_GAPS: usize = 30_000;
+
+/// What all tiles of a sweep share.
+pub struct Inputs<R> {
+    model: Buffer,
+    numbers: Buffer,
+    tracks: Buffer,
+    /// Where a tile finds its numbers.
+    tile: Tile,
+    /// Where motions begin.
+    words: Vec<u32>,
+    /// The clocks, where the tables hold them.
+    steps: Vec<Steps<R>>,
+    /// The buffers of a chunk, by its place in the ring.
+    pub chunks: [BindGroup; RING],
+}
+
+/// A buffer with these contents, one number at least.
+fn filled<R: Real>(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
+    let nothing = [R::of(0.0)];
+    let contents = if contents.is_empty() { bytemuck::cast_slice(&nothing) } else { contents };
+    gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
+}
+
+/// Where a table's entries of so many numbers each lie, from a place on.
+fn table<T>(table: &Table<T>, first: usize, size: usize) -> [u32; 4] {
+    let [column, row] = table.strides.map(|stride| (stride * size) as u32);
+    [first as u32, column, row, 0]
+}
+
+/// Where motions lie whose beginnings are listed from a place on.
+fn motions<R: Real>(motions: &Motions<R>, first: usize) -> [u32; 4] {
+    let [column, row] = motions.strides.map(|stride| stride as u32);
+    [first as u32, column, row, motions.samples() as u32]
+}
+
+impl<R: Real> Inputs<R> {
+    /// Puts on the device what the cells of a plan share.
+    pub fn new(
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        slots: &mut Slots,
+        plan: &Plan,
+        cells: &Cells<R>,
+        record: &[Ground<R>],
+    ) -> Inputs<R> {
+        let tables = &cells.tables;
+        let mut numbers: Vec<R> = vec![cells.posture.tilt];
+        let mut tile = Tile { mode: cells.posture.mode, ..Tile::default() };
+        tile.horizontal = table(&tables.horizontal, numbers.len(), 7);
+        numbers.extend_from_slice(bytemuck::cast_slice(&tables.horizontal.entries));
+        tile.vertical = table(&tables.vertical, numbers.len(), 5);
+        numbers.extend_from_slice(bytemuck::cast_slice(&tables.vertical.entries));
+        tile.drive = table(&tables.drive, numbers.len(), 4);
+        numbers.extend_from_slice(bytemuck::cast_slice(&tables.drive.entries));
+        let steps = match &tables.clocks {
+            Clocks::Shared(shared) => {
+                tile.clock = table(shared, 0, 1);
+                shared.entries.iter().map(|(_, steps)| *steps).collect()
+            }
+            Clocks::Own(_) => Vec::new(),
+        };
+        let mut words = Vec::new();
+        let limit = gpu.device.limits().max_storage_buffer_binding_size;
+        let shared = cells.tracks.as_ref().as_ref().filter(|tracks| fits(tracks, limit));
+        if let Some(tracks) = shared {
+            tile.shared_contact = 1;
+            tile.still = u32::from(tracks.still);
+            tile.up_values = tracks.across.values.len() as u32;
+            for (motion, place) in
+                [(&tracks.across, &mut tile.across), (&tracks.up, &mut tile.up)]
+            {
+                *place = motions(motion, words.len());
+                words.extend_from_slice(&motion.first);
+            }
+        }
+        let tracks = match shared {
+            Some(shared) => resident(gpu, slots, &cells.tracks, shared),
+            None => filled::<R>(gpu, "no tracks", &[], BufferUsages::STORAGE),
+        };
+        let model = plan.model::<R>();
+        let mut model = bytemuck::bytes_of(&model).to_vec();
+        // As a uniform buffer's size is on some devices.
+        model.resize(model.len().next_multiple_of(16), 0);
+        let model = filled::<R>(gpu, "model", &model, BufferUsages::UNIFORM);
+        let storage = BufferUsages::STORAGE;
+        let record = filled::<R>(gpu, "record", bytemuck::cast_slice(record), storage);
+        let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
+        let chunks = chunk_groups(gpu, &pipelines.sweep, slots, &model, &record);
+        Inputs { model, numbers, tracks, tile, words, steps, chunks }
+    }
+
+    /// Puts on the device what a tile has of its own; the threads that make its cells, and their
+    /// buffers.
+    pub fn begin(
+        &self,
+        gpu: &Gpu,
+        pipelines: &Pipelines,
+        slots: &mut Slots,
+        side: usize,
+        number: u32,
+        (columns, cells): (usize, &[usize]),
+        own: Option<&OwnClocks<R>>,
+    ) -> (usize, BindGroup) {
+        let mut tile = self.tile;
+        let mut words = self.words.clone();
+        if let Some(own) = own {
+            tile.clock = [words.len() as u32, 0, 0, 1];
+            words.extend_from_slice(&own.numbers);
+        }
+        let (threads, listed) = tile.place(columns, cells, words.len());
+        words.extend_from_slice(&listed);
+        words.resize(words.len().max(1), 0);
+        tile.first_slot = (side * slots.tile) as u32;
+        tile.slots = (slots.sides.len() * slots.tile) as u32;
+        tile.number = number;
+        let place = &mut slots.sides[side];
+        refill(gpu, &mut place.tile, bytemuck::bytes_of(&tile));
+        refill(gpu, &mut place.words, bytemuck::cast_slice(&words));
+        let steps = own.map_or(&self.steps, |own| &own.steps);
+        refill(gpu, &mut place.clocks, bytemuck::cast_slice(steps));
+        let place = &slots.sides[side];
+        let group = bind(gpu, &pipelines.begin, &[
+            (0, self.model.as_entire_binding()),
+            (1, slots.cells.as_entire_binding()),
+            (2, slots.states.as_entire_binding()),
+            (4, slots.tally.as_entire_binding()),
+            (7, slots.running.as_entire_binding()),
+            (8, place.tile.as_entire_binding()),
+            (9, self.numbers.as_entire_binding()),
+            (10, place.clocks.as_entire_binding()),
+            (11, place.words.as_entire_binding()),
+            (12, self.tracks.as_entire_binding()),
+        ]);
+        (threads, group)
+    }
+}
+
+/// True for motions that a shader can be given; cells begin from rest where they are not.
+fn fits<R: Real>(tracks: &Tracks<R>, limit: u64) -> bool {
+    let values = tracks.across.values.len() + tracks.up.values.len();
+    let bytes = (values * size_of::<R>()) as u64;
+    bytes <= limit && tracks.across.longest().max(tracks.up.longest()) <= MOST_GAPS
+}
+
+/// The buffer of motions that may be on the device already, from a sweep before.
+fn resident<R: Real>(
+    gpu: &Gpu,
+    slots: &mut Slots,
+    whose: &Arc<Option<Tracks<R>>>,
+    tracks: &Tracks<R>,
+) -> Buffer {
+    let whose = Arc::clone(whose) as Arc<dyn Any + Send + Sync>;
+    if let Some((known, buffer)) = &slots.tracks
+        && Arc::ptr_eq(known, &whose)
+    {
+        return buffer.clone();
+    }
+    // Two sweeps' motions need not be on the device at once.
+    slots.tracks = None;
+    let size = size_of_val(&tracks.across.values[..]) + size_of_val(&tracks.up.values[..]);
+    let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
+    let buffer = super::slots::buffer(gpu, "tracks", size as u64, usage);
+    gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&tracks.across.values));
+    let first = size_of_val(&tracks.across.values[..]) as u64;
+    gpu.queue.write_buffer(&buffer, first, bytemuck::cast_slice(&tracks.up.values));
+    slots.tracks = Some((whose, buffer.clone()));
+    buffer
+}
+
+fn bind(gpu: &Gpu, pipeline: &ComputePipeline, bound: &[(u32, BindingResource)]) -> BindGroup {
+    let entries: Vec<BindGroupEntry> = bound
+        .iter()
+        .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
+        .collect();
+    gpu.device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    })
+}
+
+fn chunk_groups(
+    gpu: &Gpu,
+    pipeline: &ComputePipeline,
+    slots: &Slots,
+    model: &Buffer,
+    record: &Buffer,
+) -> [BindGroup; RING] {
+    std::array::from_fn(|place| {
+        let chunk = BindingResource::Buffer(BufferBinding {
+            buffer: &slots.chunk,
+            offset: place as u64 * CHUNK_STRIDE,
+            size: BufferSize::new(16),
+        });
+        let mut bound = vec![
+            (0, model.as_entire_binding()),
+            (1, slots.cells.as_entire_binding()),
+            (2, slots.states.as_entire_binding()),
+            (3, chunk),
+            (4, slots.tally.as_entire_binding()),
+            (5, record.as_entire_binding()),
+            (7, slots.running.as_entire_binding()),
+        ];
+        if let Some(events) = &slots.events {
+            bound.push((6, events.as_entire_binding()));
+        }
+        bind(gpu, pipeline, &bound)
+    })
+}

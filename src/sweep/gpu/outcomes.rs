@@ -1,0 +1,61 @@
+//! Outcomes made of last states where a device has put them.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::super::cells::Cells;
+use super::GpuError;
+use super::tile::OwnClocks;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::{PROVED, RUNNING, State};
+use crate::model::real::Real;
+
+/// Cells that a thread reads at once.
+const CHUNK: usize = 1 << 12;
+
+/// Adds the outcomes of a tile's cells, by all cores, to those of the tiles before it. `bytes` are
+/// the cells' states.
+///
+/// # Errors
+/// [`GpuError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
+pub fn read<R: Real>(
+    all: &Cells<R>,
+    cells: &[usize],
+    own: Option<&OwnClocks<R>>,
+    bytes: &[u8],
+    outcomes: &mut Vec<Outcome>,
+) -> Result<(), GpuError> {
+    let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
+    let copy: Vec<State<R>>;
+    let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
+        Ok(states) => states,
+        // Where a driver maps memory at an odd address.
+        Err(_) => {
+            copy = bytemuck::pod_collect_to_vec(bytes);
+            &copy
+        }
+    };
+    if states.len() != cells.len() {
+        return Err(GpuError::Unfinished(cells.len() - states.len()));
+    }
+    let unfinished = AtomicUsize::new(0);
+    let of = |(at, (state, &cell)): (usize, (&State<R>, &usize))| {
+        if state.status == RUNNING || state.status > PROVED {
+            unfinished.fetch_add(1, Ordering::Relaxed);
+        }
+        match own {
+            Some(own) => {
+                all.reader.outcome(&own.clocks[own.numbers[at] as usize], state)
+            }
+            None => all.outcome(cell, state),
+        }
+    };
+    outcomes.par_extend(
+        states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK),
+    );
+    match unfinished.into_inner() {
+        0 => Ok(()),
+        some => Err(GpuError::Unfinished(some)),
+    }
+}

@@ -1,0 +1,110 @@
+//! How much a device is given at a time, by how long it took for what it was given before.
+
+use std::time::Duration;
+
+/// What a submission may take: well below the two seconds after which a desktop driver ends it, and
+/// long against the time that it takes to submit one.
+const LONGEST: Duration = Duration::from_millis(100);
+/// Steps and switches of a cell in the first submission to a device that nothing is known of.
+const FIRST_WORK: u32 = 16;
+/// The same in the longest one: a small share of a long cell's, so that the host hears in time of
+/// room for new cells.
+const MOST_WORK: f64 = 512.0;
+/// Steps and switches of a cell in a chunk, after which the list of running cells is made anew. More
+/// leave threads without a cell; fewer move states for nothing. Drivers bound the iterations of a
+/// shader's loops, the software one silently at 65,535 for all loops together: a switch takes about
+/// 15, a hundred at the worst.
+pub const CHUNK: u32 = 128;
+/// Cells of the first tile on a device that nothing is known of.
+const FIRST_TILE: f64 = 32_768.0;
+/// Cells of a tile at least.
+const LEAST_TILE: f64 = 8_192.0;
+/// What a chunk of two whole tiles may take.
+const CHUNK_TIME: Duration = Duration::from_millis(50);
+
+/// How much a device is given at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pace {
+    /// Steps and switches of a cell in a submission.
+    work: f64,
+    /// Cells of a tile.
+    tile: f64,
+}
+
+impl Default for Pace {
+    fn default() -> Pace {
+        Pace { work: f64::from(FIRST_WORK), tile: FIRST_TILE }
+    }
+}
+
+impl Pace {
+    /// Chunks of the next submission, and steps and switches of a cell in each.
+    pub fn chunks(&self) -> (u32, u32) {
+        // Between one and the most.
+        let work = self.work as u32;
+        let chunks = work.div_ceil(CHUNK);
+        (chunks, work / chunks)
+    }
+
+    /// Cells of the next tile.
+    pub fn tile(&self) -> usize {
+        self.tile as usize
+    }
+
+    /// Learns what so much work on at most so many cells took, by the host's clock and by the
+    /// device's. The longer one counts: a device's clock that stands still must not let work grow
+    /// past what a driver allows.
+    pub fn learn(&mut self, work: u32, cells: usize, host: Duration, device: Option<Duration>) {
+        let took = host.max(device.unwrap_or_default()).as_secs_f64().max(1.0e-6);
+        let work = f64::from(work);
+        let ratio = LONGEST.as_secs_f64() / took;
+        self.work = (work * ratio.clamp(0.25, 4.0)).clamp(1.0, MOST_WORK);
+        // A device with few cells does not show how many it could have.
+        if cells as f64 >= 0.5 * self.tile {
+            let rate = work * cells as f64 / took;
+            let most = rate * CHUNK_TIME.as_secs_f64() / (2.0 * f64::from(CHUNK));
+            let ratio = (most / self.tile).clamp(0.25, 4.0);
+            self.tile = (self.tile * ratio).max(LEAST_TILE);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MILLI: Duration = Duration::from_millis(1);
+
+    #[test]
+    fn a_clock_that_stands_still_does_not_let_work_grow() {
+        for (host, device) in [(150, Some(0)), (150, None), (0, Some(150)), (150, Some(150))] {
+            let mut pace = Pace::default();
+            for _ in 0..20 {
+                pace.learn(256, 1 << 18, host * MILLI, device.map(|device| device * MILLI));
+            }
+            let (chunks, work) = pace.chunks();
+            assert!(chunks * work < 256, "{host} ms, {device:?} ms: {chunks} chunks of {work}");
+        }
+    }
+
+    #[test]
+    fn a_fast_device_is_given_much_and_a_slow_one_little() {
+        let after = |steps_a_second: f64| {
+            let mut pace = Pace::default();
+            for _ in 0..20 {
+                let (chunks, work) = pace.chunks();
+                let cells = 2 * pace.tile();
+                let took = f64::from(chunks * work) * cells as f64 / steps_a_second;
+                pace.learn(chunks * work, cells, Duration::from_secs_f64(took), None);
+            }
+            (pace.chunks(), pace.tile())
+        };
+        let (chunks, tile) = after(1.0e11);
+        assert_eq!(chunks, (4, CHUNK));
+        assert!(tile > 1 << 18);
+        // A million steps a second: one chunk would take two seconds.
+        let ((chunks, work), tile) = after(1.0e6);
+        assert_eq!((chunks, tile), (1, 8192));
+        assert!((1..8).contains(&work));
+    }
+}

@@ -1,0 +1,67 @@
+//! The compiled shader: one kernel makes cells, the other one runs them.
+
+use wgpu::{
+    ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor,
+    ShaderSource,
+};
+
+use super::GpuError;
+use super::device::Gpu;
+use crate::model::isolation::Variant;
+
+/// Threads of a workgroup.
+pub const WORKGROUP: usize = 64;
+
+/// The two kernels.
+#[derive(Debug, Clone)]
+pub struct Pipelines {
+    /// Makes a tile's cells.
+    pub begin: ComputePipeline,
+    /// Runs a chunk of their steps.
+    pub sweep: ComputePipeline,
+}
+
+/// Compiles a shader's text for a variant of the model.
+///
+/// # Errors
+/// [`GpuError::Refused`].
+pub fn compile(
+    gpu: &Gpu,
+    source: &str,
+    variant: Variant,
+    events_kept: usize,
+) -> Result<Pipelines, GpuError> {
+    let mut constants = vec![
+        ("recorded", f64::from(u8::from(variant.recorded))),
+        ("isolated_h", f64::from(u8::from(variant.isolated_h))),
+        ("isolated_v", f64::from(u8::from(variant.isolated_v))),
+        ("kinks", f64::from(u8::from(variant.kinks))),
+        ("yields", f64::from(u8::from(variant.yields))),
+        ("certificate", f64::from(u8::from(variant.certificate))),
+        ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
+        ("workgroup_size", WORKGROUP as f64),
+    ];
+    if events_kept > 0 {
+        constants.push(("events_kept", events_kept as f64));
+    }
+    gpu.checked(|| {
+        let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
+            label: Some("sweep"),
+            source: ShaderSource::Wgsl(source.into()),
+        });
+        let kernel = |name| {
+            gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some(name),
+                layout: None,
+                module: &module,
+                entry_point: Some(name),
+                compilation_options: PipelineCompilationOptions {
+                    constants: &constants,
+                    ..PipelineCompilationOptions::default()
+                },
+                cache: None,
+            })
+        };
+        Pipelines { begin: kernel("begin"), sweep: kernel("sweep") }
+    })
+}

@@ -1,0 +1,270 @@
+//! Tiles of cells, two on the device at once.
+//!
+//! The cells of both are in one list, which is made anew after every chunk of steps, so that threads
+//! have cells however unlike the cells are. When few run, those of the next tile are made and join
+//! them. A tile whose last cell is done is read while the device goes on.
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+use super::super::cells::Cells;
+use super::super::plan::Plan;
+use super::GpuError;
+use super::chunk::{Begin, Flight, Order, Report, receive, submit};
+use super::device::Gpu;
+use super::inputs::Inputs;
+use super::outcomes;
+use super::pipelines::Pipelines;
+use super::run::Ran;
+use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
+use super::tile::OwnClocks;
+use crate::model::excitation::Ground;
+use crate::model::real::Real;
+
+/// Cells on the device.
+struct Tile<'a, R> {
+    /// Number of the tile.
+    number: usize,
+    cells: &'a [usize],
+    own: Option<OwnClocks<R>>,
+    /// Steps of its longest cell.
+    longest: u32,
+    /// Steps and switches that its cells were given so far.
+    work: u64,
+    /// Number of the submission that makes the cells.
+    since: usize,
+    /// Cells that still run.
+    left: usize,
+    /// Its last states are where the host can read them.
+    mapped: bool,
+}
+
+/// A sweep's tiles.
+pub struct Tiles<'a, R> {
+    gpu: &'a Gpu,
+    pipelines: &'a Pipelines,
+    slots: &'a mut Slots,
+    all: &'a Cells<'a, R>,
+    inputs: Inputs<R>,
+    /// Cells that are in no tile yet.
+    rest: &'a [usize],
+    /// Tiles whose cells run.
+    sides: [Option<Tile<'a, R>>; SIDES],
+    /// Tiles whose last states are on their way to the host.
+    copied: [Option<Tile<'a, R>>; SIDES],
+    flights: VecDeque<Flight>,
+    /// Submissions made and heard of, chunks, tiles begun and read.
+    submitted: usize,
+    heard: usize,
+    chunks: u32,
+    begun: usize,
+    read: usize,
+    /// Cells that ran after the last submission heard of.
+    running: usize,
+    /// Steps heard of, modulo 2^32 and in all, and those that the tiles so far can take.
+    steps: u32,
+    all_steps: u64,
+    most_steps: u64,
+    ran: Ran<R>,
+}
+
+impl<'a, R: Real> Tiles<'a, R> {
+    /// The tiles of some cells of a plan.
+    pub fn new(
+        gpu: &'a Gpu,
+        pipelines: &'a Pipelines,
+        slots: &'a mut Slots,
+        (plan, all, record): (&Plan, &'a Cells<'a, R>, &[Ground<R>]),
+        cells: &'a [usize],
+    ) -> Result<Tiles<'a, R>, GpuError> {
+        let inputs = gpu.checked(|| {
+            gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
+            Inputs::new(gpu, pipelines, slots, plan, all, record)
+        })?;
+        let ran = Ran {
+            outcomes: Vec::with_capacity(cells.len()),
+            events: Vec::new(),
+            device: gpu.has_clock().then_some(Duration::ZERO),
+        };
+        Ok(Tiles {
+            gpu,
+            pipelines,
+            slots,
+            all,
+            inputs,
+            rest: cells,
+            sides: [None, None],
+            copied: [None, None],
+            flights: VecDeque::with_capacity(FLIGHTS),
+            submitted: 0,
+            heard: 0,
+            chunks: 0,
+            begun: 0,
+            read: 0,
+            running: 0,
+            steps: 0,
+            all_steps: 0,
+            most_steps: 0,
+            ran,
+        })
+    }
+
+    /// Runs them all to their cells' ends.
+    pub fn run(mut self, progress: &(dyn Fn(usize) + Sync)) -> Result<Ran<R>, GpuError> {
+        let count = self.rest.len();
+        let (mut told, mut ended) = (0, Instant::now());
+        loop {
+            while self.flights.len() < FLIGHTS && self.submit()? {}
+            // While the device is at work.
+            let freed = self.read()?;
+            if let Some(flight) = self.flights.pop_front() {
+                let report = receive(self.gpu, self.slots, &flight, ended)?;
+                ended = Instant::now();
+                self.hear(&flight, &report)?;
+                let done = self.done();
+                progress(done.saturating_sub(told));
+                told = told.max(done);
+            } else if !freed {
+                break;
+            }
+        }
+        if self.ran.outcomes.len() < count {
+            return Err(GpuError::Unfinished(count - self.ran.outcomes.len()));
+        }
+        progress(count.saturating_sub(told));
+        Ok(self.ran)
+    }
+
+    /// Cells that may run in the next submission.
+    fn bound(&self) -> usize {
+        self.running + self.flights.iter().map(|flight| flight.begun).sum::<usize>()
+    }
+
+    /// Hands the device what is next; false where there is nothing to do.
+    fn submit(&mut self) -> Result<bool, GpuError> {
+        let mut copied = [0; SIDES];
+        for (side, cells) in copied.iter_mut().enumerate() {
+            let ended = self.sides[side].as_ref().is_some_and(|tile| tile.left == 0);
+            if ended && self.copied[side].is_none() {
+                self.copied[side] = self.sides[side].take();
+                *cells = self.copied[side].as_ref().map_or(0, |tile| tile.cells.len());
+            }
+        }
+        let bound = self.bound();
+        let free = self.sides.iter().position(Option::is_none);
+        let few = bound < self.slots.pace.tile() / 2;
+        let begin = match free {
+            Some(side) if few && !self.rest.is_empty() => Some(self.begin(side)?),
+            _ => None,
+        };
+        let running = bound + begin.as_ref().map_or(0, |begin| begin.cells);
+        let (chunks, work) = if running > 0 { self.slots.pace.chunks() } else { (0, 0) };
+        if copied == [0; SIDES] && chunks == 0 {
+            return Ok(false);
+        }
+        let (number, groups) = (self.chunks, &self.inputs.chunks);
+        let order = Order { copied, begin, number, chunks, work, running, groups };
+        let place = self.submitted % FLIGHTS;
+        self.flights.push_back(submit(self.gpu, self.pipelines, self.slots, place, &order)?);
+        self.submitted += 1;
+        self.chunks = self.chunks.wrapping_add(chunks);
+        Ok(true)
+    }
+
+    /// Makes the next tile ready on a side.
+    fn begin(&mut self, side: usize) -> Result<Begin, GpuError> {
+        let count = self.slots.pace.tile().min(self.slots.tile).min(self.rest.len());
+        let (cells, rest) = self.rest.split_at(count);
+        let tables = &self.all.tables;
+        let own = OwnClocks::of(tables, cells);
+        let longest = match &own {
+            Some(own) => own.clocks.iter().map(|clock| clock.steps).max().unwrap_or(0),
+            None => tables.longest(),
+        };
+        let (gpu, number) = (self.gpu, self.chunks);
+        let (threads, group) = gpu.checked(|| {
+            let tile = (tables.columns, cells);
+            self.inputs.begin(gpu, self.pipelines, self.slots, side, number, tile, own.as_ref())
+        })?;
+        self.most_steps += count as u64 * u64::from(longest);
+        self.sides[side] = Some(Tile {
+            number: self.begun,
+            cells,
+            own,
+            longest,
+            work: 0,
+            since: self.submitted,
+            left: count,
+            mapped: false,
+        });
+        self.begun += 1;
+        self.rest = rest;
+        Ok(Begin { side, cells: count, threads, group })
+    }
+
+    /// Takes in what a submission tells.
+    fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), GpuError> {
+        for side in 0..SIDES {
+            if let Some(tile) = self.sides[side].as_mut().filter(|tile| tile.since <= self.heard) {
+                tile.left = report.left[side];
+                tile.work += u64::from(flight.work);
+            }
+            if let Some(tile) = self.copied[side].as_mut().filter(|_| flight.copied[side] > 0) {
+                tile.mapped = true;
+            }
+        }
+        self.heard += 1;
+        self.running = report.running;
+        self.ran.device = self.ran.device.zip(report.device).map(|(sum, pass)| sum + pass);
+        if flight.work > 0 {
+            let steps = report.steps.wrapping_sub(self.steps);
+            self.steps = report.steps;
+            self.all_steps += u64::from(steps);
+            // A device that stands still, or whose states do not come to stay.
+            if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
+                return Err(GpuError::Unfinished(self.running));
+            }
+            self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
+        }
+        Ok(())
+    }
+
+    /// Makes the outcomes of tiles whose states have come, in the tiles' order; false where there are
+    /// none.
+    fn read(&mut self) -> Result<bool, GpuError> {
+        let mut any = false;
+        while let Some(side) = self.copied.iter().position(|tile| {
+            tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)
+        }) && let Some(tile) = self.copied[side].take()
+        {
+            let back = &self.slots.sides[side];
+            let view = self.gpu.view(&back.states_back)?;
+            let (all, own) = (self.all, tile.own.as_ref());
+            outcomes::read(all, tile.cells, own, &view, &mut self.ran.outcomes)?;
+            drop(view);
+            back.states_back.unmap();
+            if let Some(events) = &back.events_back {
+                let size = tile.cells.len() * self.slots.events_size as usize;
+                let view = self.gpu.view(events)?;
+                self.ran.events.extend_from_slice(bytemuck::cast_slice(&view[..size]));
+                drop(view);
+                events.unmap();
+            }
+            self.read += 1;
+            any = true;
+        }
+        Ok(any)
+    }
+
+    /// Cells that are done, those that run by the share of their steps. Switches count as steps, so
+    /// that this is an upper bound.
+    fn done(&self) -> usize {
+        let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
+        let run = |tile: &Tile<R>| {
+            let share = (tile.work as f64 / f64::from(tile.longest.max(1))).min(0.99);
+            tile.cells.len() - tile.left.min(tile.cells.len()) + (share * tile.left as f64) as usize
+        };
+        let running = self.sides.iter().flatten().map(run).sum::<usize>();
+        self.ran.outcomes.len() + ended + running
+    }
+}

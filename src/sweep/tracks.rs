@@ -1,0 +1,118 @@
+//! Full-contact motions as numbers in a row: a quantity after the other, in each a motion after the
+//! other, in each a sample after the other. So they lie on a device too (`shaders/begin.wgsl`), where
+//! neighbouring cells read along neighbouring motions.
+
+use super::cell_tables::Place;
+use crate::model::real::Real;
+
+/// u or v at each sample, m.
+pub const DISPLACEMENT: usize = 0;
+/// Its rate, m/s.
+pub const VELOCITY: usize = 1;
+/// X or Y of (14), m/s^2.
+pub const ACCELERATION: usize = 2;
+/// Lower bound of the acceleration from each sample to the next.
+pub const LEAST: usize = 3;
+/// Largest |u| or |v| up to each sample, m.
+pub const PEAK: usize = 4;
+/// Of v: least of the acceleration up to each sample.
+pub const LOWEST: usize = 5;
+/// Of v: least of the acceleration from each sample to the next, crests between steps included.
+pub const TROUGH: usize = 6;
+/// Of u: z.
+pub const HYSTERETIC: usize = 5;
+/// Of u: upper bound of the acceleration from each sample to the next.
+pub const MOST: usize = 6;
+/// Of u: largest upper bound up to and with each gap.
+pub const HIGHEST: usize = 7;
+/// Of u: largest lower bound turned about, up to and with each gap.
+pub const DEEPEST: usize = 8;
+/// Of u: largest magnitude of the acceleration up to and with each gap.
+pub const STRONGEST: usize = 9;
+/// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
+/// included.
+pub const CREST: usize = 10;
+/// Of v: the acceleration after the first quarter of each gap; two quarters more follow.
+pub const QUARTERS_V: usize = 7;
+/// Of u: the same.
+pub const QUARTERS_H: usize = 11;
+/// Quantities of a motion of v.
+pub const VERTICAL_FIELDS: usize = 10;
+/// Quantities of a motion of u.
+pub const HORIZONTAL_FIELDS: usize = 14;
+
+/// The motions of one direction.
+#[derive(Debug)]
+pub struct Motions<R> {
+    /// All numbers.
+    pub values: Vec<R>,
+    /// First sample of each motion, and the end of the last one.
+    pub first: Vec<u32>,
+    /// Motions from a column to the next and from a row to the next.
+    pub strides: Place,
+}
+
+impl<R: Real> Motions<R> {
+    /// Place for motions of these lengths.
+    pub fn new(
+        fields: usize,
+        lengths: impl Iterator<Item = usize>,
+        strides: Place,
+    ) -> Motions<R> {
+        let mut first = vec![0];
+        let mut samples = 0;
+        for length in lengths {
+            samples += length;
+            // Motions that take little memory have few samples.
+            first.push(samples as u32);
+        }
+        Motions { values: vec![R::of(0.0); fields * samples], first, strides }
+    }
+
+    /// Samples of all motions.
+    pub fn samples(&self) -> usize {
+        self.first.last().map_or(0, |samples| *samples as usize)
+    }
+
+    /// Samples of the longest motion.
+    pub fn longest(&self) -> usize {
+        self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
+    }
+
+    /// Puts a quantity of a motion in its place. What belongs to gaps has one number less than what
+    /// belongs to samples: the last one stays zero.
+    pub fn fill(&mut self, field: usize, number: usize, values: impl Iterator<Item = R>) {
+        let start = field * self.samples() + self.first[number] as usize;
+        for (place, value) in self.values[start..].iter_mut().zip(values) {
+            *place = value;
+        }
+    }
+
+    /// The motion of a cell.
+    #[inline(always)]
+    pub fn at(&self, [column, row]: Place) -> Track<'_, R> {
+        let number = column * self.strides[0] + row * self.strides[1];
+        let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
+        Track { values: &self.values[first..], samples: self.samples(), length: end - first }
+    }
+}
+
+/// One motion.
+#[derive(Clone, Copy)]
+pub struct Track<'a, R> {
+    /// From its first sample on.
+    values: &'a [R],
+    /// Samples of all motions.
+    samples: usize,
+    /// Samples of this one.
+    pub length: usize,
+}
+
+impl<'a, R> Track<'a, R> {
+    /// A quantity at its samples.
+    #[inline(always)]
+    pub fn field(&self, field: usize) -> &'a [R] {
+        let start = field * self.samples;
+        &self.values[start..start + self.length]
+    }
+}
