@@ -6,9 +6,9 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{judge, object, scene, shaken};
+use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::outcome::Class;
 use topple::stepping::reference::{Settings, run};
-use topple::scene::{GRAVITY, Grid, Scene};
 
 /// A block on the ground under a pulse.
 fn on_the_ground(half_width: f64, omega: f64, a_h: f64, a_v: f64) -> Scene {

@@ -241,9 +241,28 @@ fn a_kernel_has_no_more_storage_buffers_than_every_device_allows() {
 fn words_are_laid_out_as_the_shaders() {
     let (members, size) = layout(&parse(Precision::F32, Switches::Kept), "Tile");
     let host: Vec<(String, u32)> = offsets!(
-        horizontal, vertical, drive, clock, across, up, up_values, shared_contact, still, mode,
-        cells, columns, first_column, first_row, order, blocks, first_slot, slots, number,
-        padding_0, padding_1, padding_2
+        horizontal,
+        vertical,
+        drive,
+        clock,
+        across,
+        up,
+        up_values,
+        shared_contact,
+        still,
+        mode,
+        cells,
+        columns,
+        first_column,
+        first_row,
+        order,
+        blocks,
+        first_slot,
+        slots,
+        number,
+        padding_0,
+        padding_1,
+        padding_2
     );
     assert_eq!(members, host);
     assert_eq!(size as usize, size_of::<Tile>());
@@ -254,11 +273,10 @@ fn words_are_laid_out_as_the_shaders() {
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
+    use topple::model::block;
     use topple::stepping::{certificate, forcing, guards, state};
     use topple::sweep::gpu::tile;
     use topple::sweep::tracks;
-    use topple::model::block;
-    use topple::stepping::{certificate, forcing, guards, state};
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module

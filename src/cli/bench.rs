@@ -113,7 +113,13 @@ impl BenchCommand {
             if !self.no_shader
                 && let Ok(adapter) = adapter::best(precision)
             {
-                let gpu = Gpu::open(&adapter)?;
+                let gpu = match Gpu::open(&adapter) {
+                    Ok(gpu) => gpu,
+                    Err(error) => {
+                        words::warn(format!("{error}; the shader is left out"));
+                        continue;
+                    }
+                };
                 let name = format!("shader, {}", gpu.description.name);
                 rows.push(self.time(
                     name,

@@ -33,6 +33,11 @@ impl Say {
     }
 }
 
+/// Says on stderr what the user should know though the run goes on.
+pub fn warn(text: impl Display) {
+    eprintln!("topple: warning: {text}");
+}
+
 /// Threads that a sweep on the CPU takes.
 pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)

@@ -239,7 +239,8 @@ fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, fri
         let ends = start.max(first).max(mid).max(last).max(end);
         // No more than the bound that the gap was looked into for.
         let bound = size * crest[gap] / trough[gap_v];
-        let most = if trough[gap_v] > R::of(0.0) { top.max(ends).min(bound.max(ends)) } else { ends };
+        let most =
+            if trough[gap_v] > R::of(0.0) { top.max(ends).min(bound.max(ends)) } else { ends };
         friction = friction.max(most);
     }
     friction

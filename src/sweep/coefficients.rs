@@ -111,8 +111,7 @@ impl Plan {
     fn swing_inertia(&self, b: f64) -> f64 {
         let block = &self.scene.block;
         let radius2 = block.height * block.height + b * b;
-        let least =
-            block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
+        let least = block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
         self.impact_inertia(b).min(least)
     }
 
@@ -143,7 +142,9 @@ impl Plan {
         // oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
         let (steps_forced, substeps) = match &self.scene.excitation {
-            Excitation::Pulse(_) => ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0),
+            Excitation::Pulse(_) => {
+                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
+            }
             Excitation::Record(pair) => {
                 let substeps = (pair.dt / longest).ceil().max(1.0);
                 (substeps * (pair.len() - 1) as f64, substeps)

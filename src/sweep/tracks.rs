@@ -54,11 +54,7 @@ pub struct Motions<R> {
 
 impl<R: Real> Motions<R> {
     /// Place for motions of these lengths.
-    pub fn new(
-        fields: usize,
-        lengths: impl Iterator<Item = usize>,
-        strides: Place,
-    ) -> Motions<R> {
+    pub fn new(fields: usize, lengths: impl Iterator<Item = usize>, strides: Place) -> Motions<R> {
         let mut first = vec![0];
         let mut samples = 0;
         for length in lengths {

@@ -8,8 +8,6 @@ use super::super::cell_tables::{CellTables, Clocks, Parts};
 use super::super::clock::Clock;
 use super::super::groups::Steps;
 use crate::model::real::Real;
-use crate::stepping::log::Event;
-use crate::stepping::state::{RUNNING, State};
 
 /// A tile as the shader knows it.
 #[repr(C)]
