@@ -44,7 +44,8 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let (cell, state) = plan.cell::<R>(&grid.point(index));
     let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
     // Its first steps, and those from a second later on, when it rocks.
-    let mut later = Single::new(&set, &state, ());
+    let mut nobody = ();
+    let mut later = Single::new(&set, &state, &mut nobody);
     while later.state().mode == FULL_CONTACT || later.state().step < 128 {
         assert!(later.step(), "it never rocks");
     }
@@ -52,8 +53,10 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     for (kind, begun) in [("full contact", state), ("rocking, switches in it", rocking)] {
         c.bench_function(&format!("64 steps, {kind}, {name}"), |b| {
             b.iter_batched_ref(
-                || Single::new(&set, &begun, ()),
-                |single| {
+                || begun,
+                |begun| {
+                    let mut nobody = ();
+                    let mut single = Single::new(&set, begun, &mut nobody);
                     for _ in 0..64 {
                         black_box(single.step());
                     }

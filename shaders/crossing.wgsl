@@ -11,8 +11,11 @@ struct Rise {
     at: real,
 }
 
+// Share of its bend by which a parabola may miss a crest.
+const CREST_ERROR = 1.0e-3;
+
 // The parabola through an uplift moment's values at a span's start, middle and end, and where in the
-// span it is positive; negative where it is not.
+// span it is positive, or may be for all that it tells; negative where it is not.
 fn moment_rises(start: real, mid: real, end: real) -> Rise {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -20,7 +23,8 @@ fn moment_rises(start: real, mid: real, end: real) -> Rise {
     let rise = 4.0 * mid - 3.0 * start - end;
     let fall = 3.0 * end - 4.0 * mid + start;
     let top = rise / (rise - fall);
-    let inside = rise > 0.0 && fall < 0.0 && start + 0.5 * rise * top > 0.0;
+    let missed = 0.25 * CREST_ERROR * (fall - rise);
+    let inside = rise > 0.0 && fall < 0.0 && start + 0.5 * rise * top > missed;
     let at = select(select(-one, top, inside), one, end > 0.0);
     return Rise(Cubic(start, rise, 0.5 * (fall - rise), zero), at);
 }

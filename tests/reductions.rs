@@ -172,13 +172,13 @@ fn what_is_proved_stays_so() {
         let (cell, state) = plan.cell::<f64>(&grid.point(index));
         let mut set =
             CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
-        let then = single::run(&set, &state, ());
+        let then = single::run(&set, &state, &mut ());
         if then.status != PROVED {
             continue;
         }
         proved += 1;
         set.variant.certificate = false;
-        let state = single::run(&set, &State { status: RUNNING, ..then }, ());
+        let state = single::run(&set, &State { status: RUNNING, ..then }, &mut ());
         let grown = [
             state.max_phi_left - then.max_phi_left,
             state.max_phi_right - then.max_phi_right,

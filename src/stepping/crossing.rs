@@ -7,7 +7,7 @@ use crate::model::vector::Vector;
 use super::cubic::Cubic;
 use super::guards::{GuardSample, Sought, angle_guard, crosses, kink_guard};
 use super::lanes::Lanes;
-use super::log::Log;
+use super::log::Listener;
 use super::rk4::{Stepped, hermite};
 
 /// Lanes whose span holds a guard.
@@ -20,8 +20,12 @@ pub struct Crossing<V: Vector> {
     pub upper: V,
 }
 
+/// Share of its bend by which a parabola may miss a crest: (omega h/2)^2/24 for a step of a 32nd of a
+/// period is 4e-4.
+const CREST_ERROR: f64 = 1.0e-3;
+
 /// The parabola through an uplift moment's values at a span's start, middle and end, and where in
-/// the span it is positive; negative where it is not.
+/// the span it is positive, or may be for all that it tells; negative where it is not.
 #[inline(always)]
 fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     let (zero, one) = (start.like(0.0), start.like(1.0));
@@ -35,13 +39,14 @@ fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     let inside = rise.gt(zero) & zero.gt(fall);
     if N::any(inside) {
         let top = rise / (rise - fall);
-        let positive = (start + half * rise * top).gt(zero);
+        let missed = start.like(0.25 * CREST_ERROR) * (fall - rise);
+        let positive = (start + half * rise * top).gt(missed);
         at = N::select(inside & positive, top, at);
     }
     (cubic, N::select(end.gt(zero), one, at))
 }
 
-impl<V: Vector, L: Log<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// The first kink in the spans of `looked` lanes, each of `h` seconds.
     #[inline(always)]
     pub(super) fn kinks(

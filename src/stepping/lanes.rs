@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 
 use super::extremes::Extremes;
 use super::forcing::Forcing;
-use super::log::Log;
+use super::log::Listener;
 use super::search::Search;
 use super::state::State;
 use crate::model::CellEquations;
@@ -110,7 +110,7 @@ pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-impl<'a, V: Vector, L: Log<V::Element>> Lanes<'a, V, L> {
+impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
     /// Lanes without cells; `zero` tells the kind of vector, `log` hears of switches.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {

@@ -9,29 +9,39 @@ use crate::model::real::{Real, pod};
 
 /// What an observer of a cell's switches is told.
 pub trait Log<R> {
-    /// False for one that does not listen.
-    const HEARS: bool = true;
-
     /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
     /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
     /// be older.
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
 }
 
-/// No one listens.
+/// It does not listen.
 impl<R> Log<R> for () {
-    const HEARS: bool = false;
-
-    #[inline(always)]
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
 }
 
-impl<R, L: Log<R>> Log<R> for &mut L {
-    const HEARS: bool = L::HEARS;
+/// Whether lanes have an observer, known when they are compiled.
+pub trait Listener<R> {
+    /// False for none.
+    const HEARS: bool;
+
+    /// See [`Log::switched`].
+    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>);
+}
+
+/// No one listens.
+impl<R> Listener<R> for () {
+    const HEARS: bool = false;
 
     #[inline(always)]
-    fn switched(&mut self, kind: u32, fraction: R, state: &State<R>) {
-        (**self).switched(kind, fraction, state);
+    fn hear(&mut self, _: u32, _: R, _: &State<R>) {}
+}
+
+impl<R> Listener<R> for &mut dyn Log<R> {
+    const HEARS: bool = true;
+
+    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
+        self.switched(kind, fraction, state);
     }
 }
 

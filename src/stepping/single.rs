@@ -8,13 +8,17 @@ use super::log::Log;
 use super::state::{RUNNING, State};
 
 /// One cell on its way.
-pub struct Single<'a, R: Real, L: Log<R> = ()> {
-    lanes: Lanes<'a, R, L>,
+pub struct Single<'a, R: Real> {
+    lanes: Lanes<'a, R, &'a mut dyn Log<R>>,
 }
 
-impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
+impl<'a, R: Real> Single<'a, R> {
     /// A cell at a state; `log` hears of its switches.
-    pub fn new(set: &CellEquations<'a, R>, state: &State<R>, log: L) -> Single<'a, R, L> {
+    pub fn new(
+        set: &CellEquations<'a, R>,
+        state: &State<R>,
+        log: &'a mut dyn Log<R>,
+    ) -> Single<'a, R> {
         let shared = Shared { variant: set.variant, model: set.model, record: set.record };
         let mut lanes = Lanes::new(shared, R::of(0.0), log);
         if state.status == RUNNING {
@@ -25,7 +29,8 @@ impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
         Single { lanes }
     }
 
-    /// One turn; false where the cell has ended.
+    /// One turn; false where the cell has ended. Compiled once for a number type.
+    #[inline(never)]
     fn turn(&mut self) -> bool {
         if self.lanes.running != 0 && self.lanes.turn() != 0 {
             self.lanes.store(0);
@@ -63,11 +68,6 @@ impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
         self.lanes.extremes.friction = R::of(0.0);
     }
 
-    /// What hears of its switches.
-    pub fn log(&mut self) -> &mut L {
-        &mut self.lanes.log
-    }
-
     /// Takes the cell to its end.
     pub fn finish(mut self) -> State<R> {
         while self.turn() {}
@@ -76,6 +76,10 @@ impl<'a, R: Real, L: Log<R>> Single<'a, R, L> {
 }
 
 /// A cell from a state to its end.
-pub fn run<R: Real>(set: &CellEquations<R>, state: &State<R>, log: impl Log<R>) -> State<R> {
+pub fn run<'a, R: Real>(
+    set: &CellEquations<'a, R>,
+    state: &State<R>,
+    log: &'a mut dyn Log<R>,
+) -> State<R> {
     Single::new(set, state, log).finish()
 }

@@ -4,7 +4,7 @@ use crate::model::dynamics::Rates;
 use crate::model::vector::Vector;
 
 use super::lanes::Lanes;
-use super::log::Log;
+use super::log::Listener;
 
 /// The most times itself that z of (11) may settle by in a span: RK4 is stable to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
@@ -13,7 +13,7 @@ pub const YIELD_LIMIT: f64 = 2.0;
 /// the impact is in it: what the rates leave out is mostly less.
 pub const BEYOND: f64 = 5.0e-4;
 
-impl<V: Vector, L: Log<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// Spans begin: what is left of the step. Where z would settle by more than the method bears they
     /// end early, and where the block is about to land they end there, as near as its rates tell.
     #[inline(always)]

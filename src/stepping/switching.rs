@@ -12,7 +12,7 @@ use crate::model::vector::Vector;
 use super::certificate;
 use super::guards::{IMPACT, KINK, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
 use super::lanes::{Lanes, each};
-use super::log::Log;
+use super::log::Listener;
 use super::state::{
     DIVERGED, EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING,
 };
@@ -23,7 +23,7 @@ fn select_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> C
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Log<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// The blocks of some lanes lift, about the left corner or the right.
     #[inline(never)]
     pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
@@ -162,7 +162,7 @@ impl<V: Vector, L: Log<V::Element>> Lanes<'_, V, L> {
     fn tell(&mut self, lane: usize, kind: u32) {
         if L::HEARS {
             let fraction = self.start.lane(lane);
-            self.log.switched(kind, fraction, &self.lanes[lane].job.state);
+            self.log.hear(kind, fraction, &self.lanes[lane].job.state);
         }
     }
 

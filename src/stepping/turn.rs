@@ -13,7 +13,7 @@ use crate::model::vector::Vector;
 use super::certificate::STEPS_A_TRY;
 use super::guards::EVENT_BOUND;
 use super::lanes::Lanes;
-use super::log::Log;
+use super::log::Listener;
 use super::rk4::{rk4, shift};
 use super::state::is_sound;
 
@@ -26,7 +26,7 @@ pub(super) fn select_motion<V: Vector>(
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Log<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
     #[inline(always)]
     pub(super) fn turn(&mut self) -> u64 {

@@ -246,7 +246,8 @@ impl<R: Real> Track<R> {
             };
             of(&motion, before.step, fraction).0
         };
-        let mut single = Single::new(&set, &state, ());
+        let mut nobody = ();
+        let mut single = Single::new(&set, &state, &mut nobody);
         let mut state = state;
         let mut now = acceleration(&state);
         let mut lowest = now;

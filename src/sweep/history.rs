@@ -1,5 +1,7 @@
 //! The motion of one cell, step by step.
 
+use std::cell::RefCell;
+
 use crate::model::CellEquations;
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
@@ -40,13 +42,13 @@ pub struct Row {
 /// Rows at the switches of a cell.
 struct Switches<'a> {
     clock: &'a Clock,
-    rows: Vec<Row>,
+    rows: &'a RefCell<Vec<Row>>,
 }
 
 impl<R: Real> Log<R> for Switches<'_> {
     fn switched(&mut self, _: u32, fraction: R, state: &State<R>) {
         let t = self.clock.time(state.step, fraction.to_f64());
-        self.rows.push(row(t, state));
+        self.rows.borrow_mut().push(row(t, state));
     }
 }
 
@@ -68,20 +70,20 @@ pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
     let record = plan.record::<R>();
     let set =
         CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
-    let mut switches = Switches { clock: &clock, rows: vec![row(0.0, &state)] };
+    let rows = RefCell::new(vec![row(0.0, &state)]);
+    let mut switches = Switches { clock: &clock, rows: &rows };
     let mut single = Single::new(&set, &state, &mut switches);
     loop {
         let goes_on = single.step();
         state = single.state();
         if goes_on || state.step == cell.steps {
-            single.log().rows.push(row(clock.time(state.step, 0.0), &state));
+            rows.borrow_mut().push(row(clock.time(state.step, 0.0), &state));
         }
         if !goes_on {
             break;
         }
     }
-    drop(single);
-    (switches.rows, plan.outcome(point, &state))
+    (rows.take(), plan.outcome(point, &state))
 }
 
 /// The motion by the reference: a row a step of its own choice, and one a switch.

@@ -97,7 +97,7 @@ fn a_start_in_free_fall_paints_no_strip() {
                 state.motion.v = 0.0;
                 let variant = plan.variant();
                 let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
-                let state = single::run(&set, &state, ());
+                let state = single::run(&set, &state, &mut ());
                 plan.outcome(&point, &state)
             })
             .collect();

@@ -71,12 +71,27 @@ pub fn first_guard(trial: &Trial, cubic: &Cubic) -> Option<(Guard, f64)> {
         }
     }
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let located = |(_, guard, (low, high))| {
-        // The cubic may see it a little early: then it happens in the rest of the step, or not.
-        let place = locate(trial, guard, (low, high));
-        Some((guard, place.or_else(|| locate(trial, guard, (low, cubic.h)))?))
-    };
-    candidates.into_iter().find_map(located)
+    let mut first: Option<(Guard, f64)> = None;
+    for (_, guard, (low, high)) in candidates {
+        let place = match first {
+            // The cubic may have them in the wrong order: on the step itself it may come before.
+            Some((_, place)) if has_happened(trial, guard, place) => {
+                locate(trial, guard, (0.0, place))
+            }
+            Some(_) => None,
+            // The cubic may see it a little early: then it happens in the rest of the step, or not.
+            None => {
+                locate(trial, guard, (low, high)).or_else(|| locate(trial, guard, (low, cubic.h)))
+            }
+        };
+        first = place.map(|place| (guard, place)).or(first);
+    }
+    first
+}
+
+/// True where a guard has happened at a time from the step's start, on the step itself.
+fn has_happened(trial: &Trial, guard: Guard, after: f64) -> bool {
+    value(trial, guard, after, &trial.step(after).0) > 0.0
 }
 
 /// Fractions of a step of length `h` between which a guard first happens: two samples, or one and a crest
@@ -133,6 +148,11 @@ fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Optio
     let (mut y_high, mut d_high) = redo(high);
     if value(trial, guard, high, &y_high) <= 0.0 {
         return None;
+    }
+    if low > 0.0 && value(trial, guard, low, &y_low) > 0.0 {
+        // The cubic saw it a little late.
+        (high, y_high, d_high) = (low, y_low, d_low);
+        (low, y_low, d_low) = (0.0, *trial.y, *trial.rate);
     }
     let mut aside = -0.25;
     while high - low > EVENT_TIME {
