@@ -173,8 +173,16 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
     }
 
     /// Gives a lane the next cell that has anything left to run.
-    #[inline(always)]
+    #[inline(never)]
     fn fill(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
+        self.start.with(
+            #[inline(always)]
+            || self.fill_lane(lane, feed),
+        )
+    }
+
+    #[inline(always)]
+    fn fill_lane(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
         while let Some(job) = feed.next() {
             if job.state.status != super::state::RUNNING {
                 feed.done(&job);

@@ -27,6 +27,14 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// The blocks of some lanes lift, about the left corner or the right.
     #[inline(never)]
     pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
+        self.start.with(
+            #[inline(always)]
+            || self.lift_lanes(bits, to_left),
+        )
+    }
+
+    #[inline(always)]
+    fn lift_lanes(&mut self, bits: u64, to_left: u64) {
         for lane in each(bits) {
             let left = to_left >> lane & 1 == 1;
             let (step, fraction) = (self.step(lane), self.start.lane(lane));
@@ -70,6 +78,14 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// lanes that have ended.
     #[inline(never)]
     pub(super) fn settle(&mut self, slow: u64, over: u64) -> u64 {
+        self.start.with(
+            #[inline(always)]
+            || self.settle_lanes(slow, over),
+        )
+    }
+
+    #[inline(always)]
+    fn settle_lanes(&mut self, slow: u64, over: u64) -> u64 {
         for lane in each(slow) {
             self.leave(lane);
             self.land(lane);
@@ -133,6 +149,14 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     /// that ended.
     #[inline(never)]
     pub(super) fn attend(&mut self, bits: u64, lost: u64, endless: u64, proved: u64) -> u64 {
+        self.start.with(
+            #[inline(always)]
+            || self.attend_lanes(bits, lost, endless, proved),
+        )
+    }
+
+    #[inline(always)]
+    fn attend_lanes(&mut self, bits: u64, lost: u64, endless: u64, proved: u64) -> u64 {
         let mut ended = 0;
         for lane in each(bits) {
             let bit = 1 << lane;

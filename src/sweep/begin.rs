@@ -2,6 +2,7 @@
 //! shares has taken it. Twin of `shaders/begin.wgsl`.
 
 use bytemuck::Zeroable;
+use fearless_simd::dispatch;
 
 use super::cell_tables::{CellTables, Place};
 use super::full_contact::Tracks;
@@ -138,8 +139,11 @@ fn full_contact<R: Real>(
         let strongest = h.field(STRONGEST)[sample.max(1) - 1];
         (sample, if pressed { scale.abs() * strongest / y } else { zero })
     } else {
-        let (sample, friction) = gap_by_gap(tracks, place, scale, lever);
-        (sample, crests(tracks, place, scale.abs(), sample, friction))
+        // A scan along rows of numbers, with the widest vectors that this machine has.
+        dispatch!(tracks.level, _simd => {
+            let (sample, friction) = gap_by_gap(tracks, place, scale, lever);
+            (sample, crests(tracks, place, scale.abs(), sample, friction))
+        })
     };
     let at = sample.min(last_v);
     let z = h.field(HYSTERETIC)[sample];

@@ -39,15 +39,15 @@ impl<'a, R: Real> Cells<'a, R> {
         }
     }
 
-    /// A cell as its integration begins.
-    #[inline(always)]
+    /// A cell as its integration begins. Compiled once, not for every kind of vector.
+    #[inline(never)]
     pub fn begin(&self, index: usize) -> (Cell<R>, State<R>) {
         let tracks = self.tracks.as_ref().as_ref();
         begin(&self.tables, tracks, &self.posture, self.tables.place(index))
     }
 
     /// What became of a cell whose run has ended in `state`.
-    #[inline(always)]
+    #[inline(never)]
     pub fn outcome(&self, index: usize, state: &State<R>) -> Outcome {
         self.reader.outcome(&self.tables.clock(self.tables.place(index)), state)
     }

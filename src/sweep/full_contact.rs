@@ -8,6 +8,7 @@
 //! the first step) in which it may lift. A cell that never may is done at the excitation's end, or
 //! goes on from there.
 
+use fearless_simd::Level;
 use rayon::prelude::*;
 
 use super::cell_tables::Place;
@@ -76,6 +77,8 @@ pub struct Tracks<R> {
     /// H, and the two lever arms.
     pub(super) height: R,
     pub(super) arms: [R; 2],
+    /// The vectors of this machine.
+    pub(super) level: Level,
 }
 
 impl Plan {
@@ -146,8 +149,7 @@ impl<R: Real> Tracks<R> {
             up: vertical(along_y, stride(up, by_row)),
             still,
             height: model.height,
-            arms: [model.left.arm, model.right.arm],
-        })
+            arms: [model.left.arm, model.right.arm], level: Level::new() })
     }
 }
 
