@@ -8,17 +8,16 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use topple::integrate::certificate::certify;
-use topple::integrate::outcome::Class;
-use topple::integrate::state::{RUNNING, State};
-use topple::integrate::switching::advance;
 use topple::map::figure::{document, overturning};
 use topple::map::{self, Map};
-use topple::model::Setting;
-use topple::model::block::FULL_CONTACT;
+use topple::model::CellEquations;
+use topple::model::block::{FULL_CONTACT, pivot};
 use topple::model::real::Real;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
+use topple::stepping::certificate::is_final;
+use topple::stepping::outcome::Class;
+use topple::stepping::single::Single;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 use topple::sweep::{cpu, lanes};
@@ -31,31 +30,7 @@ fn scene(omega: &str, a_h: &str) -> Scene {
     SceneText::from_toml(&text).unwrap().check().unwrap()
 }
 
-/// Steps of a cell that rocks on: those in full contact, those of rocking alone, and those that hold
-/// a switch, each the states that they begin in.
-struct Steps<R> {
-    contact: Vec<State<R>>,
-    rocking: Vec<State<R>>,
-    switching: Vec<State<R>>,
-}
-
-fn steps<R: Real>(set: &Setting<R>, mut state: State<R>) -> Steps<R> {
-    let mut steps = Steps { contact: Vec::new(), rocking: Vec::new(), switching: Vec::new() };
-    while state.status == RUNNING {
-        let before = state;
-        let switches = advance(set, &mut state, &mut ());
-        let kept = match (switches, before.mode) {
-            (0, FULL_CONTACT) => &mut steps.contact,
-            (0, _) => &mut steps.rocking,
-            _ => &mut steps.switching,
-        };
-        if kept.len() < 256 {
-            kept.push(before);
-        }
-    }
-    steps
-}
-
+/// Steps of a cell that rocks on, one by one as a vector of one lane, and the certificate.
 fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     // The cell of a small map that stands after the most impacts.
     let scene = scene("0.2:15:24", "0.1:15:24");
@@ -67,33 +42,33 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let index = *standing.max_by_key(|index| outcomes[**index].impacts).unwrap();
     let model = plan.model::<R>();
     let (cell, state) = plan.cell::<R>(&grid.point(index));
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
-    let steps = steps(&set, state);
-    let mut take = |kind: &str, states: &[State<R>]| {
-        // All of them in turn, so that no branch is learnt by heart: the time is of as many steps.
-        assert!(!states.is_empty(), "no step of {kind}");
-        c.bench_function(&format!("step, {kind}, {name}, {} of them", states.len()), |b| {
+    let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+    // Its first steps, and those from a second later on, when it rocks.
+    let mut nobody = ();
+    let mut later = Single::new(&set, &state, &mut nobody);
+    while later.state().mode == FULL_CONTACT || later.state().step < 128 {
+        assert!(later.step(), "it never rocks");
+    }
+    let rocking = later.state();
+    for (kind, begun) in [("full contact", state), ("rocking, switches in it", rocking)] {
+        c.bench_function(&format!("64 steps, {kind}, {name}"), |b| {
             b.iter_batched_ref(
-                || states.to_vec(),
-                |states| {
-                    for state in states.iter_mut() {
-                        advance(&set, black_box(state), &mut ());
+                || begun,
+                |begun| {
+                    let mut nobody = ();
+                    let mut single = Single::new(&set, begun, &mut nobody);
+                    for _ in 0..64 {
+                        black_box(single.step());
                     }
                 },
                 BatchSize::SmallInput,
             );
         });
-    };
-    take("full contact", &steps.contact);
-    take("rocking", &steps.rocking);
-    take("with a switch", &steps.switching);
+    }
+    let corner = pivot(&model, rocking.mode);
+    let seen = rocking.extremes();
     c.bench_function(&format!("certificate, {name}"), |b| {
-        let rocking = steps.rocking[steps.rocking.len() / 2];
-        b.iter_batched_ref(
-            || rocking,
-            |state| certify(&set, black_box(state)),
-            BatchSize::SmallInput,
-        );
+        b.iter(|| is_final(&set, &corner, true, true, black_box(&rocking.motion), &seen));
     });
 }
 
@@ -127,13 +102,13 @@ fn writers(c: &mut Criterion) {
     });
 }
 
-/// A small map with all of its 30 s, by the scalar path and by lanes of every level.
+/// A small map with all of its 30 s, a cell at a time and by lanes of every level.
 fn sweeps(c: &mut Criterion) {
     let scene = scene("0.2:15:24", "0.1:15:24");
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
-    c.bench_function("sweep, scalar f64, 24 x 24", |b| {
+    c.bench_function("sweep, a cell at a time, f64, 24 x 24", |b| {
         b.iter(|| cpu::sweep_one_by_one::<f64>(&plan, &grid, &cells, &|_| ()));
     });
     for (name, level) in lanes::levels() {

@@ -87,6 +87,10 @@ const MOST = 6u;
 const HIGHEST = 7u;
 const DEEPEST = 8u;
 const STRONGEST = 9u;
+const TROUGH = 6u;
+const CREST = 10u;
+const QUARTERS_V = 7u;
+const QUARTERS_H = 11u;
 
 // A cell's number in its tile, its column and its row; the number is no less than the tile's cells
 // for a thread that has none.
@@ -171,6 +175,45 @@ fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
     return low;
 }
 
+// Share of the friction asked for by which a gap must exceed it to be looked into.
+const OVER = 2.0e-4;
+
+// The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
+// over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
+fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> real {
+    let over: real = 1.0 + OVER;
+    let all_h = tile.across.w;
+    let all_v = tile.up.w;
+    var friction = seen;
+    for (var gap = 0u; gap < sample; gap++) {
+        let at = h + gap;
+        let at_v = v + min(gap, last_v - 1u);
+        let most = size * tracks[at + CREST * all_h];
+        let trough = tracks[at_v + TROUGH * all_v];
+        if !(most > over * friction * trough) {
+            continue;
+        }
+        let x = at + QUARTERS_H * all_h;
+        let y = at_v + QUARTERS_V * all_v;
+        let end = at + 1u + ACCELERATION * all_h;
+        let end_v = at_v + 1u + ACCELERATION * all_v;
+        let share0 = size * share(abs(tracks[end - 1u]), tracks[end_v - 1u]);
+        let share1 = size * share(abs(tracks[x]), tracks[y]);
+        let share2 = size * share(abs(tracks[x + all_h]), tracks[y + all_v]);
+        let share3 = size * share(abs(tracks[x + 2u * all_h]), tracks[y + 2u * all_v]);
+        let share4 = size * share(abs(tracks[end]), tracks[end_v]);
+        let top = max(crest(share0, share1, share2), crest(share2, share3, share4));
+        let ends = max(max(max(share0, share1), max(share2, share3)), share4);
+        // No more than the bound that the gap was looked into for.
+        var largest = ends;
+        if trough > 0.0 {
+            largest = min(max(top, ends), max(most / trough, ends));
+        }
+        friction = max(friction, largest);
+    }
+    return friction;
+}
+
 // Takes a cell from its start to the first gap in which it may lift, or to the end of the excitation.
 fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, State>) {
     let zero: real = 0.0;
@@ -219,6 +262,7 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
             }
             sample += 1u;
         }
+        friction = crests(h, v, last_v, size, sample, friction);
     }
     let at = min(sample, last_v);
     var z = tracks[h + HYSTERETIC * all_h + sample];

@@ -27,6 +27,14 @@ struct Model {
     inverse_mu_v: real,
     least_arm: real,
     topple_energy: real,
+    impact_gain: real,
+    normal_share: real,
+    normal_by_shear: real,
+    normal_by_turn: real,
+    shear_by_normal: real,
+    shear_by_turn: real,
+    padding_0: real,
+    padding_1: real,
 }
 
 @group(0) @binding(0) var<uniform> model: Model;

@@ -22,6 +22,17 @@ struct Rates {
     shear: real,
 }
 
+// The force between block and base over M.
+struct Contact {
+    shear: real,
+    normal: real,
+}
+
+// The contact force that comes with the rates.
+fn contact_of(k: Rates) -> Contact {
+    return Contact(k.shear, k.normal);
+}
+
 // The lever of the centre of mass about a corner.
 struct Lever {
     p: real,
@@ -78,6 +89,13 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
 }
 
 // The uplift condition (14) about a corner as a moment over M, positive where the block lifts.
-fn uplift_moment(corner: Corner, shear: real, normal: real) -> real {
-    return corner.side * model.height * shear - corner.arm * normal;
+fn uplift_moment(corner: Corner, contact: Contact) -> real {
+    return corner.side * model.height * contact.shear - corner.arm * contact.normal;
+}
+
+// The larger of the two uplift moments: positive where the block lifts about either corner.
+fn largest_uplift_moment(contact: Contact) -> real {
+    let left = uplift_moment(model.left, contact);
+    let right = uplift_moment(model.right, contact);
+    return max(left, right);
 }

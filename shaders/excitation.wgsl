@@ -1,4 +1,4 @@
-// One cell's numbers and the ground under it. Twin: src/model/excitation.rs.
+// One cell's numbers, and the ground's accelerations. Twin: src/model/excitation.rs.
 
 struct Cell {
     post_yield: real,
@@ -28,48 +28,9 @@ struct Ground {
     v: real,
 }
 
-override recorded: bool = false;
-
-// Samples of the record.
-@group(0) @binding(5) var<storage, read> record: array<Ground>;
-
 // sin(2 pi tau) for 0 <= tau <= 1 (in the twin: src/model/real.rs).
 fn pulse_sine(tau: real) -> real {
     let two_pi: real = 6.283185307179586;
-    if tau > 0.75 {
-        return sine(two_pi * (tau - 1.0));
-    }
-    if tau > 0.25 {
-        return sine(two_pi * (0.5 - tau));
-    }
-    return sine(two_pi * tau);
-}
-
-// Length of a step, s.
-fn step_length(cell: Cell, step: u32) -> real {
-    if step < cell.steps_forced {
-        return cell.step_forced;
-    }
-    return cell.step_free;
-}
-
-// The ground at a fraction of a step: the one-sine pulse (22), or the record, linear between its
-// samples.
-fn ground_at(cell: Cell, step: u32, fraction: real) -> Ground {
-    if step >= cell.steps_forced {
-        return Ground(real(0.0), real(0.0));
-    }
-    if recorded {
-        let sample = step / cell.substeps;
-        let part = step - sample * cell.substeps;
-        let share = (real(part) + fraction) * cell.phase_step;
-        let before = record[sample];
-        let after = record[sample + 1u];
-        return Ground(
-            before.h + share * (after.h - before.h),
-            before.v + share * (after.v - before.v),
-        );
-    }
-    let wave = pulse_sine((real(step) + fraction) * cell.phase_step);
-    return Ground(cell.amplitude_h * wave, cell.amplitude_v * wave);
+    let quarter = select(select(tau, 0.5 - tau, tau > 0.25), tau - 1.0, tau > 0.75);
+    return sine(two_pi * quarter);
 }

@@ -4,7 +4,6 @@
 override isolated_h: bool = true;
 override isolated_v: bool = true;
 override kinks: bool = true;
-override in_step: bool = true;
 override yields: bool = true;
 override bouc_wen_n: u32 = 2u;
 
@@ -39,9 +38,14 @@ fn hysteretic_rate(cell: Cell, y: Motion) -> real {
     let magnitude = abs(y.z);
     var power = magnitude * magnitude;
     if bouc_wen_n != 2u {
-        power = magnitude;
-        for (var i = 1u; i < bouc_wen_n; i++) {
-            power = power * magnitude;
+        // By squares: a driver may bound the iterations of a shader's loops.
+        power = 1.0;
+        var square = magnitude;
+        for (var n = bouc_wen_n; n > 0u; n = n >> 1u) {
+            if (n & 1u) == 1u {
+                power = power * square;
+            }
+            square = square * square;
         }
     }
     return rate * (1.0 - power);

@@ -1,4 +1,4 @@
-// The first switches of a cell, kept. Twin: src/integrate/log.rs. Sweeps that nobody asks for their
+// The first switches of a cell, kept. Twin: src/stepping/log.rs. Sweeps that nobody asks for their
 // switches are put together with quiet.wgsl in its place.
 
 override events_kept: u32 = 16u;

@@ -1,17 +1,10 @@
-// One step, or a part of one, by the classical Runge-Kutta method. Twin: src/integrate/rk4.rs.
+// One trial by the classical Runge-Kutta method. Twin: src/stepping/rk4.rs.
 
-struct Span {
-    corner: Corner,
-    rocking: bool,
-    step: u32,
-    start: real,
-    length: real,
-}
-
+// Where a trial ends.
 struct Stepped {
     y: Motion,
-    shear_mid: real,
-    normal_mid: real,
+    mid: Contact,
+    k4: Rates,
 }
 
 // The motion after a time `h` at the rates `k`.
@@ -53,15 +46,7 @@ fn rk4(
         y.phi + sixth * (k1.dphi + 2.0 * (k2.dphi + k3.dphi) + k4.dphi),
         y.dphi + sixth * (k1.ddphi + 2.0 * (k2.ddphi + k3.ddphi) + k4.ddphi),
     );
-    return Stepped(end, k3.shear, k3.normal);
-}
-
-// Steps over `length`, a fraction of the step, from the start of the span.
-fn trial(cell: Cell, span: Span, y: Motion, k1: Rates, length: real) -> Stepped {
-    let h = length * step_length(cell, span.step);
-    let ground_mid = ground_at(cell, span.step, span.start + 0.5 * length);
-    let ground_end = ground_at(cell, span.step, span.start + length);
-    return rk4(cell, span.corner, span.rocking, y, k1, h, ground_mid, ground_end);
+    return Stepped(end, contact_of(k3), k4);
 }
 
 // Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

@@ -1,4 +1,4 @@
-// What a cell carries from step to step, and what it has seen. Twin: src/integrate/state.rs.
+// What a cell carries from step to step, and what it has seen. Twin: src/stepping/state.rs.
 
 const RUNNING = 0u;
 const FINISHED = 1u;
@@ -26,56 +26,13 @@ struct State {
     status: u32,
 }
 
-// Largest magnitude of a coordinate over a span, its interior extremum included.
-fn peak(x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
-    let ends = max(abs(x0), abs(x1));
-    if (rate0 > 0.0) == (rate1 > 0.0) {
-        return ends;
-    }
-    let at = rate0 / (rate0 - rate1);
-    return max(ends, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
-}
-
-// Takes the motion over a span of length `h` seconds into the cell's largest values.
-fn observe_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
-    (*state).max_u = max((*state).max_u, peak(y0.u, y0.du, y1.u, y1.du, h));
-    (*state).max_v = max((*state).max_v, peak(y0.v, y0.dv, y1.v, y1.dv, h));
-    let angle = peak(y0.phi, y0.dphi, y1.phi, y1.dphi, h);
-    if (*state).mode == ROCKING_LEFT {
-        (*state).max_phi_left = max((*state).max_phi_left, angle);
-    } else {
-        (*state).max_phi_right = max((*state).max_phi_right, angle);
-    }
-}
-
-// Takes the contact forces of an instant into the cell's extremes.
-fn observe_contact(state: ptr<function, State>, k: Rates) {
-    if k.normal < (*state).min_contact {
-        (*state).min_contact = k.normal;
-    }
-    let shear = abs(k.shear);
-    if shear > (*state).friction * k.normal && k.normal > 0.0 {
-        (*state).friction = shear / k.normal;
-    }
-}
-
-// Ends the cell with the block overturned about `corner`.
-fn overturn(state: ptr<function, State>, corner: Corner, fraction: real) {
-    (*state).end_fraction = fraction;
-    (*state).status = OVERTURNED_RIGHT;
-    if corner.side > 0.0 {
-        (*state).status = OVERTURNED_LEFT;
-    }
-}
-
 // Largest |phi| that sine and cosine hold for, rad.
 const PHI_RANGE = 1.65;
+// Largest sum of |u|, |v|, |z| and |phi| that is taken for a motion.
+const SIZE_RANGE = 1.0e4;
 
-// Ends a cell whose motion is out of every physical range.
-fn check_range(state: ptr<function, State>) {
-    let y = (*state).motion;
+// True where a motion is in the range of what a block and its base can do.
+fn is_sound(y: Motion) -> bool {
     let size = abs(y.u) + abs(y.v) + abs(y.z) + abs(y.phi);
-    if !(size < 1.0e4 && abs(y.phi) <= PHI_RANGE) {
-        (*state).status = DIVERGED;
-    }
+    return size < SIZE_RANGE && abs(y.phi) <= PHI_RANGE;
 }

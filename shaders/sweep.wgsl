@@ -5,7 +5,7 @@ override workgroup_size: u32 = 64u;
 struct Chunk {
     // Slots for cells, those of two tiles.
     slots: u32,
-    // Steps and switches of a cell at most.
+    // Turns of a cell at least.
     work: u32,
     // Number of the chunk, from 0 to 3 and again.
     number: u32,
@@ -70,12 +70,12 @@ fn sweep(
         let cell = cells[lane];
         var state = states[lane];
         let first = state.step;
+        var turns = begin_turns(cell, state);
         var done = 0u;
-        while done < chunk.work && state.status == RUNNING {
-            done += 1u + advance(cell, &state);
-            if state.status == RUNNING && is_due(cell, state) {
-                certify(cell, &state);
-            }
+        // A cell leaves at a step's edge, so that no search is kept between chunks.
+        while state.status == RUNNING && (done < chunk.work || !at_an_edge(turns)) {
+            turn(cell, &state, &turns);
+            done += 1u;
         }
         states[lane] = state;
         runs = state.status == RUNNING;

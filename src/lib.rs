@@ -2,8 +2,8 @@
 //!
 //! A [`Scene`](scene::Scene) says what is simulated; its [`Grid`](scene::Grid) names the cells,
 //! each one simulation. A [backend](sweep) runs them, by the same fixed-step method on a GPU or a
-//! CPU, and gives one [`Outcome`](integrate::outcome::Outcome) a cell; the adaptive
-//! [reference](integrate::reference) judges a sample of them. The [map] of outcomes goes to
+//! CPU, and gives one [`Outcome`](stepping::outcome::Outcome) a cell; the adaptive
+//! [reference](stepping::reference) judges a sample of them. The [map] of outcomes goes to
 //! files.
 //!
 //! ```text
@@ -12,10 +12,10 @@
 
 pub mod chart;
 pub mod figures;
-pub mod integrate;
 pub mod map;
 pub mod model;
 pub mod scene;
+pub mod stepping;
 pub mod store;
 pub mod sweep;
 

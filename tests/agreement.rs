@@ -9,10 +9,10 @@ use std::sync::LazyLock;
 use common::{all, gpu, object, say};
 use rayon::prelude::*;
 use topple::chart::bench::MAPS;
-use topple::integrate::outcome::{Class, Outcome};
-use topple::integrate::reference::{self, Settings};
 use topple::model::real::Real;
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
@@ -130,7 +130,7 @@ fn a_wrong_sign_in_the_shader_shows() {
         ("p * push_h - q * push_v", "p * push_h + q * push_v"),
         ("base.f_h + model.mu_h * q * w", "base.f_h - model.mu_h * q * w"),
         ("landing.side * landing.eta_v", "-landing.side * landing.eta_v"),
-        ("corner.arm * normal", "-corner.arm * normal"),
+        ("corner.arm * contact.normal", "-corner.arm * contact.normal"),
         ("1.0 - power", "1.0 + power"),
         ("arm * cos_phi - height", "arm * cos_phi + height"),
     ] {
@@ -197,10 +197,8 @@ fn a_shader_that_does_nothing_is_an_error() {
             Sweeper::from_source(&gpu, &source.replace(from, to), plan.variant(), 0).unwrap();
         sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).map(|ran| ran.outcomes)
     };
-    let idle = sweep(
-        "done += 1u + advance(cell, &state);",
-        "if cell.steps == 0u { done += advance(cell, &state); } done += 1u;",
-    );
+    let idle =
+        sweep("turn(cell, &state, &turns);", "if cell.steps == 0u { turn(cell, &state, &turns); }");
     assert!(matches!(idle, Err(GpuError::Unfinished(64))), "{idle:?}");
     // States zeroed behind the sweep's back.
     let zeroed = sweep("states[lane] = state;", "states[lane] = State();");

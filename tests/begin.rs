@@ -7,10 +7,10 @@ mod common;
 use common::{all, gpu, object, say, scene, synthetic_pair, under};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
-use topple::integrate::state::{RUNNING, State};
 use topple::model::excitation::Cell;
 use topple::model::real::Real;
 use topple::scene::{Grid, Overturn, Range, Scene};
+use topple::stepping::state::{RUNNING, State};
 use topple::sweep::backend::Precision;
 use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -44,7 +44,8 @@ fn random_scene(rng: &mut Pcg64Mcg) -> Scene {
     let mut base = format!("isolation = \"{isolation}\"\n");
     let (dual, h, v) = (isolation == "dual", isolation == "horizontal", isolation == "vertical");
     if dual || h {
-        base += &format!("t_h = {}\npsi = {}\n", between(rng, 0.2, 4.0), pick(rng, [1.0, 0.5, 0.1]));
+        base +=
+            &format!("t_h = {}\npsi = {}\n", between(rng, 0.2, 4.0), pick(rng, [1.0, 0.5, 0.1]));
     }
     if dual || v {
         base += &format!("t_v = {}\nxi_v = {}\n", between(rng, 0.02, 1.5), between(rng, 0.0, 0.3));

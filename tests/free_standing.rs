@@ -6,8 +6,8 @@ mod common;
 
 use approx::assert_abs_diff_eq;
 use common::{judge, object, say, scene, shaken};
-use topple::integrate::outcome::Outcome;
 use topple::scene::{GRAVITY, Grid, Scene};
+use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;

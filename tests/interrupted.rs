@@ -11,9 +11,9 @@ use std::time::Duration;
 
 use common::{object, say};
 use tempfile::TempDir;
-use topple::integrate::outcome::{Class, Outcome, Status};
 use topple::map::outcomes::{Column, Outcomes};
 use topple::scene::Scene;
+use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::store::identity::{Identity, Manner};
 use topple::store::shelf::{Shelf, missing};
 use topple::store::tile::{self, Tile, check, to_bytes};

@@ -1,15 +1,16 @@
-//! The sweep on vectors: against its scalar twin, and every lane apart from its neighbours.
+//! The sweep on vectors: against the same code at a width of one, and every lane apart from its
+//! neighbours.
 
 #![allow(missing_docs, clippy::unwrap_used)] // tests
 
 mod common;
 
 use common::{all, object, say, scene, synthetic_pair, under};
-use topple::integrate::lanes::{Feed, Job, Lanes, Shared};
-use topple::integrate::outcome::{Class, Outcome};
-use topple::integrate::state::{DIVERGED, EVENT_LIMIT, RUNNING};
 use topple::model::real::Real;
 use topple::scene::{Grid, Range, Scene};
+use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
+use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
@@ -203,7 +204,7 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
         let shared = Shared { variant: plan.variant(), model: &model, record: &record };
         let mut tray = Tray(jobs, Vec::new());
         let level = fearless_simd::Level::new();
-        fearless_simd::dispatch!(level, simd => Lanes::new(shared, 0.0_f32.lanes(simd)).run(&mut tray));
+        fearless_simd::dispatch!(level, simd => Lanes::new(shared, 0.0_f32.lanes(simd), ()).run(&mut tray));
         tray.1.sort_by_key(|job| job.number);
         tray.1
     };

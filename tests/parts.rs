@@ -11,12 +11,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use assert_cmd::Command;
-use common::{object, synthetic_pair, under};
+use common::{object, own_lines, synthetic_pair, under};
 use serde_json::Value;
 use tempfile::TempDir;
-use topple::integrate::outcome::Outcome;
 use topple::map::outcomes::{Column, DRAWN, Tally, thinned};
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Outcome;
 use topple::store::Store;
 use topple::store::identity::{Identity, Manner};
 use topple::store::keeper::Keeper;
@@ -329,7 +329,8 @@ fn two_devices_make_the_map_of_one() {
     let refused = |more: &[&str], said: &str| {
         let run = pulse(&dir.path().join("none"), &GRID).args(more).assert().code(2);
         let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        assert!(error.contains(said) && error.lines().count() == 1, "{error}");
+        let [error] = &own_lines(&error)[..] else { panic!("{error}") };
+        assert!(error.contains(said), "{error}");
     };
     refused(&["--backend", "gpu", "--adapter", "0,99"], "there is no adapter 99");
     refused(&["--backend", "cpu", "--adapter", "0"], "--adapter: the CPU has none");

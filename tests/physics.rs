@@ -7,18 +7,20 @@ mod common;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use common::{object, scene};
 use proptest::prelude::*;
-use topple::integrate::outcome::Class;
-use topple::integrate::reference::system::{
-    DPHI, DU, DV, Drive, PHI, Pole, State as Cell, System, U, V, Z,
-};
-use topple::integrate::state::State;
-use topple::integrate::switching::{IMPACT, Log};
-use topple::model::Setting;
+use topple::model::CellEquations;
 use topple::model::block::ROCKING_LEFT;
 use topple::model::dynamics::Motion;
 use topple::model::impact::{change_corner, come_to_rest};
 use topple::scene::{GRAVITY, Grid, Scene};
-use topple::sweep::cpu::{self, sweep_cell};
+use topple::stepping::guards::IMPACT;
+use topple::stepping::log::Log;
+use topple::stepping::outcome::Class;
+use topple::stepping::reference::system::{
+    DPHI, DU, DV, Drive, PHI, Pole, State as Cell, System, U, V, Z,
+};
+use topple::stepping::single;
+use topple::stepping::state::State;
+use topple::sweep::cpu;
 use topple::sweep::history::by_steps;
 use topple::sweep::plan::Plan;
 
@@ -71,9 +73,9 @@ fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     cell.steps_forced = 0;
     state.mode = ROCKING_LEFT;
     state.motion.phi = phi0;
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+    let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
     let mut log = Impacts(Vec::new(), cell.step_free);
-    sweep_cell(&set, &mut state, 1 << 30, &mut log);
+    single::run(&set, &state, &mut log);
     log.0
 }
 
@@ -140,7 +142,7 @@ proptest! {
         let point = Grid::of(&scene).point(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
-        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
         for (pole, leaving, landing) in
             [(Pole::Left, model.left, model.right), (Pole::Right, model.right, model.left)]
         {
@@ -179,13 +181,13 @@ proptest! {
         let point = Grid::of(&scene).point(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
-        let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
         for (pole, corner) in [(Pole::Left, model.left), (Pole::Right, model.right)] {
             let mut y = before(pole, velocity);
             y[PHI] = pole.sign() * phi;
             let fraction = 0.37;
             let t = (5.0 + fraction) * cell.step_forced;
-            let ground = topple::model::excitation::ground_at(&set, 5, fraction);
+            let ground = topple::stepping::forcing::ground_at(&set, 5, fraction);
             let k = topple::model::dynamics::rates(&set, &corner, true, &as_motion(&y), ground);
             let slow = system.derivative(Some(pole), t, Drive::Pulse, &y);
             let (normal, shear) = system.contact(Some(pole), t, Drive::Pulse, &y);

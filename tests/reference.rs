@@ -7,10 +7,10 @@ mod common;
 use approx::assert_abs_diff_eq;
 use common::{judge, object};
 use differential_equations::prelude::*;
-use topple::integrate::outcome::Class;
-use topple::integrate::reference::system::{Drive, PHI, Phase, State as Cell, System};
-use topple::integrate::reference::{self, Settings, Switch, run};
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Class;
+use topple::stepping::reference::system::{Drive, PHI, Phase, State as Cell, System};
+use topple::stepping::reference::{self, Settings, Switch, run};
 
 /// 66 cells of the three objects, integrated by a program apart from this project at two
 /// tolerances that agree: times to 1e-6 s, zeta to 1e-6. Impacts are left open for cells that go

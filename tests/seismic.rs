@@ -8,9 +8,9 @@ use std::path::Path;
 
 use common::{all, gpu, record, say, scene};
 use rayon::prelude::*;
-use topple::integrate::outcome::{Class, Outcome, Status};
-use topple::integrate::reference::{self, Settings};
 use topple::scene::{GRAVITY, Grid, Scene};
+use topple::stepping::outcome::{Class, Outcome, Status};
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
@@ -256,8 +256,8 @@ fn dual_isolation_enlarges_full_contact() {
 /// Steps of a record: whole numbers a sample, and the twin's own interpolation on them.
 #[test]
 fn the_ground_is_linear_between_samples() {
-    use topple::model::Setting;
-    use topple::model::excitation::ground_at;
+    use topple::model::CellEquations;
+    use topple::stepping::forcing::ground_at;
     let directory = tempfile::tempdir().unwrap();
     let path: &Path = &directory.path().join("record.txt");
     std::fs::write(path, "0\n1\n-1\n0.5\n").unwrap();
@@ -273,7 +273,8 @@ fn the_ground_is_linear_between_samples() {
     let clock = plan.clock(&point);
     assert_eq!(cell.steps_forced, 3 * cell.substeps);
     assert_eq!(cell.steps, cell.steps_forced);
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+    let set =
+        CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
     for (t, a) in [(0.0, 0.0), (0.01, 0.5), (0.02, 1.0), (0.03, 0.0), (0.055, 0.125), (0.06, 0.5)] {
         let step = ((t / clock.step_forced) as u32).min(cell.steps_forced - 1);
         let fraction = t / clock.step_forced - f64::from(step);

@@ -5,11 +5,11 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
-use topple::integrate::log::Event;
-use topple::integrate::state::State;
 use topple::model::block::{Corner, Model};
 use topple::model::dynamics::Motion;
 use topple::model::excitation::{Cell, Ground};
+use topple::stepping::log::Event;
+use topple::stepping::state::State;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::gpu::tile::Tile;
@@ -117,7 +117,15 @@ macro_rules! same_layouts {
                 inverse_mu_h,
                 inverse_mu_v,
                 least_arm,
-                topple_energy
+                topple_energy,
+                impact_gain,
+                normal_share,
+                normal_by_shear,
+                normal_by_turn,
+                shear_by_normal,
+                shear_by_turn,
+                padding_0,
+                padding_1
             }
         );
         same_layout!(
@@ -233,9 +241,28 @@ fn a_kernel_has_no_more_storage_buffers_than_every_device_allows() {
 fn words_are_laid_out_as_the_shaders() {
     let (members, size) = layout(&parse(Precision::F32, Switches::Kept), "Tile");
     let host: Vec<(String, u32)> = offsets!(
-        horizontal, vertical, drive, clock, across, up, up_values, shared_contact, still, mode,
-        cells, columns, first_column, first_row, order, blocks, first_slot, slots, number,
-        padding_0, padding_1, padding_2
+        horizontal,
+        vertical,
+        drive,
+        clock,
+        across,
+        up,
+        up_values,
+        shared_contact,
+        still,
+        mode,
+        cells,
+        columns,
+        first_column,
+        first_row,
+        order,
+        blocks,
+        first_slot,
+        slots,
+        number,
+        padding_0,
+        padding_1,
+        padding_2
     );
     assert_eq!(members, host);
     assert_eq!(size as usize, size_of::<Tile>());
@@ -246,10 +273,10 @@ fn words_are_laid_out_as_the_shaders() {
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
-    use topple::integrate::{certificate, locate, state, switching};
+    use topple::model::block;
+    use topple::stepping::{certificate, forcing, guards, state};
     use topple::sweep::gpu::tile;
     use topple::sweep::tracks;
-    use topple::model::block;
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module
@@ -273,16 +300,16 @@ fn constants_agree_with_the_twin() {
         ("EVENT_LIMIT", state::EVENT_LIMIT),
         ("DIVERGED", state::DIVERGED),
         ("PROVED", state::PROVED),
-        ("TRIES", certificate::TRIES),
-        ("NOTHING", switching::NOTHING),
-        ("UPLIFT_LEFT", switching::UPLIFT_LEFT),
-        ("UPLIFT_RIGHT", switching::UPLIFT_RIGHT),
-        ("IMPACT", switching::IMPACT),
-        ("OVERTURN", switching::OVERTURN),
-        ("KINK", switching::KINK),
-        ("EVENT_BOUND", switching::EVENT_BOUND),
-        ("LOCATE_BOUND", locate::LOCATE_BOUND),
-        ("GUESS_BOUND", locate::GUESS_BOUND),
+        ("STEPS_A_TRY", certificate::STEPS_A_TRY),
+        ("MOST_STEPS", forcing::MOST_STEPS),
+        ("NOTHING", guards::NOTHING),
+        ("UPLIFT_LEFT", guards::UPLIFT_LEFT),
+        ("UPLIFT_RIGHT", guards::UPLIFT_RIGHT),
+        ("IMPACT", guards::IMPACT),
+        ("OVERTURN", guards::OVERTURN),
+        ("KINK", guards::KINK),
+        ("EVENT_BOUND", guards::EVENT_BOUND),
+        ("LOCATE_BOUND", guards::LOCATE_BOUND),
         ("IN_ORDER", tile::IN_ORDER),
         ("IN_BLOCKS", tile::IN_BLOCKS),
         ("LISTED", tile::LISTED),
@@ -300,6 +327,10 @@ fn constants_agree_with_the_twin() {
         ("HIGHEST", tracks::HIGHEST as u32),
         ("DEEPEST", tracks::DEEPEST as u32),
         ("STRONGEST", tracks::STRONGEST as u32),
+        ("TROUGH", tracks::TROUGH as u32),
+        ("CREST", tracks::CREST as u32),
+        ("QUARTERS_V", tracks::QUARTERS_V as u32),
+        ("QUARTERS_H", tracks::QUARTERS_H as u32),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

@@ -2,7 +2,7 @@
 //! switches.
 
 use super::truth::Told;
-use crate::integrate::outcome::Class;
+use crate::stepping::outcome::Class;
 
 /// A number over cells: where half of them are below, and where 99 of 100 are.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,6 +9,7 @@ pub mod bench;
 pub mod errors;
 pub mod figure;
 pub mod fit;
+pub mod naive;
 pub mod peers;
 pub mod table;
 pub mod trial;

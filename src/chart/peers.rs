@@ -14,9 +14,9 @@ use super::bench::Bench;
 use super::errors::compare;
 use super::table::Row;
 use super::truth::{Kind, Seen, Told};
-use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::reference::system::Pole;
 use crate::scene::{Excitation, Grid};
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::reference::system::Pole;
 
 /// A row of cells.csv. Masses in kg, angles in rad; a locked direction has a period of zero.
 #[derive(Debug, Serialize)]

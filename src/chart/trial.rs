@@ -4,12 +4,13 @@ use std::time::{Duration, Instant};
 
 use super::SWITCHES;
 use super::bench::Bench;
-use super::truth::{Told, of_bench, of_events};
-use crate::integrate::log::Event;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::reference::Settings;
+use super::naive;
+use super::truth::{Seen, Told, of_bench, of_events};
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Scene, SceneError};
+use crate::stepping::log::Event;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::reference::Settings;
 use crate::sweep::backend::Precision;
 use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
@@ -25,7 +26,7 @@ pub enum Method {
     Shader,
     /// Its twin, on all cores.
     Cpu,
-    /// The twin with its switches moved to the end of the step.
+    /// Switches moved to the end of the step ([`naive`]).
     Naive,
     /// The adaptive reference, on all cores.
     Reference,
@@ -106,7 +107,7 @@ impl Trial {
     fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
         let resolution = Resolution::exactly(self.setting);
         let naive = self.method == Method::Naive;
-        let resolution = if naive { resolution.naive() } else { resolution };
+        let resolution = if naive { resolution.across_kinks() } else { resolution };
         // Every method simulates all of the time.
         Ok(Plan::resolved(scene, resolution)?.full_model())
     }
@@ -161,6 +162,8 @@ impl Trial {
                     let ran: Ran<R> = sweeper.sweep(plan, grid, &cells, &|_| ())?;
                     device = ran.device.map(|time| time + device.unwrap_or_default());
                     outcomes.push(ran.outcomes);
+                } else if self.method == Method::Naive {
+                    outcomes.push(naive::sweep(plan, grid, &cells, 0).0);
                 } else {
                     outcomes.push(cpu::sweep::<R>(plan, grid, &cells, &|_| ()));
                 }
@@ -170,12 +173,12 @@ impl Trial {
         time.start = start;
         let mut told = Vec::with_capacity(bench.len());
         for ((plan, grid), outcomes) in plans.iter().zip(outcomes) {
-            let events: Vec<Event<R>> =
-                if bench.whole { self.switches::<R>(plan, grid, gpu)? } else { Vec::new() };
-            for (index, outcome) in outcomes.into_iter().enumerate() {
-                let kept = events.get(index * SWITCHES..(index + 1) * SWITCHES);
-                let clock = plan.clock(&grid.point(index));
-                let switches = kept.map_or(Vec::new(), |kept| of_events(kept, &clock));
+            let mut switches = if bench.whole {
+                self.switches::<R>(plan, grid, gpu)?
+            } else {
+                vec![Vec::new(); outcomes.len()]
+            };
+            for (outcome, switches) in outcomes.into_iter().zip(switches.drain(..)) {
                 told.push(Told { outcome, switches });
             }
         }
@@ -188,14 +191,24 @@ impl Trial {
         plan: &Plan,
         grid: &Grid,
         gpu: Option<&Gpu>,
-    ) -> Result<Vec<Event<R>>, TrialError> {
+    ) -> Result<Vec<Vec<Seen>>, TrialError> {
         let cells: Vec<usize> = (0..grid.len()).collect();
+        if self.method == Method::Naive {
+            return Ok(seen(plan, grid, &naive::sweep(plan, grid, &cells, SWITCHES).1));
+        }
         if let Some(gpu) = gpu {
             let sweeper = Sweeper::keeping(gpu, self.precision, plan.variant(), SWITCHES)?;
-            return Ok(sweeper.sweep::<R>(plan, grid, &cells, &|_| ())?.events);
+            let events = sweeper.sweep::<R>(plan, grid, &cells, &|_| ())?.events;
+            return Ok(seen(plan, grid, &events));
         }
-        Ok(cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1)
+        Ok(seen(plan, grid, &cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1))
     }
+}
+
+/// The switches kept of a grid's cells, [`SWITCHES`] of each.
+fn seen<R: Real>(plan: &Plan, grid: &Grid, events: &[Event<R>]) -> Vec<Vec<Seen>> {
+    let of = |(index, kept): (usize, &[Event<R>])| of_events(kept, &plan.clock(&grid.point(index)));
+    events.chunks(SWITCHES).enumerate().map(of).collect()
 }
 
 /// Longest step of a charted reference, s: so long that the tolerance decides.

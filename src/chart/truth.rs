@@ -4,14 +4,14 @@ use rayon::prelude::*;
 
 use super::SWITCHES;
 use super::bench::Bench;
-use crate::integrate::log::Event;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, State, U, V, Z};
-use crate::integrate::reference::{self, Settings, Switch};
-use crate::integrate::switching::{IMPACT, OVERTURN, UPLIFT_LEFT};
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
 use crate::scene::{Grid, Point, Scene};
+use crate::stepping::guards::{IMPACT, OVERTURN, UPLIFT_LEFT};
+use crate::stepping::log::Event;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, State, U, V, Z};
+use crate::stepping::reference::{self, Settings, Switch};
 use crate::sweep::clock::Clock;
 
 /// Settings of the truth: far tighter than any that is charted, and with steps so short that the

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
-use topple::integrate::outcome::Outcome;
-use topple::model::operations::of_step;
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::stepping::operations::of_step;
+use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
@@ -113,7 +113,13 @@ impl BenchCommand {
             if !self.no_shader
                 && let Ok(adapter) = adapter::best(precision)
             {
-                let gpu = Gpu::open(&adapter)?;
+                let gpu = match Gpu::open(&adapter) {
+                    Ok(gpu) => gpu,
+                    Err(error) => {
+                        words::warn(format!("{error}; the shader is left out"));
+                        continue;
+                    }
+                };
                 let name = format!("shader, {}", gpu.description.name);
                 rows.push(self.time(
                     name,

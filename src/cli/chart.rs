@@ -73,7 +73,7 @@ impl ChartCommand {
                 .map_err(|error| refused(format!("{error}; give a file to read")))?;
             others.extend(peers::read(file, &benches).map_err(|error| refused(error.to_string()))?);
         }
-        let gpu = self.gpu()?;
+        let gpu = self.gpu();
         let began = Instant::now();
         let (mut rows, truths) = self.trials(&benches, gpu.as_ref())?;
         rows.extend(others.iter().map(|peer| peer.row(&benches, &truths)));
@@ -98,20 +98,19 @@ impl ChartCommand {
     }
 
     /// The device for the shader, a software one if there is no other.
-    fn gpu(&self) -> anyhow::Result<Option<Gpu>> {
+    fn gpu(&self) -> Option<Gpu> {
         if self.no_shader {
-            return Ok(None);
+            return None;
         }
-        match adapter::best(Precision::F32) {
-            Ok(adapter) => {
-                let gpu = Gpu::open(&adapter)?;
+        match adapter::best(Precision::F32).and_then(|adapter| Gpu::open(&adapter)) {
+            Ok(gpu) => {
                 let d = &gpu.description;
                 self.say(format!("shader     {} ({}, {})", d.name, d.kind, d.api));
-                Ok(Some(gpu))
+                Some(gpu)
             }
             Err(error) => {
                 self.say(format!("shader     left out: {error}"));
-                Ok(None)
+                None
             }
         }
     }

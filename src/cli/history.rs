@@ -1,12 +1,12 @@
 //! `topple history`.
 
 use serde::Serialize;
-use topple::integrate::outcome::Outcome;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
 use topple::scene::excitation::{PulseText, RecordText};
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Point, Scene};
+use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
 use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;

@@ -1,9 +1,9 @@
 //! What a map takes of memory, and what there is.
 
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
-use topple::integrate::outcome::Outcome;
 use topple::map::outcomes::DRAWN;
 use topple::scene::Grid;
+use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Backend;
 
 use super::InputError;

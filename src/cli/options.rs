@@ -10,12 +10,12 @@ use topple::scene::{Scene, SceneError};
 use topple::store::identity::Manner;
 use topple::store::part::Part;
 use topple::sweep::backend::{Backend, Precision};
-use topple::sweep::choice::Choice;
+use topple::sweep::choice::{Choice, Opened};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
 
-use super::InputError;
+use super::{InputError, words};
 
 /// Where to and on what.
 #[derive(clap::Args)]
@@ -42,7 +42,7 @@ pub struct RunOptions {
     /// Simulate all of the model and all of the time, also where it has no say in the result
     #[arg(long)]
     pub full_model: bool,
-    /// Print nothing but errors
+    /// Print nothing but warnings and errors
     #[arg(long)]
     pub quiet: bool,
 }
@@ -95,12 +95,19 @@ impl RunOptions {
             let problem = "--adapter: the CPU has none; give --backend gpu, or leave it out";
             return Err(InputError(problem.into()).into());
         }
-        self.backend.open(self.precision, &self.adapter).map_err(|error| match error {
-            GpuError::NoSuchAdapter(_) | GpuError::Unlike(..) => {
-                InputError(format!("--adapter: {error}")).into()
+        match self.backend.open(self.precision, &self.adapter) {
+            Ok(Opened { backends, passed_over }) => {
+                let on = if backends[0].adapter().is_some() { "another GPU" } else { "the CPU" };
+                for error in &passed_over {
+                    words::warn(format!("{error}; computing on {on}"));
+                }
+                Ok(backends)
             }
-            error => error.into(),
-        })
+            Err(error @ (GpuError::NoSuchAdapter(_) | GpuError::Unlike(..))) => {
+                Err(InputError(format!("--adapter: {error}")).into())
+            }
+            Err(error) => Err(error.into()),
+        }
     }
 }
 

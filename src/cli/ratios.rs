@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use topple::chart::bench::{self, FULL};
 use topple::chart::{peers, truth};
-use topple::integrate::outcome::Outcome;
 use topple::scene::Grid;
+use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;

@@ -2,10 +2,10 @@
 
 use std::fmt::Display;
 
-use topple::integrate::outcome::Class;
 use topple::map::figure::frame;
 use topple::map::outcomes::Tally;
 use topple::scene::{Excitation, Grid, Scene};
+use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::plan::{Plan, Reductions};
@@ -31,6 +31,11 @@ impl Say {
             println!("{name:<10} {text}");
         }
     }
+}
+
+/// Says on stderr what the user should know though the run goes on.
+pub fn warn(text: impl Display) {
+    eprintln!("topple: warning: {text}");
 }
 
 /// Threads that a sweep on the CPU takes.

@@ -4,7 +4,6 @@
 use plotters::prelude::*;
 
 use super::marks;
-use crate::integrate::outcome::Outcome;
 use crate::map::figure::FigureError;
 use crate::map::figure::document::{Place, pixels};
 use crate::map::figure::frame::{
@@ -12,6 +11,7 @@ use crate::map::figure::frame::{
 };
 use crate::map::figure::palette::Kind;
 use crate::scene::{GRAVITY, Scene};
+use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
 
 /// Frames a second.

@@ -9,10 +9,10 @@ use std::io::Write;
 use rayon::prelude::*;
 
 use super::marks::along;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::reference::{self, Settings};
 use crate::map::csv::Number;
 use crate::scene::{Grid, Isolation, Range, Scene};
+use crate::stepping::outcome::Outcome;
+use crate::stepping::reference::{self, Settings};
 
 /// Width to which an amplitude is bisected, m/s^2.
 pub const WITHIN: f64 = 1.0e-4;

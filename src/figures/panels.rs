@@ -7,7 +7,6 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::layout::{ABOVE, LINE, Layout, Written};
 use super::{Figure, Panel, Shows, letter, parameters};
-use crate::integrate::outcome::Outcome;
 use crate::map::Map;
 use crate::map::figure::FigureError;
 use crate::map::figure::document::Place;
@@ -18,6 +17,7 @@ use crate::map::figure::frame::{
 use crate::map::figure::greys::{Greys, keys};
 use crate::map::figure::overturning::{self, hatched};
 use crate::map::figure::palette::{Kind, Parity};
+use crate::stepping::outcome::Outcome;
 
 /// Width of the lines around overturning and full contact, tenths of a unit.
 const THICK: i32 = 14;

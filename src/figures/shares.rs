@@ -4,10 +4,10 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use crate::integrate::outcome::{Class, Outcome};
 use crate::map::csv::Number;
 use crate::map::figure::palette::Parity;
 use crate::scene::Scene;
+use crate::stepping::outcome::{Class, Outcome};
 
 /// Shares of the cells of a map; together they are 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]

@@ -6,7 +6,7 @@ use contour::ContourBuilder;
 
 use super::Map;
 use super::csv::Number;
-use crate::integrate::outcome::{Class, Outcome};
+use crate::stepping::outcome::{Class, Outcome};
 
 /// A line in the units of the axes.
 pub type Line = Vec<(f64, f64)>;

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
 use super::outcomes::{Column, Outcomes, each_block};
-use crate::integrate::outcome::Outcome;
 use crate::scene::Grid;
+use crate::stepping::outcome::Outcome;
 
 /// Columns after the two of the axes.
 pub const COLUMNS: [&str; 13] = [

@@ -11,8 +11,8 @@ pub mod outcomes;
 
 use std::borrow::Cow;
 
-use crate::integrate::outcome::Outcome;
 use crate::scene::{Grid, Scene};
+use crate::stepping::outcome::Outcome;
 
 /// A finished sweep in memory.
 pub struct Map<'a> {

@@ -9,9 +9,9 @@ use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use super::outcomes::{Column, Outcomes, each_block};
-use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
+use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// Code of a class in the array `outcome`.
 pub fn class_code(class: Class) -> u8 {

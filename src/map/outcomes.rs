@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::Range;
 
-use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::scene::{Grid, Scene};
+use crate::stepping::outcome::{Class, Outcome, Status};
 
 use super::Map;
 

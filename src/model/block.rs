@@ -35,7 +35,7 @@ pub struct Corner<R> {
 
 pod!(Corner, reals: 8, words: 0);
 reals!(Corner, 8, side arm inertia overturn eta_phi eta_u eta_v padding);
-pod!(Model, reals: 24, words: 0);
+pod!(Model, reals: 32, words: 0);
 
 /// What every cell of a sweep shares: the block, and the mass ratios of its base.
 #[repr(C)]
@@ -61,6 +61,52 @@ pub struct Model<R> {
     pub least_arm: R,
     /// g (min R - H): energy over M without which no corner is overturned about, J/kg.
     pub topple_energy: R,
+    /// The most by which impacts to come can raise the energy: 1 by the law of impact, (15). With a
+    /// given coefficient of restitution a landing on the longer arm may raise it, the next one takes
+    /// it back.
+    pub impact_gain: R,
+    /// Bounds on the contact forces while rocking ([`certificate`](crate::stepping::certificate)):
+    /// the least of 1 - kappa_v Q^2/D, the share of f_v in the normal force.
+    pub normal_share: R,
+    /// The most of kappa_v P Q/D, that of f_h.
+    pub normal_by_shear: R,
+    /// The most of kappa_v P w [1 - (mu_h - mu_v) Q^2/D] over the energy over M, 1/m.
+    pub normal_by_turn: R,
+    /// The most of kappa_h P Q/D, the share of f_v in the shear.
+    pub shear_by_normal: R,
+    /// The most of kappa_h Q w [1 + (mu_h - mu_v) P^2/D] over the energy over M, 1/m.
+    pub shear_by_turn: R,
+    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    pub padding_0: R,
+    /// The same.
+    pub padding_1: R,
+}
+
+impl<R: Copy> Model<R> {
+    /// The same model in other numbers, each made of the one in its place.
+    #[inline(always)]
+    pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> Model<Q> {
+        Model {
+            left: self.left.map(&make),
+            right: self.right.map(&make),
+            height: make(self.height),
+            mu_h: make(self.mu_h),
+            mu_v: make(self.mu_v),
+            gravity: make(self.gravity),
+            inverse_mu_h: make(self.inverse_mu_h),
+            inverse_mu_v: make(self.inverse_mu_v),
+            least_arm: make(self.least_arm),
+            topple_energy: make(self.topple_energy),
+            impact_gain: make(self.impact_gain),
+            normal_share: make(self.normal_share),
+            normal_by_shear: make(self.normal_by_shear),
+            normal_by_turn: make(self.normal_by_turn),
+            shear_by_normal: make(self.shear_by_normal),
+            shear_by_turn: make(self.shear_by_turn),
+            padding_0: make(self.padding_0),
+            padding_1: make(self.padding_1),
+        }
+    }
 }
 
 /// The corner that the block turns about in a rocking mode (the left one in full contact, where

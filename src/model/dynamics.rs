@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::Setting;
+use super::CellEquations;
 use super::block::Corner;
 use super::excitation::Ground;
 use super::isolation::{hysteretic_rate, support};
@@ -55,7 +55,22 @@ pub struct Rates<R> {
     pub shear: R,
 }
 
-reals!(Rates, 9, du ddu dv ddv dz dphi ddphi normal shear);
+/// The force between block and base over M.
+#[derive(Debug, Clone, Copy)]
+pub struct Contact<R> {
+    /// Horizontal, m/s^2.
+    pub shear: R,
+    /// Normal, m/s^2; negative where the model would have to pull the block down.
+    pub normal: R,
+}
+
+impl<R: Copy> Rates<R> {
+    /// The contact force that comes with the rates.
+    #[inline(always)]
+    pub fn contact(&self) -> Contact<R> {
+        Contact { shear: self.shear, normal: self.normal }
+    }
+}
 
 /// The lever of the centre of mass about a corner.
 #[derive(Debug, Clone, Copy)]
@@ -68,14 +83,14 @@ pub struct Lever<R> {
 
 /// P and Q at an angle.
 #[inline(always)]
-pub fn lever_at<R: Number>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Lever<R> {
+pub fn lever_at<R: Number>(set: &CellEquations<R>, corner: &Corner<R>, phi: R) -> Lever<R> {
     let height = set.model.height;
     let sin_phi = phi.sine();
     let cos_phi = phi.cosine();
     let arm = corner.side * corner.arm;
     Lever {
-        p: height.times_plus(cos_phi, arm * sin_phi),
-        q: arm.times_plus(cos_phi, -(height * sin_phi)),
+        p: height.mul_add(cos_phi, arm * sin_phi),
+        q: arm.mul_add(cos_phi, -(height * sin_phi)),
     }
 }
 
@@ -85,7 +100,7 @@ pub fn lever_at<R: Number>(set: &Setting<R>, corner: &Corner<R>, phi: R) -> Leve
 /// `ddphi = [P (f_h + mu_h Q dphi^2) - Q (f_v + mu_v P dphi^2)] / [I/M - mu_h P^2 - mu_v Q^2]`.
 #[inline(always)]
 pub fn rates<R: Number>(
-    set: &Setting<R>,
+    set: &CellEquations<R>,
     corner: &Corner<R>,
     rocking: R::Mask,
     y: &Motion<R>,
@@ -104,15 +119,15 @@ pub fn rates<R: Number>(
         let Lever { p, q } = lever_at(set, corner, y.phi);
         let w = y.dphi * y.dphi;
         let (mu_p, mu_q) = (model.mu_h * p, model.mu_v * q);
-        let push_h = (model.mu_h * q).times_plus(w, base.f_h);
-        let push_v = (model.mu_v * p).times_plus(w, base.f_v);
-        let inertia = (-mu_p).times_plus(p, (-mu_q).times_plus(q, corner.inertia));
-        let turn = p.times_plus(push_h, -(q * push_v)) / inertia;
-        ddphi = R::pick(rocking, turn, zero);
-        x_base = R::pick(rocking, mu_p.times_plus(turn, push_h), x_base);
-        y_base = R::pick(rocking, (-mu_q).times_plus(turn, push_v), y_base);
-        shear = R::pick(rocking, (-p).times_plus(turn, (-q).times_plus(w, x_base)), shear);
-        normal = R::pick(rocking, q.times_plus(turn, (-p).times_plus(w, y_base)), normal);
+        let push_h = (model.mu_h * q).mul_add(w, base.f_h);
+        let push_v = (model.mu_v * p).mul_add(w, base.f_v);
+        let inertia = (-mu_p).mul_add(p, (-mu_q).mul_add(q, corner.inertia));
+        let turn = p.mul_add(push_h, -(q * push_v)) / inertia;
+        ddphi = R::select(rocking, turn, zero);
+        x_base = R::select(rocking, mu_p.mul_add(turn, push_h), x_base);
+        y_base = R::select(rocking, (-mu_q).mul_add(turn, push_v), y_base);
+        shear = R::select(rocking, (-p).mul_add(turn, (-q).mul_add(w, x_base)), shear);
+        normal = R::select(rocking, q.mul_add(turn, (-p).mul_add(w, y_base)), normal);
     }
     let mut ddu = zero;
     let mut dz = zero;
@@ -132,6 +147,19 @@ pub fn rates<R: Number>(
 /// The uplift condition (14) about a corner, as a moment over M: s H X - b Y, positive where the
 /// block lifts. The same terms drive `ddphi` at phi = 0, so that both agree about its sign.
 #[inline(always)]
-pub fn uplift_moment<R: Number>(set: &Setting<R>, corner: &Corner<R>, shear: R, normal: R) -> R {
-    corner.side * set.model.height * shear - corner.arm * normal
+pub fn uplift_moment<R: Number>(
+    set: &CellEquations<R>,
+    corner: &Corner<R>,
+    contact: Contact<R>,
+) -> R {
+    corner.side * set.model.height * contact.shear - corner.arm * contact.normal
+}
+
+/// The larger of the two uplift moments: positive where the block lifts about either corner. Where
+/// both are positive at once, as for X = 0 and Y < 0, the larger one turns the block first.
+#[inline(always)]
+pub fn largest_uplift_moment<R: Number>(set: &CellEquations<R>, contact: Contact<R>) -> R {
+    let left = uplift_moment(set, &set.model.left, contact);
+    let right = uplift_moment(set, &set.model.right, contact);
+    left.max(right)
 }

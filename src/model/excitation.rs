@@ -1,9 +1,8 @@
-//! One cell's numbers and the ground under it. Twin of `shaders/excitation.wgsl`.
+//! One cell's numbers, and the ground's accelerations. Twin of `shaders/excitation.wgsl`.
 
 use bytemuck::Zeroable;
 
-use super::Setting;
-use super::real::{Real, pod, reals};
+use super::real::{pod, reals};
 
 /// What one cell of the grid has of its own.
 ///
@@ -41,10 +40,10 @@ pub struct Cell<R> {
     pub yield_energy: R,
     /// g/omega_v^2, the base's static deflection, m.
     pub deflection: R,
-    /// omega_h sqrt(1 + 4 xi_h^2): the most |X| in full contact over the root of twice the base's
-    /// energy over M_t, 1/s.
+    /// omega_h sqrt(1 + 4 xi_h^2/a): the most |f_h| of (10a) over the root of twice the energy over
+    /// M_t, 1/s. a <= 1 is the share of u's inertia that the block, free to rock, leaves it.
     pub reach_h: R,
-    /// omega_v sqrt(1 + 4 xi_v^2): the same of |Y - g|, 1/s.
+    /// The same of |f_v - g|, (10b), 1/s.
     pub reach_v: R,
     /// Number of forced steps.
     pub steps_forced: u32,
@@ -74,35 +73,4 @@ pub struct Ground<R> {
 }
 
 pod!(Ground, reals: 2, words: 0);
-
-/// Length of a step, s.
-#[inline(always)]
-pub fn step_length<R: Real>(cell: &Cell<R>, step: u32) -> R {
-    if step < cell.steps_forced {
-        return cell.step_forced;
-    }
-    cell.step_free
-}
-
-/// The ground at a fraction of a step: the one-sine pulse (22), or the record, linear between its
-/// samples.
-#[inline(always)]
-pub fn ground_at<R: Real>(set: &Setting<R>, step: u32, fraction: R) -> Ground<R> {
-    let cell = set.cell;
-    if step >= cell.steps_forced {
-        return Ground { h: R::of(0.0), v: R::of(0.0) };
-    }
-    if set.variant.recorded {
-        let sample = step / cell.substeps;
-        let part = step - sample * cell.substeps;
-        let share = (R::of(f64::from(part)) + fraction) * cell.phase_step;
-        let before = set.record[sample as usize];
-        let after = set.record[sample as usize + 1];
-        return Ground {
-            h: before.h + share * (after.h - before.h),
-            v: before.v + share * (after.v - before.v),
-        };
-    }
-    let wave = R::pulse_sine((R::of(f64::from(step)) + fraction) * cell.phase_step);
-    Ground { h: cell.amplitude_h * wave, v: cell.amplitude_v * wave }
-}
+reals!(Ground, 2, h v);

@@ -1,6 +1,6 @@
 //! What an impact does to the velocities. Twin of `shaders/impact.wgsl`.
 
-use super::Setting;
+use super::CellEquations;
 use super::block::Corner;
 use super::dynamics::Motion;
 use super::number::Number;
@@ -22,7 +22,11 @@ pub fn change_corner<R: Number>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R>
 /// The block comes to rest on both corners: the linear momenta of (15a) and (15b) are kept, the
 /// rotation ends. `leaving` is the corner that it turned about.
 #[inline(always)]
-pub fn come_to_rest<R: Number>(set: &Setting<R>, leaving: &Corner<R>, y: &Motion<R>) -> Motion<R> {
+pub fn come_to_rest<R: Number>(
+    set: &CellEquations<R>,
+    leaving: &Corner<R>,
+    y: &Motion<R>,
+) -> Motion<R> {
     let model = set.model;
     Motion {
         u: y.u,

@@ -1,7 +1,7 @@
 //! The isolated base: Bouc-Wen horizontally, Kelvin-Voigt vertically. Twin of
 //! `shaders/isolation.wgsl`.
 
-use super::Setting;
+use super::CellEquations;
 use super::dynamics::Motion;
 use super::excitation::Ground;
 use super::number::Number;
@@ -18,9 +18,6 @@ pub struct Variant {
     pub isolated_v: bool,
     /// Steps are cut at the kinks of the Bouc-Wen law.
     pub kinks: bool,
-    /// Uplifts, impacts and overturning are switched where they happen, not at the end of the
-    /// step: false only to show what that is worth.
-    pub in_step: bool,
     /// The base yields: z is a state.
     pub yields: bool,
     /// Cells end where energy proves that nothing more will happen.
@@ -40,19 +37,19 @@ pub struct Support<R> {
 
 /// The support's two accelerations.
 #[inline(always)]
-pub fn support<R: Number>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
+pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
     let cell = set.cell;
     let mut f_h = ground.h;
     if set.variant.isolated_h {
         let mut spring = cell.post_yield * y.u;
         if set.variant.yields {
-            spring = cell.hysteretic.times_plus(y.z, spring);
+            spring = cell.hysteretic.mul_add(y.z, spring);
         }
-        f_h = -cell.damping_h.times_plus(y.du, spring);
+        f_h = -cell.damping_h.mul_add(y.du, spring);
     }
     let mut f_v = ground.v + set.model.gravity;
     if set.variant.isolated_v {
-        f_v = -cell.damping_v.times_plus(y.dv, cell.stiffness_v * y.v);
+        f_v = -cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
     }
     Support { f_h, f_v }
 }
@@ -61,21 +58,26 @@ pub fn support<R: Number>(set: &Setting<R>, y: &Motion<R>, ground: Ground<R>) ->
 /// other, 1 - |z|^n while they go together. Signs are compared, not their product, which can
 /// underflow.
 #[inline(always)]
-pub fn hysteretic_rate<R: Number>(set: &Setting<R>, y: &Motion<R>) -> R {
+pub fn hysteretic_rate<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let zero = y.du.like(0.0);
     let rate = y.du * set.cell.inverse_yield;
-    let forward = y.du.exceeds(zero);
-    let ahead = y.z.exceeds(zero);
+    let forward = y.du.gt(zero);
+    let ahead = y.z.gt(zero);
     let together = (forward & ahead) | !(forward | ahead);
     let magnitude = y.z.abs();
     let mut power = magnitude * magnitude;
     if set.variant.bouc_wen_n != 2 {
-        power = magnitude;
-        let mut i = 1;
-        while i < set.variant.bouc_wen_n {
-            power = power * magnitude;
-            i += 1;
+        // By squares: a driver may bound the iterations of a shader's loops.
+        power = zero.like(1.0);
+        let mut square = magnitude;
+        let mut n = set.variant.bouc_wen_n;
+        while n > 0 {
+            if n & 1 == 1 {
+                power = power * square;
+            }
+            square = square * square;
+            n >>= 1;
         }
     }
-    R::pick(together, (-rate).times_plus(power, rate), rate)
+    R::select(together, (-rate).mul_add(power, rate), rate)
 }

@@ -2,7 +2,7 @@
 //!
 //! Each file here has a shader of the same name; both carry the same functions, the same names
 //! and the same order of statements, so that they can be read side by side. The adaptive
-//! [reference](crate::integrate::reference) shares nothing with them.
+//! [reference](crate::stepping::reference) shares nothing with them.
 //!
 //! Symbols and equation numbers are those of Amoroso, Ferretti & Di Egidio, "Characterization of
 //! the nonlinear rocking dynamics of dual isolated asymmetric rigid blocks". Every equation is
@@ -14,7 +14,6 @@ pub mod excitation;
 pub mod impact;
 pub mod isolation;
 pub mod number;
-pub mod operations;
 pub mod real;
 pub mod vector;
 
@@ -24,7 +23,7 @@ use isolation::Variant;
 
 /// Everything that one cell's equations are made of; globals and arguments in the shaders.
 #[derive(Debug, Clone, Copy)]
-pub struct Setting<'a, R> {
+pub struct CellEquations<'a, R> {
     /// What is switched on (`override` constants in the shaders).
     pub variant: Variant,
     /// What all cells share.

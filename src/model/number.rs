@@ -30,7 +30,7 @@ pub trait Number:
 
     /// `self * factor + term`, as the shaders spell it; in vectors with one rounding where there is
     /// an instruction for that.
-    fn times_plus(self, factor: Self, term: Self) -> Self;
+    fn mul_add(self, factor: Self, term: Self) -> Self;
 
     /// |x|.
     fn abs(self) -> Self;
@@ -39,13 +39,13 @@ pub trait Number:
     fn sqrt(self) -> Self;
 
     /// True where `self` is the larger.
-    fn exceeds(self, other: Self) -> Self::Mask;
+    fn gt(self, other: Self) -> Self::Mask;
 
     /// True where `self` is the larger, or both are equal.
-    fn reaches(self, other: Self) -> Self::Mask;
+    fn ge(self, other: Self) -> Self::Mask;
 
     /// `yes` where the mask is true, `no` elsewhere.
-    fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// True where any lane of the mask is.
     fn any(mask: Self::Mask) -> bool;
@@ -53,7 +53,13 @@ pub trait Number:
     /// The larger of the two; `self` where `other` is not a number.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self::pick(other.exceeds(self), other, self)
+        Self::select(other.gt(self), other, self)
+    }
+
+    /// The smaller of the two; `self` where `other` is not a number.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::select(self.gt(other), other, self)
     }
 
     /// sin x for |x| <= 1.65 rad, to the type's rounding.
@@ -62,9 +68,9 @@ pub trait Number:
         let t = self * self;
         let mut p = self.like(Self::SINE[0]);
         for &coefficient in &Self::SINE[1..] {
-            p = t.times_plus(p, self.like(coefficient));
+            p = t.mul_add(p, self.like(coefficient));
         }
-        (self * t).times_plus(p, self)
+        (self * t).mul_add(p, self)
     }
 
     /// cos x for |x| <= 1.65 rad, to the type's rounding.
@@ -73,19 +79,19 @@ pub trait Number:
         let t = self * self;
         let mut p = self.like(Self::COSINE[0]);
         for &coefficient in &Self::COSINE[1..] {
-            p = t.times_plus(p, self.like(coefficient));
+            p = t.mul_add(p, self.like(coefficient));
         }
-        t.times_plus(p, self.like(1.0))
+        t.mul_add(p, self.like(1.0))
     }
 
     /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is
     /// exact, before the polynomial sees it.
     #[inline(always)]
     fn pulse_sine(tau: Self) -> Self {
-        let last = tau.exceeds(tau.like(0.75));
-        let middle = tau.exceeds(tau.like(0.25));
-        let quarter = Self::pick(middle, tau.like(0.5) - tau, tau);
-        let quarter = Self::pick(last, tau - tau.like(1.0), quarter);
+        let last = tau.gt(tau.like(0.75));
+        let middle = tau.gt(tau.like(0.25));
+        let quarter = Self::select(middle, tau.like(0.5) - tau, tau);
+        let quarter = Self::select(last, tau - tau.like(1.0), quarter);
         (tau.like(std::f64::consts::TAU) * quarter).sine()
     }
 }

@@ -9,7 +9,13 @@ use super::vector::Vector;
 
 /// A number type that a sweep can run in: `f32` or `f64`.
 pub trait Real:
-    Number<Mask = bool> + sealed::Sealed + bytemuck::Pod + Debug + PartialOrd + Send + Sync
+    Vector<Element = Self, Mask = bool>
+    + sealed::Sealed
+    + bytemuck::Pod
+    + Debug
+    + PartialOrd
+    + Send
+    + Sync
 {
     /// A switch is located to within this fraction of its step.
     const EVENT_TOLERANCE: Self;
@@ -128,7 +134,7 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
-            fn times_plus(self, factor: $type, term: $type) -> $type {
+            fn mul_add(self, factor: $type, term: $type) -> $type {
                 self * factor + term
             }
 
@@ -143,17 +149,17 @@ macro_rules! scalar {
             }
 
             #[inline(always)]
-            fn exceeds(self, other: $type) -> bool {
+            fn gt(self, other: $type) -> bool {
                 self > other
             }
 
             #[inline(always)]
-            fn reaches(self, other: $type) -> bool {
+            fn ge(self, other: $type) -> bool {
                 self >= other
             }
 
             #[inline(always)]
-            fn pick(mask: bool, yes: $type, no: $type) -> $type {
+            fn select(mask: bool, yes: $type, no: $type) -> $type {
                 if mask { yes } else { no }
             }
 

@@ -44,8 +44,8 @@ macro_rules! vector {
             }
 
             #[inline(always)]
-            fn times_plus(self, factor: Self, term: Self) -> Self {
-                self.mul_add(factor, term)
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                SimdFloat::mul_add(self, factor, term)
             }
 
             #[inline(always)]
@@ -59,17 +59,17 @@ macro_rules! vector {
             }
 
             #[inline(always)]
-            fn exceeds(self, other: Self) -> Self::Mask {
+            fn gt(self, other: Self) -> Self::Mask {
                 self.simd_gt(other)
             }
 
             #[inline(always)]
-            fn reaches(self, other: Self) -> Self::Mask {
+            fn ge(self, other: Self) -> Self::Mask {
                 self.simd_ge(other)
             }
 
             #[inline(always)]
-            fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self {
+            fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
                 mask.select(yes, no)
             }
 
@@ -114,3 +114,42 @@ macro_rules! vector {
 
 vector!(f32x16, f32, 16, SINE_F32, COSINE_F32);
 vector!(f64x8, f64, 8, SINE_F64, COSINE_F64);
+
+/// A number as a vector of one lane: the same code steps a single cell.
+macro_rules! single {
+    ($element:ty) => {
+        impl Vector for $element {
+            type Element = $element;
+
+            const LANES: usize = 1;
+
+            #[inline(always)]
+            fn lane(&self, _: usize) -> $element {
+                *self
+            }
+
+            #[inline(always)]
+            fn put(&mut self, _: usize, value: $element) {
+                *self = value;
+            }
+
+            #[inline(always)]
+            fn bits(mask: bool) -> u64 {
+                u64::from(mask)
+            }
+
+            #[inline(always)]
+            fn mask(self, bits: u64) -> bool {
+                bits & 1 == 1
+            }
+
+            #[inline(always)]
+            fn with<T>(self, run: impl FnOnce() -> T) -> T {
+                run()
+            }
+        }
+    };
+}
+
+single!(f32);
+single!(f64);

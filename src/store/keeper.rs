@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use super::shelf::Shelf;
 use super::tile::{self, Tile};
 use super::{Store, StoreError};
-use crate::integrate::outcome::Outcome;
 use crate::map::outcomes::{Column, Outcomes};
+use crate::stepping::outcome::Outcome;
 
 /// Collects the outcomes of a run.
 pub struct Keeper<'a> {

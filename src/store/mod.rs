@@ -15,8 +15,8 @@ use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use crate::integrate::outcome::Outcome;
 use crate::map::files::{Directory, WriteError};
+use crate::stepping::outcome::Outcome;
 use identity::Identity;
 use parts::Report;
 use tile::Tile;

@@ -5,8 +5,8 @@ use std::io;
 use std::ops::Range;
 
 use super::tile::{self, Tile};
-use crate::integrate::outcome::Outcome;
 use crate::map::outcomes::{Column, Outcomes};
+use crate::stepping::outcome::Outcome;
 
 /// Tiles that hold every cell of a grid once.
 #[derive(Debug)]

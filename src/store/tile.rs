@@ -9,8 +9,8 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::integrate::outcome::{Class, Outcome, Status};
 use crate::map::outcomes::Column;
+use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// Ending of a tile's name.
 pub const EXTENSION: &str = "tile";

@@ -12,9 +12,9 @@ use super::gpu::adapter::Description;
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
 use super::plan::{Part, Plan};
-use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::reference;
 use crate::scene::Grid;
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::reference;
 
 /// Number type of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

@@ -8,15 +8,16 @@ use super::full_contact::Tracks;
 use super::groups::Groups;
 use super::plan::Plan;
 use super::tracks::{
-    ACCELERATION, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LOWEST, MOST, PEAK, STRONGEST,
-    VELOCITY,
+    ACCELERATION, CREST, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LOWEST, MOST, PEAK,
+    QUARTERS_H, QUARTERS_V, STRONGEST, TROUGH, VELOCITY,
 };
-use crate::integrate::state::{DIVERGED, FINISHED, RUNNING, State};
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::{GRAVITY, Point};
+use crate::stepping::extremes;
+use crate::stepping::state::{DIVERGED, FINISHED, RUNNING, State};
 
 /// How a block begins.
 #[derive(Debug, Clone, Copy)]
@@ -137,7 +138,8 @@ fn full_contact<R: Real>(
         let strongest = h.field(STRONGEST)[sample.max(1) - 1];
         (sample, if pressed { scale.abs() * strongest / y } else { zero })
     } else {
-        gap_by_gap(tracks, place, scale, lever)
+        let (sample, friction) = gap_by_gap(tracks, place, scale, lever);
+        (sample, crests(tracks, place, scale.abs(), sample, friction))
     };
     let at = sample.min(last_v);
     let z = h.field(HYSTERETIC)[sample];
@@ -207,4 +209,39 @@ fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> 
         sample += 1;
     }
     (sample, friction)
+}
+
+/// Share of the friction asked for by which a gap must exceed it to be looked into.
+const OVER: f64 = 2.0e-4;
+
+/// The friction asked for up to a sample, crests between samples included: in gaps where the largest
+/// |X| over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
+#[inline(always)]
+fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, friction: R) -> R {
+    let over = R::of(1.0 + OVER);
+    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
+    let (crest, trough) = (h.field(CREST), v.field(TROUGH));
+    let last_v = v.length - 1;
+    let mut friction = friction;
+    for gap in 0..sample {
+        let gap_v = gap.min(last_v - 1);
+        if !(size * crest[gap] > over * friction * trough[gap_v]) {
+            continue;
+        }
+        let share = |x: R, y: R| if y > R::of(0.0) { size * (x.abs() / y) } else { R::of(0.0) };
+        let x = |quarter: usize| h.field(QUARTERS_H + quarter)[gap];
+        let y = |quarter: usize| v.field(QUARTERS_V + quarter)[gap_v];
+        let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
+        let start = share(xs[gap], ys[gap_v]);
+        let (first, mid, last) = (share(x(0), y(0)), share(x(1), y(1)), share(x(2), y(2)));
+        let end = share(xs[gap + 1], ys[gap_v + 1]);
+        let top = extremes::crest(start, first, mid).max(extremes::crest(mid, last, end));
+        let ends = start.max(first).max(mid).max(last).max(end);
+        // No more than the bound that the gap was looked into for.
+        let bound = size * crest[gap] / trough[gap_v];
+        let most =
+            if trough[gap_v] > R::of(0.0) { top.max(ends).min(bound.max(ends)) } else { ends };
+        friction = friction.max(most);
+    }
+    friction
 }

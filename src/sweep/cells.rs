@@ -8,13 +8,13 @@ use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::full_contact::Tracks;
 use super::plan::Plan;
-use crate::integrate::outcome::{Class, Outcome, Status};
-use crate::integrate::state::{
-    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State,
-};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
 use crate::scene::{Grid, Point};
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State,
+};
 
 /// All that the cells of a plan's grid are made of.
 pub struct Cells<'a, R> {

@@ -1,7 +1,6 @@
 //! What a user asks a sweep to run on, and what there is of it.
 
 use serde::{Deserialize, Serialize};
-use wgpu::Adapter;
 
 use super::backend::{Backend, Precision};
 use super::gpu::GpuError;
@@ -22,26 +21,56 @@ pub enum Choice {
     Reference,
 }
 
+/// What a choice opened.
+pub struct Opened {
+    /// One backend, or several that are alike.
+    pub backends: Vec<Backend>,
+    /// Why real GPUs that are listed are not among them: they gave no device, or failed its check.
+    pub passed_over: Vec<GpuError>,
+}
+
 impl Choice {
     /// The backends for the choice, all alike: as many as there are GPUs of the kind chosen, or as
-    /// `adapters` have numbers; one otherwise.
+    /// `adapters` have numbers; one otherwise. Of a GPU, `auto` asks that it pass a small check.
     ///
     /// # Errors
-    /// A [`GpuError`] where a GPU was asked for and there is none, or not for this precision.
-    pub fn open(self, precision: Precision, adapters: &[usize]) -> Result<Vec<Backend>, GpuError> {
-        match self {
-            Choice::Cpu => Ok(vec![Backend::Cpu]),
-            Choice::Reference => Ok(vec![Backend::Reference]),
-            Choice::Gpu => gpus(&adapter::choose(precision, adapters)?),
-            Choice::Auto if !adapters.is_empty() => gpus(&adapter::choose(precision, adapters)?),
-            Choice::Auto => match adapter::choose(precision, &[]) {
-                Ok(chosen) if !adapter::is_software(&chosen[0]) => gpus(&chosen),
-                _ => Ok(vec![Backend::Cpu]),
-            },
-        }
+    /// A [`GpuError`] where a GPU was asked for and there is none, or not for this precision, or it
+    /// gives no device.
+    pub fn open(self, precision: Precision, adapters: &[usize]) -> Result<Opened, GpuError> {
+        let backends = match self {
+            Choice::Cpu => vec![Backend::Cpu],
+            Choice::Reference => vec![Backend::Reference],
+            Choice::Auto if adapters.is_empty() => return Ok(a_real_gpu_or_the_cpu(precision)),
+            Choice::Gpu | Choice::Auto => {
+                let chosen = adapter::choose(precision, adapters)?;
+                chosen
+                    .iter()
+                    .map(|adapter| Gpu::open(adapter).map(gpu))
+                    .collect::<Result<_, _>>()?
+            }
+        };
+        Ok(Opened { backends, passed_over: Vec::new() })
     }
 }
 
-fn gpus(adapters: &[Adapter]) -> Result<Vec<Backend>, GpuError> {
-    adapters.iter().map(|adapter| Ok(Backend::Gpu(Box::new(Gpu::open(adapter)?)))).collect()
+/// The first kind of real GPU of which one at least computes; the CPU where none does.
+fn a_real_gpu_or_the_cpu(precision: Precision) -> Opened {
+    let mut passed_over = Vec::new();
+    for kind in adapter::real_kinds(precision) {
+        let mut backends = Vec::new();
+        for adapter in kind {
+            match Gpu::open(&adapter).and_then(|gpu| gpu.check(precision).map(|()| gpu)) {
+                Ok(able) => backends.push(gpu(able)),
+                Err(error) => passed_over.push(error),
+            }
+        }
+        if !backends.is_empty() {
+            return Opened { backends, passed_over };
+        }
+    }
+    Opened { backends: vec![Backend::Cpu], passed_over }
+}
+
+fn gpu(gpu: Gpu) -> Backend {
+    Backend::Gpu(Box::new(gpu))
 }

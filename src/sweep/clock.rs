@@ -33,8 +33,6 @@ pub struct Resolution {
     steps_a_yield: f64,
     /// All steps that follow from these are divided by it.
     divide: f64,
-    /// Uplifts, impacts and overturnings are switched where they happen, not at the step's end.
-    pub in_step: bool,
     /// Steps are cut at the kinks of the Bouc-Wen law.
     pub kinks: bool,
 }
@@ -50,7 +48,6 @@ impl Resolution {
             steps_a_pulse: STEPS_A_PULSE,
             steps_a_yield: 1.0,
             divide: 1.0,
-            in_step: true,
             kinks: true,
         }
     }
@@ -70,12 +67,6 @@ impl Resolution {
     /// The same with steps taken across the kinks of the Bouc-Wen law.
     pub fn across_kinks(self) -> Resolution {
         Resolution { kinks: false, ..self }
-    }
-
-    /// The same with every switch moved to the end of its step, and kinks stepped across: how not
-    /// to do it.
-    pub fn naive(self) -> Resolution {
-        Resolution { in_step: false, kinks: false, ..self }
     }
 
     /// Steps half as long.

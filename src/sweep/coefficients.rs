@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::bounds::Lever;
 use super::clock::Clock;
 use super::plan::Plan;
 use crate::model::block::{Corner, Model};
@@ -57,6 +58,14 @@ impl Plan {
             inverse_mu_v: inverse(self.mu_v),
             least_arm: R::of(block.arm(1.0).min(block.arm(-1.0))),
             topple_energy: R::of(GRAVITY * (radius(1.0).min(radius(-1.0)) - block.height)),
+            impact_gain: R::of(self.impact_gain()),
+            normal_share: R::of(self.normal_share()),
+            normal_by_shear: R::of((1.0 - self.mu_v) * self.most_pq()),
+            normal_by_turn: R::of((1.0 - self.mu_v) * self.most_by_turn(Lever::Height)),
+            shear_by_normal: R::of((1.0 - self.mu_h) * self.most_pq()),
+            shear_by_turn: R::of((1.0 - self.mu_h) * self.most_by_turn(Lever::Arm)),
+            padding_0: R::of(0.0),
+            padding_1: R::of(0.0),
         }
     }
 
@@ -71,7 +80,7 @@ impl Plan {
             let (h2, b2) = (self.scene.block.height * self.scene.block.height, b * b);
             (TAU / t_h).powi(2) * (1.0 + self.mu_h * (h2 + b2) / self.swing_inertia(b))
         });
-        let longest = if law.psi < 1.0 {
+        let longest = if self.has_hysteretic_variable() {
             let yield_time = law.alpha_y * t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)
         } else {
@@ -102,8 +111,7 @@ impl Plan {
     fn swing_inertia(&self, b: f64) -> f64 {
         let block = &self.scene.block;
         let radius2 = block.height * block.height + b * b;
-        let least =
-            block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
+        let least = block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
         self.impact_inertia(b).min(least)
     }
 
@@ -134,7 +142,9 @@ impl Plan {
         // oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
         let (steps_forced, substeps) = match &self.scene.excitation {
-            Excitation::Pulse(_) => ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0),
+            Excitation::Pulse(_) => {
+                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
+            }
             Excitation::Record(pair) => {
                 let substeps = (pair.dt / longest).ceil().max(1.0);
                 (substeps * (pair.len() - 1) as f64, substeps)

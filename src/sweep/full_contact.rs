@@ -13,23 +13,25 @@ use rayon::prelude::*;
 use super::cell_tables::Place;
 use super::plan::Plan;
 use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, PEAK, VELOCITY};
+use super::tracks::{CREST, LOWEST, QUARTERS_H, QUARTERS_V, TROUGH, VERTICAL_FIELDS};
 use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
-use super::tracks::{LOWEST, VERTICAL_FIELDS};
-use crate::integrate::state::State;
-use crate::integrate::switching::advance;
-use crate::model::Setting;
+use crate::model::CellEquations;
 use crate::model::block::{FULL_CONTACT, pivot};
 use crate::model::dynamics::{Motion, rates};
-use crate::model::excitation::{Ground, ground_at};
+use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Point};
+use crate::stepping::forcing::ground_at;
+use crate::stepping::rk4::hermite;
+use crate::stepping::single::Single;
+use crate::stepping::state::State;
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
 /// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
 /// 80 steps a period leave 8e-4.
-const CREST: f64 = 2.0e-3;
+const SLACK: f64 = 2.0e-3;
 
 /// A motion in one direction, sample by sample.
 struct Track<R> {
@@ -40,6 +42,10 @@ struct Track<R> {
     /// Bounds of it from each sample to the next.
     least: Vec<R>,
     most: Vec<R>,
+    /// It after one, two and three quarters of each gap.
+    quarters: [Vec<R>; 3],
+    /// Its largest magnitude (of v its least) in each gap, crests between steps included.
+    crest: Vec<R>,
     /// Largest |u| or |v| up to each sample, m.
     peak: Vec<R>,
     /// Least of the acceleration up to each sample.
@@ -160,6 +166,10 @@ fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
         motions.fill(HIGHEST, number, track.highest.iter().copied());
         motions.fill(DEEPEST, number, track.deepest.iter().copied());
         motions.fill(STRONGEST, number, track.strongest.iter().copied());
+        motions.fill(CREST, number, track.crest.iter().copied());
+        for (quarter, values) in track.quarters.iter().enumerate() {
+            motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
+        }
     }
     motions
 }
@@ -175,6 +185,10 @@ fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
         motions.fill(LEAST, number, track.least.iter().copied());
         motions.fill(PEAK, number, track.peak.iter().copied());
         motions.fill(LOWEST, number, track.lowest.iter().copied());
+        motions.fill(TROUGH, number, track.crest.iter().copied());
+        for (quarter, values) in track.quarters.iter().enumerate() {
+            motions.fill(QUARTERS_V + quarter, number, values.iter().copied());
+        }
     }
     motions
 }
@@ -190,8 +204,8 @@ impl<R: Real> Track<R> {
         let mut model = plan.model::<R>();
         // No lever arm lifts: the uplift moments (14) are zero.
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (cell, mut state) = plan.cell::<R>(point);
-        let set = Setting { variant, model: &model, cell: &cell, record };
+        let (cell, state) = plan.cell::<R>(point);
+        let set = CellEquations { variant, model: &model, cell: &cell, record };
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
         let mut track = Track {
             motion: Vec::with_capacity(count),
@@ -200,21 +214,41 @@ impl<R: Real> Track<R> {
             most: Vec::with_capacity(count),
             peak: Vec::with_capacity(count),
             lowest: Vec::with_capacity(count),
+            quarters: [(); 3].map(|()| Vec::with_capacity(count)),
+            crest: Vec::with_capacity(count),
             highest: Vec::new(),
             deepest: Vec::new(),
             strongest: Vec::new(),
         };
-        let acceleration = |state: &State<R>| {
-            // The last step's end belongs to it.
-            let (step, fraction) = match state.step {
-                step if step < cell.steps_forced => (step, 0.0),
-                _ => (cell.steps_forced - 1, 1.0),
-            };
+        let of = |motion: &Motion<R>, step: u32, fraction: R| {
             let corner = pivot(&model, FULL_CONTACT);
-            let ground = ground_at(&set, step, R::of(fraction));
-            let k = rates(&set, &corner, false, &state.motion, ground);
-            if direction == Direction::Horizontal { k.shear } else { k.normal }
+            let k = rates(&set, &corner, false, motion, ground_at(&set, step, fraction));
+            (if direction == Direction::Horizontal { k.shear } else { k.normal }, k)
         };
+        let acceleration = |state: &State<R>| match state.step {
+            step if step < cell.steps_forced => of(&state.motion, step, R::of(0.0)).0,
+            // The last step's end belongs to it.
+            _ => of(&state.motion, cell.steps_forced - 1, R::of(1.0)).0,
+        };
+        // Between a step's ends by the cubic through them.
+        let between = |before: &State<R>, after: &State<R>, fraction: R| {
+            let (y0, y1, h) = (&before.motion, &after.motion, cell.step_forced);
+            let k0 = of(y0, before.step, R::of(0.0)).1;
+            let k1 = of(y1, before.step, R::of(1.0)).1;
+            let at = |x0, slope0, x1, slope1| hermite(x0, h * slope0, x1, h * slope1, fraction);
+            let motion = Motion {
+                u: at(y0.u, k0.du, y1.u, k1.du),
+                du: at(y0.du, k0.ddu, y1.du, k1.ddu),
+                v: at(y0.v, k0.dv, y1.v, k1.dv),
+                dv: at(y0.dv, k0.ddv, y1.dv, k1.ddv),
+                z: at(y0.z, k0.dz, y1.z, k1.dz),
+                ..*y0
+            };
+            of(&motion, before.step, fraction).0
+        };
+        let mut nobody = ();
+        let mut single = Single::new(&set, &state, &mut nobody);
+        let mut state = state;
         let mut now = acceleration(&state);
         let mut lowest = now;
         for sample in 0..count {
@@ -227,8 +261,19 @@ impl<R: Real> Track<R> {
                 break;
             }
             let (mut least, mut most, mut change) = (now, now, R::of(0.0));
-            for _ in 0..cell.substeps {
-                advance(&set, &mut state, &mut ());
+            single.forget_contact();
+            for part in 0..cell.substeps {
+                let before = state;
+                single.step();
+                state = single.state();
+                for quarter in 1..=3_u32 {
+                    let place = f64::from(quarter) / 4.0 * f64::from(cell.substeps);
+                    if place.floor() as u32 == part {
+                        let fraction = R::of(place - f64::from(part));
+                        let value = between(&before, &state, fraction);
+                        track.quarters[quarter as usize - 1].push(value);
+                    }
+                }
                 let next = acceleration(&state);
                 change = change.max((next - now).abs());
                 if next < least {
@@ -237,10 +282,16 @@ impl<R: Real> Track<R> {
                 most = most.max(next);
                 now = next;
             }
-            if least < lowest {
-                lowest = least;
+            // With the other direction locked the friction asked for is |X|/g.
+            let crest = match direction {
+                Direction::Horizontal => state.friction * model.gravity,
+                Direction::Vertical => state.min_contact,
+            };
+            track.crest.push(crest);
+            if crest < lowest {
+                lowest = crest;
             }
-            let slack = change + R::of(CREST) * most.abs().max(least.abs());
+            let slack = change + R::of(SLACK) * most.abs().max(least.abs());
             track.least.push(least - slack);
             track.most.push(most + slack);
         }
@@ -254,7 +305,7 @@ impl<R: Real> Track<R> {
         };
         track.highest = largest(&mut track.most.iter().copied());
         track.deepest = largest(&mut track.least.iter().map(|&least| -least));
-        track.strongest = largest(&mut track.acceleration.iter().map(|x| x.abs()));
+        track.strongest = largest(&mut track.crest.iter().copied());
         track
     }
 }

@@ -110,7 +110,8 @@ impl Plan {
             group.post_yield = R::of(base.psi * omega_h * omega_h);
             group.hysteretic = R::of((1.0 - base.psi) * yield_force);
             group.damping_h = R::of(2.0 * base.xi_h * omega_h);
-            group.reach_h = R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h).sqrt());
+            group.reach_h =
+                R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / self.free_share_h()).sqrt());
             let u_y = yield_force / (omega_h * omega_h);
             group.yield_energy = R::of((1.0 - base.psi) * yield_force * u_y);
             // Without horizontal excitation u_y is zero, and so is the force that z carries.
@@ -132,7 +133,8 @@ impl Plan {
             group.stiffness_v = R::of(omega_v * omega_v);
             group.damping_v = R::of(2.0 * base.xi_v * omega_v);
             group.deflection = R::of(GRAVITY / (omega_v * omega_v));
-            group.reach_v = R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v).sqrt());
+            group.reach_v =
+                R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / self.free_share_v()).sqrt());
         }
         let Vertical { stiffness_v, damping_v, deflection, reach_v, .. } = group;
         group.sound = flag(finite([stiffness_v, damping_v, deflection, reach_v]));

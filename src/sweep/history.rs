@@ -1,14 +1,17 @@
 //! The motion of one cell, step by step.
 
-use crate::integrate::outcome::Outcome;
-use crate::integrate::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
-use crate::integrate::reference::{self, Settings};
-use crate::integrate::state::{RUNNING, State};
-use crate::integrate::switching::{Log, advance};
-use crate::model::Setting;
+use std::cell::RefCell;
+
+use crate::model::CellEquations;
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
 use crate::scene::{Point, Scene};
+use crate::stepping::log::Log;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
+use crate::stepping::reference::{self, Settings};
+use crate::stepping::single::Single;
+use crate::stepping::state::State;
 
 use super::clock::Clock;
 use super::plan::Plan;
@@ -39,13 +42,13 @@ pub struct Row {
 /// Rows at the switches of a cell.
 struct Switches<'a> {
     clock: &'a Clock,
-    rows: &'a mut Vec<Row>,
+    rows: &'a RefCell<Vec<Row>>,
 }
 
 impl<R: Real> Log<R> for Switches<'_> {
     fn switched(&mut self, _: u32, fraction: R, state: &State<R>) {
         let t = self.clock.time(state.step, fraction.to_f64());
-        self.rows.push(row(t, state));
+        self.rows.borrow_mut().push(row(t, state));
     }
 }
 
@@ -65,16 +68,22 @@ pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
     let clock = plan.clock(point);
     let (cell, mut state) = plan.cell::<R>(point);
     let record = plan.record::<R>();
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &record };
-    let mut rows = vec![row(0.0, &state)];
-    while state.status == RUNNING {
-        let before = state.step;
-        advance(&set, &mut state, &mut Switches { clock: &clock, rows: &mut rows });
-        if state.step > before {
-            rows.push(row(clock.time(state.step, 0.0), &state));
+    let set =
+        CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+    let rows = RefCell::new(vec![row(0.0, &state)]);
+    let mut switches = Switches { clock: &clock, rows: &rows };
+    let mut single = Single::new(&set, &state, &mut switches);
+    loop {
+        let goes_on = single.step();
+        state = single.state();
+        if goes_on || state.step == cell.steps {
+            rows.borrow_mut().push(row(clock.time(state.step, 0.0), &state));
+        }
+        if !goes_on {
+            break;
         }
     }
-    (rows, plan.outcome(point, &state))
+    (rows.take(), plan.outcome(point, &state))
 }
 
 /// The motion by the reference: a row a step of its own choice, and one a switch.

@@ -8,27 +8,13 @@ use fearless_simd::{Level, dispatch};
 
 use super::cells::Cells;
 use super::plan::Plan;
-use crate::integrate::lanes::leg::MOST_STEPS;
-use crate::integrate::lanes::{Feed, Job, Lanes, Shared};
-use crate::integrate::outcome::Outcome;
 use crate::model::real::Real;
-use crate::scene::{Excitation, Grid};
+use crate::scene::Grid;
+use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
+use crate::stepping::outcome::Outcome;
 
 /// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
 const BATCH: usize = 64;
-
-/// True where lanes can run a plan: switches happen in their steps, and a pulse has no more steps
-/// than the number types count without loss.
-pub fn can_run(plan: &Plan) -> bool {
-    let counted = match plan.scene.excitation {
-        Excitation::Pulse(_) => {
-            let clock = plan.clock(&Grid::of(&plan.scene).extreme());
-            clock.steps_forced <= MOST_STEPS
-        }
-        Excitation::Record(_) => true,
-    };
-    plan.variant().in_step && counted
-}
 
 /// A sweep's cells.
 struct Sweep<'a> {
@@ -119,7 +105,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
             batch: 0..0,
             ended: Vec::with_capacity(BATCH),
         };
-        dispatch!(level, simd => Lanes::new(shared, R::of(0.0).lanes(simd)).run(&mut belt));
+        dispatch!(level, simd => Lanes::new(shared, R::of(0.0).lanes(simd), ()).run(&mut belt));
         belt.deliver();
     });
     outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)

@@ -2,6 +2,7 @@
 
 pub mod backend;
 pub mod begin;
+mod bounds;
 pub mod cell_tables;
 pub mod cells;
 pub mod choice;

@@ -182,18 +182,24 @@ impl Plan {
         }
     }
 
+    /// True where z is integrated. Where psi = 1 it has no part in any force; the full model carries it
+    /// all the same, and must resolve it.
+    pub(super) fn has_hysteretic_variable(&self) -> bool {
+        let linear = self.reductions.linear;
+        self.scene.isolation.horizontal.is_some_and(|law| law.psi < 1.0 || !linear)
+    }
+
     /// What the scene switches on.
     pub fn variant(&self) -> Variant {
         let base = &self.scene.isolation;
-        let yields = base.horizontal.is_some_and(|law| law.psi < 1.0);
+        let yields = self.has_hysteretic_variable();
         Variant {
             recorded: matches!(self.scene.excitation, Excitation::Record(_)),
             isolated_h: base.horizontal.is_some(),
             isolated_v: base.vertical.is_some(),
             kinks: self.resolution.kinks && yields,
-            yields: base.horizontal.is_some() && (yields || !self.reductions.linear),
+            yields,
             certificate: self.reductions.certificate,
-            in_step: self.resolution.in_step,
             bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
         }
     }

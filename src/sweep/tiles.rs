@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use super::backend::Swept;
 use super::gpu::GpuError;
-use crate::integrate::outcome::Outcome;
+use crate::stepping::outcome::Outcome;
 
 /// What sweeps the cells of a tile: a backend with its plan, or in a test its double.
 pub type Worker<'a> = Box<dyn Fn(Range<usize>) -> Result<Swept, GpuError> + Sync + 'a>;

@@ -17,6 +17,8 @@ pub const LEAST: usize = 3;
 pub const PEAK: usize = 4;
 /// Of v: least of the acceleration up to each sample.
 pub const LOWEST: usize = 5;
+/// Of v: least of the acceleration from each sample to the next, crests between steps included.
+pub const TROUGH: usize = 6;
 /// Of u: z.
 pub const HYSTERETIC: usize = 5;
 /// Of u: upper bound of the acceleration from each sample to the next.
@@ -25,12 +27,19 @@ pub const MOST: usize = 6;
 pub const HIGHEST: usize = 7;
 /// Of u: largest lower bound turned about, up to and with each gap.
 pub const DEEPEST: usize = 8;
-/// Of u: largest magnitude of the acceleration up to and with each sample.
+/// Of u: largest magnitude of the acceleration up to and with each gap.
 pub const STRONGEST: usize = 9;
+/// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
+/// included.
+pub const CREST: usize = 10;
+/// Of v: the acceleration after the first quarter of each gap; two quarters more follow.
+pub const QUARTERS_V: usize = 7;
+/// Of u: the same.
+pub const QUARTERS_H: usize = 11;
 /// Quantities of a motion of v.
-pub const VERTICAL_FIELDS: usize = 6;
+pub const VERTICAL_FIELDS: usize = 10;
 /// Quantities of a motion of u.
-pub const HORIZONTAL_FIELDS: usize = 10;
+pub const HORIZONTAL_FIELDS: usize = 14;
 
 /// The motions of one direction.
 #[derive(Debug)]
@@ -45,11 +54,7 @@ pub struct Motions<R> {
 
 impl<R: Real> Motions<R> {
     /// Place for motions of these lengths.
-    pub fn new(
-        fields: usize,
-        lengths: impl Iterator<Item = usize>,
-        strides: Place,
-    ) -> Motions<R> {
+    pub fn new(fields: usize, lengths: impl Iterator<Item = usize>, strides: Place) -> Motions<R> {
         let mut first = vec![0];
         let mut samples = 0;
         for length in lengths {

@@ -5,10 +5,10 @@ use std::io;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::integrate::outcome::{Class, Outcome};
-use crate::integrate::reference::{self, Settings};
 use crate::map::outcomes::{BLOCK, Column, Outcomes};
 use crate::scene::Grid;
+use crate::stepping::outcome::{Class, Outcome};
+use crate::stepping::reference::{self, Settings};
 
 use super::plan::Plan;
 

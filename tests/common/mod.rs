@@ -3,13 +3,16 @@
 #![allow(dead_code, clippy::unwrap_used)] // each test binary uses a part of it
 
 use std::io::Write;
+use std::sync::LazyLock;
 
-use topple::integrate::outcome::Outcome;
-use topple::integrate::reference::{self, Settings};
+use assert_cmd::Command;
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Precision;
+use topple::sweep::gpu::GpuError;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
 
@@ -63,13 +66,18 @@ pub fn say(line: &str) {
 }
 
 /// The adapter to test the shader on. Without one the test is skipped, and says so; where
-/// TOPPLE_REQUIRE_ADAPTER is set, that is a failure.
+/// TOPPLE_REQUIRE_ADAPTER is set, that is a failure. An adapter without f64 is there all the same: what
+/// is of f64 is skipped on it.
 pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
     match adapter::best(precision).and_then(|adapter| Gpu::open(&adapter)) {
         Ok(gpu) => {
             let d = &gpu.description;
             say(&format!("{test} ({precision:?}): adapter {} ({}, {})", d.name, d.kind, d.api));
             Some(gpu)
+        }
+        Err(error @ GpuError::NoF64(_)) => {
+            say(&format!("{test} ({precision:?}): SKIPPED, {error}"));
+            None
         }
         Err(error) => {
             let required = std::env::var_os("TOPPLE_REQUIRE_ADAPTER").is_some();
@@ -78,6 +86,21 @@ pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
             None
         }
     }
+}
+
+/// The lines that topple wrote to stderr, without those of a driver: some have a word to say to every
+/// program that looks at them.
+pub fn own_lines(stderr: &str) -> Vec<String> {
+    static DRIVERS: LazyLock<Vec<String>> = LazyLock::new(|| {
+        // A command that says nothing itself but where it fails.
+        let run = Command::cargo_bin("topple").unwrap().arg("adapters").assert().success();
+        lines(&String::from_utf8_lossy(&run.get_output().stderr))
+    });
+    lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
+}
+
+fn lines(text: &str) -> Vec<String> {
+    text.lines().map(String::from).collect()
 }
 
 /// A file of the strong-motion records that TOPPLE_RECORDS names the directory of. They are not

@@ -88,8 +88,8 @@ fn horizontal_isolation_alone_has_the_range_too() {
 #[test]
 fn the_least_amplitude_is_a_boundary() {
     use topple::figures::marks::along;
-    use topple::integrate::reference::{self, Settings};
     use topple::scene::Range;
+    use topple::stepping::reference::{self, Settings};
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "1:7:3", "0.1:12:240");
     for least in boundary::least(&scene, &swept(&scene)) {
         let judge = |a_h: f64| {

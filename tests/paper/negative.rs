@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use topple::figures::shares::{self, Shares};
-use topple::integrate::outcome::Class;
+use topple::stepping::outcome::Class;
 
 use super::common::say;
 use super::{Ran, along_path, at, counted, ran, sequence, swept};

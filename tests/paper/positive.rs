@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use topple::integrate::outcome::Class;
 use topple::scene::{Excitation, Grid};
+use topple::stepping::outcome::Class;
 
 use super::common::say;
 use super::{Ran, along_path, at, counted, ran, sequence};
@@ -160,7 +160,7 @@ fn path_1() {
     let path = along_path("fig12", 1);
     let omega = 3.0;
     // From below: green, red about the right corner, many impacts, one, red about the left.
-    let kind = |cell: &topple::integrate::outcome::Outcome| match (cell.class, cell.impacts) {
+    let kind = |cell: &topple::stepping::outcome::Outcome| match (cell.class, cell.impacts) {
         (Class::OverturnedRight, 0) => 1,
         (Class::OverturnedRight, 1) if cell.uplifts < 2 => 3,
         (Class::OverturnedRight, _) => 2,

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use topple::figures::shares::Shares;
-use topple::integrate::outcome::{Class, Outcome};
 use topple::scene::Range;
+use topple::stepping::outcome::{Class, Outcome};
 
 use super::common::{record, say};
 use super::{Ran, figure, swept};

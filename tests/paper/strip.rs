@@ -1,12 +1,12 @@
 //! The strip of overturning at very small T_v (section 4.2), and what rests between impacts do.
 
-use topple::integrate::outcome::Outcome;
-use topple::integrate::reference::{self, Settings};
-use topple::integrate::state::RUNNING;
-use topple::model::Setting;
+use topple::model::CellEquations;
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::{self, Settings};
+use topple::stepping::single;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::cpu::{self, sweep_cell};
+use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
 
 use super::common::{all, object, say, synthetic_pair, under};
@@ -96,10 +96,8 @@ fn a_start_in_free_fall_paints_no_strip() {
                 let (cell, mut state) = plan.cell::<f64>(&point);
                 state.motion.v = 0.0;
                 let variant = plan.variant();
-                let set = Setting { variant, model: &model, cell: &cell, record: &record };
-                while state.status == RUNNING {
-                    sweep_cell(&set, &mut state, 1 << 20, &mut ());
-                }
+                let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
+                let state = single::run(&set, &state, &mut ());
                 plan.outcome(&point, &state)
             })
             .collect();

@@ -1,8 +1,8 @@
 //! The hysteretic law where it is not smooth, and where it is stiff.
 
 use topple::chart::fit::slope;
-use topple::integrate::outcome::Class;
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Class;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::history::{by_reference, by_steps};
 use topple::sweep::plan::Plan;

@@ -1,10 +1,10 @@
 //! Beside the boundaries between outcomes, where no method is right for ever.
 
 use rayon::prelude::*;
-use topple::integrate::outcome::{Class, Outcome, Status};
-use topple::integrate::reference::{self, Settings};
 use topple::model::real::Real;
 use topple::scene::{Grid, Range, Scene};
+use topple::stepping::outcome::{Class, Outcome, Status};
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;

@@ -2,11 +2,12 @@
 
 use topple::chart::SWITCHES;
 use topple::chart::truth::{Kind, Seen, by_reference, of_events};
-use topple::integrate::outcome::{Class, Status};
-use topple::integrate::reference::Settings;
-use topple::integrate::state::State;
-use topple::integrate::switching::{IMPACT, Log};
 use topple::scene::{GRAVITY, Grid, Scene};
+use topple::stepping::guards::IMPACT;
+use topple::stepping::log::Log;
+use topple::stepping::outcome::{Class, Status};
+use topple::stepping::reference::Settings;
+use topple::stepping::state::State;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
@@ -90,7 +91,10 @@ fn many_crossings_in_one_step() {
     let right = true_switches(&scene);
     let h = 1.0 / 16.0;
     let in_step = worst_time(&switches(&scene, Resolution::exactly(h)), &right);
-    let naive = switches(&scene, Resolution::exactly(h).naive());
+    let plan = Plan::resolved(&scene, Resolution::exactly(h).across_kinks()).unwrap();
+    let grid = Grid::of(&scene);
+    let (_, events) = topple::chart::naive::sweep(&plan, &grid, &[0], SWITCHES);
+    let naive = of_events(&events, &plan.clock(&grid.point(0)));
     let late = naive[1].t - right[1].t;
     say(&format!(
         "many_crossings_in_one_step: {} in {:.2} s with steps of 1/16 s: within {in_step:.0e} s; naive {late:.2} s late",
@@ -156,7 +160,7 @@ fn grazing_impact() {
             "[pulse]\nomega = 6.0\na_h = {a_h}\n[run]\nt_max = 0.75\ntilt = 0.08\n"
         ))
     };
-    let lands = |cell: topple::integrate::outcome::Outcome| cell.impacts > 0;
+    let lands = |cell: topple::stepping::outcome::Outcome| cell.impacts > 0;
     // The pulse pushes the falling block back up where it is strong enough.
     let touch = limit(0.0, 6.0, 1e-13, |a_h| lands(truth(&scene(a_h))));
     let agree = |relative: f64| {
@@ -188,7 +192,7 @@ impl Log<f64> for Impacts {
 fn impacts(
     scene: &Scene,
     rest_speed: Option<f64>,
-) -> (Vec<f64>, topple::integrate::outcome::Outcome) {
+) -> (Vec<f64>, topple::stepping::outcome::Outcome) {
     // All impacts, also those after the last that matters.
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let step = plan.clock(&Grid::of(scene).point(0)).step_free;
@@ -300,7 +304,7 @@ fn both_uplift_inequalities_at_once() {
         cells_in_all += grid.len();
         for (index, cell) in cells.iter().enumerate() {
             let right =
-                topple::integrate::reference::run(&map, &grid.point(index), &Settings::default());
+                topple::stepping::reference::run(&map, &grid.point(index), &Settings::default());
             assert_eq!(
                 (cell.class, cell.impacts),
                 (right.class, right.impacts),

@@ -14,16 +14,17 @@ mod numbers;
 mod restitution;
 mod stiffness;
 
-use topple::integrate::outcome::Outcome;
-use topple::integrate::reference::{self, Settings};
-use topple::integrate::state::{RUNNING, State};
-use topple::integrate::switching::Log;
-use topple::model::Setting;
+use topple::model::CellEquations;
 use topple::model::excitation::Cell;
 use topple::model::real::Real;
 use topple::scene::{Grid, Scene};
+use topple::stepping::log::Log;
+use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::{self, Settings};
+use topple::stepping::single;
+use topple::stepping::state::State;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::cpu::{self, sweep_cell};
+use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
 
 /// The first cell of a scene with steps as they are asked for, all of it simulated.
@@ -72,10 +73,9 @@ fn altered<R: Real>(
     let record = plan.record::<R>();
     let (mut cell, mut state) = plan.cell::<R>(&point);
     alter(&mut cell, &mut state);
-    let set = Setting { variant: plan.variant(), model: &model, cell: &cell, record: &record };
-    while state.status == RUNNING {
-        sweep_cell(&set, &mut state, 1 << 20, log);
-    }
+    let set =
+        CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+    let state = single::run(&set, &state, log);
     plan.outcome(&point, &state)
 }
 

@@ -1,9 +1,9 @@
 //! Numbers that are none, at each stage of the way.
 
-use topple::integrate::outcome::{Class, Outcome, Status};
 use topple::model::real::Real;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
@@ -122,7 +122,7 @@ fn in_cells_of<R: Real>() {
                         *number = R::of(bad);
                     }
                 }
-                topple::integrate::state::check_cell(cell, state);
+                topple::stepping::state::check_cell(cell, state);
             });
             unresolved(&format!("number {place} of a cell is {bad}"), &cell);
         }

@@ -1,7 +1,7 @@
 //! What 32 bits hold, and what they do not.
 
-use topple::integrate::outcome::Class;
 use topple::scene::{GRAVITY, Grid, Scene};
+use topple::stepping::outcome::Class;
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::run::Sweeper;

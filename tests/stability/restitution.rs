@@ -1,8 +1,8 @@
 //! The law of impact at its limits.
 
-use topple::integrate::outcome::Class;
-use topple::integrate::reference::{self, Settings};
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Class;
+use topple::stepping::reference::{self, Settings};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 

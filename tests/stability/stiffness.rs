@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use topple::integrate::outcome::Class;
 use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Class;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 

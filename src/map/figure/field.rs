@@ -11,7 +11,7 @@ use super::labels::Labels;
 use super::overturning::hatched;
 use super::raster::png;
 use super::{FigureError, tick};
-use crate::integrate::outcome::{Class, Outcome};
+use crate::stepping::outcome::{Class, Outcome};
 
 /// A value that is drawn over the grid.
 #[derive(Debug, Clone, Copy)]

@@ -10,7 +10,7 @@ use super::frame::{Area, Drawn, at, outline, stroke, text};
 use super::overturning::hatch_labels;
 use super::raster::png;
 use super::{FigureError, tick};
-use crate::integrate::outcome::{Class, Outcome, Status};
+use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;

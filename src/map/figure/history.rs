@@ -6,8 +6,8 @@ use super::FigureError;
 use super::document::compose;
 use super::frame::{Drawn, FINE, area, at, caption, stroke, text};
 use super::tick;
-use crate::integrate::outcome::Outcome;
 use crate::scene::{Excitation, Point, Scene};
+use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
 
 const SIZE: (u32, u32) = (960, 820);

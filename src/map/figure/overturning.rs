@@ -12,7 +12,7 @@ use super::frame::{
 };
 use super::palette::Kind;
 use super::raster::png;
-use crate::integrate::outcome::{Class, Outcome};
+use crate::stepping::outcome::{Class, Outcome};
 
 /// What a hatch says.
 pub fn hatch_labels(map: &Map) -> [String; 2] {

@@ -1,6 +1,6 @@
 //! Colours of outcomes, after the paper's Figs. 11-14.
 
-use crate::integrate::outcome::{Class, Outcome};
+use crate::stepping::outcome::{Class, Outcome};
 
 /// A class of cells on an overturning map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

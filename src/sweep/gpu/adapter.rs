@@ -1,9 +1,15 @@
 //! The adapters of this machine.
 
-use wgpu::{Adapter, Backends, DeviceType, Features, Instance, InstanceDescriptor};
+#[cfg(any(target_os = "linux", target_os = "freebsd"))]
+use std::ffi::CStr;
+
+use wgpu::{Adapter, Backends, DeviceType, Features, Instance};
 
 use super::super::backend::Precision;
 use super::GpuError;
+
+/// The interfaces that the shader is compiled for.
+const BACKENDS: Backends = Backends::VULKAN.union(Backends::METAL).union(Backends::DX12);
 
 /// What `topple adapters` shows of an adapter.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -36,27 +42,68 @@ impl Description {
             kind: kind.into(),
             api: format!("{:?}", info.backend),
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_string(),
-            f64: adapter.features().contains(Features::SHADER_F64),
+            f64: is_able(adapter, Precision::F64),
         }
     }
 }
 
-/// All adapters that can compute, the most able first.
+/// All adapters that can compute, the most able first: real GPUs before software, then those with f64.
 pub fn all() -> Vec<Adapter> {
-    let backends = Backends::VULKAN | Backends::METAL | Backends::DX12;
-    let mut descriptor = InstanceDescriptor::new_without_display_handle();
-    descriptor.backends = backends;
-    let instance = Instance::new(descriptor);
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let Some(instance) = instance() else { return Vec::new() };
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(BACKENDS));
     adapters.retain(|adapter| adapter.limits().max_compute_workgroup_size_x >= 64);
-    adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
-        DeviceType::DiscreteGpu => 0,
-        DeviceType::IntegratedGpu => 1,
-        DeviceType::VirtualGpu => 2,
-        DeviceType::Other => 3,
-        DeviceType::Cpu => 4,
+    adapters.sort_by_key(|adapter| {
+        let kind = match adapter.get_info().device_type {
+            DeviceType::DiscreteGpu => 0,
+            DeviceType::IntegratedGpu => 1,
+            DeviceType::VirtualGpu => 2,
+            DeviceType::Other => 3,
+            DeviceType::Cpu => 4,
+        };
+        (kind, !is_able(adapter, Precision::F64))
     });
     adapters
+}
+
+/// The way to the drivers: none without a Vulkan loader.
+///
+/// Vulkan is asked for no windows of Wayland or X11. Mesa's layer for choosing a device connects to
+/// the window system of a program that asks for its windows, and libwayland complains on stderr where
+/// XDG_RUNTIME_DIR is not set, as over ssh and in containers.
+#[cfg(any(target_os = "linux", target_os = "freebsd"))]
+fn instance() -> Option<Instance> {
+    use wgpu::hal::{InstanceDescriptor, api::Vulkan, vulkan};
+
+    const WINDOWS: [&CStr; 3] =
+        [c"VK_KHR_wayland_surface", c"VK_KHR_xcb_surface", c"VK_KHR_xlib_surface"];
+    let usual = wgpu::InstanceDescriptor::new_without_display_handle();
+    let descriptor = InstanceDescriptor {
+        name: "topple",
+        flags: usual.flags,
+        memory_budget_thresholds: usual.memory_budget_thresholds,
+        backend_options: usual.backend_options,
+        telemetry: None,
+        display: None,
+    };
+    // SAFETY: wgpu-hal wants the list of extensions whole because it uses what is listed. It uses
+    // these three in `create_surface` alone, and only where they are listed; no surface can be made
+    // of this instance, which does not leave this file.
+    let vulkan = unsafe {
+        vulkan::Instance::init_with_callback(
+            &descriptor,
+            Some(Box::new(|arguments| arguments.extensions.retain(|name| !WINDOWS.contains(name)))),
+        )
+    };
+    // SAFETY: the instance was made above, and nobody else has it.
+    vulkan.ok().map(|vulkan| unsafe { Instance::from_hal::<Vulkan>(vulkan) })
+}
+
+/// The way to the drivers.
+#[cfg(not(any(target_os = "linux", target_os = "freebsd")))]
+fn instance() -> Option<Instance> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = BACKENDS;
+    Some(Instance::new(descriptor))
 }
 
 /// True for an adapter that is a processor in disguise.
@@ -82,22 +129,48 @@ pub fn best(precision: Precision) -> Result<Adapter, GpuError> {
 pub fn choose(precision: Precision, numbers: &[usize]) -> Result<Vec<Adapter>, GpuError> {
     let all = all();
     let Some(best) = all.first() else { return Err(GpuError::NoAdapter) };
-    let able =
-        |a: &&Adapter| precision == Precision::F32 || a.features().contains(Features::SHADER_F64);
-    let chosen: Vec<&Adapter> = if numbers.is_empty() {
-        let first = all.iter().find(able).ok_or_else(|| GpuError::NoF64(best.get_info().name))?;
-        all.iter().filter(|other| unlike(first, other).is_none()).collect()
-    } else {
-        let numbered = |&number: &usize| all.get(number).ok_or(GpuError::NoSuchAdapter(number));
-        numbers.iter().map(numbered).collect::<Result<_, _>>()?
-    };
-    if let Some(unable) = chosen.iter().find(|adapter| !able(adapter)) {
+    if numbers.is_empty() {
+        let name = best.get_info().name;
+        let mut kinds = kinds_of(all, precision);
+        return if kinds.is_empty() {
+            Err(GpuError::NoF64(name))
+        } else {
+            Ok(kinds.swap_remove(0))
+        };
+    }
+    let numbered = |&number: &usize| all.get(number).ok_or(GpuError::NoSuchAdapter(number));
+    let chosen: Vec<&Adapter> = numbers.iter().map(numbered).collect::<Result<_, _>>()?;
+    if let Some(unable) = chosen.iter().find(|adapter| !is_able(adapter, precision)) {
         return Err(GpuError::NoF64(unable.get_info().name));
     }
     match chosen.iter().find_map(|other| unlike(chosen[0], other)) {
         Some(error) => Err(error),
         None => Ok(chosen.into_iter().cloned().collect()),
     }
+}
+
+/// The real GPUs that compute in a precision, those that are alike together, the most able first.
+pub fn real_kinds(precision: Precision) -> Vec<Vec<Adapter>> {
+    let mut kinds = kinds_of(all(), precision);
+    kinds.retain(|kind| !is_software(&kind[0]));
+    kinds
+}
+
+/// The adapters that compute in a precision, those that are alike together; no group is empty.
+fn kinds_of(adapters: Vec<Adapter>, precision: Precision) -> Vec<Vec<Adapter>> {
+    let mut kinds: Vec<Vec<Adapter>> = Vec::new();
+    for adapter in adapters.into_iter().filter(|adapter| is_able(adapter, precision)) {
+        match kinds.iter_mut().find(|kind| unlike(&kind[0], &adapter).is_none()) {
+            Some(kind) => kind.push(adapter),
+            None => kinds.push(vec![adapter]),
+        }
+    }
+    kinds
+}
+
+/// True for an adapter that computes in a precision.
+fn is_able(adapter: &Adapter, precision: Precision) -> bool {
+    precision == Precision::F32 || adapter.features().contains(Features::SHADER_F64)
 }
 
 /// What is wrong with computing one map on two adapters.

@@ -62,7 +62,14 @@ impl Gpu {
         });
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
-        Ok(Gpu { device, queue, description, failure, pipelines: Mutex::default(), slots: Mutex::default() })
+        Ok(Gpu {
+            device,
+            queue,
+            description,
+            failure,
+            pipelines: Mutex::default(),
+            slots: Mutex::default(),
+        })
     }
 
     /// True where the device can tell the time that a pass took.

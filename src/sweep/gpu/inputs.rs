@@ -22,9 +22,9 @@ use super::tile::{OwnClocks, Tile};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 
-/// Gaps between samples that a thread looks through at most: the software driver ends a loop silently
+/// Gaps between samples that a thread looks through twice at most: the software driver ends loops silently
 /// after 65,535 turns.
-const MOST_GAPS: usize = 60_000;
+const MOST_GAPS: usize = 30_000;
 
 /// What all tiles of a sweep share.
 pub struct Inputs<R> {
@@ -93,8 +93,7 @@ impl<R: Real> Inputs<R> {
             tile.shared_contact = 1;
             tile.still = u32::from(tracks.still);
             tile.up_values = tracks.across.values.len() as u32;
-            for (motion, place) in
-                [(&tracks.across, &mut tile.across), (&tracks.up, &mut tile.up)]
+            for (motion, place) in [(&tracks.across, &mut tile.across), (&tracks.up, &mut tile.up)]
             {
                 *place = motions(motion, words.len());
                 words.extend_from_slice(&motion.first);
@@ -146,18 +145,22 @@ impl<R: Real> Inputs<R> {
         let steps = own.map_or(&self.steps, |own| &own.steps);
         refill(gpu, &mut place.clocks, bytemuck::cast_slice(steps));
         let place = &slots.sides[side];
-        let group = bind(gpu, &pipelines.begin, &[
-            (0, self.model.as_entire_binding()),
-            (1, slots.cells.as_entire_binding()),
-            (2, slots.states.as_entire_binding()),
-            (4, slots.tally.as_entire_binding()),
-            (7, slots.running.as_entire_binding()),
-            (8, place.tile.as_entire_binding()),
-            (9, self.numbers.as_entire_binding()),
-            (10, place.clocks.as_entire_binding()),
-            (11, place.words.as_entire_binding()),
-            (12, self.tracks.as_entire_binding()),
-        ]);
+        let group = bind(
+            gpu,
+            &pipelines.begin,
+            &[
+                (0, self.model.as_entire_binding()),
+                (1, slots.cells.as_entire_binding()),
+                (2, slots.states.as_entire_binding()),
+                (4, slots.tally.as_entire_binding()),
+                (7, slots.running.as_entire_binding()),
+                (8, place.tile.as_entire_binding()),
+                (9, self.numbers.as_entire_binding()),
+                (10, place.clocks.as_entire_binding()),
+                (11, place.words.as_entire_binding()),
+                (12, self.tracks.as_entire_binding()),
+            ],
+        );
         (threads, group)
     }
 }

@@ -10,10 +10,10 @@ use super::inputs::Inputs;
 use super::run::Sweeper;
 use super::slots::{SIDES, Slots};
 use super::tile::OwnClocks;
-use crate::integrate::state::State;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::Grid;
+use crate::stepping::state::State;
 
 /// Cells of a tile as a device makes them.
 pub struct Made<R> {

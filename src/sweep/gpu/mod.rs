@@ -1,6 +1,7 @@
 //! The sweep on a GPU, by wgpu: Vulkan, Metal or DX12.
 
 pub mod adapter;
+pub mod check;
 mod chunk;
 pub mod device;
 pub mod inputs;
@@ -35,6 +36,14 @@ pub enum GpuError {
         /// Name of the adapter.
         adapter: String,
         /// What the driver says.
+        reason: String,
+    },
+    /// The device computes something else than it should.
+    #[error("{adapter} failed its first check: {reason}")]
+    FailedCheck {
+        /// Name of the adapter.
+        adapter: String,
+        /// What went wrong.
         reason: String,
     },
     /// The device went away.

@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use super::super::cells::Cells;
 use super::GpuError;
 use super::tile::OwnClocks;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::state::{PROVED, RUNNING, State};
 use crate::model::real::Real;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::{PROVED, RUNNING, State};
 
 /// Cells that a thread reads at once.
 const CHUNK: usize = 1 << 12;
@@ -45,15 +45,11 @@ pub fn read<R: Real>(
             unfinished.fetch_add(1, Ordering::Relaxed);
         }
         match own {
-            Some(own) => {
-                all.reader.outcome(&own.clocks[own.numbers[at] as usize], state)
-            }
+            Some(own) => all.reader.outcome(&own.clocks[own.numbers[at] as usize], state),
             None => all.outcome(cell, state),
         }
     };
-    outcomes.par_extend(
-        states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK),
-    );
+    outcomes.par_extend(states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK));
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(GpuError::Unfinished(some)),

@@ -38,7 +38,6 @@ pub fn compile(
         ("kinks", f64::from(u8::from(variant.kinks))),
         ("yields", f64::from(u8::from(variant.yields))),
         ("certificate", f64::from(u8::from(variant.certificate))),
-        ("in_step", f64::from(u8::from(variant.in_step))),
         ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
         ("workgroup_size", WORKGROUP as f64),
     ];

@@ -11,12 +11,12 @@ use super::pipelines::{Pipelines, compile};
 use super::shader::{self, Switches};
 use super::slots::{SIDES, Slots};
 use super::tiles::Tiles;
-use crate::integrate::log::Event;
-use crate::integrate::outcome::Outcome;
-use crate::integrate::state::State;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::Grid;
+use crate::stepping::log::Event;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::State;
 
 /// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
 const MOST_CELLS: usize = 1 << 18;

@@ -12,7 +12,7 @@ pub enum Switches {
 }
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 14] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 21] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -31,9 +31,16 @@ pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'stat
         ("rk4.wgsl", include_str!("../../../shaders/rk4.wgsl")),
         ("state.wgsl", include_str!("../../../shaders/state.wgsl")),
         log,
-        ("locate.wgsl", include_str!("../../../shaders/locate.wgsl")),
+        ("guards.wgsl", include_str!("../../../shaders/guards.wgsl")),
+        ("forcing.wgsl", include_str!("../../../shaders/forcing.wgsl")),
+        ("extremes.wgsl", include_str!("../../../shaders/extremes.wgsl")),
+        ("cubic.wgsl", include_str!("../../../shaders/cubic.wgsl")),
+        ("search.wgsl", include_str!("../../../shaders/search.wgsl")),
+        ("crossing.wgsl", include_str!("../../../shaders/crossing.wgsl")),
+        ("span.wgsl", include_str!("../../../shaders/span.wgsl")),
         ("switching.wgsl", include_str!("../../../shaders/switching.wgsl")),
         ("certificate.wgsl", include_str!("../../../shaders/certificate.wgsl")),
+        ("turn.wgsl", include_str!("../../../shaders/turn.wgsl")),
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
         ("begin.wgsl", include_str!("../../../shaders/begin.wgsl")),
     ]

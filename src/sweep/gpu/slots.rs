@@ -9,10 +9,10 @@ use wgpu::{Buffer, BufferDescriptor, BufferUsages, QuerySet, QuerySetDescriptor,
 
 use super::device::Gpu;
 use super::pace::Pace;
-use crate::integrate::log::Event;
-use crate::integrate::state::State;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
+use crate::stepping::log::Event;
+use crate::stepping::state::State;
 
 /// Tiles on the device at once: while one has its last long cells to run, the next is begun.
 pub const SIDES: usize = 2;

@@ -1,8 +1,8 @@
-//! The equations as the paper prints them, in masses and forces: (5), (9)-(14), and the balance
-//! of momenta (15), each solved as the linear system that it is.
+//! The equations as the paper prints them, in masses and forces: (5) and (9)-(14), solved as the
+//! linear system that they are.
 //!
 //! Nothing here is shared with [`crate::model`]: not the variables, not the elimination of the
-//! accelerations, not the closed form (16)-(18) of the impact.
+//! accelerations.
 
 use std::f64::consts::TAU;
 
@@ -73,29 +73,29 @@ pub type Phase = Option<Pole>;
 /// One cell of a scene.
 #[derive(Debug, Clone)]
 pub struct System {
-    mass: f64,
-    plate_h: f64,
-    plate_v: f64,
-    inertia: f64,
-    half_width: f64,
-    offset: f64,
-    height: f64,
-    k_h: f64,
-    c_h: f64,
-    k_v: f64,
-    c_v: f64,
-    psi: f64,
-    u_y: f64,
-    n: i32,
-    moves_h: bool,
-    moves_v: bool,
-    restitution: Option<f64>,
-    tilt: f64,
-    overturn: Overturn,
-    omega: f64,
-    a_h: f64,
-    a_v: f64,
-    record: Option<Pair>,
+    pub(super) mass: f64,
+    pub(super) plate_h: f64,
+    pub(super) plate_v: f64,
+    pub(super) inertia: f64,
+    pub(super) half_width: f64,
+    pub(super) offset: f64,
+    pub(super) height: f64,
+    pub(super) k_h: f64,
+    pub(super) c_h: f64,
+    pub(super) k_v: f64,
+    pub(super) c_v: f64,
+    pub(super) psi: f64,
+    pub(super) u_y: f64,
+    pub(super) n: i32,
+    pub(super) moves_h: bool,
+    pub(super) moves_v: bool,
+    pub(super) restitution: Option<f64>,
+    pub(super) tilt: f64,
+    pub(super) overturn: Overturn,
+    pub(super) omega: f64,
+    pub(super) a_h: f64,
+    pub(super) a_v: f64,
+    pub(super) record: Option<Pair>,
 }
 
 impl System {
@@ -193,7 +193,7 @@ impl System {
     }
 
     /// B +- e.
-    fn arm(&self, pole: Pole) -> f64 {
+    pub(super) fn arm(&self, pole: Pole) -> f64 {
         self.half_width + pole.sign() * self.offset
     }
 
@@ -288,18 +288,45 @@ impl System {
         State::from([y[DU], y[DV], y[DPHI], a[0], a[1], a[2], dz])
     }
 
-    /// (14) about a corner: the left side less the right, m/s^2; positive where the block lifts.
-    pub fn uplift(&self, pole: Pole, t: f64, drive: Drive, y: &State) -> f64 {
+    /// X and Y of (14): the accelerations of the block's centre in full contact, gravity in the second.
+    fn pushes(&self, t: f64, drive: Drive, y: &State) -> (f64, f64) {
         let (ug, vg) = self.ground(t, drive);
         let a = self.accelerations(None, t, drive, y);
-        pole.sign() * (a[0] + ug) - self.arm(pole) / self.height * (a[1] + vg + GRAVITY)
+        (a[0] + ug, a[1] + vg + GRAVITY)
     }
 
-    /// Normal and horizontal force between block and base over M, m/s^2, from the acceleration of
-    /// the centre of mass, the second derivative of (6).
+    /// (14) about a corner: the left side less the right, m/s^2; positive where the block lifts.
+    pub fn uplift(&self, pole: Pole, t: f64, drive: Drive, y: &State) -> f64 {
+        let (x, normal) = self.pushes(t, drive, y);
+        pole.sign() * x - self.arm(pole) / self.height * normal
+    }
+
+    /// The larger of both corners' [`uplift`](System::uplift), and its corner. They are moments over
+    /// M H: where both corners lift at the same instant, the larger one decides; of two that are equal
+    /// the left.
+    pub fn lift(&self, t: f64, drive: Drive, y: &State) -> (f64, Pole) {
+        let (x, normal) = self.pushes(t, drive, y);
+        let moment = |pole: Pole| pole.sign() * x - self.arm(pole) / self.height * normal;
+        let (left, right) = (moment(Pole::Left), moment(Pole::Right));
+        if left >= right { (left, Pole::Left) } else { (right, Pole::Right) }
+    }
+
+    /// Normal and horizontal force between block and base over M, m/s^2.
     pub fn contact(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> (f64, f64) {
+        self.contact_of(phase, t, drive, y, &self.accelerations(phase, t, drive, y))
+    }
+
+    /// The same from the accelerations of u, v and phi: from that of the centre of mass, the second
+    /// derivative of (6).
+    pub fn contact_of(
+        &self,
+        phase: Phase,
+        t: f64,
+        drive: Drive,
+        y: &State,
+        a: &Vector3<f64>,
+    ) -> (f64, f64) {
         let (ug, vg) = self.ground(t, drive);
-        let a = self.accelerations(phase, t, drive, y);
         let mut centre = Vector2::new(a[0] + ug, a[1] + vg + GRAVITY);
         if let Some(pole) = phase {
             let (sin, cos) = y[PHI].sin_cos();
@@ -309,82 +336,5 @@ impl System {
             centre += across * a[2] - turned * (y[DPHI] * y[DPHI]);
         }
         (centre[1], centre[0])
-    }
-
-    /// The state after an impact that ends rocking about `before`: (15) solved for the velocities
-    /// after it, with the block going on about the other corner.
-    pub fn impact(&self, before: Pole, y: &State) -> State {
-        let after = before.other();
-        let total_h = self.mass + self.plate_h + self.plate_v;
-        let total_v = self.mass + self.plate_v;
-        let (m, h) = (self.mass, self.height);
-        // Momenta at phi = 0, where C moves by (u' - H phi', v' +- (B +- e) phi'); the angular
-        // one is about the corner after the impact.
-        let lever = after.sign() * self.arm(after);
-        let momenta = |pole: Pole| {
-            let r = pole.sign() * self.arm(pole);
-            let angular = self.inertia + m * (lever * r + h * h);
-            Matrix3::new(total_h, 0.0, -m * h, 0.0, total_v, m * r, -m * h, m * lever, angular)
-        };
-        let velocity = Vector3::new(y[DU], y[DV], y[DPHI]);
-        let mut right = momenta(before) * velocity;
-        let mut matrix = momenta(after);
-        for (row, moves) in [(0, self.moves_h), (1, self.moves_v)] {
-            if !moves {
-                matrix.set_row(row, &nalgebra::RowVector3::zeros());
-                matrix[(row, row)] = 1.0;
-                right[row] = 0.0;
-            }
-        }
-        if let Some(restitution) = self.restitution {
-            matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
-            right[2] = restitution * y[DPHI];
-        }
-        let solved = matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN));
-        let mut landed = *y;
-        landed[PHI] = 0.0;
-        landed.fixed_rows_mut::<3>(DU).copy_from(&solved);
-        landed
-    }
-
-    /// The state after an impact on both corners at once: (15a) and (15b) with no rotation after.
-    pub fn settle(&self, before: Pole, y: &State) -> State {
-        let r = before.sign() * self.arm(before);
-        let mut settled = *y;
-        settled[PHI] = 0.0;
-        settled[DPHI] = 0.0;
-        if self.moves_h {
-            let total = self.mass + self.plate_h + self.plate_v;
-            settled[DU] = (total * y[DU] - self.mass * self.height * y[DPHI]) / total;
-        }
-        if self.moves_v {
-            let total = self.mass + self.plate_v;
-            settled[DV] = (total * y[DV] + self.mass * r * y[DPHI]) / total;
-        }
-        settled
-    }
-
-    /// Mechanical energy, J: kinetic, gravity, and what the springs store; zero on the ground
-    /// with springs at their natural length.
-    pub fn energy(&self, phase: Phase, y: &State) -> f64 {
-        let (m, h) = (self.mass, self.height);
-        let mut centre = Vector2::new(y[DU], y[DV]);
-        let mut rise = 0.0;
-        if let Some(pole) = phase {
-            let (sin, cos) = y[PHI].sin_cos();
-            let r = Vector2::new(pole.sign() * self.arm(pole), h);
-            let turned = Matrix2::new(cos, -sin, sin, cos) * r;
-            centre += Vector2::new(-turned[1], turned[0]) * y[DPHI];
-            rise = turned[1] - h;
-        }
-        let kinetic = 0.5 * self.plate_h * y[DU] * y[DU]
-            + 0.5 * self.plate_v * (y[DU] * y[DU] + y[DV] * y[DV])
-            + 0.5 * m * centre.norm_squared()
-            + 0.5 * self.inertia * y[DPHI] * y[DPHI];
-        let gravity = GRAVITY * ((m + self.plate_v) * y[V] + m * rise);
-        let stored = 0.5 * self.psi * self.k_h * y[U] * y[U]
-            + 0.5 * (1.0 - self.psi) * self.k_h * self.u_y * self.u_y * y[Z] * y[Z]
-            + 0.5 * self.k_v * y[V] * y[V];
-        kinetic + gravity + stored
     }
 }

@@ -1,23 +1,25 @@
-//! Legs: runs of equal steps under a ground of one form, one a lane.
+//! The ground under each lane, a forcing segment at a time: steps of one length under a ground of one
+//! form (the pulse, a gap between two samples of a record, or rest). Twin of `shaders/forcing.wgsl`.
 
-use crate::model::Setting;
+use crate::model::CellEquations;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::model::vector::Vector;
 
-use super::super::certificate::TRIES;
-
-/// Most steps of a leg: numbers of steps that the number type holds without loss.
+/// Most steps of a segment: numbers of steps that the number type holds without loss, with room for
+/// a fraction.
 pub const MOST_STEPS: u32 = 1 << 20;
 
-/// A leg of each lane.
-pub struct Leg<V> {
+/// The forcing segment of each lane.
+pub struct Forcing<V> {
     /// Length of a step, s.
     pub step: V,
     /// Steps done.
     pub done: V,
     /// Steps in all.
     pub steps: V,
+    /// Phase where the segment begins: periods of the pulse, zero for a record.
+    phase_start: V,
     /// Periods of the pulse, or gaps between samples of the record, in one step; zero without
     /// excitation.
     phase_step: V,
@@ -26,18 +28,19 @@ pub struct Leg<V> {
     /// From the sample before to the one after.
     rise: Ground<V>,
     /// Lanes under excitation, a bit each.
-    forced: u64,
+    pub forced: u64,
 }
 
-impl<V: Vector> Leg<V> {
-    /// No leg in any lane.
+impl<V: Vector> Forcing<V> {
+    /// No segment in any lane.
     #[inline(always)]
-    pub fn new(zero: V) -> Leg<V> {
+    pub fn new(zero: V) -> Forcing<V> {
         let ground = Ground { h: zero, v: zero };
-        Leg {
+        Forcing {
             step: zero,
             done: zero,
             steps: zero.like(1.0),
+            phase_start: zero,
             phase_step: zero,
             base: ground,
             rise: ground,
@@ -45,15 +48,15 @@ impl<V: Vector> Leg<V> {
         }
     }
 
-    /// The ground at a fraction of each lane's step: twin of
-    /// [`ground_at`](crate::model::excitation::ground_at).
+    /// The ground at a fraction of each lane's step: the one-sine pulse (22), or the record, linear
+    /// between its samples.
     #[inline(always)]
     pub fn ground(&self, recorded: bool, fraction: V) -> Ground<V> {
         let zero = fraction.like(0.0);
         if self.forced == 0 {
             return Ground { h: zero, v: zero };
         }
-        let phase = (self.done + fraction) * self.phase_step;
+        let phase = self.phase_start + (self.done + fraction) * self.phase_step;
         if recorded {
             return Ground {
                 h: self.base.h + phase * self.rise.h,
@@ -64,36 +67,33 @@ impl<V: Vector> Leg<V> {
         Ground { h: self.base.h * wave, v: self.base.v * wave }
     }
 
-    /// Puts a lane on the leg that its cell is in after `step` steps, fewer than it has in all; the
-    /// leg's first step.
+    /// Puts a lane on the segment that its cell is in after `step` steps, fewer than it has in all;
+    /// the segment's first step.
     #[inline(always)]
-    pub fn begin(&mut self, lane: usize, set: &Setting<V::Element>, step: u32) -> u32 {
+    pub fn begin(&mut self, lane: usize, set: &CellEquations<V::Element>, step: u32) -> u32 {
         let cell = set.cell;
         let zero = V::Element::of(0.0);
         let bit = 1 << lane;
         if step >= cell.steps_forced {
-            let mut steps = (cell.steps - step).min(MOST_STEPS);
-            if set.variant.certificate {
-                // Up to the next try.
-                steps = steps.min(TRIES + 1 - (step & TRIES));
-            }
-            if self.forced & bit != 0 || self.step.lane(lane) != cell.step_free {
-                self.forced &= !bit;
-                self.step.put(lane, cell.step_free);
-                for number in [&mut self.phase_step, &mut self.base.h, &mut self.base.v] {
-                    number.put(lane, zero);
-                }
-                self.rise.h.put(lane, zero);
-                self.rise.v.put(lane, zero);
-            }
+            self.forced &= !bit;
+            self.step.put(lane, cell.step_free);
             self.done.put(lane, zero);
+            let steps = (cell.steps - step).min(MOST_STEPS);
             self.steps.put(lane, V::Element::of(f64::from(steps)));
+            self.phase_start.put(lane, zero);
+            self.phase_step.put(lane, zero);
+            self.base.h.put(lane, zero);
+            self.base.v.put(lane, zero);
+            self.rise.h.put(lane, zero);
+            self.rise.v.put(lane, zero);
             return step;
         }
         self.forced |= bit;
         self.step.put(lane, cell.step_forced);
         self.phase_step.put(lane, cell.phase_step);
-        let (first, steps) = if set.variant.recorded {
+        let first;
+        let steps;
+        if set.variant.recorded {
             let sample = step / cell.substeps;
             let before = set.record[sample as usize];
             let after = set.record[sample as usize + 1];
@@ -101,14 +101,26 @@ impl<V: Vector> Leg<V> {
             self.base.v.put(lane, before.v);
             self.rise.h.put(lane, after.h - before.h);
             self.rise.v.put(lane, after.v - before.v);
-            (sample * cell.substeps, cell.substeps)
+            first = sample * cell.substeps;
+            steps = cell.substeps;
         } else {
             self.base.h.put(lane, cell.amplitude_h);
             self.base.v.put(lane, cell.amplitude_v);
-            (0, cell.steps_forced)
-        };
+            first = step - step % MOST_STEPS;
+            steps = (cell.steps_forced - first).min(MOST_STEPS);
+            self.phase_start.put(lane, V::Element::of(f64::from(first)) * cell.phase_step);
+        }
         self.done.put(lane, V::Element::of(f64::from(step - first)));
         self.steps.put(lane, V::Element::of(f64::from(steps)));
         first
     }
+}
+
+/// The ground at a fraction of a cell's step.
+pub fn ground_at<R: Real>(set: &CellEquations<R>, step: u32, fraction: R) -> Ground<R> {
+    let mut forcing = Forcing::new(R::of(0.0));
+    if step < set.cell.steps_forced {
+        forcing.begin(0, set, step);
+    }
+    forcing.ground(set.variant.recorded, fraction)
 }

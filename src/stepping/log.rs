@@ -2,10 +2,48 @@
 
 use bytemuck::Zeroable;
 
+use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
-use super::switching::{KINK, Log, NOTHING, OVERTURN};
 use crate::model::dynamics::Motion;
 use crate::model::real::{Real, pod};
+
+/// What an observer of a cell's switches is told.
+pub trait Log<R> {
+    /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
+    /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
+    /// be older.
+    fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
+}
+
+/// It does not listen.
+impl<R> Log<R> for () {
+    fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
+}
+
+/// Whether lanes have an observer, known when they are compiled.
+pub trait Listener<R> {
+    /// False for none.
+    const HEARS: bool;
+
+    /// See [`Log::switched`].
+    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>);
+}
+
+/// No one listens.
+impl<R> Listener<R> for () {
+    const HEARS: bool = false;
+
+    #[inline(always)]
+    fn hear(&mut self, _: u32, _: R, _: &State<R>) {}
+}
+
+impl<R> Listener<R> for &mut dyn Log<R> {
+    const HEARS: bool = true;
+
+    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
+        self.switched(kind, fraction, state);
+    }
+}
 
 /// A switch, and the motion after it; all zero where there was none.
 #[repr(C)]
@@ -28,9 +66,9 @@ pub struct Event<R> {
 pod!(Event, reals: 8, words: 4);
 
 /// Keeps the first switches of a cell, as many as there is place for.
-pub struct Kept<R>(pub Vec<Event<R>>);
+pub struct FirstSwitches<R>(pub Vec<Event<R>>);
 
-impl<R: Real> Log<R> for Kept<R> {
+impl<R: Real> Log<R> for FirstSwitches<R> {
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>) {
         if kind == NOTHING || kind == KINK {
             return;

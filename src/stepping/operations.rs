@@ -4,14 +4,16 @@
 use std::cell::Cell as Counter;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::Setting;
-use super::block::{Corner, Model};
-use super::dynamics::{Motion, rates};
-use super::excitation::{Cell, Ground};
-use super::isolation::Variant;
-use super::number::Number;
-use super::real::{COSINE_F32, COSINE_F64, SINE_F32, SINE_F64};
-use crate::integrate::rk4::rk4;
+use bytemuck::Zeroable;
+
+use super::rk4::rk4;
+use crate::model::CellEquations;
+use crate::model::block::Model;
+use crate::model::dynamics::{Motion, rates};
+use crate::model::excitation::{Cell, Ground};
+use crate::model::isolation::Variant;
+use crate::model::number::Number;
+use crate::model::real::{COSINE_F32, COSINE_F64, SINE_F32, SINE_F64};
 
 /// Numbers of operations; changes of sign are free.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -87,7 +89,7 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
         Counted(value)
     }
 
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add(self, factor: Self, term: Self) -> Self {
         count(|operations| operations.fused += 1);
         Counted(self.0 * factor.0 + term.0)
     }
@@ -101,17 +103,17 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
         Counted(self.0.sqrt())
     }
 
-    fn exceeds(self, other: Self) -> bool {
+    fn gt(self, other: Self) -> bool {
         count(|operations| operations.choices += 1);
         self.0 > other.0
     }
 
-    fn reaches(self, other: Self) -> bool {
+    fn ge(self, other: Self) -> bool {
         count(|operations| operations.choices += 1);
         self.0 >= other.0
     }
 
-    fn pick(mask: bool, yes: Self, no: Self) -> Self {
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
         count(|operations| operations.choices += 1);
         if mask { yes } else { no }
     }
@@ -133,56 +135,16 @@ pub fn of_step(variant: Variant, rocking: bool, double: bool) -> Operations {
 
 fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operations {
     let one = Counted::<DOUBLE>(1.0);
-    let corner = Corner {
-        side: one,
-        arm: one,
-        inertia: Counted(9.0),
-        overturn: one,
-        eta_phi: one,
-        eta_u: one,
-        eta_v: one,
-        padding: one,
-    };
-    let model = Model {
-        left: corner,
-        right: corner,
-        height: one,
-        mu_h: one,
-        mu_v: one,
-        gravity: one,
-        inverse_mu_h: one,
-        inverse_mu_v: one,
-        least_arm: one,
-        topple_energy: one,
-    };
-    let cell = Cell {
-        post_yield: one,
-        hysteretic: one,
-        damping_h: one,
-        inverse_yield: one,
-        stiffness_v: one,
-        damping_v: one,
-        amplitude_h: one,
-        amplitude_v: one,
-        phase_step: one,
-        step_forced: one,
-        step_free: one,
-        rest_speed: one,
-        yield_energy: one,
-        deflection: one,
-        reach_h: one,
-        reach_v: one,
-        steps_forced: 0,
-        steps: 1,
-        substeps: 1,
-        padding: 0,
-    };
-    let set = Setting { variant, model: &model, cell: &cell, record: &[] };
+    let mut model = Model::<f64>::zeroed().map(|_| one);
+    model.left.inertia = Counted(9.0);
+    let corner = model.left;
+    let cell = Cell::<f64>::zeroed().map(|_| one);
+    let set = CellEquations { variant, model: &model, cell: &cell, record: &[] };
     let y = Motion { u: one, du: one, v: one, dv: one, z: one, phi: one, dphi: one };
     let ground = Ground { h: one, v: one };
     COUNT.set(Operations::default());
     let k1 = rates(&set, &corner, rocking, &y, ground);
-    rk4(&set, &corner, rocking, &y, &k1, one, [ground, ground]);
+    rk4(&set, &corner, rocking, &y, &k1, one, ground, ground);
     COUNT.get()
 }
 
@@ -199,7 +161,6 @@ mod tests {
             isolated_h: false,
             isolated_v: false,
             kinks: false,
-            in_step: true,
             yields: false,
             certificate: false,
             bouc_wen_n: 2,

@@ -1,18 +1,27 @@
 //! The reference: adaptive, event-located, `f64`. What the fast paths are judged by.
 //!
 //! Steps of DOP853 ([`tableau`]) on the 3x3 mass matrix ([`system`]). A step that a switch falls
-//! into is cut there; so is one that u' or z change sign in, for the Bouc-Wen law has a kink
-//! there and a step across it has no order. Switches are located to [`EVENT_TIME`].
+//! into is cut there ([`guards`]); so is one that u' or z change sign in, for the Bouc-Wen law has
+//! a kink there and a step across it has no order. Switches are located to [`EVENT_TIME`], the
+//! extremes of motion and contact forces between the ends of steps too ([`extremes`]).
 
+pub mod cubic;
+pub mod extremes;
+pub mod guards;
+mod momenta;
 pub mod step;
 pub mod system;
 pub mod tableau;
+pub mod trial;
 
 use crate::scene::{Point, Scene};
 
 use super::outcome::{Class, Outcome, Status};
-use step::{Guard, Stepper};
-use system::{DPHI, Drive, Phase, Pole, State, System, V};
+use extremes::Extremes;
+use guards::Guard;
+use step::Stepper;
+use system::{DPHI, Drive, Phase, Pole, State, System};
+use trial::Trial;
 
 /// Switches are located to within this time, s.
 pub const EVENT_TIME: f64 = 1.0e-12;
@@ -91,7 +100,7 @@ struct Cell<'a> {
     system: &'a System,
     settings: &'a Settings,
     observer: &'a mut dyn FnMut(&Instant),
-    stepper: Stepper<'a>,
+    stepper: Stepper,
     phase: Phase,
     steps: u64,
     class: Option<Class>,
@@ -100,11 +109,7 @@ struct Cell<'a> {
     t_uplift: Option<f64>,
     impacts: u32,
     uplifts: u32,
-    max_phi: [f64; 2],
-    max_u: f64,
-    max_v: f64,
-    min_contact: f64,
-    friction: f64,
+    extremes: Extremes,
 }
 
 impl<'a> Cell<'a> {
@@ -118,7 +123,7 @@ impl<'a> Cell<'a> {
             system,
             settings,
             observer,
-            stepper: Stepper::new(system, settings, point),
+            stepper: Stepper::new(settings, point),
             phase: system.first_phase(),
             steps: 0,
             class: None,
@@ -127,11 +132,7 @@ impl<'a> Cell<'a> {
             t_uplift: None,
             impacts: 0,
             uplifts: 0,
-            max_phi: [0.0; 2],
-            max_u: 0.0,
-            max_v: system.at_rest()[V].abs(),
-            min_contact: crate::scene::GRAVITY,
-            friction: 0.0,
+            extremes: Extremes::new(system),
         }
     }
 
@@ -143,8 +144,17 @@ impl<'a> Cell<'a> {
             {
                 self.lift(pole, t, &y);
             }
-            self.see_contact(t, drive, &y);
-            let taken = self.stepper.step(self.phase, t, stop, drive, &y);
+            let rate = self.system.derivative(self.phase, t, drive, &y);
+            let trial = Trial {
+                system: self.system,
+                tolerance: self.settings.tolerance,
+                phase: self.phase,
+                drive,
+                t,
+                y: &y,
+                rate: &rate,
+            };
+            let taken = self.stepper.step(&trial, stop);
             self.steps += 1;
             if self.steps > self.settings.most_steps || !taken.y.iter().all(|x| x.is_finite()) {
                 let diverged = self.steps <= self.settings.most_steps;
@@ -153,13 +163,14 @@ impl<'a> Cell<'a> {
                 self.t_end = Some(t);
                 break;
             }
-            self.see_motion(&taken.peaks);
-            self.see_contact(taken.t, drive, &taken.y);
+            self.extremes.see(&trial, &taken);
             t = taken.t;
             y = taken.y;
             let mut switch = None;
             match (taken.guard, self.phase) {
-                (Some(Guard::Uplift(pole)), _) => {
+                (Some(Guard::Uplift), _) => {
+                    // Where both corners lift at the same instant, the larger moment decides.
+                    let (_, pole) = self.system.lift(t, drive, &y);
                     self.lift(pole, t, &y);
                     continue;
                 }
@@ -168,7 +179,7 @@ impl<'a> Cell<'a> {
                     switch = Some(Switch::Impact(pole));
                 }
                 (Some(Guard::Overturn), Some(pole)) => {
-                    self.max_phi[pole as usize] = self.system.overturning_angle(pole);
+                    self.extremes.phi[pole as usize] = self.system.overturning_angle(pole);
                     self.class = Some(match pole {
                         Pole::Left => Class::OverturnedLeft,
                         Pole::Right => Class::OverturnedRight,
@@ -184,12 +195,8 @@ impl<'a> Cell<'a> {
     }
 
     fn lifts_now(&self, t: f64, drive: Drive, y: &State) -> Option<Pole> {
-        let left = self.system.uplift(Pole::Left, t, drive, y);
-        let right = self.system.uplift(Pole::Right, t, drive, y);
-        if left > 0.0 && left >= right {
-            return Some(Pole::Left);
-        }
-        (right > 0.0).then_some(Pole::Right)
+        let (moment, pole) = self.system.lift(t, drive, y);
+        (moment > 0.0).then_some(pole)
     }
 
     fn lift(&mut self, pole: Pole, t: f64, y: &State) {
@@ -215,28 +222,11 @@ impl<'a> Cell<'a> {
         landed
     }
 
-    fn see_motion(&mut self, peaks: &step::Peaks) {
-        self.max_u = self.max_u.max(peaks.u);
-        self.max_v = self.max_v.max(peaks.v);
-        if let Some(pole) = self.phase {
-            let largest = &mut self.max_phi[pole as usize];
-            *largest = largest.max(peaks.phi);
-        }
-    }
-
-    fn see_contact(&mut self, t: f64, drive: Drive, y: &State) {
-        let (normal, shear) = self.system.contact(self.phase, t, drive, y);
-        self.min_contact = self.min_contact.min(normal);
-        if normal > 0.0 {
-            self.friction = self.friction.max(shear.abs() / normal);
-        }
-    }
-
     fn outcome(&self, t_max: f64) -> Outcome {
         let stood = self.uplifts == 0 && self.system.first_phase().is_none();
         let rest = if stood { Class::FullContact } else { Class::Rocking };
         let class = self.class.unwrap_or(rest);
-        let [left, right] = self.max_phi;
+        let Extremes { phi: [left, right], u, v, normal, friction } = self.extremes;
         let mut zeta = (left / self.system.critical_angle(Pole::Left))
             .max(right / self.system.critical_angle(Pole::Right));
         if class.overturned() {
@@ -252,10 +242,10 @@ impl<'a> Cell<'a> {
             zeta,
             max_phi_left: left,
             max_phi_right: right,
-            max_u: self.max_u,
-            max_v: self.max_v,
-            min_contact: self.min_contact,
-            friction: self.friction,
+            max_u: u,
+            max_v: v,
+            min_contact: normal,
+            friction,
             status: self.status,
         }
     }

@@ -1,0 +1,150 @@
+// The first guard that has happened in a span just taken. Twin: src/stepping/crossing.rs.
+
+struct Crossing {
+    found: Sought,
+    cubic: Cubic,
+    upper: real,
+}
+
+struct Rise {
+    cubic: Cubic,
+    at: real,
+}
+
+// Share of its bend by which a parabola may miss a crest.
+const CREST_ERROR = 1.0e-3;
+
+// The parabola through an uplift moment's values at a span's start, middle and end, and where in the
+// span it is positive, or may be for all that it tells; negative where it is not.
+fn moment_rises(start: real, mid: real, end: real) -> Rise {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    // The slope falls from `rise` to `fall`.
+    let rise = 4.0 * mid - 3.0 * start - end;
+    let fall = 3.0 * end - 4.0 * mid + start;
+    let top = rise / (rise - fall);
+    let missed = 0.25 * CREST_ERROR * (fall - rise);
+    let inside = rise > 0.0 && fall < 0.0 && start + 0.5 * rise * top > missed;
+    let at = select(select(-one, top, inside), one, end > 0.0);
+    return Rise(Cubic(start, rise, 0.5 * (fall - rise), zero), at);
+}
+
+// The first kink in a span of `h` seconds.
+fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
+    let one: real = 1.0;
+    let zero: real = 0.0;
+    let of_z = crosses(y.z, y1.z);
+    let of_du = crosses(y.du, y1.du);
+    if !of_z && !of_du {
+        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+    }
+    // Where both cross, the one whose chord does so first.
+    let z_first = y.du / (y.du - y1.du) > y.z / (y.z - y1.z);
+    let kink_z = of_z && (!of_du || z_first);
+    let kink_u = of_du && !kink_z;
+    let start = kink_guard(kink_z, y, y, k1, h);
+    let end = kink_guard(kink_z, y, y1, k_end, h);
+    return Crossing(Sought(false, false, false, kink_u, kink_z), cubic_through(start, end), one);
+}
+
+// The first impact or overturning in a span of `h` seconds, while the block rocks.
+fn angles_in(corner: Corner, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let phi0 = corner.side * y.phi;
+    let phi1 = corner.side * y1.phi;
+    let dphi0 = corner.side * y.dphi;
+    let dphi1 = corner.side * y1.dphi;
+    var upper = one;
+    var impact = phi1 < 0.0;
+    var over = phi1 >= corner.overturn;
+    // Two crossings in one span: the angle's extremum inside it.
+    if !(impact || over) && crosses(dphi0, dphi1) {
+        let at = dphi0 / (dphi0 - dphi1);
+        let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
+        impact = extremum < 0.0;
+        over = extremum >= corner.overturn;
+        upper = select(one, at, impact || over);
+    }
+    if !(impact || over) {
+        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+    }
+    let sense = select(corner.side, -corner.side, impact);
+    let goal = select(corner.overturn, zero, impact);
+    let start = angle_guard(sense, goal, y, k1, h);
+    let end = angle_guard(sense, goal, y1, k_end, h);
+    return Crossing(Sought(false, impact, !impact, false, false), cubic_through(start, end), upper);
+}
+
+// The first uplift in a span, while the block stands.
+fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let left_end = uplift_moment(model.left, end);
+    let right_end = uplift_moment(model.right, end);
+    let by_left =
+        moment_rises(uplift_moment(model.left, start), uplift_moment(model.left, mid), left_end);
+    let by_right =
+        moment_rises(uplift_moment(model.right, start), uplift_moment(model.right, mid), right_end);
+    let lefts = by_left.at > 0.0;
+    let rights = by_right.at > 0.0;
+    if !(lefts || rights) {
+        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+    }
+    // The first guess is of the one that is positive earlier; the search itself is for the larger
+    // moment of the two, whose zero is the first uplift whichever it is.
+    let larger = left_end >= right_end;
+    let earlier = by_right.at > by_left.at || (by_right.at >= by_left.at && larger);
+    let by_its_left = lefts && (!rights || earlier);
+    var rise = by_right;
+    if by_its_left {
+        rise = by_left;
+    }
+    return Crossing(Sought(true, false, false, false, false), rise.cubic, rise.at);
+}
+
+// The first guard in a span of `h` seconds: a kink (unless the span ends at one), else a switch.
+fn crossing_in(
+    corner: Corner,
+    rocking: bool,
+    kinked: bool,
+    y: Motion,
+    stepped: Stepped,
+    k1: Rates,
+    k_end: Rates,
+    h: real,
+) -> Crossing {
+    let y1 = stepped.y;
+    if kinks && !kinked {
+        let crossing = kinks_in(y, y1, k1, k_end, h);
+        if is_any(crossing.found) {
+            return crossing;
+        }
+    }
+    if rocking {
+        return angles_in(corner, y, y1, k1, k_end, h);
+    }
+    return uplifts_in(contact_of(k1), stepped.mid, contact_of(k_end));
+}
+
+// The sought guard at the end of a trial, its slope over the span of `h` seconds.
+fn sample_of(
+    sought: Sought,
+    corner: Corner,
+    y: Motion,
+    y1: Motion,
+    k_end: Rates,
+    h: real,
+) -> GuardSample {
+    let zero: real = 0.0;
+    let sense = select(-corner.side, corner.side, sought.overturning);
+    let goal = select(zero, corner.overturn, sought.overturning);
+    var sample = angle_guard(sense, goal, y1, k_end, h);
+    if sought.uplift {
+        sample.value = largest_uplift_moment(contact_of(k_end));
+    }
+    if is_kink(sought) {
+        sample = kink_guard(sought.kink_z, y, y1, k_end, h);
+    }
+    return sample;
+}

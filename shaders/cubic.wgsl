@@ -1,0 +1,45 @@
+// A guard over a span by the cubic through its ends, and where that is zero.
+// Twin: src/stepping/cubic.rs.
+
+struct Cubic {
+    c0: real,
+    c1: real,
+    c2: real,
+    c3: real,
+}
+
+// The cubic with these values and slopes at a span's ends.
+fn cubic_through(start: GuardSample, end: GuardSample) -> Cubic {
+    let rise = end.value - start.value;
+    return Cubic(
+        start.value,
+        start.slope,
+        3.0 * rise - 2.0 * start.slope - end.slope,
+        start.slope + end.slope - 2.0 * rise,
+    );
+}
+
+struct Root {
+    at: real,
+    slope: real,
+}
+
+// The root in a span at whose end the cubic is positive, and the slope there.
+fn root(cubic: Cubic) -> Root {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let rise = cubic.c1 + cubic.c2 + cubic.c3;
+    let slope1 = 3.0 * cubic.c3 + (2.0 * cubic.c2 + cubic.c1);
+    // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
+    // value. Where it falls first: where the parabola from the start is as high as there again.
+    let rises = cubic.c1 > 0.0 && slope1 > 0.0;
+    let chord = select(-cubic.c1, -cubic.c0, rises) / select(cubic.c2 + cubic.c3, rise, rises);
+    let inverse = hermite(zero, rise / cubic.c1, one, rise / slope1, chord);
+    var at = select(chord, inverse, rises);
+    at = select(one, at, at > 0.0 && at < 1.0);
+    // One step of Newton's method.
+    let value = cubic.c0 + at * (cubic.c1 + at * (cubic.c2 + at * cubic.c3));
+    let slope = cubic.c1 + at * (3.0 * at * cubic.c3 + 2.0 * cubic.c2);
+    let next = at - value / slope;
+    return Root(select(at, next, next > 0.0 && next < 1.0), slope);
+}

@@ -1,0 +1,66 @@
+// The largest and least values of a cell so far. Twin: src/stepping/extremes.rs.
+
+// Largest magnitude of a coordinate over a span, its interior extremum included.
+fn peak(x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
+    let ends = max(abs(x0), abs(x1));
+    if (rate0 > 0.0) == (rate1 > 0.0) {
+        return ends;
+    }
+    let at = rate0 / (rate0 - rate1);
+    return max(ends, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
+}
+
+// The extremum of the parabola through a span's start, middle and end, where it lies inside; else the
+// start.
+fn crest(start: real, mid: real, end: real) -> real {
+    let rise = 4.0 * mid - 3.0 * start - end;
+    let fall = 3.0 * end - 4.0 * mid + start;
+    let top = start + 0.5 * rise * rise / (rise - fall);
+    return select(start, top, crosses(rise, fall));
+}
+
+// How far a parabola through three values can go beyond them, at most four times that.
+fn bend(start: real, mid: real, end: real) -> real {
+    return abs(start - 2.0 * mid + end);
+}
+
+// Takes in the motion over a span of `h` seconds.
+fn see_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
+    (*state).max_u = max((*state).max_u, peak(y0.u, y0.du, y1.u, y1.du, h));
+    (*state).max_v = max((*state).max_v, peak(y0.v, y0.dv, y1.v, y1.dv, h));
+    let angle = peak(y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+    if (*state).mode != ROCKING_RIGHT {
+        (*state).max_phi_left = max((*state).max_phi_left, angle);
+    } else {
+        (*state).max_phi_right = max((*state).max_phi_right, angle);
+    }
+}
+
+fn share(shear: real, normal: real) -> real {
+    let zero: real = 0.0;
+    return select(zero, shear / normal, normal > 0.0);
+}
+
+// Takes in the contact forces at a span's start, middle and end, and the crests of the parabolas
+// through them: an extremum between two steps counts.
+fn see_contact(state: ptr<function, State>, start: Contact, mid: Contact, end: Contact) {
+    let least = min(min(start.normal, mid.normal), end.normal);
+    let lowest = least - bend(start.normal, mid.normal, end.normal);
+    if (*state).min_contact > lowest {
+        let value = min(least, crest(start.normal, mid.normal, end.normal));
+        (*state).min_contact = min((*state).min_contact, value);
+    }
+    let shear0 = abs(start.shear);
+    let shear1 = abs(mid.shear);
+    let shear2 = abs(end.shear);
+    let most = max(max(shear0, shear1), shear2) + bend(shear0, shear1, shear2);
+    if most > (*state).friction * lowest {
+        let share0 = share(shear0, start.normal);
+        let share1 = share(shear1, mid.normal);
+        let share2 = share(shear2, end.normal);
+        // Where the force turns tensile on the way there is no share at one of the three.
+        let largest = max(max(share0, share1), share2);
+        let top = max(largest, crest(share0, share1, share2));
+        (*state).friction = max((*state).friction, select(largest, top, least > 0.0));
+    }
+}

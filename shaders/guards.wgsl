@@ -1,0 +1,70 @@
+// The guards: what a step is cut at. Twin: src/stepping/guards.rs, which has the table.
+
+const NOTHING = 0u;
+const UPLIFT_LEFT = 1u;
+const UPLIFT_RIGHT = 2u;
+const IMPACT = 3u;
+const OVERTURN = 4u;
+const KINK = 5u;
+
+const EVENT_BOUND = 128u;
+const LOCATE_BOUND = 60u;
+
+// Which guard is searched for: one at most.
+struct Sought {
+    uplift: bool,
+    impact: bool,
+    overturning: bool,
+    kink_u: bool,
+    kink_z: bool,
+}
+
+fn nothing_sought() -> Sought {
+    return Sought(false, false, false, false, false);
+}
+
+fn is_kink(sought: Sought) -> bool {
+    return sought.kink_u || sought.kink_z;
+}
+
+fn is_angle(sought: Sought) -> bool {
+    return sought.impact || sought.overturning;
+}
+
+fn is_any(sought: Sought) -> bool {
+    return is_kink(sought) || is_angle(sought) || sought.uplift;
+}
+
+// How near a guard must be found, as a fraction of the step.
+fn tolerance_of(sought: Sought) -> real {
+    let event: real = EVENT_TOLERANCE;
+    let kink: real = KINK_TOLERANCE;
+    return select(event, kink, is_kink(sought));
+}
+
+// A guard at a trial's end.
+struct GuardSample {
+    value: real,
+    slope: real,
+    bend: real,
+}
+
+// True where a number goes from one side of zero to the other; zero itself is on neither.
+fn crosses(start: real, end: real) -> bool {
+    return (start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0);
+}
+
+// Impact or overturning: how far the angle is past a target, in the sense of +1 or -1.
+fn angle_guard(sense: real, goal: real, y: Motion, k: Rates, h: real) -> GuardSample {
+    return GuardSample(sense * y.phi - goal, h * sense * y.dphi, h * h * k.ddphi);
+}
+
+// A kink: u' or z, positive once it has left the side of zero that it was on at the start.
+fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardSample {
+    let zero: real = 0.0;
+    let before = select(start.du, start.z, of_z);
+    let value = select(y.du, y.z, of_z);
+    let slope = h * select(k.ddu, k.dz, of_z);
+    let positive = before > 0.0;
+    return GuardSample(select(value, -value, positive), select(slope, -slope, positive), zero);
+}

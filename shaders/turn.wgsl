@@ -1,0 +1,189 @@
+// The turn: one Runge-Kutta trial, and what it was. Twin: src/stepping/turn.rs.
+//
+// A trial is a step, what is left of one after a switch, or a try at where a guard is. Every thread
+// makes one in every turn, whatever it is for, so that no thread waits for another's switch: the call
+// of `rk4` below is the only one. The rates at the start are made anew in every turn.
+
+struct Turn {
+    forcing: Forcing,
+    // Fraction of the step already done, and fraction that is looked at.
+    start: real,
+    span: real,
+    // The span ends before the step does.
+    cut: bool,
+    // Switches and kinks in the step so far.
+    events: u32,
+    // Steps since a block in full contact was last tried by the certificate.
+    untried: u32,
+    search: Search,
+}
+
+// A cell at the start of its step.
+fn begin_turns(cell: Cell, state: State) -> Turn {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    var turn: Turn;
+    turn.forcing = begin_segment(cell, state.step);
+    turn.start = zero;
+    turn.span = one;
+    turn.cut = false;
+    turn.events = 0u;
+    turn.untried = (state.step - cell.steps_forced) % STEPS_A_TRY;
+    turn.search = no_search();
+    return turn;
+}
+
+// True where a cell is at the start of a step, and nothing is searched for.
+fn at_an_edge(turn: Turn) -> bool {
+    return turn.start == 0.0 && !is_any(turn.search.sought) && !turn.search.again;
+}
+
+fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let y = (*state).motion;
+    let rocking = (*state).mode != FULL_CONTACT;
+    let corner = pivot((*state).mode);
+    let start = (*t).start;
+    let step = (*t).forcing.step;
+    var search = (*t).search;
+    let sought = search.sought;
+    let seeking = is_any(sought);
+    let again = search.again;
+    let begun = !(seeking || again);
+    let k1 = rates(cell, corner, rocking, y, ground_at((*t).forcing, start));
+
+    // The uplift that the contact force calls for at once: such a cell only changes its phase.
+    var lifts = false;
+    var to_left = false;
+    if begun && !rocking {
+        let left = uplift_moment(model.left, contact_of(k1));
+        let right = uplift_moment(model.right, contact_of(k1));
+        lifts = left > 0.0 || right > 0.0;
+        to_left = left >= right;
+    }
+    let whole = begun && !lifts;
+    if whole {
+        let span = begin_span(cell, corner, rocking, y, k1, start, step);
+        (*t).span = span.length;
+        (*t).cut = span.cut;
+    }
+
+    // The trial.
+    var length = search.at * (*t).span;
+    var h = length * step;
+    let ground_mid = ground_at((*t).forcing, start + 0.5 * length);
+    let ground_end = ground_at((*t).forcing, start + length);
+    let stepped = rk4(cell, corner, rocking, y, k1, h, ground_mid, ground_end);
+    var y1 = stepped.y;
+    var k_end = stepped.k4;
+    if !rocking {
+        // An uplift is as exact as the motion: the contact force in full contact at the end.
+        let base = support(cell, y1, ground_end);
+        k_end.shear = base.f_h;
+        k_end.normal = base.f_v;
+    }
+
+    // What a search has found.
+    var looked = whole;
+    var kinked = false;
+    var arrived = false;
+    var switches = false;
+    var overturned = false;
+    var back = zero;
+    if seeking {
+        let sample = sample_of(sought, corner, y, y1, k_end, (*t).span * step);
+        let found = narrow(&search, sample);
+        kinked = found.done && is_kink(sought);
+        arrived = found.done && sought.uplift;
+        switches = found.done && is_angle(sought);
+        overturned = found.done && sought.overturning;
+        back = found.back * (*t).span;
+        // A kink and an uplift cut the step: the next turn goes on from there.
+        if kinked || arrived {
+            (*t).span = length;
+            (*t).cut = true;
+        }
+        looked = looked || kinked;
+    }
+    var found = false;
+    var landed = false;
+    if looked {
+        let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
+        // A span that ends just beyond the impact that it was cut for ends there.
+        let change = -y1.phi / (h * y1.dphi);
+        let missed = 0.5 * change * change * abs(h * h * k_end.ddphi);
+        let allowed = abs(h * y1.dphi) * EVENT_TOLERANCE;
+        landed = crossing.found.impact && crossing.upper >= 1.0 && allowed >= missed;
+        back = select(back, -change * length, landed);
+        switches = switches || landed;
+        found = is_any(crossing.found) && !landed;
+        if found {
+            begin_search(&search, crossing.found, crossing.cubic, crossing.upper);
+        }
+    }
+    if switches {
+        y1 = shift(y1, k_end, -back * step);
+        length = length - back;
+        h = length * step;
+    }
+
+    // Whether the cell moves on.
+    let plain = (looked && !found && !landed) || again;
+    if again {
+        search.again = false;
+    }
+    (*t).search = search;
+    let moved = plain || switches || arrived;
+    var fraction = start;
+    if moved {
+        see_motion(state, y, y1, h);
+        see_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
+        (*state).motion = y1;
+        fraction = start + length;
+    }
+    if lifts {
+        (*t).events += 1u;
+        lift(state, to_left, fraction);
+    }
+    if overturned {
+        overturn(state, fraction);
+    } else if switches {
+        land(cell, state, (*t).forcing, fraction);
+    }
+    let through = ((plain && !(*t).cut) || (moved && fraction >= 1.0)) && !overturned;
+    if moved && !through {
+        (*t).events += 1u;
+    }
+    let endless = (*t).events >= EVENT_BOUND;
+    (*t).start = select(fraction, zero, through);
+    var due = switches;
+    var lost = false;
+    if through {
+        (*t).events = 0u;
+        (*t).forcing.done += 1.0;
+        (*t).untried += 1u;
+        if (*t).untried >= STEPS_A_TRY {
+            (*t).untried = 0u;
+            due = due || (*state).mode == FULL_CONTACT;
+        }
+        lost = !is_sound((*state).motion);
+        (*state).step += 1u;
+    }
+    if (*state).status != RUNNING {
+        return;
+    }
+    if endless {
+        (*state).status = EVENT_LIMIT;
+    } else if lost {
+        (*state).status = DIVERGED;
+    } else if (*state).step >= cell.steps {
+        (*state).status = FINISHED;
+    } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
+        (*state).end_fraction = (*t).start;
+        (*state).status = PROVED;
+    } else if through && (*t).forcing.done >= (*t).forcing.steps {
+        (*t).forcing = begin_segment(cell, (*state).step);
+        (*t).untried = 0u;
+    }
+}

@@ -1,0 +1,117 @@
+//! The proof that nothing more will happen. Twin of `shaders/certificate.wgsl`.
+//!
+//! Once the excitation is over the system is passive: (9) and (11) only take energy out, and so does
+//! an impact (15). The energy that is left bounds every coordinate and both contact forces from then
+//! on. Where no bound reaches beyond what the cell has seen already, its outcome and its largest and
+//! least values are final, and it ends.
+//!
+//! The bounds on the contact forces follow from (9) with f_h and f_v of (10), w = phi'^2,
+//! kappa = 1 - mu and D = rho^2 + kappa_h P^2 + kappa_v Q^2:
+//!
+//! ```text
+//! N = f_v (1 - kappa_v Q^2/D) - kappa_v P w [1 - (mu_h - mu_v) Q^2/D] + kappa_v (P Q/D) f_h
+//! S = f_h (1 - kappa_h P^2/D) - kappa_h Q w [1 + (mu_h - mu_v) P^2/D] + kappa_h (P Q/D) f_v
+//! ```
+//!
+//! with H <= P <= R, 0 <= Q <= b and w <= 2 E/D for an energy E over M.
+
+use crate::model::CellEquations;
+use crate::model::block::Corner;
+use crate::model::dynamics::{Lever, Motion, lever_at};
+use crate::model::number::Number;
+use crate::model::real::Real;
+use crate::model::vector::Vector;
+
+use super::extremes::Extremes;
+
+/// Steps from one try of a block in full contact to the next. One that rocks is tried at its
+/// impacts.
+pub const STEPS_A_TRY: u32 = 16;
+/// Share by which a bound on an energy must hold: far more than its rounding, also where the
+/// energy is a small difference from that of rest. A bound on a contact force may pass what was
+/// seen by this share of it.
+pub const MARGIN: f64 = 1.0e-3;
+
+/// P - H: height that the centre of mass has gained at phi about a corner, m.
+#[inline(always)]
+fn rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+    // H (1 - cos phi) by the half angle, for 1 - cos phi of a small phi is all rounding.
+    let half_sine = (phi.like(0.5) * phi).sine();
+    corner.side * corner.arm * phi.sine() - phi.like(2.0) * set.model.height * half_sine * half_sine
+}
+
+/// The lanes of which everything that a map tells is final, the excitation being over. `lifted`
+/// are those that have lifted from full contact, whose time of first uplift is known.
+#[inline(always)]
+pub fn is_final<V: Vector>(
+    set: &CellEquations<V>,
+    corner: &Corner<V>,
+    rocking: V::Mask,
+    lifted: V::Mask,
+    y: &Motion<V>,
+    seen: &Extremes<V>,
+) -> V::Mask {
+    let (variant, model, cell) = (set.variant, set.model, set.cell);
+    let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
+    let margin = y.u.like(MARGIN);
+    let more = y.u.like(1.0 + MARGIN);
+    // Twice the energies of the base over M_t and M_v, from rest; the vertical one holds gravity.
+    let mut base_h = zero;
+    if variant.isolated_h {
+        base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+        if variant.yields {
+            base_h = base_h + cell.yield_energy * y.z * y.z;
+        }
+    }
+    let mut base_v = zero;
+    if variant.isolated_v {
+        let lift = y.v + cell.deflection;
+        base_v = y.dv * y.dv + cell.stiffness_v * lift * lift;
+    }
+    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    let mut left_h = more * base_h;
+    let mut left_v = more * base_v;
+    let x_most = cell.reach_h * left_h.sqrt();
+    let y_swing = cell.reach_v * left_v.sqrt();
+    let stays = (model.least_arm * (model.gravity - y_swing)).gt(model.height * x_most) & !rocking;
+    // Else all of the energy over M, wherever it may go.
+    let mut energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
+    if V::any(rocking) {
+        let Lever { p, q } = lever_at(set, corner, y.phi);
+        let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
+        let turning = push * y.dphi + model.gravity * rise(set, corner, y.phi);
+        energy = V::select(rocking, energy + turning, energy);
+    }
+    energy = model.impact_gain * more * energy;
+    let bound_left = model.gravity * rise(set, &model.left, seen.max_phi_left);
+    let bound_right = model.gravity * rise(set, &model.right, -seen.max_phi_right);
+    let small = model.topple_energy.gt(energy) & bound_left.ge(energy) & bound_right.ge(energy);
+    left_h = V::select(stays, left_h, two * model.mu_h * energy);
+    left_v = V::select(stays, left_v, two * model.mu_v * energy);
+    let mut last = stays | (small & lifted);
+    if !V::any(last) {
+        return last;
+    }
+    // The largest |u| and |v| that this can still make.
+    if variant.isolated_h {
+        last = last & (cell.post_yield * seen.max_u * seen.max_u).ge(left_h);
+    }
+    if variant.isolated_v {
+        // A base at rest trembles by the rounding of its deflection.
+        let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
+        let up = seen.max_v - cell.deflection + tremble;
+        last = last & up.ge(zero) & (cell.stiffness_v * up * up).ge(left_v);
+    }
+    // The least normal force and the largest share of the shear.
+    let x_most = cell.reach_h * left_h.sqrt();
+    let y_swing = cell.reach_v * left_v.sqrt();
+    let share = V::select(stays, y.u.like(1.0), model.normal_share);
+    let turn = V::select(stays, zero, energy);
+    let by_shear = V::select(stays, zero, model.normal_by_shear * x_most);
+    let by_normal = V::select(stays, zero, model.shear_by_normal * (model.gravity + y_swing));
+    let normal = share * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
+    let shear = x_most + by_normal + model.shear_by_turn * turn;
+    let pressed = normal.ge(seen.min_contact - margin * seen.min_contact.abs());
+    let held = (more * seen.friction * normal).ge(shear);
+    last & pressed & held
+}

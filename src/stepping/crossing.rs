@@ -1,0 +1,203 @@
+//! The first guard that has happened in a span just taken. Twin of `shaders/crossing.wgsl`.
+
+use crate::model::dynamics::{Contact, Motion, Rates, largest_uplift_moment, uplift_moment};
+use crate::model::number::Number;
+use crate::model::vector::Vector;
+
+use super::cubic::Cubic;
+use super::guards::{GuardSample, Sought, angle_guard, crosses, kink_guard};
+use super::lanes::Lanes;
+use super::log::Listener;
+use super::rk4::{Stepped, hermite};
+
+/// Lanes whose span holds a guard.
+pub struct Crossing<V: Vector> {
+    /// Which one.
+    pub found: Sought<V>,
+    /// Its value over the span.
+    pub cubic: Cubic<V>,
+    /// Where in the span it has happened.
+    pub upper: V,
+}
+
+/// Share of its bend by which a parabola may miss a crest: (omega h/2)^2/24 for a step of a 32nd of a
+/// period is 4e-4.
+const CREST_ERROR: f64 = 1.0e-3;
+
+/// The parabola through an uplift moment's values at a span's start, middle and end, and where in
+/// the span it is positive, or may be for all that it tells; negative where it is not.
+#[inline(always)]
+fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
+    let (zero, one) = (start.like(0.0), start.like(1.0));
+    let (three, four) = (start.like(3.0), start.like(4.0));
+    // The slope falls from `rise` to `fall`.
+    let rise = four * mid - three * start - end;
+    let fall = three * end - four * mid + start;
+    let half = start.like(0.5);
+    let cubic = Cubic { c0: start, c1: rise, c2: half * (fall - rise), c3: zero };
+    let mut at = -one;
+    let inside = rise.gt(zero) & zero.gt(fall);
+    if N::any(inside) {
+        let top = rise / (rise - fall);
+        let missed = start.like(0.25 * CREST_ERROR) * (fall - rise);
+        let positive = (start + half * rise * top).gt(missed);
+        at = N::select(inside & positive, top, at);
+    }
+    (cubic, N::select(end.gt(zero), one, at))
+}
+
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+    /// The first kink in the spans of `looked` lanes, each of `h` seconds.
+    #[inline(always)]
+    pub(super) fn kinks(
+        &self,
+        crossing: &mut Crossing<V>,
+        looked: V::Mask,
+        y1: &Motion<V>,
+        k1: &Rates<V>,
+        k_end: &Rates<V>,
+        h: V,
+    ) {
+        let y = &self.y;
+        let of_z = looked & crosses(y.z, y1.z);
+        let of_du = looked & crosses(y.du, y1.du);
+        if !V::any(of_z | of_du) {
+            return;
+        }
+        // Where both cross, the one whose chord does so first.
+        let z_first = (y.du / (y.du - y1.du)).gt(y.z / (y.z - y1.z));
+        crossing.found.kink_z = of_z & (!of_du | z_first);
+        crossing.found.kink_u = of_du & !crossing.found.kink_z;
+        let of_z = crossing.found.kink_z;
+        let start = kink_guard(of_z, y, y, k1, h);
+        let end = kink_guard(of_z, y, y1, k_end, h);
+        let kinks = crossing.found.kink();
+        crossing.cubic = Cubic::select(kinks, &Cubic::through(start, end), &crossing.cubic);
+    }
+
+    /// The first impact or overturning in the spans of `looked` lanes, whose block rocks.
+    #[inline(always)]
+    pub(super) fn angles(
+        &self,
+        crossing: &mut Crossing<V>,
+        looked: V::Mask,
+        y1: &Motion<V>,
+        k1: &Rates<V>,
+        k_end: &Rates<V>,
+        h: V,
+    ) {
+        let zero = h.like(0.0);
+        let (y, corner) = (&self.y, &self.corner);
+        let phi0 = corner.side * y.phi;
+        let phi1 = corner.side * y1.phi;
+        let dphi0 = corner.side * y.dphi;
+        let dphi1 = corner.side * y1.dphi;
+        let mut impact = zero.gt(phi1);
+        let mut over = phi1.ge(corner.overturn);
+        // Two crossings in one span: the angle's extremum inside it.
+        let turns = looked & !(impact | over) & crosses(dphi0, dphi1);
+        if V::any(turns) {
+            let at = dphi0 / (dphi0 - dphi1);
+            let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
+            let dips = turns & zero.gt(extremum);
+            let peaks = turns & extremum.ge(corner.overturn);
+            crossing.upper = V::select(dips | peaks, at, crossing.upper);
+            impact = impact | dips;
+            over = over | peaks;
+        }
+        crossing.found.impact = looked & impact;
+        crossing.found.overturning = looked & over & !impact;
+        let found = crossing.found.angle();
+        if V::any(found) {
+            let sense = V::select(impact, -corner.side, corner.side);
+            let target = V::select(impact, zero, corner.overturn);
+            let start = angle_guard(sense, target, y, k1, h);
+            let end = angle_guard(sense, target, y1, k_end, h);
+            crossing.cubic = Cubic::select(found, &Cubic::through(start, end), &crossing.cubic);
+        }
+    }
+
+    /// The first uplift in the spans of `looked` lanes, whose block stands.
+    #[inline(always)]
+    pub(super) fn uplifts(
+        &self,
+        crossing: &mut Crossing<V>,
+        looked: V::Mask,
+        start: Contact<V>,
+        mid: Contact<V>,
+        end: Contact<V>,
+    ) {
+        let set = self.equations();
+        let zero = self.start.like(0.0);
+        let (left, right) = (&self.model.left, &self.model.right);
+        let at = |corner, contact| uplift_moment(&set, corner, contact);
+        let (by_left, at_left) = moment_rises(at(left, start), at(left, mid), at(left, end));
+        let (by_right, at_right) = moment_rises(at(right, start), at(right, mid), at(right, end));
+        let (lefts, rights) = (at_left.gt(zero), at_right.gt(zero));
+        let lifts = looked & (lefts | rights);
+        crossing.found.uplift = lifts;
+        if !V::any(lifts) {
+            return;
+        }
+        // The first guess is of the one that is positive earlier; the search itself is for the larger
+        // moment of the two, whose zero is the first uplift whichever it is.
+        let larger = at(left, end).ge(at(right, end));
+        let earlier = at_right.gt(at_left) | (at_right.ge(at_left) & larger);
+        let by_its_left = lefts & (!rights | earlier);
+        let upper = V::select(by_its_left, at_left, at_right);
+        crossing.upper = V::select(lifts, upper, crossing.upper);
+        let cubic = Cubic::select(by_its_left, &by_left, &by_right);
+        crossing.cubic = Cubic::select(lifts, &cubic, &crossing.cubic);
+    }
+
+    /// The first guard in the spans of `looked` lanes, each of `h` seconds: a kink (but in `kinked`
+    /// lanes, whose span ends at one), else a switch.
+    #[inline(always)]
+    pub(super) fn crossing(
+        &self,
+        looked: V::Mask,
+        kinked: V::Mask,
+        stepped: &Stepped<V>,
+        k1: &Rates<V>,
+        k_end: &Rates<V>,
+        h: V,
+    ) -> Crossing<V> {
+        let (zero, one) = (h.like(0.0), h.like(1.0));
+        let mut crossing = Crossing {
+            found: Sought::nothing(zero),
+            cubic: Cubic { c0: -one, c1: zero, c2: zero, c3: zero },
+            upper: one,
+        };
+        if self.shared.variant.kinks {
+            self.kinks(&mut crossing, looked & !kinked, &stepped.y, k1, k_end, h);
+        }
+        let looked = looked & !crossing.found.kink();
+        let rocking = looked & self.rocking;
+        if V::any(rocking) {
+            self.angles(&mut crossing, rocking, &stepped.y, k1, k_end, h);
+        }
+        let standing = looked & !self.rocking;
+        if V::any(standing) {
+            self.uplifts(&mut crossing, standing, k1.contact(), stepped.mid, k_end.contact());
+        }
+        crossing
+    }
+
+    /// The sought guards at the ends of the trials of lanes that search, slopes over their spans.
+    #[inline(always)]
+    pub(super) fn sample(&self, y1: &Motion<V>, k_end: &Rates<V>) -> GuardSample<V> {
+        let set = self.equations();
+        let h = self.span * self.forcing.step;
+        let (corner, sought) = (&self.corner, &self.search.sought);
+        let zero = h.like(0.0);
+        let sense = V::select(sought.overturning, corner.side, -corner.side);
+        let target = V::select(sought.overturning, corner.overturn, zero);
+        let mut sample = angle_guard(sense, target, y1, k_end, h);
+        let moment = largest_uplift_moment(&set, k_end.contact());
+        sample.value = V::select(sought.uplift, moment, sample.value);
+        let kink = kink_guard(sought.kink_z, &self.y, y1, k_end, h);
+        sample.value = V::select(sought.kink(), kink.value, sample.value);
+        sample.slope = V::select(sought.kink(), kink.slope, sample.slope);
+        sample
+    }
+}

@@ -1,0 +1,71 @@
+//! A guard over a span by the cubic through its ends, and where that is zero. Twin of
+//! `shaders/cubic.wgsl`.
+
+use crate::model::number::Number;
+
+use super::guards::GuardSample;
+use super::rk4::hermite;
+
+/// A cubic in the place in a span, by its coefficients.
+#[derive(Clone, Copy)]
+pub struct Cubic<N> {
+    /// Value at the start.
+    pub c0: N,
+    /// Slope there.
+    pub c1: N,
+    /// Of the square.
+    pub c2: N,
+    /// Of the cube.
+    pub c3: N,
+}
+
+impl<N: Number> Cubic<N> {
+    /// The cubic with these values and slopes at a span's ends.
+    #[inline(always)]
+    pub fn through(start: GuardSample<N>, end: GuardSample<N>) -> Cubic<N> {
+        let (two, three) = (end.value.like(2.0), end.value.like(3.0));
+        let rise = end.value - start.value;
+        Cubic {
+            c0: start.value,
+            c1: start.slope,
+            c2: three * rise - two * start.slope - end.slope,
+            c3: start.slope + end.slope - two * rise,
+        }
+    }
+
+    /// The one of two in each lane.
+    #[inline(always)]
+    pub fn select(mask: N::Mask, yes: &Cubic<N>, no: &Cubic<N>) -> Cubic<N> {
+        Cubic {
+            c0: N::select(mask, yes.c0, no.c0),
+            c1: N::select(mask, yes.c1, no.c1),
+            c2: N::select(mask, yes.c2, no.c2),
+            c3: N::select(mask, yes.c3, no.c3),
+        }
+    }
+
+    /// The root in a span at whose end the cubic is positive, and the slope there.
+    #[inline(always)]
+    pub fn root(&self) -> (N, N) {
+        let (zero, one) = (self.c0.like(0.0), self.c0.like(1.0));
+        let (two, three) = (self.c0.like(2.0), self.c0.like(3.0));
+        let rise = self.c1 + self.c2 + self.c3;
+        let slope1 = three.mul_add(self.c3, two.mul_add(self.c2, self.c1));
+        // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
+        // value. Where it falls first, as the angle of a block that has just landed does: where the
+        // parabola from the start is as high as there again.
+        let rises = self.c1.gt(zero) & slope1.gt(zero);
+        let chord =
+            N::select(rises, -self.c0, -self.c1) / N::select(rises, rise, self.c2 + self.c3);
+        let inverse = hermite(zero, rise / self.c1, one, rise / slope1, chord);
+        let at = N::select(rises, inverse, chord);
+        let inside = at.gt(zero) & one.gt(at);
+        let at = N::select(inside, at, one);
+        // One step of Newton's method.
+        let value = at.mul_add(at.mul_add(at.mul_add(self.c3, self.c2), self.c1), self.c0);
+        let slope = at.mul_add(three * at * self.c3 + two * self.c2, self.c1);
+        let next = at - value / slope;
+        let inside = next.gt(zero) & one.gt(next);
+        (N::select(inside, next, at), slope)
+    }
+}

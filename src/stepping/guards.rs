@@ -1,0 +1,160 @@
+//! The guards: what a step is cut at. Twin of `shaders/guards.wgsl`.
+//!
+//! A guard is a function of the motion that is positive once it has happened.
+//!
+//! | guard | value | slope over the span | located to, of a step | what happens there |
+//! |---|---|---|---|---|
+//! | uplift | the larger uplift moment (14), s H X - b Y | secant of two trials | `EVENT_TOLERANCE` | the block lifts about the corner of the larger moment |
+//! | impact | -s phi | -s h phi' | `EVENT_TOLERANCE` | (16), or rest on both corners |
+//! | overturning | s phi - phi_c | s h phi' | `EVENT_TOLERANCE` | the cell ends |
+//! | kink of u' | u', its sign at the start reversed | h u'' | `KINK_TOLERANCE` | the step is cut: the law (11) is smooth on either side |
+//! | kink of z | z, its sign at the start reversed | h z' | `KINK_TOLERANCE` | the same |
+//!
+//! Two more cuts need no search: the yield limit on (11), and the impact that the rates foretell
+//! ([`span`](super::span)). A step ends at the end of its forcing segment by construction
+//! ([`forcing`](super::forcing)).
+
+use crate::model::dynamics::{Motion, Rates};
+use crate::model::number::Number;
+use crate::model::real::Real;
+use crate::model::vector::Vector;
+
+/// No switch.
+pub const NOTHING: u32 = 0;
+/// The block lifts about the left corner.
+pub const UPLIFT_LEFT: u32 = 1;
+/// The block lifts about the right corner.
+pub const UPLIFT_RIGHT: u32 = 2;
+/// The block lands on the other corner.
+pub const IMPACT: u32 = 3;
+/// The block passes the overturning angle.
+pub const OVERTURN: u32 = 4;
+/// The step is cut, the phase stays: du or z changes sign, or z would settle too fast.
+pub const KINK: u32 = 5;
+
+/// Switches that one step may hold. A block that chatters to rest makes about
+/// [`FLIGHTS_A_STEP`](crate::sweep::cells::FLIGHTS_A_STEP) impacts in its last one.
+pub const EVENT_BOUND: u32 = 128;
+/// Trials of one search at most.
+pub const LOCATE_BOUND: u32 = 60;
+
+/// Which guard each lane searches for: one at most.
+#[derive(Clone, Copy)]
+pub struct Sought<V: Vector> {
+    /// An uplift; about which corner is decided where it is found.
+    pub uplift: V::Mask,
+    /// An impact.
+    pub impact: V::Mask,
+    /// The overturning angle.
+    pub overturning: V::Mask,
+    /// A change of sign of u'.
+    pub kink_u: V::Mask,
+    /// A change of sign of z.
+    pub kink_z: V::Mask,
+}
+
+impl<V: Vector> Sought<V> {
+    /// Nothing in any lane.
+    #[inline(always)]
+    pub fn nothing(zero: V) -> Sought<V> {
+        let none = zero.mask(0);
+        Sought { uplift: none, impact: none, overturning: none, kink_u: none, kink_z: none }
+    }
+
+    /// Lanes that search for a kink.
+    #[inline(always)]
+    pub fn kink(&self) -> V::Mask {
+        self.kink_u | self.kink_z
+    }
+
+    /// Lanes that search for an angle: the rates at a trial's end tell how far it is.
+    #[inline(always)]
+    pub fn angle(&self) -> V::Mask {
+        self.impact | self.overturning
+    }
+
+    /// Lanes that search for anything.
+    #[inline(always)]
+    pub fn any(&self) -> V::Mask {
+        self.kink() | self.angle() | self.uplift
+    }
+
+    /// How near a guard must be found, as a fraction of the step.
+    #[inline(always)]
+    pub fn tolerance(&self, zero: V) -> V {
+        let event = zero.like(V::Element::EVENT_TOLERANCE.to_f64());
+        let kink = zero.like(V::Element::KINK_TOLERANCE.to_f64());
+        V::select(self.kink(), kink, event)
+    }
+
+    /// What the other set searches for, too; no lane is in both.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Sought<V>) {
+        self.uplift = self.uplift | other.uplift;
+        self.impact = self.impact | other.impact;
+        self.overturning = self.overturning | other.overturning;
+        self.kink_u = self.kink_u | other.kink_u;
+        self.kink_z = self.kink_z | other.kink_z;
+    }
+
+    /// Ends the searches of some lanes.
+    #[inline(always)]
+    pub fn end(&mut self, lanes: V::Mask) {
+        self.uplift = self.uplift & !lanes;
+        self.impact = self.impact & !lanes;
+        self.overturning = self.overturning & !lanes;
+        self.kink_u = self.kink_u & !lanes;
+        self.kink_z = self.kink_z & !lanes;
+    }
+}
+
+/// A guard at a trial's end.
+#[derive(Clone, Copy)]
+pub struct GuardSample<N> {
+    /// Its value; positive once it has happened.
+    pub value: N,
+    /// Its slope over the span.
+    pub slope: N,
+    /// Twice the coefficient of the square there: what a step along the slope misses.
+    pub bend: N,
+}
+
+/// True where a number goes from one side of zero to the other; zero itself is on neither.
+#[inline(always)]
+pub fn crosses<N: Number>(start: N, end: N) -> N::Mask {
+    let zero = start.like(0.0);
+    (start.gt(zero) & zero.gt(end)) | (zero.gt(start) & end.gt(zero))
+}
+
+/// Impact or overturning: how far the angle is past a target, in the sense of +1 or -1.
+#[inline(always)]
+pub fn angle_guard<N: Number>(
+    sense: N,
+    target: N,
+    y: &Motion<N>,
+    k: &Rates<N>,
+    h: N,
+) -> GuardSample<N> {
+    GuardSample { value: sense * y.phi - target, slope: h * sense * y.dphi, bend: h * h * k.ddphi }
+}
+
+/// A kink: u' or z, positive once it has left the side of zero that it was on at the start.
+#[inline(always)]
+pub fn kink_guard<N: Number>(
+    of_z: N::Mask,
+    start: &Motion<N>,
+    y: &Motion<N>,
+    k: &Rates<N>,
+    h: N,
+) -> GuardSample<N> {
+    let zero = h.like(0.0);
+    let from = N::select(of_z, start.z, start.du);
+    let value = N::select(of_z, y.z, y.du);
+    let slope = h * N::select(of_z, k.dz, k.ddu);
+    let positive = from.gt(zero);
+    GuardSample {
+        value: N::select(positive, -value, value),
+        slope: N::select(positive, -slope, slope),
+        bend: zero,
+    }
+}

@@ -1,0 +1,276 @@
+//! As many cells as a vector has lanes; one for a plain number.
+
+use bytemuck::Zeroable;
+
+use super::extremes::Extremes;
+use super::forcing::Forcing;
+use super::log::Listener;
+use super::search::Search;
+use super::state::State;
+use crate::model::CellEquations;
+use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use crate::model::dynamics::Motion;
+use crate::model::excitation::{Cell, Ground};
+use crate::model::isolation::Variant;
+use crate::model::real::Real;
+use crate::model::vector::Vector;
+
+/// A cell that a lane is on.
+#[derive(Debug, Clone, Copy)]
+pub struct Job<R> {
+    /// Its number in the queue.
+    pub number: usize,
+    /// Its numbers.
+    pub cell: Cell<R>,
+    /// Its state when it began, and when it is done.
+    pub state: State<R>,
+}
+
+/// Where lanes get their cells, and where these go.
+pub trait Feed<R> {
+    /// The next cell, if there is one.
+    fn next(&mut self) -> Option<Job<R>>;
+
+    /// Takes a cell that has ended.
+    fn done(&mut self, job: &Job<R>);
+}
+
+/// What is kept of a lane outside of the vectors.
+pub(super) struct Lane<R> {
+    pub job: Job<R>,
+    /// First step of its forcing segment.
+    pub first_step: u32,
+}
+
+/// What all cells of a sweep share.
+#[derive(Clone, Copy)]
+pub struct Shared<'a, R> {
+    /// What is switched on.
+    pub variant: Variant,
+    /// The block and its base.
+    pub model: &'a Model<R>,
+    /// The record.
+    pub record: &'a [Ground<R>],
+}
+
+impl<'a, R> Shared<'a, R> {
+    /// A cell's equations.
+    #[inline(always)]
+    pub(super) fn equations<'b>(&self, cell: &'b Cell<R>) -> CellEquations<'b, R>
+    where
+        'a: 'b,
+    {
+        CellEquations { variant: self.variant, model: self.model, cell, record: self.record }
+    }
+}
+
+/// As many cells as a vector has lanes, each at its own time in its own step.
+pub struct Lanes<'a, V: Vector, L = ()> {
+    pub(super) shared: Shared<'a, V::Element>,
+    pub(super) lanes: Vec<Lane<V::Element>>,
+    /// Lanes that have a cell, a bit each.
+    pub(super) running: u64,
+    pub(super) model: Model<V>,
+    pub(super) cell: Cell<V>,
+    pub(super) corner: Corner<V>,
+    /// Lanes whose block rocks.
+    pub(super) rocking: V::Mask,
+    /// Lanes whose block has lifted from full contact.
+    pub(super) lifted: V::Mask,
+    pub(super) forcing: Forcing<V>,
+    /// The motion where the span begins.
+    pub(super) y: Motion<V>,
+    /// Fraction of the step already done.
+    pub(super) start: V,
+    /// Fraction of the step that is looked at.
+    pub(super) span: V,
+    /// The span ends before the step does.
+    pub(super) cut: V::Mask,
+    /// Switches and kinks in the step so far.
+    pub(super) events: V,
+    /// Impacts so far.
+    pub(super) impacts: V,
+    /// Steps since a block in full contact was last tried by the certificate.
+    pub(super) untried: V,
+    pub(super) search: Search<V>,
+    pub(super) extremes: Extremes<V>,
+    pub(super) log: L,
+}
+
+/// The lanes of a mask's bits.
+#[inline(always)]
+pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = bits.trailing_zeros() as usize;
+        // Without a bit left there are 64 zeros.
+        (bits != 0).then(|| {
+            bits &= bits - 1;
+            lane
+        })
+    })
+}
+
+impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
+    /// Lanes without cells; `zero` tells the kind of vector, `log` hears of switches.
+    #[inline(always)]
+    pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
+        let one = shared.model;
+        let idle = || Lane {
+            job: Job { number: 0, cell: Cell::zeroed(), state: State::zeroed() },
+            first_step: 0,
+        };
+        let none = zero.mask(0);
+        Lanes {
+            shared,
+            lanes: (0..V::LANES).map(|_| idle()).collect(),
+            running: 0,
+            model: one.map(|number| zero.like(number.to_f64())),
+            cell: Cell::<f32>::zeroed().map(|_| zero),
+            corner: one.left.map(|number| zero.like(number.to_f64())),
+            rocking: none,
+            lifted: none,
+            forcing: Forcing::new(zero),
+            y: Motion::<f32>::zeroed().map(|_| zero),
+            start: zero,
+            span: zero.like(1.0),
+            cut: none,
+            events: zero,
+            impacts: zero,
+            untried: zero,
+            search: Search::new(zero),
+            extremes: State::<f32>::zeroed().extremes().map(|_| zero),
+            log,
+        }
+    }
+
+    /// Runs all cells of a feed.
+    #[inline(always)]
+    pub fn run(&mut self, feed: &mut impl Feed<V::Element>) {
+        for lane in 0..V::LANES {
+            self.fill(lane, feed);
+        }
+        while self.running != 0 {
+            for lane in each(self.turn()) {
+                self.store(lane);
+                feed.done(&self.lanes[lane].job);
+                self.running &= !(1 << lane);
+                self.fill(lane, feed);
+            }
+        }
+    }
+
+    /// The equations of all lanes.
+    #[inline(always)]
+    pub(super) fn equations(&self) -> CellEquations<'_, V> {
+        let variant = self.shared.variant;
+        CellEquations { variant, model: &self.model, cell: &self.cell, record: &[] }
+    }
+
+    /// Lanes under no excitation any more.
+    #[inline(always)]
+    pub(super) fn free(&self) -> V::Mask {
+        self.start.mask(!self.forcing.forced)
+    }
+
+    /// Gives a lane the next cell that has anything left to run.
+    #[inline(always)]
+    fn fill(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
+        while let Some(job) = feed.next() {
+            if job.state.status != super::state::RUNNING {
+                feed.done(&job);
+                continue;
+            }
+            self.load(lane, job);
+            return;
+        }
+        self.search.stop(self.start.mask(1 << lane));
+    }
+
+    /// Puts a cell on a lane.
+    #[inline(always)]
+    pub(super) fn load(&mut self, lane: usize, job: Job<V::Element>) {
+        let bit = self.start.mask(1 << lane);
+        let zero = V::Element::of(0.0);
+        self.running |= 1 << lane;
+        for (to, from) in self.cell.reals_mut().into_iter().zip(job.cell.reals()) {
+            to.put(lane, from);
+        }
+        let seen = job.state.extremes();
+        for (to, from) in self.extremes.reals_mut().into_iter().zip(seen.reals()) {
+            to.put(lane, from);
+        }
+        self.impacts.put(lane, V::Element::of(f64::from(job.state.impacts)));
+        self.lifted = self.lifted & !bit;
+        if job.state.uplifts > 0 {
+            self.lifted = self.lifted | bit;
+        }
+        self.lanes[lane].job = job;
+        self.enter(lane);
+        self.begin_segment(lane, job.state.step);
+        self.start.put(lane, zero);
+        self.events.put(lane, zero);
+        self.search.at.put(lane, V::Element::of(1.0));
+        self.search.stop(bit);
+    }
+
+    /// Takes a lane's motion and phase from its state.
+    #[inline(always)]
+    pub(super) fn enter(&mut self, lane: usize) {
+        let state = &self.lanes[lane].job.state;
+        for (to, from) in self.y.reals_mut().into_iter().zip(state.motion.reals()) {
+            to.put(lane, from);
+        }
+        let corner = pivot(self.shared.model, state.mode);
+        for (to, from) in self.corner.reals_mut().into_iter().zip(corner.reals()) {
+            to.put(lane, from);
+        }
+        let bit = self.start.mask(1 << lane);
+        self.rocking = self.rocking & !bit;
+        if state.mode != FULL_CONTACT {
+            self.rocking = self.rocking | bit;
+        }
+    }
+
+    /// Gives a lane's motion, phase and place in time to its state.
+    #[inline(always)]
+    pub(super) fn leave(&mut self, lane: usize) {
+        let step = self.step(lane);
+        let rocking = V::bits(self.rocking) >> lane & 1 == 1;
+        let left = self.corner.side.lane(lane) > V::Element::of(0.0);
+        // Whole numbers, far below 2^32.
+        let impacts = self.impacts.lane(lane).to_f64() as u32;
+        let state = &mut self.lanes[lane].job.state;
+        for (to, from) in state.motion.reals_mut().into_iter().zip(self.y.reals_ref()) {
+            *to = from.lane(lane);
+        }
+        state.mode = match (rocking, left) {
+            (false, _) => FULL_CONTACT,
+            (true, true) => ROCKING_LEFT,
+            (true, false) => ROCKING_RIGHT,
+        };
+        (state.step, state.impacts) = (step, impacts);
+    }
+
+    /// Gives all that a lane knows to its state.
+    #[inline(always)]
+    pub(super) fn store(&mut self, lane: usize) {
+        self.leave(lane);
+        let seen = self.extremes.map(|number| number.lane(lane));
+        self.lanes[lane].job.state.set_extremes(&seen);
+    }
+
+    /// The step that a lane is in.
+    #[inline(always)]
+    pub(super) fn step(&self, lane: usize) -> u32 {
+        // A whole number of steps in a segment, below its most.
+        self.lanes[lane].first_step + self.forcing.done.lane(lane).to_f64() as u32
+    }
+
+    /// Puts a lane on the forcing segment of a step.
+    #[inline(always)]
+    pub(super) fn begin_segment(&mut self, lane: usize, step: u32) {
+        let set = self.shared.equations(&self.lanes[lane].job.cell);
+        self.lanes[lane].first_step = self.forcing.begin(lane, &set, step);
+        self.untried.put(lane, V::Element::of(0.0));
+    }
+}

@@ -1,0 +1,29 @@
+//! Integration in time: one fixed-step method at every width, and apart from it the adaptive
+//! [reference].
+//!
+//! To be read from the [`turn`] outwards. [`lanes`] hold as many cells as a vector has lanes, a plain
+//! number being a vector of one ([`single`]). In every turn each lane makes one Runge-Kutta trial
+//! ([`rk4`]) over its [`span`], under the ground of its [`forcing`] segment. Where a [guard](guards)
+//! has happened on the way ([`crossing`]), a [`search`] by further trials finds where, starting from a
+//! [`cubic`] through the span's ends; then the phase changes ([`switching`]). [`extremes`] take in
+//! what a span held, and the [`certificate`] ends cells of which all is final. Each of these files is
+//! the twin of the shader of its name.
+
+pub mod certificate;
+pub mod crossing;
+pub mod cubic;
+pub mod extremes;
+pub mod forcing;
+pub mod guards;
+pub mod lanes;
+pub mod log;
+pub mod operations;
+pub mod outcome;
+pub mod reference;
+pub mod rk4;
+pub mod search;
+pub mod single;
+pub mod span;
+pub mod state;
+mod switching;
+mod turn;

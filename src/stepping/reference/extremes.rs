@@ -1,0 +1,125 @@
+//! The largest values of a run, those between the ends of its steps among them.
+//!
+//! A step is as long as the tolerance allows, a sixteenth of the shortest period at most, and its
+//! ends miss a crest by up to a fiftieth of what it stands out by. A crest is foretold on the
+//! step's cubic; where it may be a new extreme, the step is redone up to it.
+
+use super::cubic::{Cubic, SAMPLES, climb, crest};
+use super::step::Taken;
+use super::system::{DU, PHI, Phase, State, System, U, V};
+use super::trial::Trial;
+
+/// The extremes of a run so far.
+#[derive(Debug, Clone, Copy)]
+pub struct Extremes {
+    /// |phi| about the left and about the right corner, rad.
+    pub phi: [f64; 2],
+    /// |u|, m.
+    pub u: f64,
+    /// |v|, m.
+    pub v: f64,
+    /// Least normal force over M, m/s^2.
+    pub normal: f64,
+    /// Largest |shear| over normal force, while the latter is positive. Where the normal force
+    /// passes zero it has no bound, and this is the largest that was sampled.
+    pub friction: f64,
+}
+
+/// |shear| over the normal force, while there is one.
+fn ratio((normal, shear): (f64, f64)) -> f64 {
+    if normal > 0.0 { shear.abs() / normal } else { 0.0 }
+}
+
+/// True where a quantity with these values at the start, halfway and at the end of a step may pass
+/// `so_far` inside it: a parabola through them is nowhere higher than the highest and their second
+/// difference.
+fn may_pass([start, middle, end]: [f64; 3], so_far: f64) -> bool {
+    let bend = (2.0 * middle - start - end).abs();
+    bend > 1.0e-7 * middle.abs() && start.max(middle).max(end) + bend > so_far
+}
+
+/// A coordinate's largest magnitude inside a step, if it may be over `so_far`.
+fn within(coordinate: usize, so_far: f64, cubic: &Cubic, redo: impl Fn(f64) -> State) -> f64 {
+    let (r0, r1) = (cubic.d0[coordinate], cubic.d1[coordinate]);
+    if r0 * r1 >= 0.0 {
+        return so_far;
+    }
+    let at = r0 / (r0 - r1);
+    let ends = cubic.y0[coordinate].abs().max(cubic.y1[coordinate].abs());
+    let value = cubic.at(at)[coordinate].abs();
+    let bump = value - ends;
+    if bump > 1.0e-9 * value && value + 0.25 * bump > so_far {
+        return so_far.max(climb(at, |x| redo(x)[coordinate].abs()).1);
+    }
+    so_far
+}
+
+impl Extremes {
+    /// Before a run.
+    pub fn new(system: &System) -> Extremes {
+        let v = system.at_rest()[V].abs();
+        Extremes { phi: [0.0; 2], u: 0.0, v, normal: crate::scene::GRAVITY, friction: 0.0 }
+    }
+
+    /// Takes in a step. Its ends belong to its phase and to its drive: at a switch or a jump of the
+    /// ground the step before and the one after each bring a value.
+    pub fn see(&mut self, trial: &Trial, taken: &Taken) {
+        let Taken { h, y: y1, rate: d1, .. } = taken;
+        let cubic = Cubic::new((trial.y, trial.rate), (y1, d1), *h);
+        self.see_motion(trial.phase, trial.y);
+        self.see_motion(trial.phase, y1);
+        let redo = |x: f64| trial.step(x * h).0;
+        self.u = within(U, self.u, &cubic, redo);
+        self.v = within(V, self.v, &cubic, redo);
+        if let Some(pole) = trial.phase {
+            let largest = &mut self.phi[pole as usize];
+            *largest = within(PHI, *largest, &cubic, redo);
+        }
+        self.see_contact(trial, &cubic);
+    }
+
+    fn see_motion(&mut self, phase: Phase, y: &State) {
+        self.u = self.u.max(y[U].abs());
+        self.v = self.v.max(y[V].abs());
+        if let Some(pole) = phase {
+            let largest = &mut self.phi[pole as usize];
+            *largest = largest.max(y[PHI].abs());
+        }
+    }
+
+    fn see_contact(&mut self, trial: &Trial, cubic: &Cubic) {
+        let Trial { system, phase, t, drive, .. } = *trial;
+        let contact = |x: f64, y: &State| system.contact(phase, t + x * cubic.h, drive, y);
+        let at_end = |x: f64, y: &State, rate: &State| {
+            let accelerations = rate.fixed_rows::<3>(DU).into_owned();
+            system.contact_of(phase, t + x * cubic.h, drive, y, &accelerations)
+        };
+        let first = at_end(0.0, cubic.y0, cubic.d0);
+        let middle = contact(0.5, &cubic.at(0.5));
+        let last = at_end(1.0, cubic.y1, cubic.d1);
+        for end in [first, last] {
+            self.normal = self.normal.min(end.0);
+            self.friction = self.friction.max(ratio(end));
+        }
+        let normals = [first, middle, last].map(|(normal, _)| -normal);
+        let ratios = [first, middle, last].map(ratio);
+        if !may_pass(normals, -self.normal) && !may_pass(ratios, self.friction) {
+            return;
+        }
+        let between = |x: f64| contact(x, &cubic.at(x));
+        let sampled = [first, between(0.25), middle, between(0.75), last];
+        let exact = |x: f64| contact(x, &trial.step(x * cubic.h).0);
+        for middle in 1..SAMPLES - 1 {
+            if let Some(low) = crest(&sampled.map(|(normal, _)| -normal), middle)
+                && low.most > -self.normal
+            {
+                self.normal = self.normal.min(-climb(low.at, |x| -exact(x).0).1);
+            }
+            if let Some(high) = crest(&sampled.map(ratio), middle)
+                && high.most > self.friction
+            {
+                self.friction = self.friction.max(climb(high.at, |x| ratio(exact(x))).1);
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! What an impact makes of the velocities: the balance of momenta (15), solved as the linear system
+//! that it is; and the energy, which it may not raise.
+//!
+//! Nothing here is shared with [`crate::model`], not the closed form (16)-(18) of the impact either.
+
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+
+use super::system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, V, Z};
+use crate::scene::GRAVITY;
+
+impl System {
+    /// The state after an impact that ends rocking about `before`: (15) solved for the velocities
+    /// after it, with the block going on about the other corner.
+    pub fn impact(&self, before: Pole, y: &State) -> State {
+        let after = before.other();
+        let total_h = self.mass + self.plate_h + self.plate_v;
+        let total_v = self.mass + self.plate_v;
+        let (m, h) = (self.mass, self.height);
+        // Momenta at phi = 0, where C moves by (u' - H phi', v' +- (B +- e) phi'); the angular
+        // one is about the corner after the impact.
+        let lever = after.sign() * self.arm(after);
+        let momenta = |pole: Pole| {
+            let r = pole.sign() * self.arm(pole);
+            let angular = self.inertia + m * (lever * r + h * h);
+            Matrix3::new(total_h, 0.0, -m * h, 0.0, total_v, m * r, -m * h, m * lever, angular)
+        };
+        let velocity = Vector3::new(y[DU], y[DV], y[DPHI]);
+        let mut right = momenta(before) * velocity;
+        let mut matrix = momenta(after);
+        for (row, moves) in [(0, self.moves_h), (1, self.moves_v)] {
+            if !moves {
+                matrix.set_row(row, &nalgebra::RowVector3::zeros());
+                matrix[(row, row)] = 1.0;
+                right[row] = 0.0;
+            }
+        }
+        if let Some(restitution) = self.restitution {
+            matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
+            right[2] = restitution * y[DPHI];
+        }
+        let solved = matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN));
+        let mut landed = *y;
+        landed[PHI] = 0.0;
+        landed.fixed_rows_mut::<3>(DU).copy_from(&solved);
+        landed
+    }
+
+    /// The state after an impact on both corners at once: (15a) and (15b) with no rotation after.
+    pub fn settle(&self, before: Pole, y: &State) -> State {
+        let r = before.sign() * self.arm(before);
+        let mut settled = *y;
+        settled[PHI] = 0.0;
+        settled[DPHI] = 0.0;
+        if self.moves_h {
+            let total = self.mass + self.plate_h + self.plate_v;
+            settled[DU] = (total * y[DU] - self.mass * self.height * y[DPHI]) / total;
+        }
+        if self.moves_v {
+            let total = self.mass + self.plate_v;
+            settled[DV] = (total * y[DV] + self.mass * r * y[DPHI]) / total;
+        }
+        settled
+    }
+
+    /// Mechanical energy, J: kinetic, gravity, and what the springs store; zero on the ground
+    /// with springs at their natural length.
+    pub fn energy(&self, phase: Phase, y: &State) -> f64 {
+        let (m, h) = (self.mass, self.height);
+        let mut centre = Vector2::new(y[DU], y[DV]);
+        let mut rise = 0.0;
+        if let Some(pole) = phase {
+            let (sin, cos) = y[PHI].sin_cos();
+            let r = Vector2::new(pole.sign() * self.arm(pole), h);
+            let turned = Matrix2::new(cos, -sin, sin, cos) * r;
+            centre += Vector2::new(-turned[1], turned[0]) * y[DPHI];
+            rise = turned[1] - h;
+        }
+        let kinetic = 0.5 * self.plate_h * y[DU] * y[DU]
+            + 0.5 * self.plate_v * (y[DU] * y[DU] + y[DV] * y[DV])
+            + 0.5 * m * centre.norm_squared()
+            + 0.5 * self.inertia * y[DPHI] * y[DPHI];
+        let gravity = GRAVITY * ((m + self.plate_v) * y[V] + m * rise);
+        let stored = 0.5 * self.psi * self.k_h * y[U] * y[U]
+            + 0.5 * (1.0 - self.psi) * self.k_h * self.u_y * self.u_y * y[Z] * y[Z]
+            + 0.5 * self.k_v * y[V] * y[V];
+        kinetic + gravity + stored
+    }
+}

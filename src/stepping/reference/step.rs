@@ -1,0 +1,77 @@
+//! One adaptive step, cut at the first switch or kink inside it.
+
+use super::Settings;
+use super::cubic::Cubic;
+use super::guards::{Guard, first_guard};
+use super::system::State;
+use super::trial::Trial;
+use crate::scene::Point;
+
+/// A step that was taken.
+#[derive(Debug, Clone)]
+pub struct Taken {
+    /// Time at its end, s.
+    pub t: f64,
+    /// Its length, s.
+    pub h: f64,
+    /// State at its end.
+    pub y: State,
+    /// Time derivative there.
+    pub rate: State,
+    /// What cut it short.
+    pub guard: Option<Guard>,
+}
+
+/// The lengths of the steps of one cell.
+pub struct Stepper {
+    /// The step to try next, s.
+    next: f64,
+    longest: f64,
+}
+
+impl Stepper {
+    /// Before the first step.
+    pub fn new(settings: &Settings, point: &Point) -> Stepper {
+        // A sixteenth of the shortest period, so that an uplift at its crest is not passed over.
+        let longest = settings.longest.min(point.t_v / 16.0).min(point.t_h / 16.0);
+        Stepper { next: 0.1 * longest, longest }
+    }
+
+    /// Takes a step towards the time `stop`, up to the first guard that happens.
+    pub fn step(&mut self, trial: &Trial, stop: f64) -> Taken {
+        loop {
+            let left = stop - trial.t;
+            let mut h = self.next.min(self.longest).min(left);
+            // The last step ends at `stop` exactly, and none is left over that is lost in t.
+            let last = h >= left * (1.0 - 1.0e-9);
+            if last {
+                h = left;
+            }
+            let (mut y1, mut error) = trial.step(h);
+            let mut d1 = trial.rate_of(h, &y1);
+            let mut guard = None;
+            let mut cut = h;
+            let cubic = Cubic::new((trial.y, trial.rate), (&y1, &d1), h);
+            if let Some((which, place)) = first_guard(trial, &cubic) {
+                guard = Some(which);
+                cut = place;
+                (y1, error) = trial.step(cut);
+                d1 = trial.rate_of(cut, &y1);
+            }
+            if !error.is_finite() && cut > 1.0e-14 {
+                // The trial left the range of its law, as |z|^n does soon for a large n.
+                self.next = 0.2 * cut;
+                continue;
+            }
+            let grown = cut * (0.9 * error.max(1.0e-10).powf(-1.0 / 8.0)).clamp(0.2, 5.0);
+            if error > 1.0 && cut > 1.0e-14 {
+                self.next = grown;
+                continue;
+            }
+            // A step cut at a guard says little of how long the next one may be.
+            self.next = if guard.is_some() { self.next.max(grown) } else { grown };
+            let end = if last && guard.is_none() { stop } else { trial.t + cut };
+            return Taken { t: end, h: cut, y: y1, rate: d1, guard };
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! One trial by the classical Runge-Kutta method. Twin of `shaders/rk4.wgsl`.
+
+use crate::model::CellEquations;
+use crate::model::block::Corner;
+use crate::model::dynamics::{Contact, Motion, Rates, rates};
+use crate::model::excitation::Ground;
+use crate::model::number::Number;
+
+/// Where a trial ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Stepped<R> {
+    /// The motion at the end.
+    pub y: Motion<R>,
+    /// The contact force halfway, for the uplift condition and the extremes.
+    pub mid: Contact<R>,
+    /// The rates of the last stage: those at the end, but for terms of third order in the step.
+    pub k4: Rates<R>,
+}
+
+/// The motion after a time `h` at the rates `k`.
+#[inline(always)]
+pub fn shift<R: Number>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
+    Motion {
+        u: h.mul_add(k.du, y.u),
+        du: h.mul_add(k.ddu, y.du),
+        v: h.mul_add(k.dv, y.v),
+        dv: h.mul_add(k.ddv, y.dv),
+        z: h.mul_add(k.dz, y.z),
+        phi: h.mul_add(k.dphi, y.phi),
+        dphi: h.mul_add(k.ddphi, y.dphi),
+    }
+}
+
+/// Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at
+/// the end.
+#[inline(always)]
+pub fn rk4<R: Number>(
+    set: &CellEquations<R>,
+    corner: &Corner<R>,
+    rocking: R::Mask,
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    h: R,
+    ground_mid: Ground<R>,
+    ground_end: Ground<R>,
+) -> Stepped<R> {
+    let half = h.like(0.5) * h;
+    let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);
+    let k3 = rates(set, corner, rocking, &shift(y, &k2, half), ground_mid);
+    let k4 = rates(set, corner, rocking, &shift(y, &k3, h), ground_end);
+    let sixth = h.like(0.166_666_666_666_666_66) * h;
+    let two = h.like(2.0);
+    let end = Motion {
+        u: sixth.mul_add(two.mul_add(k2.du + k3.du, k1.du + k4.du), y.u),
+        du: sixth.mul_add(two.mul_add(k2.ddu + k3.ddu, k1.ddu + k4.ddu), y.du),
+        v: sixth.mul_add(two.mul_add(k2.dv + k3.dv, k1.dv + k4.dv), y.v),
+        dv: sixth.mul_add(two.mul_add(k2.ddv + k3.ddv, k1.ddv + k4.ddv), y.dv),
+        z: sixth.mul_add(two.mul_add(k2.dz + k3.dz, k1.dz + k4.dz), y.z),
+        phi: sixth.mul_add(two.mul_add(k2.dphi + k3.dphi, k1.dphi + k4.dphi), y.phi),
+        dphi: sixth.mul_add(two.mul_add(k2.ddphi + k3.ddphi, k1.ddphi + k4.ddphi), y.dphi),
+    };
+    Stepped { y: end, mid: k3.contact(), k4 }
+}
+
+/// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.
+#[inline(always)]
+pub fn hermite<R: Number>(x0: R, slope0: R, x1: R, slope1: R, at: R) -> R {
+    let rise = x1 - x0;
+    let c2 = at.like(3.0) * rise - at.like(2.0) * slope0 - slope1;
+    let c3 = slope0 + slope1 - at.like(2.0) * rise;
+    at.mul_add(at.mul_add(at.mul_add(c3, c2), slope0), x0)
+}

@@ -1,0 +1,135 @@
+//! Where in its span each lane's guard is, a trial of every lane at a time: Newton's method inside a
+//! bracket, from the cubic through the span's ends. Twin of `shaders/search.wgsl`.
+
+use crate::model::vector::Vector;
+
+use super::cubic::Cubic;
+use super::guards::{GuardSample, LOCATE_BOUND, Sought};
+
+/// Lanes whose search is over.
+pub struct Arrived<V: Vector> {
+    /// Those that have arrived.
+    pub lanes: V::Mask,
+    /// How far before the trial's end the guard is, a fraction of the span: near enough to go back
+    /// along the rates. Zero in all other lanes.
+    pub back: V,
+}
+
+/// The searches of all lanes.
+pub struct Search<V: Vector> {
+    /// What each lane searches for.
+    pub sought: Sought<V>,
+    /// Lanes that found nothing and take their span whole.
+    pub again: V::Mask,
+    /// Where to try next, a fraction of the span.
+    pub at: V,
+    /// The guard is beyond `low`, and not beyond `high`.
+    low: V,
+    high: V,
+    /// It was found to have happened at `high`.
+    verified: V::Mask,
+    /// The next trial is the last.
+    last: V::Mask,
+    tries: V,
+    /// The trial before, for the slope of an uplift moment.
+    before: V,
+    value_before: V,
+    slope: V,
+}
+
+impl<V: Vector> Search<V> {
+    /// No search in any lane.
+    #[inline(always)]
+    pub fn new(zero: V) -> Search<V> {
+        let none = zero.mask(0);
+        Search {
+            sought: Sought::nothing(zero),
+            again: none,
+            at: zero.like(1.0),
+            low: zero,
+            high: zero,
+            verified: none,
+            last: none,
+            tries: zero,
+            before: zero,
+            value_before: zero,
+            slope: zero,
+        }
+    }
+
+    /// Begins the searches of lanes whose span holds a guard that has happened at `upper`, its end
+    /// unless the guard happens and is undone inside it.
+    #[inline(always)]
+    pub fn begin(&mut self, found: &Sought<V>, cubic: &Cubic<V>, upper: V) {
+        let (zero, one) = (upper.like(0.0), upper.like(1.0));
+        let lanes = found.any();
+        self.sought.add(found);
+        let (root, slope) = cubic.root();
+        let whole = upper.ge(one);
+        let first = V::select(whole, root + self.aim(), upper);
+        self.at = V::select(lanes, first, self.at);
+        self.low = V::select(lanes, zero, self.low);
+        self.high = V::select(lanes, upper, self.high);
+        self.tries = V::select(lanes, zero, self.tries);
+        self.slope = V::select(lanes, slope, self.slope);
+        self.verified = (self.verified & !lanes) | (lanes & whole);
+        self.last = self.last & !lanes;
+    }
+
+    /// Ends all searches of some lanes.
+    #[inline(always)]
+    pub fn stop(&mut self, lanes: V::Mask) {
+        self.sought.end(lanes);
+        self.again = self.again & !lanes;
+    }
+
+    /// How far past a root to aim, so that the trial ends beyond it; not for angles, which are
+    /// their target by definition where they are found.
+    #[inline(always)]
+    fn aim(&self) -> V {
+        let (zero, half) = (self.at.like(0.0), self.at.like(0.5));
+        V::select(self.sought.angle(), zero, half * self.sought.tolerance(zero))
+    }
+
+    /// Takes in what the trial at `at` came to.
+    #[inline(always)]
+    pub fn narrow(&mut self, found: GuardSample<V>) -> Arrived<V> {
+        let (zero, one, half) =
+            (found.value.like(0.0), found.value.like(1.0), found.value.like(0.5));
+        let seeking = self.sought.any();
+        let (uplift, angle) = (self.sought.uplift, self.sought.angle());
+        let tolerance = self.sought.tolerance(zero);
+        let at = self.at;
+        let secant = (found.value - self.value_before) / (at - self.before);
+        let repeated = self.tries.gt(zero);
+        self.slope = V::select(uplift, V::select(repeated, secant, self.slope), found.slope);
+        self.before = at;
+        self.value_before = found.value;
+        self.tries = self.tries + one;
+        let change = found.value / self.slope;
+        let beyond = found.value.gt(zero);
+        // Going back along the slope misses half the bend times the square of the way.
+        let missed = half * change * change * found.bend.abs();
+        let near = V::select(angle, missed, (change * self.slope).abs());
+        let near = (tolerance * self.slope.abs()).ge(near);
+        // What has not happened at the upper end does not happen.
+        let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
+        let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;
+        self.high = V::select(beyond, at, self.high);
+        self.low = V::select(beyond, self.low, at);
+        self.verified = self.verified | (seeking & beyond);
+        let next = at - change + self.aim();
+        let inside = next.gt(self.low) & self.high.gt(next);
+        let next = V::select(inside, next, half * (self.low + self.high));
+        let narrow =
+            tolerance.ge(self.high - self.low) | self.tries.ge(one.like(f64::from(LOCATE_BOUND)));
+        self.last = seeking & narrow;
+        self.at = V::select(seeking, V::select(narrow, self.high, next), at);
+        self.again = self.again | nothing;
+        let back = V::select(done & angle & near, change, zero);
+        let over = done | nothing;
+        self.sought.end(over);
+        self.at = V::select(over, one, self.at);
+        Arrived { lanes: done, back }
+    }
+}

@@ -1,0 +1,85 @@
+//! One cell by itself: vectors of one lane.
+
+use crate::model::CellEquations;
+use crate::model::real::Real;
+
+use super::lanes::{Job, Lanes, Shared};
+use super::log::Log;
+use super::state::{RUNNING, State};
+
+/// One cell on its way.
+pub struct Single<'a, R: Real> {
+    lanes: Lanes<'a, R, &'a mut dyn Log<R>>,
+}
+
+impl<'a, R: Real> Single<'a, R> {
+    /// A cell at a state; `log` hears of its switches.
+    pub fn new(
+        set: &CellEquations<'a, R>,
+        state: &State<R>,
+        log: &'a mut dyn Log<R>,
+    ) -> Single<'a, R> {
+        let shared = Shared { variant: set.variant, model: set.model, record: set.record };
+        let mut lanes = Lanes::new(shared, R::of(0.0), log);
+        if state.status == RUNNING {
+            lanes.load(0, Job { number: 0, cell: *set.cell, state: *state });
+        } else {
+            lanes.lanes[0].job.state = *state;
+        }
+        Single { lanes }
+    }
+
+    /// One turn; false where the cell has ended. Compiled once for a number type.
+    #[inline(never)]
+    fn turn(&mut self) -> bool {
+        if self.lanes.running != 0 && self.lanes.turn() != 0 {
+            self.lanes.store(0);
+            self.lanes.running = 0;
+        }
+        self.lanes.running != 0
+    }
+
+    /// Takes the cell over the rest of its step, to its start at a boundary; false where it has
+    /// ended.
+    pub fn step(&mut self) -> bool {
+        if self.lanes.running == 0 {
+            return false;
+        }
+        let step = self.lanes.step(0);
+        while self.turn() {
+            if self.lanes.step(0) != step {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The state so far.
+    pub fn state(&mut self) -> State<R> {
+        if self.lanes.running != 0 {
+            self.lanes.store(0);
+        }
+        self.lanes.lanes[0].job.state
+    }
+
+    /// Forgets the contact forces seen so far: the state's are those from here on.
+    pub fn forget_contact(&mut self) {
+        self.lanes.extremes.min_contact = R::of(f64::from(f32::MAX));
+        self.lanes.extremes.friction = R::of(0.0);
+    }
+
+    /// Takes the cell to its end.
+    pub fn finish(mut self) -> State<R> {
+        while self.turn() {}
+        self.state()
+    }
+}
+
+/// A cell from a state to its end.
+pub fn run<'a, R: Real>(
+    set: &CellEquations<'a, R>,
+    state: &State<R>,
+    log: &'a mut dyn Log<R>,
+) -> State<R> {
+    Single::new(set, state, log).finish()
+}

@@ -1,0 +1,105 @@
+//! What a cell carries from chunk to chunk, and what it has seen. Twin of `shaders/state.wgsl`.
+
+use bytemuck::Zeroable;
+
+use crate::model::dynamics::Motion;
+use crate::model::excitation::Cell;
+use crate::model::number::Number;
+use crate::model::real::{Real, pod};
+
+use super::extremes::Extremes;
+
+/// The cell still runs.
+pub const RUNNING: u32 = 0;
+/// The cell reached its last step.
+pub const FINISHED: u32 = 1;
+/// The block overturned about the left corner.
+pub const OVERTURNED_LEFT: u32 = 2;
+/// The block overturned about the right corner.
+pub const OVERTURNED_RIGHT: u32 = 3;
+/// More switches in one step than can be followed.
+pub const EVENT_LIMIT: u32 = 4;
+/// The motion left every physical range, or is not a number.
+pub const DIVERGED: u32 = 5;
+/// All that the cell tells was proved to be final.
+pub const PROVED: u32 = 6;
+
+/// One cell: its motion, its phase, and its records so far.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
+pub struct State<R> {
+    /// The motion at the last step boundary (or switch, for a cell that ended).
+    pub motion: Motion<R>,
+    /// Largest phi while rocking about the left corner, rad.
+    pub max_phi_left: R,
+    /// Largest -phi while rocking about the right corner, rad.
+    pub max_phi_right: R,
+    /// Largest |u|, m.
+    pub max_u: R,
+    /// Largest |v|, m.
+    pub max_v: R,
+    /// Least normal contact force over M, m/s^2.
+    pub min_contact: R,
+    /// Largest |horizontal| / normal contact force while the latter is positive.
+    pub friction: R,
+    /// Fraction of the step `uplift_step` at which the block first lifted.
+    pub uplift_fraction: R,
+    /// Fraction of the step `step` at which the cell ended, if it did not reach its last step.
+    pub end_fraction: R,
+    /// `FULL_CONTACT`, `ROCKING_LEFT` or `ROCKING_RIGHT`.
+    pub mode: u32,
+    /// Steps done.
+    pub step: u32,
+    /// Impacts so far.
+    pub impacts: u32,
+    /// Uplifts so far.
+    pub uplifts: u32,
+    /// Step in which the block first lifted.
+    pub uplift_step: u32,
+    /// `RUNNING`, or how the cell ended.
+    pub status: u32,
+}
+
+pod!(State, reals: 15, words: 6);
+
+impl<R: Real> State<R> {
+    /// The largest and least values so far.
+    pub fn extremes(&self) -> Extremes<R> {
+        let State { max_phi_left, max_phi_right, max_u, max_v, min_contact, friction, .. } = *self;
+        Extremes { max_phi_left, max_phi_right, max_u, max_v, min_contact, friction }
+    }
+
+    /// Takes over the largest and least values.
+    #[inline(always)]
+    pub fn set_extremes(&mut self, seen: &Extremes<R>) {
+        self.max_phi_left = seen.max_phi_left;
+        self.max_phi_right = seen.max_phi_right;
+        self.max_u = seen.max_u;
+        self.max_v = seen.max_v;
+        self.min_contact = seen.min_contact;
+        self.friction = seen.friction;
+    }
+}
+
+/// Ends a cell before it begins where one of its numbers is none: a parameter that the number type
+/// does not hold.
+pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
+    if !cell.reals().iter().all(|number| number.to_f64().is_finite()) {
+        state.status = DIVERGED;
+    }
+}
+
+/// Largest |phi| that `sine` and `cosine` hold for, rad; overturning is at pi/2 at the latest.
+pub const PHI_RANGE: f64 = 1.65;
+
+/// Largest sum of |u|, |v|, |z| and |phi| that is taken for a motion: metres far beyond any base,
+/// which a step past its stability limit reaches on its way to infinity.
+pub const SIZE_RANGE: f64 = 1.0e4;
+
+/// True where a motion is in the range of what a block and its base can do; what is not a number is
+/// out of it.
+#[inline(always)]
+pub fn is_sound<N: Number>(y: &Motion<N>) -> N::Mask {
+    let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
+    size.like(SIZE_RANGE).gt(size) & size.like(PHI_RANGE).ge(y.phi.abs())
+}

@@ -1,0 +1,176 @@
+//! What happens at a switch: uplift, impact, rest, overturning, and the ends of segments and cells.
+//! Impacts are for all lanes at once; the rest, which is rare, a lane at a time. Twin of
+//! `shaders/switching.wgsl`.
+
+use crate::model::block::{Corner, FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use crate::model::dynamics::{Contact, largest_uplift_moment};
+use crate::model::impact::{change_corner, come_to_rest};
+use crate::model::isolation::support;
+use crate::model::real::Real;
+use crate::model::vector::Vector;
+
+use super::certificate;
+use super::guards::{IMPACT, KINK, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
+use super::lanes::{Lanes, each};
+use super::log::Listener;
+use super::state::{
+    DIVERGED, EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING,
+};
+use super::turn::select_motion;
+
+#[inline(always)]
+fn select_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> Corner<V> {
+    yes.zip(no, |yes, no| V::select(mask, yes, no))
+}
+
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+    /// The blocks of some lanes lift, about the left corner or the right.
+    #[inline(never)]
+    pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
+        for lane in each(bits) {
+            let left = to_left >> lane & 1 == 1;
+            let (step, fraction) = (self.step(lane), self.start.lane(lane));
+            self.leave(lane);
+            let state = &mut self.lanes[lane].job.state;
+            if state.uplifts == 0 {
+                state.uplift_step = step;
+                state.uplift_fraction = fraction;
+            }
+            state.uplifts += 1;
+            state.mode = if left { ROCKING_LEFT } else { ROCKING_RIGHT };
+            self.lifted = self.lifted | self.start.mask(1 << lane);
+            self.enter(lane);
+            self.tell(lane, if left { UPLIFT_LEFT } else { UPLIFT_RIGHT });
+        }
+    }
+
+    /// The blocks of `landing` lanes go on about their other corner; those that may come to rest
+    /// instead, a bit each.
+    #[inline(always)]
+    pub(super) fn bounce(&mut self, lands: V::Mask) -> u64 {
+        let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
+        let to_right = self.corner.side.gt(zero);
+        let landing = select_corner(to_right, &self.model.right, &self.model.left);
+        let rebound = (landing.eta_phi * self.y.dphi).abs();
+        let lively = rebound.ge(self.cell.rest_speed) & landing.eta_phi.gt(zero);
+        let bounces = lands & lively;
+        self.y = select_motion(bounces, &change_corner(&landing, &self.y), &self.y);
+        self.corner = select_corner(bounces, &landing, &self.corner);
+        self.impacts = self.impacts + V::select(lands, one, zero);
+        if L::HEARS {
+            for lane in each(V::bits(bounces) & self.running) {
+                self.leave(lane);
+                self.tell(lane, IMPACT);
+            }
+        }
+        V::bits(lands & !lively)
+    }
+
+    /// The blocks of some lanes come to rest, or go on all the same; those of others overturn. The
+    /// lanes that have ended.
+    #[inline(never)]
+    pub(super) fn settle(&mut self, slow: u64, over: u64) -> u64 {
+        for lane in each(slow) {
+            self.leave(lane);
+            self.land(lane);
+            self.enter(lane);
+            self.tell(lane, IMPACT);
+        }
+        for lane in each(over) {
+            self.leave(lane);
+            let fraction = self.start.lane(lane);
+            let state = &mut self.lanes[lane].job.state;
+            state.end_fraction = fraction;
+            let left = state.mode == ROCKING_LEFT;
+            state.status = if left { OVERTURNED_LEFT } else { OVERTURNED_RIGHT };
+            self.tell(lane, OVERTURN);
+        }
+        over
+    }
+
+    /// A block lands too slowly to lift again: it comes to rest on both corners, unless the contact
+    /// force there calls for an uplift. Where the law of impact leaves no rebound (eta_phi <= 0) it
+    /// always does.
+    #[inline(always)]
+    fn land(&mut self, lane: usize) {
+        let zero = V::Element::of(0.0);
+        let recorded = self.shared.variant.recorded;
+        let ground = self.forcing.ground(recorded, self.start).map(|number| number.lane(lane));
+        let job = &mut self.lanes[lane].job;
+        let set = self.shared.equations(&job.cell);
+        let state = &mut job.state;
+        let leaving = pivot(set.model, state.mode);
+        let other = if state.mode == ROCKING_RIGHT { ROCKING_LEFT } else { ROCKING_RIGHT };
+        let landing = pivot(set.model, other);
+        let resting = come_to_rest(&set, &leaving, &state.motion);
+        let base = support(&set, &resting, ground);
+        let contact = Contact { shear: base.f_h, normal: base.f_v };
+        let lifts = largest_uplift_moment(&set, contact) > zero;
+        if lifts && landing.eta_phi > zero {
+            state.motion = change_corner(&landing, &state.motion);
+            state.mode = other;
+            return;
+        }
+        state.motion = resting;
+        state.mode = FULL_CONTACT;
+    }
+
+    /// The lanes whose cell is final.
+    #[inline(always)]
+    pub(super) fn is_final(&self) -> V::Mask {
+        let set = self.equations();
+        certificate::is_final(
+            &set,
+            &self.corner,
+            self.rocking,
+            self.lifted,
+            &self.y,
+            &self.extremes,
+        )
+    }
+
+    /// Ends segments, and cells that are done, final, out of range, or switch without end; the lanes
+    /// that ended.
+    #[inline(never)]
+    pub(super) fn attend(&mut self, bits: u64, lost: u64, endless: u64, proved: u64) -> u64 {
+        let mut ended = 0;
+        for lane in each(bits) {
+            let bit = 1 << lane;
+            let (step, fraction) = (self.step(lane), self.start.lane(lane));
+            let job = &mut self.lanes[lane].job;
+            if endless & bit != 0 {
+                job.state.status = EVENT_LIMIT;
+            } else if lost & bit != 0 {
+                job.state.status = DIVERGED;
+            } else if step >= job.cell.steps {
+                job.state.status = FINISHED;
+            } else if proved & bit != 0 {
+                job.state.end_fraction = fraction;
+                job.state.status = PROVED;
+            }
+            if job.state.status != RUNNING {
+                ended |= bit;
+                continue;
+            }
+            self.begin_segment(lane, step);
+        }
+        ended
+    }
+
+    /// Tells the log of a switch that has just happened in a lane.
+    #[inline(always)]
+    fn tell(&mut self, lane: usize, kind: u32) {
+        if L::HEARS {
+            let fraction = self.start.lane(lane);
+            self.log.hear(kind, fraction, &self.lanes[lane].job.state);
+        }
+    }
+
+    /// Tells the log of steps cut at kinks.
+    pub(super) fn tell_cuts(&mut self, bits: u64) {
+        for lane in each(bits & self.running) {
+            self.leave(lane);
+            self.tell(lane, KINK);
+        }
+    }
+}

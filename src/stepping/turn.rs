@@ -1,0 +1,165 @@
+//! The turn: one Runge-Kutta trial of every lane, and what each made of it. Twin of
+//! `shaders/turn.wgsl`.
+//!
+//! A trial is a step, what is left of one after a switch, or a try at where a guard is; masks decide
+//! which it was, so that no lane waits for another's switch. The rates at the start are made anew in
+//! every turn: a switch, which changes them, needs nothing of its own.
+
+use crate::model::dynamics::{Motion, rates, uplift_moment};
+use crate::model::isolation::support;
+use crate::model::real::Real;
+use crate::model::vector::Vector;
+
+use super::certificate::STEPS_A_TRY;
+use super::guards::EVENT_BOUND;
+use super::lanes::Lanes;
+use super::log::Listener;
+use super::rk4::{rk4, shift};
+use super::state::is_sound;
+
+#[inline(always)]
+pub(super) fn select_motion<V: Vector>(
+    mask: V::Mask,
+    yes: &Motion<V>,
+    no: &Motion<V>,
+) -> Motion<V> {
+    yes.zip(no, |yes, no| V::select(mask, yes, no))
+}
+
+impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+    /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
+    #[inline(always)]
+    pub(super) fn turn(&mut self) -> u64 {
+        let variant = self.shared.variant;
+        let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
+        let none = zero.mask(0);
+        let seeking = self.search.sought.any();
+        let again = self.search.again;
+        let begun = zero.mask(self.running) & !(seeking | again);
+        let ground = self.forcing.ground(variant.recorded, self.start);
+        let set = self.equations();
+        let k1 = rates(&set, &self.corner, self.rocking, &self.y, ground);
+
+        // The uplift that the contact force calls for at once: such a lane only changes its phase.
+        let mut lifts = none;
+        let mut to_left = none;
+        let standing = begun & !self.rocking;
+        if V::any(standing) {
+            let left = uplift_moment(&set, &self.model.left, k1.contact());
+            let right = uplift_moment(&set, &self.model.right, k1.contact());
+            lifts = standing & (left.gt(zero) | right.gt(zero));
+            to_left = left.ge(right);
+        }
+        let whole = begun & !lifts;
+        self.begin_spans(whole, &k1);
+
+        // The trial.
+        let mut length = self.search.at * self.span;
+        let mut h = length * self.forcing.step;
+        let ground_mid = self.forcing.ground(variant.recorded, self.start + half * length);
+        let ground_end = self.forcing.ground(variant.recorded, self.start + length);
+        let set = self.equations();
+        let (corner, rocking) = (&self.corner, self.rocking);
+        let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, ground_mid, ground_end);
+        let mut y1 = stepped.y;
+        let mut k_end = stepped.k4;
+        if V::any(!rocking) {
+            // An uplift is as exact as the motion: the contact force in full contact at the end.
+            let base = support(&set, &y1, ground_end);
+            k_end.shear = V::select(rocking, k_end.shear, base.f_h);
+            k_end.normal = V::select(rocking, k_end.normal, base.f_v);
+        }
+
+        // What the lanes that search have found.
+        let mut looked = whole;
+        let mut kinked = none;
+        let mut arrived = none;
+        let mut switched = none;
+        let mut overturned = none;
+        let mut back = zero;
+        if V::any(seeking) {
+            let sought = self.search.sought;
+            let sample = self.sample(&y1, &k_end);
+            let found = self.search.narrow(sample);
+            kinked = found.lanes & sought.kink();
+            arrived = found.lanes & sought.uplift;
+            switched = found.lanes & sought.angle();
+            overturned = found.lanes & sought.overturning;
+            back = found.back * self.span;
+            // A kink and an uplift cut the step: the next turn goes on from there.
+            self.span = V::select(kinked | arrived, length, self.span);
+            self.cut = self.cut | kinked | arrived;
+            looked = looked | kinked;
+        }
+        let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
+        // Spans that end just beyond the impact that they were cut for end there.
+        let change = -y1.phi / (h * y1.dphi);
+        let missed = half * change * change * (h * h * k_end.ddphi).abs();
+        let allowed = (h * y1.dphi).abs() * one.like(V::Element::EVENT_TOLERANCE.to_f64());
+        let impact = crossing.found.impact & crossing.upper.ge(one);
+        let landed = impact & allowed.ge(missed);
+        crossing.found.impact = crossing.found.impact & !landed;
+        back = V::select(landed, -change * length, back);
+        switched = switched | landed;
+        let found = crossing.found.any();
+        if V::any(found) {
+            self.search.begin(&crossing.found, &crossing.cubic, crossing.upper);
+        }
+        if V::any(switched) {
+            y1 = shift(&y1, &k_end, -back * self.forcing.step);
+            length = length - back;
+            h = length * self.forcing.step;
+        }
+
+        // The lanes that move on.
+        let plain = (looked & !(found | landed)) | again;
+        self.search.again = self.search.again & !again;
+        let moved = plain | switched | arrived;
+        self.extremes.motion(moved, self.corner.side, &self.y, &y1, h);
+        self.extremes.contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        self.y = select_motion(moved, &y1, &self.y);
+        self.start = V::select(moved, self.start + length, self.start);
+        self.events = self.events + V::select(lifts, one, zero);
+        let mut ended = 0;
+        if V::any(lifts) {
+            self.lift(V::bits(lifts) & self.running, V::bits(to_left));
+        }
+        let mut proved = none;
+        if V::any(switched) {
+            let others = self.bounce(switched & !overturned) & self.running;
+            let over = V::bits(overturned) & self.running;
+            if others | over != 0 {
+                ended = self.settle(others, over);
+            }
+            proved = switched;
+        }
+        let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
+        let between = moved & !through;
+        if L::HEARS {
+            self.tell_cuts(V::bits(between & !switched));
+        }
+        self.events = self.events + V::select(between, one, zero);
+        let endless = self.events.ge(one.like(f64::from(EVENT_BOUND)));
+        self.start = V::select(through, zero, self.start);
+        self.events = V::select(through, zero, self.events);
+        self.forcing.done = self.forcing.done + V::select(through, one, zero);
+        let mut attend = V::bits(endless);
+        if variant.certificate {
+            self.untried = self.untried + V::select(through, one, zero);
+            let due = through & self.untried.ge(one.like(f64::from(STEPS_A_TRY)));
+            self.untried = V::select(due, zero, self.untried);
+            proved = (proved | (due & !self.rocking)) & self.free();
+            if V::any(proved) {
+                proved = proved & self.is_final();
+                attend |= V::bits(proved);
+            }
+        }
+        let lost = through & !is_sound(&self.y);
+        let left = through & self.forcing.done.ge(self.forcing.steps);
+        attend = (attend | V::bits(lost | left)) & self.running & !ended;
+        if attend != 0 {
+            ended |= self.attend(attend, V::bits(lost), V::bits(endless), V::bits(proved));
+        }
+        ended & self.running
+    }
+}
