@@ -9,12 +9,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
-use topple::integrate::outcome::Outcome;
-use topple::integrate::state::{FINISHED, State};
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::state::{FINISHED, State};
 use topple::sweep::backend::Precision;
 use topple::sweep::cell_tables::CellTables;
 use topple::sweep::cells::Cells;
@@ -70,10 +70,7 @@ fn input<R: Real>(tables: &CellTables<R>, cells: &[usize]) -> Vec<Vec<u8>> {
     let own = OwnClocks::of(tables, cells);
     let (_, listed) = Tile::default().place(tables.columns, cells, 0);
     let bytes = |own: OwnClocks<R>| {
-        vec![
-            bytemuck::cast_slice(&own.numbers).to_vec(),
-            bytemuck::cast_slice(&own.steps).to_vec(),
-        ]
+        vec![bytemuck::cast_slice(&own.numbers).to_vec(), bytemuck::cast_slice(&own.steps).to_vec()]
     };
     let mut all = own.map_or(Vec::new(), bytes);
     all.push(bytemuck::cast_slice(&listed).to_vec());
