@@ -34,7 +34,7 @@ pub struct Order<'a> {
     pub number: u32,
     /// Chunks.
     pub chunks: u32,
-    /// Steps and switches of a cell in each.
+    /// Turns of a cell in each.
     pub work: u32,
     /// Cells that run, at most.
     pub running: usize,
@@ -48,7 +48,7 @@ pub struct Flight {
     pub place: usize,
     /// Number of the chunk after it.
     pub number: u32,
-    /// Steps and switches of a cell in it.
+    /// Turns of a cell in it.
     pub work: u32,
     /// Cells that ran in it, at most.
     pub running: usize,

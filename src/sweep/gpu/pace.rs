@@ -5,15 +5,14 @@ use std::time::Duration;
 /// What a submission may take: well below the two seconds after which a desktop driver ends it, and
 /// long against the time that it takes to submit one.
 const LONGEST: Duration = Duration::from_millis(100);
-/// Steps and switches of a cell in the first submission to a device that nothing is known of.
+/// Turns of a cell in the first submission to a device that nothing is known of.
 const FIRST_WORK: u32 = 16;
 /// The same in the longest one: a small share of a long cell's, so that the host hears in time of
 /// room for new cells.
 const MOST_WORK: f64 = 512.0;
-/// Steps and switches of a cell in a chunk, after which the list of running cells is made anew. More
-/// leave threads without a cell; fewer move states for nothing. Drivers bound the iterations of a
-/// shader's loops, the software one silently at 65,535 for all loops together: a switch takes about
-/// 15, a hundred at the worst.
+/// Turns of a cell in a chunk, after which the list of running cells is made anew. More leave threads
+/// without a cell; fewer move states for nothing. Drivers bound the iterations of a shader's loops,
+/// the software one silently at 65,535 for all loops together.
 pub const CHUNK: u32 = 128;
 /// Cells of the first tile on a device that nothing is known of.
 const FIRST_TILE: f64 = 32_768.0;
@@ -25,7 +24,7 @@ const CHUNK_TIME: Duration = Duration::from_millis(50);
 /// How much a device is given at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pace {
-    /// Steps and switches of a cell in a submission.
+    /// Turns of a cell in a submission.
     work: f64,
     /// Cells of a tile.
     tile: f64,
@@ -38,7 +37,7 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// Chunks of the next submission, and steps and switches of a cell in each.
+    /// Chunks of the next submission, and turns of a cell in each.
     pub fn chunks(&self) -> (u32, u32) {
         // Between one and the most.
         let work = self.work as u32;
@@ -51,7 +50,7 @@ impl Pace {
         self.tile as usize
     }
 
-    /// Learns what so much work on at most so many cells took, by the host's clock and by the
+    /// Learns what so many turns of at most so many cells took, by the host's clock and by the
     /// device's. The longer one counts: a device's clock that stands still must not let work grow
     /// past what a driver allows.
     pub fn learn(&mut self, work: u32, cells: usize, host: Duration, device: Option<Duration>) {

@@ -28,6 +28,7 @@ pub struct Sweeper<'a> {
     pub(super) gpu: &'a Gpu,
     pub(super) pipelines: Pipelines,
     pub(super) events_kept: usize,
+    most_cells: usize,
 }
 
 /// What a device made of cells.
@@ -52,7 +53,7 @@ impl<'a> Sweeper<'a> {
     ) -> Result<Sweeper<'a>, GpuError> {
         let compile = || compile(gpu, &shader::source(precision, Switches::Forgotten), variant, 0);
         let pipelines = gpu.pipelines((precision, variant), compile)?;
-        Ok(Sweeper { gpu, pipelines, events_kept: 0 })
+        Ok(Sweeper::of(gpu, pipelines, 0))
     }
 
     /// Compiles a shader that keeps the first `events_kept` switches of each cell.
@@ -81,7 +82,18 @@ impl<'a> Sweeper<'a> {
         events_kept: usize,
     ) -> Result<Sweeper<'a>, GpuError> {
         let pipelines = compile(gpu, source, variant, events_kept)?;
-        Ok(Sweeper { gpu, pipelines, events_kept })
+        Ok(Sweeper::of(gpu, pipelines, events_kept))
+    }
+
+    fn of(gpu: &'a Gpu, pipelines: Pipelines, events_kept: usize) -> Sweeper<'a> {
+        let software = gpu.description.kind == "software";
+        let most_cells = if software { MOST_CELLS_SOFTWARE } else { MOST_CELLS };
+        Sweeper { gpu, pipelines, events_kept, most_cells }
+    }
+
+    /// The same with tiles of so many cells at most: a test asks for many small ones.
+    pub fn in_tiles_of(self, cells: usize) -> Sweeper<'a> {
+        Sweeper { most_cells: cells, ..self }
     }
 
     /// Runs cells of a grid; `progress` hears of cells as they are done, a running one
@@ -104,8 +116,8 @@ impl<'a> Sweeper<'a> {
             Some(slots) => slots,
             None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
         };
-        let tiles =
-            Tiles::new(self.gpu, &self.pipelines, &mut slots, (plan, &all, &record), cells)?;
+        let scene = (plan, &all, &record[..]);
+        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, (cells, tile))?;
         let ran = tiles.run(progress)?;
         // What a failure leaves behind is not used again.
         self.gpu.keep(slots);
@@ -118,8 +130,6 @@ impl<'a> Sweeper<'a> {
         let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let cell = size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
         let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / (SIDES * cell);
-        let software = self.gpu.description.kind == "software";
-        let most = if software { MOST_CELLS_SOFTWARE } else { MOST_CELLS };
-        most.min(by_memory).max(1)
+        self.most_cells.min(by_memory).max(1)
     }
 }

@@ -29,7 +29,7 @@ struct Tile<'a, R> {
     own: Option<OwnClocks<R>>,
     /// Steps of its longest cell.
     longest: u32,
-    /// Steps and switches that its cells were given so far.
+    /// Turns that its cells were given so far.
     work: u64,
     /// Number of the submission that makes the cells.
     since: usize,
@@ -48,6 +48,8 @@ pub struct Tiles<'a, R> {
     inputs: Inputs<R>,
     /// Cells that are in no tile yet.
     rest: &'a [usize],
+    /// Cells of a tile at most.
+    most_cells: usize,
     /// Tiles whose cells run.
     sides: [Option<Tile<'a, R>>; SIDES],
     /// Tiles whose last states are on their way to the host.
@@ -75,7 +77,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         pipelines: &'a Pipelines,
         slots: &'a mut Slots,
         (plan, all, record): (&Plan, &'a Cells<'a, R>, &[Ground<R>]),
-        cells: &'a [usize],
+        (cells, most_cells): (&'a [usize], usize),
     ) -> Result<Tiles<'a, R>, GpuError> {
         let inputs = gpu.checked(|| {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
@@ -93,6 +95,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             all,
             inputs,
             rest: cells,
+            most_cells,
             sides: [None, None],
             copied: [None, None],
             flights: VecDeque::with_capacity(FLIGHTS),
@@ -173,7 +176,7 @@ impl<'a, R: Real> Tiles<'a, R> {
 
     /// Makes the next tile ready on a side.
     fn begin(&mut self, side: usize) -> Result<Begin, GpuError> {
-        let count = self.slots.pace.tile().min(self.slots.tile).min(self.rest.len());
+        let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
         let (cells, rest) = self.rest.split_at(count);
         let tables = &self.all.tables;
         let own = OwnClocks::of(tables, cells);
@@ -256,8 +259,8 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(any)
     }
 
-    /// Cells that are done, those that run by the share of their steps. Switches count as steps, so
-    /// that this is an upper bound.
+    /// Cells that are done, those that run by the share of their steps. A step takes a turn or
+    /// more, so that this is an upper bound.
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
         let run = |tile: &Tile<R>| {

@@ -1,0 +1,154 @@
+//! What the host does for each cell of a GPU sweep, as wall time over cells: it bounds the cells a
+//! second of any card.
+//!
+//! `cargo bench --bench host`; RAYON_NUM_THREADS=2 for two cores.
+
+#![allow(missing_docs, clippy::unwrap_used)] // a bench
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+use topple::model::real::Real;
+use topple::scene::record::synthetic;
+use topple::scene::text::SceneText;
+use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::state::{FINISHED, State};
+use topple::sweep::backend::Precision;
+use topple::sweep::cell_tables::CellTables;
+use topple::sweep::cells::Cells;
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::gpu::adapter;
+use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::outcomes;
+use topple::sweep::gpu::tile::{OwnClocks, Tile};
+use topple::sweep::plan::Plan;
+
+/// Cells of a tile.
+const TILE: usize = 1 << 18;
+/// Times that each part is measured; the shortest counts.
+const TIMES: usize = 7;
+
+/// The map that is swept where nothing else is said, of so many columns and rows.
+fn pulse(side: u32) -> Scene {
+    let text = format!(
+        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.75\n\
+         [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\n"
+    );
+    SceneText::from_toml(&text).unwrap().check().unwrap()
+}
+
+/// A map of periods under the synthetic record, and two seconds of rest.
+fn record(side: u32) -> Scene {
+    let mut scene = pulse(2);
+    let pair = synthetic::pair();
+    scene.t_max = pair.duration() + 2.0;
+    scene.excitation = Excitation::Record(pair);
+    if let Some(base) = &mut scene.isolation.horizontal {
+        base.t_h = Range { start: 0.5, stop: 4.0, count: side };
+    }
+    if let Some(base) = &mut scene.isolation.vertical {
+        base.t_v = Range { start: 0.05, stop: 1.0, count: side };
+    }
+    scene
+}
+
+/// The shortest time that something took, a cell.
+fn each(cells: usize, mut part: impl FnMut()) -> f64 {
+    let mut shortest = Duration::MAX;
+    for _ in 0..TIMES {
+        let began = Instant::now();
+        part();
+        shortest = shortest.min(began.elapsed());
+    }
+    shortest.as_secs_f64() * 1.0e9 / cells as f64
+}
+
+/// What is handed to the device of a tile.
+fn input<R: Real>(tables: &CellTables<R>, cells: &[usize]) -> Vec<Vec<u8>> {
+    let own = OwnClocks::of(tables, cells);
+    let (_, listed) = Tile::default().place(tables.columns, cells, 0);
+    let bytes = |own: OwnClocks<R>| {
+        vec![bytemuck::cast_slice(&own.numbers).to_vec(), bytemuck::cast_slice(&own.steps).to_vec()]
+    };
+    let mut all = own.map_or(Vec::new(), bytes);
+    all.push(bytemuck::cast_slice(&listed).to_vec());
+    all
+}
+
+fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option<&Gpu>) {
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
+    let grid = Grid::of(scene);
+    let all: Vec<usize> = (0..grid.len()).collect();
+    let cells = Cells::<R>::of(&plan, &grid, &plan.record());
+    let tables = each(all.len(), || {
+        black_box(CellTables::<R>::of(&plan, &grid));
+    });
+    let tiles = each(all.len(), || {
+        for tile in all.chunks(TILE) {
+            black_box(OwnClocks::of(&cells.tables, tile));
+            black_box(Tile::default().place(cells.tables.columns, tile, 0));
+        }
+    });
+    let mut upload = f64::NAN;
+    let mut size = 0;
+    if let Some(gpu) = gpu {
+        let parts: Vec<Vec<u8>> =
+            all.chunks(TILE).flat_map(|tile| input(&cells.tables, tile)).collect();
+        size = parts.iter().map(Vec::len).sum();
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: size.max(16) as u64,
+            usage: wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        upload = each(all.len(), || {
+            for part in parts.iter().filter(|part| !part.is_empty()) {
+                gpu.queue.write_buffer(&buffer, 0, part);
+            }
+            gpu.queue.submit([]);
+            gpu.wait(None).unwrap();
+        });
+    }
+    let states: Vec<State<R>> = all
+        .par_iter()
+        .map(|&index| State { status: FINISHED, uplifts: 1, ..cells.begin(index).1 })
+        .collect();
+    let begin = each(all.len(), || {
+        let states = all.par_iter().map(|&index| cells.begin(index));
+        let (made, states): (Vec<_>, Vec<_>) = states.unzip();
+        black_box((made.len(), states.len()));
+    });
+    let bytes: &[u8] = bytemuck::cast_slice(&states);
+    let size_of_state = size_of::<State<R>>();
+    let clocks: Vec<Option<OwnClocks<R>>> =
+        all.chunks(TILE).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
+    let read = each(all.len(), || {
+        let mut outcomes: Vec<Outcome> = Vec::with_capacity(all.len());
+        let tiles = all.chunks(TILE).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
+        for ((tile, bytes), own) in tiles {
+            outcomes::read(&cells, tile, own.as_ref(), bytes, &mut outcomes).unwrap();
+        }
+        black_box(outcomes.len());
+    });
+    let total = tables + tiles + read + if upload.is_nan() { 0.0 } else { upload };
+    println!(
+        "{name:<18} {:<4} tables {tables:5.2}  tiles {tiles:5.2}  handed over {upload:5.2} ({:.1} B)  \
+         outcomes {read:5.2}  together {total:5.2} ns a cell  (cells made by the host: {begin:5.1})",
+        precision.name(),
+        size as f64 / all.len() as f64,
+    );
+}
+
+fn main() {
+    println!("the host's part of a GPU sweep, {} threads", rayon::current_num_threads());
+    let gpu = adapter::best(Precision::F32).and_then(|adapter| Gpu::open(&adapter)).ok();
+    if gpu.is_none() {
+        println!("no adapter: what is handed over is not measured");
+    }
+    for (name, scene) in [("pulse 1024 x 1024", pulse(1024)), ("record 400 x 400", record(400))] {
+        measure::<f32>(name, Precision::F32, &scene, gpu.as_ref());
+        measure::<f64>(name, Precision::F64, &scene, gpu.as_ref());
+    }
+}
