@@ -13,7 +13,8 @@ use assert_cmd::Command;
 use common::{gpu, own_lines, say};
 use serde_json::Value;
 use tempfile::TempDir;
-use topple::sweep::backend::Precision;
+use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::choice::{Opened, first_that_opens};
 use topple::sweep::gpu::adapter::{self, Description};
 use topple::sweep::gpu::{GpuError, check};
 
@@ -127,6 +128,28 @@ fn is_of(driver: &str) -> impl Fn(&std::ffi::OsStr) -> bool {
         let name = name.to_string_lossy();
         name.starts_with(&format!("{driver}_icd.")) && name.ends_with(".json")
     }
+}
+
+/// Of several kinds of GPU the first is taken that has one that opens, with all of its kind that do; what
+/// fails is told.
+#[test]
+fn the_first_kind_that_opens_is_taken() {
+    // Stand-ins: true opens.
+    let open = |able: bool| {
+        if able { Ok(Backend::Reference) } else { Err(GpuError::Lost("unplugged".into())) }
+    };
+    let taken = |kinds: &[&[bool]]| {
+        let kinds = kinds.iter().map(|kind| kind.to_vec()).collect();
+        let Opened { backends, passed_over } = first_that_opens(kinds, open);
+        let stands_in = backends.iter().all(|backend| matches!(backend, Backend::Reference));
+        assert!(stands_in || matches!(backends[..], [Backend::Cpu]));
+        (if stands_in { backends.len() } else { 0 }, passed_over.len())
+    };
+    assert_eq!(taken(&[&[true, true], &[true]]), (2, 0));
+    assert_eq!(taken(&[&[false, true, false], &[true]]), (1, 2));
+    assert_eq!(taken(&[&[false], &[false, true, true], &[true]]), (2, 2));
+    assert_eq!(taken(&[&[false], &[false]]), (0, 2));
+    assert_eq!(taken(&[]), (0, 0));
 }
 
 /// The check that `--backend auto` makes of a GPU: a device that computes passes, wrong numbers and a

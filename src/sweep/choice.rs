@@ -53,14 +53,25 @@ impl Choice {
     }
 }
 
-/// The first kind of real GPU of which one at least computes; the CPU where none does.
 fn a_real_gpu_or_the_cpu(precision: Precision) -> Opened {
+    first_that_opens(adapter::real_kinds(precision), |adapter| {
+        let able = Gpu::open(&adapter)?;
+        able.check(precision)?;
+        Ok(gpu(able))
+    })
+}
+
+/// The first kind of GPU of which one at least is opened, with all of it that are; the CPU where none is.
+pub fn first_that_opens<T>(
+    kinds: Vec<Vec<T>>,
+    open: impl Fn(T) -> Result<Backend, GpuError>,
+) -> Opened {
     let mut passed_over = Vec::new();
-    for kind in adapter::real_kinds(precision) {
+    for kind in kinds {
         let mut backends = Vec::new();
         for adapter in kind {
-            match Gpu::open(&adapter).and_then(|gpu| gpu.check(precision).map(|()| gpu)) {
-                Ok(able) => backends.push(gpu(able)),
+            match open(adapter) {
+                Ok(backend) => backends.push(backend),
                 Err(error) => passed_over.push(error),
             }
         }
