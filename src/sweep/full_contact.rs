@@ -149,7 +149,9 @@ impl<R: Real> Tracks<R> {
             up: vertical(along_y, stride(up, by_row)),
             still,
             height: model.height,
-            arms: [model.left.arm, model.right.arm], level: Level::new() })
+            arms: [model.left.arm, model.right.arm],
+            level: Level::new(),
+        })
     }
 }
 
