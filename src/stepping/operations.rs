@@ -166,11 +166,12 @@ mod tests {
             bouc_wen_n: 2,
         };
         let counted = of_step(variant, false, false);
-        // Three shifts of seven, and seven sums of two fused each; h/2 and h/6.
+        // Three shifts of seven, and seven sums of two fused each; h/2 and h/6, and the two contact
+        // forces halfway.
         assert_eq!(counted.fused, 3 * 7 + 7 * 2);
-        assert_eq!(counted.sums, 4 + 7 * 2);
-        assert_eq!((counted.products, counted.divisions, counted.choices), (2, 0, 0));
-        assert_eq!(counted.flops(), 2 * 35 + 18 + 2);
+        assert_eq!(counted.sums, 4 + 7 * 2 + 2);
+        assert_eq!((counted.products, counted.divisions, counted.choices), (4, 0, 0));
+        assert_eq!(counted.flops(), 2 * 35 + 20 + 4);
         let rocking = of_step(variant, true, false);
         assert_eq!(rocking.divisions, 4, "one division an evaluation");
         assert!(of_step(variant, true, true).fused > rocking.fused, "longer polynomials");

@@ -1,5 +1,6 @@
 //! What a sweep must have in common with the reference, column by column.
 
+use topple::scene::GRAVITY;
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 
@@ -49,8 +50,10 @@ pub struct Comparison {
 /// what a fixed step leaves of nothing.
 fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
     let share = |value: f64, least: f64| 1.0e-3 * value.abs() + least;
-    // The friction is a ratio to the normal force: where that is small it is off by as much more.
-    let of_normal = 1.0e-3 / want.min_contact.max(0.0);
+    // The normal force is what is left of a sum of forces of the weight and more: a thousandth of
+    // these. The friction is a ratio to it: where it is small, the friction is off by as much more.
+    let weight = 1.0e-3 * GRAVITY;
+    let of_normal = weight / want.min_contact.max(0.0);
     [
         1.0e-4,
         1.0e-5,
@@ -59,7 +62,7 @@ fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
         share(want.max_phi_right, 1.0e-6),
         share(want.max_u, 1.0e-6),
         share(want.max_v, 1.0e-6),
-        share(want.min_contact, 1.0e-3),
+        share(want.min_contact, weight),
         share(want.friction, 1.0e-6) + want.friction * of_normal,
     ]
 }
