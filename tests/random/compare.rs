@@ -1,0 +1,142 @@
+//! What a sweep must have in common with the reference, column by column.
+
+use topple::integrate::outcome::{Class, Outcome, Status};
+use topple::sweep::backend::Precision;
+
+use super::truth::{Disturbance, NUMBERS, Truth, numbers};
+
+/// A sweep lets a block rest whose next flight would last a 32nd of its step, a quarter of a
+/// millisecond of its longest, and counts no impacts from there on; the reference's flights go on
+/// to some microseconds. Where a flight is shorter than this, s, the counts are not compared.
+const CHATTER: f64 = 1.0e-3;
+
+/// Multiple of the spread under the disturbance of one step that a column may be off by: the root of a
+/// thousand steps' rounding in f32, and ten times what a radian of the motion's phase adds in f64.
+fn spreads(precision: Precision) -> f64 {
+    match precision {
+        Precision::F32 => 30.0,
+        Precision::F64 => 10.0,
+    }
+}
+
+/// N/M, m/s^2, below which the friction has no bound: it passes zero, or the step's error does.
+const NO_NORMAL_FORCE: f64 = 1.0e-3;
+
+/// A column that is off.
+#[derive(Debug, Clone)]
+pub struct Fault {
+    /// Which.
+    pub column: &'static str,
+    /// The sweep's value, and the reference's.
+    pub values: [String; 2],
+    /// By how many times what is allowed it is off.
+    pub times: f64,
+}
+
+/// How a cell compares.
+#[derive(Debug, Default)]
+pub struct Comparison {
+    /// Columns that are off.
+    pub faults: Vec<Fault>,
+    /// The sweep's outcome and the reference's, where they differ and the reference's own moves with so
+    /// small a disturbance.
+    pub undecided: Option<(Disturbance, [String; 2])>,
+    /// What differs and is not held against the sweep.
+    pub excused: Option<&'static str>,
+}
+
+/// What the columns of [`NUMBERS`] may be off by, the spread apart: a thousandth of themselves and
+/// what a fixed step leaves of nothing.
+fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
+    let share = |value: f64, least: f64| 1.0e-3 * value.abs() + least;
+    // The friction is a ratio to the normal force: where that is small it is off by as much more.
+    let of_normal = 1.0e-3 / want.min_contact.max(0.0);
+    [
+        1.0e-4,
+        1.0e-5,
+        share(want.zeta, 1.0e-5),
+        share(want.max_phi_left, 1.0e-6),
+        share(want.max_phi_right, 1.0e-6),
+        share(want.max_u, 1.0e-6),
+        share(want.max_v, 1.0e-6),
+        share(want.min_contact, 1.0e-3),
+        share(want.friction, 1.0e-6) + want.friction * of_normal,
+    ]
+}
+
+/// Columns that are off by more than is allowed and `moves`, what the cell moves by of itself.
+fn of_numbers(got: &Outcome, want: &Outcome, moves: &[f64; NUMBERS.len()]) -> Vec<Fault> {
+    let (ours, theirs, allowed) = (numbers(got), numbers(want), allowed(want));
+    (0..NUMBERS.len())
+        .filter_map(|i| {
+            let (a, b) = (ours[i], theirs[i]);
+            let (off, most) = match (a.is_nan(), b.is_nan()) {
+                // No uplift in either.
+                (true, true) => return None,
+                (true, false) | (false, true) => (f64::INFINITY, 1.0),
+                _ => ((a - b).abs(), allowed[i] + moves[i]),
+            };
+            let values = [format!("{a}"), format!("{b}")];
+            (!(off <= most)).then(|| Fault { column: NUMBERS[i], values, times: off / most })
+        })
+        .collect()
+}
+
+/// Impacts and uplifts that differ; those of a proved cell are counted up to its proof.
+fn of_counts(got: &Outcome, want: &Outcome) -> Vec<Fault> {
+    let lower_bound = got.status == Status::Proved;
+    [("impacts", got.impacts, want.impacts), ("uplifts", got.uplifts, want.uplifts)]
+        .into_iter()
+        .filter(|&(_, a, b)| if lower_bound { a > b } else { a != b })
+        .map(|(column, a, b)| {
+            let values = [a.to_string(), b.to_string()];
+            Fault { column, values, times: f64::INFINITY }
+        })
+        .collect()
+}
+
+/// Compares a cell of a sweep in a precision with the reference's.
+pub fn compare(got: &Outcome, truth: &Truth, precision: Precision) -> Comparison {
+    let want = &truth.cell;
+    let same = got.class == want.class;
+    let still = [0.0; NUMBERS.len()];
+    let mut of = Comparison::default();
+    if want.class == Class::Unresolved {
+        of.excused = Some("cell that the reference gives up");
+        return of;
+    }
+    if same && of_numbers(got, want, &still).is_empty() && of_counts(got, want).is_empty() {
+        return of;
+    }
+    let values = [described(got), described(want)];
+    if let Some(disturbance) = truth.undecided(precision) {
+        of.undecided = (!same).then_some((disturbance, values));
+        of.excused = same.then_some("columns of an undecided outcome");
+        return of;
+    }
+    if !same {
+        of.faults.push(Fault { column: "outcome", values, times: f64::INFINITY });
+        return of;
+    }
+    let spread = truth.spread(Disturbance::OneStep);
+    of.faults = of_numbers(got, want, &spread.numbers.map(|moves| spreads(precision) * moves));
+    let counts = of_counts(got, want);
+    if !spread.counts && truth.shortest_flight() > CHATTER {
+        of.faults.extend(counts);
+    } else if !counts.is_empty() {
+        of.excused = Some("counts of chatter");
+    }
+    if want.min_contact <= NO_NORMAL_FORCE {
+        let columns = of.faults.len();
+        of.faults.retain(|fault| fault.column != "friction");
+        if of.faults.len() < columns {
+            of.excused = Some("friction without a normal force");
+        }
+    }
+    of
+}
+
+fn described(cell: &Outcome) -> String {
+    let why = if cell.class == Class::Unresolved { cell.status.name() } else { "" };
+    format!("{} {why} t_end {:.4}", cell.class.name(), cell.t_end)
+}

@@ -1,0 +1,196 @@
+//! A cell by the reference, and how far its answer moves when what it is asked moves a little.
+
+use std::sync::OnceLock;
+
+use topple::integrate::outcome::Outcome;
+use topple::integrate::reference::{self, Settings, Switch};
+use topple::scene::{Excitation, GRAVITY, Grid, Point, Scene};
+use topple::sweep::backend::Precision;
+use topple::sweep::clock::DEFAULT_STEP;
+
+/// Columns that are numbers: names, and values.
+pub const NUMBERS: [&str; 9] = [
+    "t_end",
+    "t_uplift",
+    "zeta",
+    "max_phi_left",
+    "max_phi_right",
+    "max_u",
+    "max_v",
+    "min_contact",
+    "friction",
+];
+
+/// The columns that are numbers, in the order of [`NUMBERS`].
+pub fn numbers(cell: &Outcome) -> [f64; NUMBERS.len()] {
+    [
+        cell.t_end,
+        cell.t_uplift.unwrap_or(f64::NAN),
+        cell.zeta,
+        cell.max_phi_left,
+        cell.max_phi_right,
+        cell.max_u,
+        cell.max_v,
+        cell.min_contact,
+        cell.friction,
+    ]
+}
+
+/// How far a sweep moves a cell, relative to its push and to its block: where the reference's outcome
+/// moves with as little as that, it is nobody's to decide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Disturbance {
+    /// The rounding of f64 over a run.
+    RoundingF64,
+    /// Ten roundings of f32, those of a step; or what a fixed step errs by, at 80 steps a period:
+    /// (2 pi/80)^4/120 = 3e-7 of the motion in every radian of its phase.
+    OneStep,
+    /// A thousand steps' rounding in f32, which adds up as its root.
+    RoundingF32,
+}
+
+impl Disturbance {
+    /// From the least on.
+    pub const ALL: [Disturbance; 3] =
+        [Disturbance::RoundingF64, Disturbance::OneStep, Disturbance::RoundingF32];
+
+    /// The most that a precision is excused by.
+    pub fn most(precision: Precision) -> Disturbance {
+        match precision {
+            Precision::F32 => Disturbance::RoundingF32,
+            Precision::F64 => Disturbance::OneStep,
+        }
+    }
+
+    /// Relative size.
+    pub fn size(self) -> f64 {
+        match self {
+            Disturbance::RoundingF64 => 1.0e-9,
+            Disturbance::OneStep => 1.0e-6,
+            Disturbance::RoundingF32 => 3.0e-5,
+        }
+    }
+}
+
+/// What a small disturbance makes of a cell.
+#[derive(Debug, Clone)]
+pub struct Spread {
+    /// The outcome is not the same: nothing can be asked of a sweep.
+    pub undecided: bool,
+    /// The most that each column moves.
+    pub numbers: [f64; NUMBERS.len()],
+    /// Impacts or uplifts are not the same.
+    pub counts: bool,
+}
+
+/// The reference's settings: a cell of a hundred thousand impacts and more (a block without loss that
+/// trembles) is given up.
+fn settings() -> Settings {
+    Settings { most_steps: 300_000, ..Settings::default() }
+}
+
+/// A cell by the reference.
+pub struct Truth {
+    /// The reference's outcome.
+    pub cell: Outcome,
+    scene: Scene,
+    point: Point,
+    spreads: [OnceLock<Spread>; 3],
+    shortest_flight: OnceLock<f64>,
+}
+
+/// The scene's and the cell's parameters a little different: 0 and 1 the push, 2 and 3 the width.
+fn moved(scene: &Scene, point: &Point, way: usize, by: f64) -> (Scene, Point) {
+    let factor = if way.is_multiple_of(2) { 1.0 + by } else { 1.0 - by };
+    let (mut scene, mut point) = (scene.clone(), *point);
+    if way < 2 {
+        point.a_h *= factor;
+        point.a_v *= factor;
+        if let Excitation::Record(pair) = &scene.excitation {
+            scene.excitation = Excitation::Record(pair.clone().scaled(factor));
+        }
+    } else {
+        scene.block.half_width *= factor;
+    }
+    (scene, point)
+}
+
+impl Truth {
+    /// Runs a cell.
+    pub fn of(scene: &Scene, index: usize) -> Truth {
+        let point = Grid::of(scene).point(index);
+        let cell = reference::run(scene, &point, &settings());
+        let (scene, spreads) = (scene.clone(), Default::default());
+        Truth { cell, scene, point, spreads, shortest_flight: OnceLock::new() }
+    }
+
+    /// What a disturbance makes of the cell.
+    pub fn spread(&self, disturbance: Disturbance) -> &Spread {
+        self.spreads[disturbance as usize].get_or_init(|| {
+            let by = disturbance.size();
+            let tight = Settings { tolerance: 1.0e-12, ..settings() };
+            let mut others = vec![reference::run(&self.scene, &self.point, &tight)];
+            others.extend(self.rest_speeds().map(|rest_speed| {
+                let settings = Settings { rest_speed, ..settings() };
+                reference::run(&self.scene, &self.point, &settings)
+            }));
+            others.extend((0..4).map(|way| {
+                let (scene, point) = moved(&self.scene, &self.point, way, by);
+                reference::run(&scene, &point, &settings())
+            }));
+            let mut spread =
+                Spread { undecided: false, numbers: [0.0; NUMBERS.len()], counts: false };
+            let here = numbers(&self.cell);
+            for other in &others {
+                spread.undecided |= other.class != self.cell.class;
+                spread.counts |=
+                    (other.impacts, other.uplifts) != (self.cell.impacts, self.cell.uplifts);
+                for (most, (a, b)) in spread.numbers.iter_mut().zip(here.iter().zip(numbers(other)))
+                {
+                    *most = most.max((a - b).abs());
+                }
+            }
+            spread
+        })
+    }
+
+    /// Other speeds below which a landing block rests, rad/s: that of a sweep, whose block rests when its next
+    /// flight would last less than a 32nd of a step, here the longest; and one below the reference's.
+    fn rest_speeds(&self) -> [f64; 2] {
+        let block = &self.scene.block;
+        let slowest = |side: f64| {
+            let (b, h) = (block.arm(side), block.height);
+            GRAVITY * b / (block.inertia / block.mass + b * b + h * h)
+        };
+        let flight = DEFAULT_STEP / 32.0;
+        [0.5 * flight * slowest(1.0).max(slowest(-1.0)), 1.0e-6]
+    }
+
+    /// The least disturbance up to the most that a precision is excused by with which the outcome moves.
+    pub fn undecided(&self, precision: Precision) -> Option<Disturbance> {
+        let most = Disturbance::most(precision);
+        let mut sizes = Disturbance::ALL.into_iter().filter(|size| *size <= most);
+        sizes.find(|size| self.spread(*size).undecided)
+    }
+
+    /// The shortest flight between two impacts, s; zero where an impact brings the block to rest.
+    pub fn shortest_flight(&self) -> f64 {
+        *self.shortest_flight.get_or_init(|| {
+            let (mut shortest, mut last) = (f64::INFINITY, None);
+            reference::observe(&self.scene, &self.point, &settings(), &mut |instant| {
+                if let Some(Switch::Impact(_)) = instant.switch {
+                    if let Some(last) = last {
+                        shortest = f64::min(shortest, instant.t - last);
+                    }
+                    if instant.phase.is_none() {
+                        shortest = 0.0;
+                    }
+                }
+                if instant.switch.is_some() {
+                    last = Some(instant.t);
+                }
+            });
+            shortest
+        })
+    }
+}
