@@ -155,6 +155,8 @@ fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Optio
         (low, y_low, d_low) = (0.0, *trial.y, *trial.rate);
     }
     let mut aside = -0.25;
+    // Estimates in a row that did not halve the bracket, as where the cubic across a kink is far off.
+    let mut poor = 0;
     while high - low > EVENT_TIME {
         let width = high - low;
         let cubic = Cubic::new((&y_low, &d_low), (&y_high, &d_high), width);
@@ -162,7 +164,7 @@ fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Optio
         // A little to either side in turn, so that the bracket closes from both.
         let mut x = low + estimate * width + aside * EVENT_TIME;
         aside = -aside;
-        if !(x > low && x < high) {
+        if poor >= 2 || !(x > low && x < high) {
             x = low + 0.5 * width;
         }
         if x <= low || x >= high {
@@ -174,6 +176,7 @@ fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Optio
         } else {
             (low, y_low, d_low) = (x, at, rate);
         }
+        poor = if high - low > 0.5 * width { poor + 1 } else { 0 };
     }
     Some(high)
 }
