@@ -61,7 +61,7 @@ fn step(set: &CellEquations<f64>, state: &mut State<f64>) -> u32 {
     let ground = |fraction| ground_at(set, index, fraction);
     let y = state.motion;
     let k1 = rates(set, &corner, rocking, &y, ground(0.0));
-    let stepped = rk4(set, &corner, rocking, &y, &k1, h, ground(0.5), ground(1.0));
+    let stepped = rk4(set, &corner, rocking, &y, &k1, h, [ground(0.5), ground(1.0)]);
     let k_end = rates(set, &corner, rocking, &stepped.y, ground(1.0));
     let mut seen = state.extremes();
     seen.motion(true, corner.side, &y, &stepped.y, h);

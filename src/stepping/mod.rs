@@ -1,5 +1,5 @@
 //! Integration in time: one fixed-step method at every width, and apart from it the adaptive
-//! [reference].
+//! [reference](mod@reference).
 //!
 //! To be read from the [`turn`] outwards. [`lanes`] hold as many cells as a vector has lanes, a plain
 //! number being a vector of one ([`single`]). In every turn each lane makes one Runge-Kutta trial
@@ -25,5 +25,5 @@ pub mod search;
 pub mod single;
 pub mod span;
 pub mod state;
-mod switching;
-mod turn;
+pub mod switching;
+pub mod turn;

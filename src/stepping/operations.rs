@@ -144,7 +144,7 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
     let ground = Ground { h: one, v: one };
     COUNT.set(Operations::default());
     let k1 = rates(&set, &corner, rocking, &y, ground);
-    rk4(&set, &corner, rocking, &y, &k1, one, ground, ground);
+    rk4(&set, &corner, rocking, &y, &k1, one, [ground, ground]);
     COUNT.get()
 }
 

@@ -41,8 +41,7 @@ pub fn rk4<R: Number>(
     y: &Motion<R>,
     k1: &Rates<R>,
     h: R,
-    ground_mid: Ground<R>,
-    ground_end: Ground<R>,
+    [ground_mid, ground_end]: [Ground<R>; 2],
 ) -> Stepped<R> {
     let half = h.like(0.5) * h;
     let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);

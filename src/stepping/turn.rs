@@ -60,7 +60,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let ground_end = self.forcing.ground(variant.recorded, self.start + length);
         let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
-        let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, ground_mid, ground_end);
+        let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;
         let mut k_end = stepped.k4;
         if V::any(!rocking) {

@@ -149,7 +149,7 @@ impl Plan {
         Drive { amplitude_h, amplitude_v, scale, sound: flag(finite([amplitude_h, amplitude_v])) }
     }
 
-    /// The numbers of a clock's steps; `fall` is that of [`Plan::fall`].
+    /// The numbers of a clock's steps; `fall` is that of `Plan::fall`.
     #[inline]
     pub fn steps<R: Real>(&self, omega: f64, clock: &Clock, fall: f64) -> Steps<R> {
         let phase_step = match &self.scene.excitation {

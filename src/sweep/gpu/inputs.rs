@@ -122,8 +122,7 @@ impl<R: Real> Inputs<R> {
         gpu: &Gpu,
         pipelines: &Pipelines,
         slots: &mut Slots,
-        side: usize,
-        number: u32,
+        (side, number): (usize, u32),
         (columns, cells): (usize, &[usize]),
         own: Option<&OwnClocks<R>>,
     ) -> (usize, BindGroup) {

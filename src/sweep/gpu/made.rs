@@ -45,7 +45,7 @@ impl Sweeper<'_> {
             let inputs = Inputs::new(gpu, &self.pipelines, &mut slots, plan, &all, &record);
             let tile = (all.tables.columns, cells);
             let (threads, group) =
-                inputs.begin(gpu, &self.pipelines, &mut slots, side, 0, tile, own.as_ref());
+                inputs.begin(gpu, &self.pipelines, &mut slots, (side, 0), tile, own.as_ref());
             (slots, inputs, threads, group)
         })?;
         let order = Order {

@@ -187,7 +187,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         let (gpu, number) = (self.gpu, self.chunks);
         let (threads, group) = gpu.checked(|| {
             let tile = (tables.columns, cells);
-            self.inputs.begin(gpu, self.pipelines, self.slots, side, number, tile, own.as_ref())
+            self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
         self.most_steps += count as u64 * u64::from(longest);
         self.sides[side] = Some(Tile {
