@@ -93,7 +93,7 @@ impl BenchCommand {
         let courses = self.courses()?;
         let mut rows = Vec::new();
         for precision in [Precision::F64, Precision::F32] {
-            let name = "scalar".to_string();
+            let name = "a cell at a time".to_string();
             rows.push(self.time(name, precision, false, &courses, &|course| {
                 let Course { plan, grid, cells } = course;
                 Ok(match precision {
@@ -191,10 +191,10 @@ impl BenchCommand {
 
     fn print(&self, rows: &[Row], courses: &[Course; 3]) {
         let cells = courses.each_ref().map(|course| course.cells.len() as f64);
-        // The scalar path in f64, which everything is told as a multiple of.
+        // A cell at a time in f64, which everything is told as a multiple of.
         let base = rows[0].seconds;
         let steps = steps(&courses[1]) as f64;
-        println!("cells a second, and times the scalar path in f64:\n");
+        println!("cells a second, and times a cell at a time in f64:\n");
         println!(
             "| {:<40} | numbers | default map {1}² |      × | all 30 s {2}² |     × | record {2}² |     × | Gflop/s |",
             "backend",
