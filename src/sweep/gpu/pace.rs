@@ -98,8 +98,10 @@ mod tests {
             }
             (pace.chunks(), pace.tile())
         };
+        // Tiles grow until a chunk of two of them takes its time; as many chunks fill a submission.
         let (chunks, tile) = after(1.0e11);
-        assert_eq!(chunks, (4, CHUNK));
+        let fill = (LONGEST.as_secs_f64() / CHUNK_TIME.as_secs_f64()) as u32;
+        assert_eq!(chunks, (fill, CHUNK));
         assert!(tile > 1 << 18);
         // A million steps a second: one chunk would take two seconds.
         let ((chunks, work), tile) = after(1.0e6);
