@@ -422,14 +422,14 @@ fn bench_prints_a_row_a_backend() {
         .filter(|line| line.contains("| f32 ") || line.contains("| f64 "))
         .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
         .collect();
-    assert_eq!(rows.iter().filter(|row| row[0] == "scalar").count(), 2, "{text}");
+    assert_eq!(rows.iter().filter(|row| row[0] == "a cell at a time").count(), 2, "{text}");
     assert!(rows.len() >= 4, "no vectors: {text}");
     for row in &rows {
         for number in &row[2..9] {
             assert!(number.parse::<f64>().unwrap() > 0.0, "{row:?}");
         }
     }
-    assert_eq!(rows[0][3], "1.00", "the scalar path in f64 is the measure");
+    assert_eq!(rows[0][3], "1.00", "a cell at a time in f64 is the measure");
     assert!(text.contains("no shader was run"), "{text}");
 }
 

@@ -208,7 +208,7 @@ impl BenchCommand {
             let flops = f64::from(self.flops(&courses[1], row.precision));
             let giga = flops * steps / row.seconds[1] / 1.0e9;
             println!(
-                "| {:<40} | {:<7} | {:>17.0} | {:>6.2} | {:>14.0} | {:>5.2} | {:>10.0} | {:>5.2} | {:>7.1} |",
+                "| {:<40} | {:<7} | {:>17.0} | {:>6.2} | {:>14.0} | {:>5.2} | {:>10.0} | {:>5.2} | {:>7.3} |",
                 row.name,
                 row.precision.name(),
                 rate(0),
