@@ -14,6 +14,8 @@ pub mod tile;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use crate::map::files::{Directory, WriteError};
 use crate::stepping::outcome::Outcome;
@@ -204,11 +206,25 @@ impl Found {
     }
 }
 
+/// Times that a lock is asked for. A child of this process that is just being started holds what this
+/// process held until it runs its own program: an instant.
+const ATTEMPTS: u32 = 10;
+/// Pause between them.
+const PAUSE: Duration = Duration::from_millis(20);
+
 /// Locks a folder; `place` is what the user knows it by.
 fn lock(folder: &Path, place: &Path) -> Result<File, StoreError> {
     let path = folder.join(LOCK);
     let lock = File::create(&path).map_err(StoreError::file(&path))?;
-    match lock.try_lock() {
+    let mut locked = lock.try_lock();
+    for _ in 1..ATTEMPTS {
+        if !matches!(locked, Err(TryLockError::WouldBlock)) {
+            break;
+        }
+        thread::sleep(PAUSE);
+        locked = lock.try_lock();
+    }
+    match locked {
         Ok(()) => Ok(lock),
         Err(TryLockError::WouldBlock) => Err(StoreError::InUse(place.to_path_buf())),
         // A file system that knows no locks, as some of clusters do, is used without.
