@@ -198,7 +198,9 @@ fn impacts(
     let step = plan.clock(&Grid::of(scene).point(0)).step_free;
     let mut log = Impacts { step, times: Vec::new() };
     let outcome = altered::<f64>(&plan, &mut log, |cell, _| {
+        // Free steps from the start to the end of the run.
         cell.steps_forced = 0;
+        cell.steps = (scene.t_max / step).round() as u32;
         if let Some(speed) = rest_speed {
             cell.rest_speed = speed;
         }
