@@ -62,6 +62,28 @@ fn long_steps_find_the_extremes_of_short_ones() {
     assert_eq!(rocking, 2, "one of them in full contact");
 }
 
+/// A push that jumps to a little more than lifts the block and falls: it lifts and lands within one step,
+/// which it begins at rest. With the push p - r t and the weight's share w = g b/H, the angle follows
+/// I phi'' = H (p - w - r t), whose crest is at t = 2 (p - w)/r.
+#[test]
+fn a_flight_within_one_step_has_its_crest() {
+    let (b, h) = (0.2, 1.0);
+    let limit = GRAVITY * b / h;
+    let (over, fall) = (0.001, 0.4);
+    let dt = 0.02;
+    let samples: Vec<f64> = (0..3).map(|k| limit + over - fall * dt * f64::from(k)).collect();
+    let block = scene(
+        "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n\
+         [pulse]\nomega = 1\na_h = 1\n",
+    );
+    let inertia = 4.0 / 3.0 * (b * b + h * h);
+    let cell = judge(&shaken(block, dt, samples));
+    let t = 2.0 * over / fall;
+    let crest = h / inertia * (over * t * t / 2.0 - fall * t.powi(3) / 6.0);
+    assert_eq!(cell.uplifts, 1);
+    assert_relative_eq!(cell.max_phi_left, crest, max_relative = 1e-6);
+}
+
 /// A landing just before a sample of the step's cubic, on which it comes just after: the step itself has
 /// to say when. 44 impacts, the 28th of which was 0.05 ms late, and the largest angle off by 1e-3.
 #[test]

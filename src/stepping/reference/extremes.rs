@@ -4,7 +4,7 @@
 //! ends miss a crest by up to a fiftieth of what it stands out by. A crest is foretold on the
 //! step's cubic; where it may be a new extreme, the step is redone up to it.
 
-use super::cubic::{Cubic, SAMPLES, climb, crest};
+use super::cubic::{Cubic, SAMPLED, SAMPLES, climb, crest};
 use super::step::Taken;
 use super::system::{DU, PHI, Phase, State, System, U, V};
 use super::trial::Trial;
@@ -40,18 +40,18 @@ fn may_pass([start, middle, end]: [f64; 3], so_far: f64) -> bool {
 
 /// A coordinate's largest magnitude inside a step, if it may be over `so_far`.
 fn within(coordinate: usize, so_far: f64, cubic: &Cubic, redo: impl Fn(f64) -> State) -> f64 {
-    let (r0, r1) = (cubic.d0[coordinate], cubic.d1[coordinate]);
-    if r0 * r1 >= 0.0 {
+    let (rate0, rate1) = (cubic.d0[coordinate], cubic.d1[coordinate]);
+    // Where it begins at rest, as the angle does after an uplift, its acceleration says whither.
+    let leaves = if rate0 == 0.0 { cubic.d0[DU + coordinate] } else { rate0 };
+    if leaves * rate1 >= 0.0 {
         return so_far;
     }
-    let at = r0 / (r0 - r1);
-    let ends = cubic.y0[coordinate].abs().max(cubic.y1[coordinate].abs());
-    let value = cubic.at(at)[coordinate].abs();
-    let bump = value - ends;
-    if bump > 1.0e-9 * value && value + 0.25 * bump > so_far {
-        return so_far.max(climb(at, |x| redo(x)[coordinate].abs()).1);
-    }
-    so_far
+    let sampled = SAMPLED.map(|x| cubic.at(x)[coordinate].abs());
+    (1..SAMPLES - 1)
+        .filter_map(|middle| crest(&sampled, middle))
+        .filter(|crest| crest.most > so_far)
+        .map(|crest| climb(crest.at, |x| redo(x)[coordinate].abs()).1)
+        .fold(so_far, f64::max)
 }
 
 impl Extremes {
