@@ -81,7 +81,8 @@ fn a_flight_within_one_step_has_its_crest() {
     let t = 2.0 * over / fall;
     let crest = h / inertia * (over * t * t / 2.0 - fall * t.powi(3) / 6.0);
     assert_eq!(cell.uplifts, 1);
-    assert_relative_eq!(cell.max_phi_left, crest, max_relative = 1e-6);
+    // The block on its corner adds p^2 t^2 = 2e-4 of the angle to its acceleration.
+    assert_relative_eq!(cell.max_phi_left, crest, max_relative = 1e-4);
 }
 
 /// A landing just before a sample of the step's cubic, on which it comes just after: the step itself has
