@@ -141,6 +141,7 @@ fn the_first_kind_that_opens_is_taken() {
     let taken = |kinds: &[&[bool]]| {
         let kinds = kinds.iter().map(|kind| kind.to_vec()).collect();
         let Opened { backends, passed_over } = first_that_opens(kinds, open);
+        assert!(!backends.is_empty());
         let stands_in = backends.iter().all(|backend| matches!(backend, Backend::Reference));
         assert!(stands_in || matches!(backends[..], [Backend::Cpu]));
         (if stands_in { backends.len() } else { 0 }, passed_over.len())
