@@ -1,24 +1,17 @@
-//! A cell as its integration begins: its numbers, its first state, and where the full contact that it
-//! shares has taken it. Twin of `shaders/begin.wgsl`.
+//! A cell as its integration begins: its numbers and its first state. Twin of `shaders/begin.wgsl`.
 
 use bytemuck::Zeroable;
-use fearless_simd::dispatch;
 
 use super::cell_tables::{CellTables, Place};
 use super::full_contact::Tracks;
 use super::groups::Groups;
 use super::plan::Plan;
-use super::tracks::{
-    ACCELERATION, CREST, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LOWEST, MOST, PEAK,
-    QUARTERS_H, QUARTERS_V, STRONGEST, TROUGH, VELOCITY,
-};
+use super::shared_contact::full_contact;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
-use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::{GRAVITY, Point};
-use crate::stepping::extremes;
-use crate::stepping::state::{DIVERGED, FINISHED, RUNNING, State};
+use crate::stepping::state::{DIVERGED, RUNNING, State};
 
 /// How a block begins.
 #[derive(Debug, Clone, Copy)]
@@ -55,9 +48,6 @@ impl Plan {
     }
 }
 
-/// Gaps between samples that a cell is looked through at once.
-const BLOCK: usize = 16;
-
 /// A cell of a grid and its first state.
 #[inline(always)]
 pub fn begin<R: Real>(
@@ -92,160 +82,4 @@ fn at_rest<R: Real>(cell: &Cell<R>, sound: bool, posture: &Posture<R>) -> State<
         state.status = DIVERGED;
     }
     state
-}
-
-/// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
-/// (14) is between two bounds, and Y above one.
-#[inline(always)]
-fn lifts<R: Real>(arms: [R; 2], lever: R, most: R, least: R, least_y: R) -> bool {
-    // A negative lever turns the bounds about.
-    let (one, other) = (lever * most, lever * least);
-    (one.max(other) > arms[0] * least_y) | ((-one).max(-other) > arms[1] * least_y)
-}
-
-/// The first of some gaps whose bound, which does not fall from gap to gap, times `size` exceeds
-/// `limit`.
-#[inline(always)]
-fn first_beyond<R: Real>(bounds: &[R], size: R, limit: R) -> usize {
-    bounds.partition_point(|bound| !(size * *bound > limit))
-}
-
-/// Takes a cell from its start to the first gap in which it may lift, or to the end of the
-/// excitation.
-#[inline(always)]
-fn full_contact<R: Real>(
-    tracks: &Tracks<R>,
-    place: Place,
-    scale: R,
-    cell: &Cell<R>,
-    state: &mut State<R>,
-) {
-    let zero = R::of(0.0);
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
-    // u is A_h times what it is for A_h = 1.
-    let lever = tracks.height * scale;
-    // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
-    let (last, last_v) = (h.length - 1, v.length - 1);
-    let (sample, friction) = if tracks.still {
-        // Nothing but u changes from gap to gap: the first that lifts is searched for.
-        let (y, least_y) = (v.field(ACCELERATION)[0], v.field(LEAST)[0]);
-        let [left, right] = tracks.arms;
-        let (rising, falling) = if lever < zero { (right, left) } else { (left, right) };
-        let size = lever.abs();
-        let highest = first_beyond(&h.field(HIGHEST)[..last], size, rising * least_y);
-        let deepest = first_beyond(&h.field(DEEPEST)[..last], size, falling * least_y);
-        let sample = highest.min(deepest);
-        let pressed = sample > 0 && y > zero;
-        let strongest = h.field(STRONGEST)[sample.max(1) - 1];
-        (sample, if pressed { scale.abs() * strongest / y } else { zero })
-    } else {
-        // A scan along rows of numbers, with the widest vectors that this machine has.
-        dispatch!(tracks.level, _simd => {
-            let (sample, friction) = gap_by_gap(tracks, place, scale, lever);
-            (sample, crests(tracks, place, scale.abs(), sample, friction))
-        })
-    };
-    let at = sample.min(last_v);
-    let z = h.field(HYSTERETIC)[sample];
-    state.motion = Motion {
-        u: scale * h.field(DISPLACEMENT)[sample],
-        du: scale * h.field(VELOCITY)[sample],
-        v: v.field(DISPLACEMENT)[at],
-        dv: v.field(VELOCITY)[at],
-        z: if scale < zero { -z } else { z },
-        phi: zero,
-        dphi: zero,
-    };
-    state.max_u = scale.abs() * h.field(PEAK)[sample];
-    state.max_v = v.field(PEAK)[at];
-    let lowest = v.field(LOWEST)[at];
-    if lowest < state.min_contact {
-        state.min_contact = lowest;
-    }
-    state.friction = friction;
-    // A sample is a step of the cell or more, of which there are fewer than 2^32.
-    state.step = (sample as u32 * cell.substeps).min(cell.steps_forced);
-    if state.step >= cell.steps {
-        state.status = FINISHED;
-    }
-}
-
-/// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it.
-#[inline(always)]
-fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> (usize, R) {
-    let zero = R::of(0.0);
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
-    let (last, last_v) = (h.length - 1, v.length - 1);
-    let (most, least, x) = (h.field(MOST), h.field(LEAST), h.field(ACCELERATION));
-    let (least_y, y) = (&v.field(LEAST)[..last_v], v.field(ACCELERATION));
-    let size = scale.abs();
-    let mut friction = zero;
-    let mut sample = 0;
-    // Whole blocks of gaps at once, without a branch in them.
-    while sample + BLOCK <= last.min(last_v)
-        && let Some(most) = most[sample..].first_chunk::<BLOCK>()
-        && let Some(least) = least[sample..].first_chunk::<BLOCK>()
-        && let Some(x) = x[sample..].first_chunk::<BLOCK>()
-        && let Some(least_y) = least_y[sample..].first_chunk::<BLOCK>()
-        && let Some(y) = y[sample..].first_chunk::<BLOCK>()
-    {
-        let mut any = false;
-        let mut largest = friction;
-        for i in 0..BLOCK {
-            any |= lifts(tracks.arms, lever, most[i], least[i], least_y[i]);
-            let share = size * x[i].abs() / y[i];
-            largest = largest.max(if y[i] > zero { share } else { zero });
-        }
-        if any {
-            break;
-        }
-        friction = largest;
-        sample += BLOCK;
-    }
-    while sample < last {
-        let gap = sample.min(last_v - 1);
-        if lifts(tracks.arms, lever, most[sample], least[sample], least_y[gap]) {
-            break;
-        }
-        if y[gap] > zero {
-            friction = friction.max(size * x[sample].abs() / y[gap]);
-        }
-        sample += 1;
-    }
-    (sample, friction)
-}
-
-/// Share of the friction asked for by which a gap must exceed it to be looked into.
-const OVER: f64 = 2.0e-4;
-
-/// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
-#[inline(always)]
-fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, friction: R) -> R {
-    let over = R::of(1.0 + OVER);
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
-    let (crest, trough) = (h.field(CREST), v.field(TROUGH));
-    let last_v = v.length - 1;
-    let mut friction = friction;
-    for gap in 0..sample {
-        let gap_v = gap.min(last_v - 1);
-        if !(size * crest[gap] > over * friction * trough[gap_v]) {
-            continue;
-        }
-        let share = |x: R, y: R| if y > R::of(0.0) { size * (x.abs() / y) } else { R::of(0.0) };
-        let x = |quarter: usize| h.field(QUARTERS_H + quarter)[gap];
-        let y = |quarter: usize| v.field(QUARTERS_V + quarter)[gap_v];
-        let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
-        let start = share(xs[gap], ys[gap_v]);
-        let (first, mid, last) = (share(x(0), y(0)), share(x(1), y(1)), share(x(2), y(2)));
-        let end = share(xs[gap + 1], ys[gap_v + 1]);
-        let top = extremes::crest(start, first, mid).max(extremes::crest(mid, last, end));
-        let ends = start.max(first).max(mid).max(last).max(end);
-        // No more than the bound that the gap was looked into for.
-        let bound = size * crest[gap] / trough[gap_v];
-        let most =
-            if trough[gap_v] > R::of(0.0) { top.max(ends).min(bound.max(ends)) } else { ends };
-        friction = friction.max(most);
-    }
-    friction
 }

@@ -16,6 +16,7 @@ pub mod history;
 pub mod lanes;
 pub mod plan;
 pub mod shared;
+pub mod shared_contact;
 pub mod tiles;
 pub mod tracks;
 pub mod verification;

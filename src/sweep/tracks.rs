@@ -1,5 +1,5 @@
 //! Full-contact motions as numbers in a row: a quantity after the other, in each a motion after the
-//! other, in each a sample after the other. So they lie on a device too (`shaders/begin.wgsl`), where
+//! other, in each a sample after the other. So they lie on a device too (`shaders/shared_contact.wgsl`), where
 //! neighbouring cells read along neighbouring motions.
 
 use super::cell_tables::Place;

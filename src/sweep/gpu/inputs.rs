@@ -115,8 +115,8 @@ impl<R: Real> Inputs<R> {
         Inputs { model, numbers, tracks, tile, words, steps, chunks }
     }
 
-    /// Puts on the device what a tile has of its own; the threads that make its cells, and their
-    /// buffers.
+    /// Puts on the device what a tile has of its own, on a side, for the chunk of a number; the threads
+    /// that make its cells, and their buffers.
     pub fn begin(
         &self,
         gpu: &Gpu,

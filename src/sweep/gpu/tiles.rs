@@ -3,6 +3,9 @@
 //! The cells of both are in one list, which is made anew after every chunk of steps, so that threads
 //! have cells however unlike the cells are. When few run, those of the next tile are made and join
 //! them. A tile whose last cell is done is read while the device goes on.
+//!
+//! All cells of the list get their turns in every chunk, so that it does not matter which come first;
+//! long ones end last, beside the first ones of the next tile.
 
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -13,31 +16,13 @@ use super::GpuError;
 use super::chunk::{Begin, Flight, Order, Report, receive, submit};
 use super::device::Gpu;
 use super::inputs::Inputs;
-use super::outcomes;
+use super::loaded::Loaded;
 use super::pipelines::Pipelines;
 use super::run::Ran;
 use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
 use super::tile::OwnClocks;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
-
-/// Cells on the device.
-struct Tile<'a, R> {
-    /// Number of the tile.
-    number: usize,
-    cells: &'a [usize],
-    own: Option<OwnClocks<R>>,
-    /// Steps of its longest cell.
-    longest: u32,
-    /// Turns that its cells were given so far.
-    work: u64,
-    /// Number of the submission that makes the cells.
-    since: usize,
-    /// Cells that still run.
-    left: usize,
-    /// Its last states are where the host can read them.
-    mapped: bool,
-}
 
 /// A sweep's tiles.
 pub struct Tiles<'a, R> {
@@ -51,9 +36,9 @@ pub struct Tiles<'a, R> {
     /// Cells of a tile at most.
     most_cells: usize,
     /// Tiles whose cells run.
-    sides: [Option<Tile<'a, R>>; SIDES],
+    sides: [Option<Loaded<'a, R>>; SIDES],
     /// Tiles whose last states are on their way to the host.
-    copied: [Option<Tile<'a, R>>; SIDES],
+    copied: [Option<Loaded<'a, R>>; SIDES],
     flights: VecDeque<Flight>,
     /// Submissions made and heard of, chunks, tiles begun and read.
     submitted: usize,
@@ -190,7 +175,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
         self.most_steps += count as u64 * u64::from(longest);
-        self.sides[side] = Some(Tile {
+        self.sides[side] = Some(Loaded {
             number: self.begun,
             cells,
             own,
@@ -240,34 +225,17 @@ impl<'a, R: Real> Tiles<'a, R> {
             tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)
         }) && let Some(tile) = self.copied[side].take()
         {
-            let back = &self.slots.sides[side];
-            let view = self.gpu.view(&back.states_back)?;
-            let (all, own) = (self.all, tile.own.as_ref());
-            outcomes::read(all, tile.cells, own, &view, &mut self.ran.outcomes)?;
-            drop(view);
-            back.states_back.unmap();
-            if let Some(events) = &back.events_back {
-                let size = tile.cells.len() * self.slots.events_size as usize;
-                let view = self.gpu.view(events)?;
-                self.ran.events.extend_from_slice(bytemuck::cast_slice(&view[..size]));
-                drop(view);
-                events.unmap();
-            }
+            tile.read(self.gpu, self.slots, side, self.all, &mut self.ran)?;
             self.read += 1;
             any = true;
         }
         Ok(any)
     }
 
-    /// Cells that are done, those that run by the share of their steps. A step takes a turn or
-    /// more, so that this is an upper bound.
+    /// Cells that are done, those that run by the share of their steps.
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
-        let run = |tile: &Tile<R>| {
-            let share = (tile.work as f64 / f64::from(tile.longest.max(1))).min(0.99);
-            tile.cells.len() - tile.left.min(tile.cells.len()) + (share * tile.left as f64) as usize
-        };
-        let running = self.sides.iter().flatten().map(run).sum::<usize>();
+        let running = self.sides.iter().flatten().map(Loaded::done).sum::<usize>();
         self.ran.outcomes.len() + ended + running
     }
 }

@@ -1,0 +1,163 @@
+// The full contact that cells share: where it takes a cell before the cell lifts.
+// Twin: src/sweep/shared_contact.rs.
+
+// The shared motions. Twin: src/sweep/tracks.rs.
+@group(0) @binding(12) var<storage, read> tracks: array<real>;
+
+const DISPLACEMENT = 0u;
+const VELOCITY = 1u;
+const ACCELERATION = 2u;
+const LEAST = 3u;
+const PEAK = 4u;
+const LOWEST = 5u;
+const HYSTERETIC = 5u;
+const MOST = 6u;
+const HIGHEST = 7u;
+const DEEPEST = 8u;
+const STRONGEST = 9u;
+const TROUGH = 6u;
+const CREST = 10u;
+const QUARTERS_V = 7u;
+const QUARTERS_H = 11u;
+
+// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
+// (14) is between two bounds, and Y above one.
+fn lifts(lever: real, most: real, least: real, least_y: real) -> bool {
+    // A negative lever turns the bounds about.
+    let one = lever * most;
+    let other = lever * least;
+    return max(one, other) > model.left.arm * least_y
+        || max(-one, -other) > model.right.arm * least_y;
+}
+
+// The first of some gaps whose bound, which does not fall from gap to gap, times `size` exceeds
+// `limit`.
+fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
+    var low = 0u;
+    var high = gaps;
+    while low < high {
+        let middle = (low + high) / 2u;
+        if size * tracks[bounds + middle] > limit {
+            high = middle;
+        } else {
+            low = middle + 1u;
+        }
+    }
+    return low;
+}
+
+// Share of the friction asked for by which a gap must exceed it to be looked into.
+const OVER = 2.0e-4;
+
+// The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
+// over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
+fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> real {
+    let over: real = 1.0 + OVER;
+    let all_h = tile.across.w;
+    let all_v = tile.up.w;
+    var friction = seen;
+    for (var gap = 0u; gap < sample; gap++) {
+        let at = h + gap;
+        let at_v = v + min(gap, last_v - 1u);
+        let most = size * tracks[at + CREST * all_h];
+        let trough = tracks[at_v + TROUGH * all_v];
+        if !(most > over * friction * trough) {
+            continue;
+        }
+        let x = at + QUARTERS_H * all_h;
+        let y = at_v + QUARTERS_V * all_v;
+        let end = at + 1u + ACCELERATION * all_h;
+        let end_v = at_v + 1u + ACCELERATION * all_v;
+        let share0 = size * share(abs(tracks[end - 1u]), tracks[end_v - 1u]);
+        let share1 = size * share(abs(tracks[x]), tracks[y]);
+        let share2 = size * share(abs(tracks[x + all_h]), tracks[y + all_v]);
+        let share3 = size * share(abs(tracks[x + 2u * all_h]), tracks[y + 2u * all_v]);
+        let share4 = size * share(abs(tracks[end]), tracks[end_v]);
+        let top = max(crest(share0, share1, share2), crest(share2, share3, share4));
+        let ends = max(max(max(share0, share1), max(share2, share3)), share4);
+        // No more than the bound that the gap was looked into for.
+        var largest = ends;
+        if trough > 0.0 {
+            largest = min(max(top, ends), max(most / trough, ends));
+        }
+        friction = max(friction, largest);
+    }
+    return friction;
+}
+
+// Takes a cell from its start to the first gap in which it may lift, or to the end of the excitation.
+fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, State>) {
+    let zero: real = 0.0;
+    let first_h = entry(tile.across, place);
+    let first_v = entry(tile.up, place);
+    let h = words[first_h];
+    let v = tile.up_values + words[first_v];
+    let all_h = tile.across.w;
+    let all_v = tile.up.w;
+    // u is A_h times what it is for A_h = 1.
+    let lever = model.height * scale;
+    let size = abs(scale);
+    // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
+    let last = words[first_h + 1u] - h - 1u;
+    let last_v = words[first_v + 1u] - words[first_v] - 1u;
+    var sample = 0u;
+    var friction = zero;
+    if tile.still == 1u {
+        // Nothing but u changes from gap to gap: the first that lifts is searched for.
+        let y = tracks[v + ACCELERATION * all_v];
+        let least_y = tracks[v + LEAST * all_v];
+        var rising = model.left.arm;
+        var falling = model.right.arm;
+        if lever < 0.0 {
+            rising = model.right.arm;
+            falling = model.left.arm;
+        }
+        let highest = first_beyond(h + HIGHEST * all_h, last, abs(lever), rising * least_y);
+        let deepest = first_beyond(h + DEEPEST * all_h, last, abs(lever), falling * least_y);
+        sample = min(highest, deepest);
+        if sample > 0u && y > 0.0 {
+            friction = size * tracks[h + STRONGEST * all_h + sample - 1u] / y;
+        }
+    } else {
+        while sample < last {
+            let gap = min(sample, last_v - 1u);
+            let most = tracks[h + MOST * all_h + sample];
+            let least = tracks[h + LEAST * all_h + sample];
+            if lifts(lever, most, least, tracks[v + LEAST * all_v + gap]) {
+                break;
+            }
+            let y = tracks[v + ACCELERATION * all_v + gap];
+            if y > 0.0 {
+                let x = abs(tracks[h + ACCELERATION * all_h + sample]);
+                friction = max(friction, size * x / y);
+            }
+            sample += 1u;
+        }
+        friction = crests(h, v, last_v, size, sample, friction);
+    }
+    let at = min(sample, last_v);
+    var z = tracks[h + HYSTERETIC * all_h + sample];
+    if scale < 0.0 {
+        z = -z;
+    }
+    (*state).motion = Motion(
+        scale * tracks[h + DISPLACEMENT * all_h + sample],
+        scale * tracks[h + VELOCITY * all_h + sample],
+        tracks[v + DISPLACEMENT * all_v + at],
+        tracks[v + VELOCITY * all_v + at],
+        z,
+        zero,
+        zero,
+    );
+    (*state).max_u = size * tracks[h + PEAK * all_h + sample];
+    (*state).max_v = tracks[v + PEAK * all_v + at];
+    let lowest = tracks[v + LOWEST * all_v + at];
+    if lowest < (*state).min_contact {
+        (*state).min_contact = lowest;
+    }
+    (*state).friction = friction;
+    (*state).step = min(sample * cell.substeps, cell.steps_forced);
+    if (*state).step >= cell.steps {
+        (*state).status = FINISHED;
+    }
+}
