@@ -68,7 +68,7 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let corner = pivot(&model, rocking.mode);
     let seen = rocking.extremes();
     c.bench_function(&format!("certificate, {name}"), |b| {
-        b.iter(|| is_final(&set, &corner, true, true, black_box(&rocking.motion), &seen));
+        b.iter(|| is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &seen));
     });
 }
 

@@ -12,6 +12,20 @@ fn rise(corner: Corner, phi: real) -> real {
     return corner.side * corner.arm * sine(phi) - 2.0 * model.height * half_sine * half_sine;
 }
 
+// True where energies that are left in the base reach no further than the largest |u| and |v|.
+fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
+    if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
+        return false;
+    }
+    if isolated_v {
+        // A base at rest trembles by the rounding of its deflection.
+        let tremble = real(EVENT_TOLERANCE) * cell.deflection;
+        let up = state.max_v - cell.deflection + tremble;
+        return up >= 0.0 && cell.stiffness_v * up * up >= left_v;
+    }
+    return true;
+}
+
 // True where everything that a map tells of the cell is final, the excitation being over.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
@@ -33,46 +47,48 @@ fn is_final(cell: Cell, state: State) -> bool {
         let lift = y.v + cell.deflection;
         base_v = y.dv * y.dv + cell.stiffness_v * lift * lift;
     }
-    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    // What is left of them at most. A block in full contact may yet lift, and the base's energies are
+    // then the least that each can be.
     var left_h = more * base_h;
     var left_v = more * base_v;
-    let x_stays = cell.reach_h * sqrt(left_h);
-    let y_stays = cell.reach_v * sqrt(left_v);
-    let stays = model.least_arm * (model.gravity - y_stays) > model.height * x_stays && !rocking;
-    // Else all of the energy over M, wherever it may go.
-    var energy = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    if rocking {
-        let corner = pivot(state.mode);
-        let lever = lever_at(corner, y.phi);
-        let push = lever.q * y.dv - lever.p * y.du + 0.5 * corner.inertia * y.dphi;
-        energy = energy + push * y.dphi + model.gravity * rise(corner, y.phi);
-    }
-    energy = model.impact_gain * more * energy;
-    if !stays {
-        let bound_left = model.gravity * rise(model.left, state.max_phi_left);
-        let bound_right = model.gravity * rise(model.right, -state.max_phi_right);
-        let small = energy < model.topple_energy && energy <= bound_left && energy <= bound_right;
-        if !(small && state.uplifts > 0u) {
-            return false;
-        }
-        left_h = 2.0 * model.mu_h * energy;
-        left_v = 2.0 * model.mu_v * energy;
-    }
-    // The largest |u| and |v| that this can still make.
-    if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
+    if !(rocking || within(cell, state, left_h, left_v)) {
         return false;
     }
-    if isolated_v {
-        // A base at rest trembles by the rounding of its deflection.
-        let tremble = real(EVENT_TOLERANCE) * cell.deflection;
-        let up = state.max_v - cell.deflection + tremble;
-        if !(up >= 0.0 && cell.stiffness_v * up * up >= left_v) {
+    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    var x_most = zero;
+    var y_swing = zero;
+    var stays = !rocking;
+    if stays {
+        x_most = cell.reach_h * sqrt(left_h);
+        y_swing = cell.reach_v * sqrt(left_v);
+        stays = model.least_arm * (model.gravity - y_swing) > model.height * x_most;
+    }
+    var energy = zero;
+    if !stays {
+        // Else all of the energy over M, wherever it may go.
+        energy = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
+        if rocking {
+            let corner = pivot(state.mode);
+            let lever = lever_at(corner, y.phi);
+            let push = lever.q * y.dv - lever.p * y.du + 0.5 * corner.inertia * y.dphi;
+            energy = energy + push * y.dphi + model.gravity * rise(corner, y.phi);
+        }
+        energy = model.impact_gain * more * energy;
+        left_h = 2.0 * model.mu_h * energy;
+        left_v = 2.0 * model.mu_v * energy;
+        let small = state.uplifts > 0u && energy < model.topple_energy;
+        if !(small && within(cell, state, left_h, left_v)) {
             return false;
         }
+        let bound_left = model.gravity * rise(model.left, state.max_phi_left);
+        let bound_right = model.gravity * rise(model.right, -state.max_phi_right);
+        if !(energy <= bound_left && energy <= bound_right) {
+            return false;
+        }
+        x_most = cell.reach_h * sqrt(left_h);
+        y_swing = cell.reach_v * sqrt(left_v);
     }
     // The least normal force and the largest share of the shear.
-    let x_most = cell.reach_h * sqrt(left_h);
-    let y_swing = cell.reach_v * sqrt(left_v);
     let whole = select(model.normal_share, one, stays);
     let turn = select(energy, zero, stays);
     let by_shear = select(model.normal_by_shear * x_most, zero, stays);

@@ -14,6 +14,12 @@ struct Rise {
 // Share of its bend by which a parabola may miss a crest.
 const CREST_ERROR = 1.0e-3;
 
+// What rounding may have made of an uplift moment.
+fn moment_rounding(contact: Contact) -> real {
+    let arm = max(model.left.arm, model.right.arm);
+    return ROUNDING * (model.height * abs(contact.shear) + arm * abs(contact.normal));
+}
+
 // The parabola through an uplift moment's values at a span's start, middle and end, and where in the
 // span it is positive, or may be for all that it tells; negative where it is not.
 fn moment_rises(start: real, mid: real, end: real) -> Rise {
@@ -142,6 +148,7 @@ fn sample_of(
     var sample = angle_guard(sense, goal, y1, k_end, h);
     if sought.uplift {
         sample.value = largest_uplift_moment(contact_of(k_end));
+        sample.rounding = moment_rounding(contact_of(k_end));
     }
     if is_kink(sought) {
         sample = kink_guard(sought.kink_z, y, y1, k_end, h);

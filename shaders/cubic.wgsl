@@ -34,7 +34,8 @@ fn root(cubic: Cubic) -> Root {
     // value. Where it falls first: where the parabola from the start is as high as there again.
     let rises = cubic.c1 > 0.0 && slope1 > 0.0;
     let chord = select(-cubic.c1, -cubic.c0, rises) / select(cubic.c2 + cubic.c3, rise, rises);
-    let inverse = hermite(zero, rise / cubic.c1, one, rise / slope1, chord);
+    let per_slopes = rise / (cubic.c1 * slope1);
+    let inverse = hermite(zero, slope1 * per_slopes, one, cubic.c1 * per_slopes, chord);
     var at = select(chord, inverse, rises);
     at = select(one, at, at > 0.0 && at < 1.0);
     // One step of Newton's method.

@@ -1,13 +1,19 @@
 // The largest and least values of a cell so far. Twin: src/stepping/extremes.rs.
 
-// Largest magnitude of a coordinate over a span, its interior extremum included.
-fn peak(x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
+// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
+const SLOPE_SHARE = 4.0 / 27.0;
+
+// The larger of what a cell has seen and the largest magnitude of a coordinate over a span, its
+// interior extremum included.
+fn peak(seen: real, x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
     let ends = max(abs(x0), abs(x1));
-    if (rate0 > 0.0) == (rate1 > 0.0) {
-        return ends;
+    let most = max(seen, ends);
+    let bound = ends + SLOPE_SHARE * h * (abs(rate0) + abs(rate1));
+    if !(crosses(rate0, rate1) && bound > most) {
+        return most;
     }
     let at = rate0 / (rate0 - rate1);
-    return max(ends, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
+    return max(most, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
 }
 
 // The extremum of the parabola through a span's start, middle and end, where it lies inside; else the
@@ -19,20 +25,23 @@ fn crest(start: real, mid: real, end: real) -> real {
     return select(start, top, crosses(rise, fall));
 }
 
-// How far a parabola through three values can go beyond them, at most four times that.
+// How far a parabola through three values can go beyond them: its extremum is at most a quarter of the
+// span from the nearest.
 fn bend(start: real, mid: real, end: real) -> real {
-    return abs(start - 2.0 * mid + end);
+    return 0.125 * abs(start - 2.0 * mid + end);
 }
 
 // Takes in the motion over a span of `h` seconds.
 fn see_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
-    (*state).max_u = max((*state).max_u, peak(y0.u, y0.du, y1.u, y1.du, h));
-    (*state).max_v = max((*state).max_v, peak(y0.v, y0.dv, y1.v, y1.dv, h));
-    let angle = peak(y0.phi, y0.dphi, y1.phi, y1.dphi, h);
-    if (*state).mode != ROCKING_RIGHT {
-        (*state).max_phi_left = max((*state).max_phi_left, angle);
+    (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
+    (*state).max_v = peak((*state).max_v, y0.v, y0.dv, y1.v, y1.dv, h);
+    let left = (*state).mode != ROCKING_RIGHT;
+    let seen = select((*state).max_phi_right, (*state).max_phi_left, left);
+    let angle = peak(seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+    if left {
+        (*state).max_phi_left = angle;
     } else {
-        (*state).max_phi_right = max((*state).max_phi_right, angle);
+        (*state).max_phi_right = angle;
     }
 }
 

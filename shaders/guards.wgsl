@@ -47,6 +47,7 @@ struct GuardSample {
     value: real,
     slope: real,
     bend: real,
+    rounding: real,
 }
 
 // True where a number goes from one side of zero to the other; zero itself is on neither.
@@ -56,7 +57,8 @@ fn crosses(start: real, end: real) -> bool {
 
 // Impact or overturning: how far the angle is past a target, in the sense of +1 or -1.
 fn angle_guard(sense: real, goal: real, y: Motion, k: Rates, h: real) -> GuardSample {
-    return GuardSample(sense * y.phi - goal, h * sense * y.dphi, h * h * k.ddphi);
+    let zero: real = 0.0;
+    return GuardSample(sense * y.phi - goal, h * sense * y.dphi, h * h * sense * k.ddphi, zero);
 }
 
 // A kink: u' or z, positive once it has left the side of zero that it was on at the start.
@@ -66,5 +68,6 @@ fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardS
     let value = select(y.du, y.z, of_z);
     let slope = h * select(k.ddu, k.dz, of_z);
     let positive = before > 0.0;
-    return GuardSample(select(value, -value, positive), select(slope, -slope, positive), zero);
+    let reached = select(value, -value, positive);
+    return GuardSample(reached, select(slope, -slope, positive), zero, zero);
 }

@@ -20,6 +20,22 @@ fn shift(y: Motion, k: Rates, h: real) -> Motion {
     );
 }
 
+// The motion a time `back` before the end `y` of a span of `h` seconds, whose rates are `k1` at the start
+// and `k` at the end and change evenly: to second order in `back`.
+fn shift_back(y: Motion, k1: Rates, k: Rates, back: real, h: real) -> Motion {
+    let half = 0.5 * back * back;
+    let change = half / h;
+    return Motion(
+        y.u - back * k.du + half * k.ddu,
+        y.du - back * k.ddu + change * (k.ddu - k1.ddu),
+        y.v - back * k.dv + half * k.ddv,
+        y.dv - back * k.ddv + change * (k.ddv - k1.ddv),
+        y.z - back * k.dz + change * (k.dz - k1.dz),
+        y.phi - back * k.dphi + half * k.ddphi,
+        y.dphi - back * k.ddphi + change * (k.ddphi - k1.ddphi),
+    );
+}
+
 // Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at the
 // end.
 fn rk4(

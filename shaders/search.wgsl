@@ -54,13 +54,30 @@ fn begin_search(search: ptr<function, Search>, found: Sought, cubic: Cubic, uppe
     (*search).last = false;
 }
 
+// How far before a trial's end an angle was at its target, and what that leaves out.
+struct WayBack {
+    back: real,
+    missed: real,
+}
+
+// The way back along the parabola that touches the angle at a trial's end; `bend_before` is its bend at
+// the trial's start.
+fn way_back(end: GuardSample, per_slope: real, bend_before: real) -> WayBack {
+    let first = end.value * per_slope;
+    let ratio = end.bend * per_slope;
+    let second = 0.5 * first * first * ratio;
+    let bends = (abs(end.bend) + abs(bend_before)) * abs(per_slope);
+    let third = abs(second * ratio) + 0.16666666666666666 * first * first * bends;
+    return WayBack(first + second, abs(first) * third);
+}
+
 struct Arrived {
     done: bool,
     back: real,
 }
 
-// Takes in what the trial at `at` came to.
-fn narrow(search: ptr<function, Search>, found: GuardSample) -> Arrived {
+// Takes in what the trial at `at` came to; `bend_before` is an angle's bend at its start.
+fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) -> Arrived {
     let zero: real = 0.0;
     let one: real = 1.0;
     let sought = (*search).sought;
@@ -74,11 +91,14 @@ fn narrow(search: ptr<function, Search>, found: GuardSample) -> Arrived {
     (*search).before = at;
     (*search).value_before = found.value;
     (*search).tries += 1u;
-    let change = found.value / slope;
+    let per_slope = 1.0 / slope;
     let beyond = found.value > 0.0;
-    // Going back along the slope misses half the bend times the square of the way.
-    let missed = select(abs(change * slope), 0.5 * change * change * abs(found.bend), angle);
-    let near = tolerance * abs(slope) >= missed;
+    let way = way_back(found, per_slope, bend_before);
+    // A value that may be rounding is aimed beyond by as much, and is near at twice that.
+    let rounding = found.rounding;
+    let change = select((found.value - rounding) * per_slope, way.back, angle);
+    let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
+    let near = tolerance >= select(off, way.missed, angle);
     // What has not happened at the upper end does not happen.
     let nothing = !(*search).verified && !beyond && at >= (*search).high;
     let done = ((near && (beyond || angle)) || (*search).last) && !nothing;

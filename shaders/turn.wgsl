@@ -93,7 +93,8 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var back = zero;
     if seeking {
         let sample = sample_of(sought, corner, y, y1, k_end, (*t).span * step);
-        let found = narrow(&search, sample);
+        let whole_h = (*t).span * step;
+        let found = narrow(&search, sample, whole_h * whole_h * k1.ddphi);
         kinked = found.done && is_kink(sought);
         arrived = found.done && sought.uplift;
         switches = found.done && is_angle(sought);
@@ -111,19 +112,21 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if looked {
         let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
         // A span that ends just beyond the impact that it was cut for ends there.
-        let change = -y1.phi / (h * y1.dphi);
-        let missed = 0.5 * change * change * abs(h * h * k_end.ddphi);
-        let allowed = abs(h * y1.dphi) * EVENT_TOLERANCE;
-        landed = crossing.found.impact && crossing.upper >= 1.0 && allowed >= missed;
-        back = select(back, -change * length, landed);
-        switches = switches || landed;
+        if crossing.found.impact {
+            let end = angle_guard(one, zero, y1, k_end, h);
+            let way = way_back(end, 1.0 / end.slope, h * h * k1.ddphi);
+            let allowed: real = EVENT_TOLERANCE;
+            landed = crossing.upper >= 1.0 && allowed >= way.missed;
+            back = select(back, way.back * length, landed);
+            switches = switches || landed;
+        }
         found = is_any(crossing.found) && !landed;
         if found {
             begin_search(&search, crossing.found, crossing.cubic, crossing.upper);
         }
     }
     if switches {
-        y1 = shift(y1, k_end, -back * step);
+        y1 = shift_back(y1, k1, k_end, back * step, h);
         length = length - back;
         h = length * step;
     }

@@ -307,9 +307,9 @@ proptest! {
         (state.max_u, state.max_v) = (100.0, 100.0);
         (state.min_contact, state.friction) = (-1.0e6, 1.0e6);
         let corner = pivot(&model, state.mode);
-        let proved = is_final(&set, &corner, true, true, &state.motion, &state.extremes());
+        let proved = is_final(&set, &corner, true, true, true, &state.motion, &state.extremes());
         // Before the first uplift from full contact its time is not known.
-        prop_assert!(!is_final(&set, &corner, true, false, &state.motion, &state.extremes()));
+        prop_assert!(!is_final(&set, &corner, true, true, false, &state.motion, &state.extremes()));
 
         let system = System::new(&scene, &point);
         let mut other = system.at_rest();

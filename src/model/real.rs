@@ -22,6 +22,8 @@ pub trait Real:
     /// A kink of the Bouc-Wen law is located to within this fraction of its step; what is left of
     /// its error is of second order in that.
     const KINK_TOLERANCE: Self;
+    /// What rounding may make of a sum of a few products, of their size: a unit in the last place.
+    const ROUNDING: Self;
 
     /// The nearest number of this type.
     fn of(value: f64) -> Self;
@@ -103,6 +105,7 @@ macro_rules! scalar {
         impl Real for $type {
             const EVENT_TOLERANCE: $type = $event;
             const KINK_TOLERANCE: $type = $kink;
+            const ROUNDING: $type = <$type>::EPSILON;
 
             #[inline(always)]
             fn of(value: f64) -> $type {

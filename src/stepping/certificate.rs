@@ -40,13 +40,14 @@ fn rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
     corner.side * corner.arm * phi.sine() - phi.like(2.0) * set.model.height * half_sine * half_sine
 }
 
-/// The lanes of which everything that a map tells is final, the excitation being over. `lifted`
-/// are those that have lifted from full contact, whose time of first uplift is known.
+/// The lanes of `tried` of which everything that a map tells is final, the excitation being over.
+/// `lifted` are those that have lifted from full contact, whose time of first uplift is known.
 #[inline(always)]
 pub fn is_final<V: Vector>(
     set: &CellEquations<V>,
     corner: &Corner<V>,
     rocking: V::Mask,
+    tried: V::Mask,
     lifted: V::Mask,
     y: &Motion<V>,
     seen: &Extremes<V>,
@@ -68,43 +69,63 @@ pub fn is_final<V: Vector>(
         let lift = y.v + cell.deflection;
         base_v = y.dv * y.dv + cell.stiffness_v * lift * lift;
     }
-    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    // Energies that do not reach beyond the largest |u| and |v|.
+    let within = |left_h: V, left_v: V| {
+        let mut within = tried;
+        if variant.isolated_h {
+            within = within & (cell.post_yield * seen.max_u * seen.max_u).ge(left_h);
+        }
+        if variant.isolated_v {
+            // A base at rest trembles by the rounding of its deflection.
+            let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
+            let up = seen.max_v - cell.deflection + tremble;
+            within = within & up.ge(zero) & (cell.stiffness_v * up * up).ge(left_v);
+        }
+        within
+    };
+    // What is left of them at most. A block in full contact may yet lift, and the base's energies
+    // are then the least that each can be.
     let mut left_h = more * base_h;
     let mut left_v = more * base_v;
-    let x_most = cell.reach_h * left_h.sqrt();
-    let y_swing = cell.reach_v * left_v.sqrt();
-    let stays = (model.least_arm * (model.gravity - y_swing)).gt(model.height * x_most) & !rocking;
-    // Else all of the energy over M, wherever it may go.
-    let mut energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    if V::any(rocking) {
-        let Lever { p, q } = lever_at(set, corner, y.phi);
-        let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
-        let turning = push * y.dphi + model.gravity * rise(set, corner, y.phi);
-        energy = V::select(rocking, energy + turning, energy);
-    }
-    energy = model.impact_gain * more * energy;
-    let bound_left = model.gravity * rise(set, &model.left, seen.max_phi_left);
-    let bound_right = model.gravity * rise(set, &model.right, -seen.max_phi_right);
-    let small = model.topple_energy.gt(energy) & bound_left.ge(energy) & bound_right.ge(energy);
-    left_h = V::select(stays, left_h, two * model.mu_h * energy);
-    left_v = V::select(stays, left_v, two * model.mu_v * energy);
-    let mut last = stays | (small & lifted);
+    let mut last = tried & (rocking | within(left_h, left_v));
     if !V::any(last) {
         return last;
     }
-    // The largest |u| and |v| that this can still make.
-    if variant.isolated_h {
-        last = last & (cell.post_yield * seen.max_u * seen.max_u).ge(left_h);
+    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    let mut x_most = zero;
+    let mut y_swing = zero;
+    let mut stays = !rocking;
+    if V::any(last & !rocking) {
+        x_most = cell.reach_h * left_h.sqrt();
+        y_swing = cell.reach_v * left_v.sqrt();
+        let pressed = model.least_arm * (model.gravity - y_swing);
+        stays = stays & pressed.gt(model.height * x_most);
     }
-    if variant.isolated_v {
-        // A base at rest trembles by the rounding of its deflection.
-        let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-        let up = seen.max_v - cell.deflection + tremble;
-        last = last & up.ge(zero) & (cell.stiffness_v * up * up).ge(left_v);
+    let mut energy = zero;
+    if V::any(last & !stays) {
+        // Else all of the energy over M, wherever it may go.
+        energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
+        if V::any(last & rocking) {
+            let Lever { p, q } = lever_at(set, corner, y.phi);
+            let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
+            let turning = push * y.dphi + model.gravity * rise(set, corner, y.phi);
+            energy = V::select(rocking, energy + turning, energy);
+        }
+        energy = model.impact_gain * more * energy;
+        left_h = V::select(stays, left_h, two * model.mu_h * energy);
+        left_v = V::select(stays, left_v, two * model.mu_v * energy);
+        let small = lifted & model.topple_energy.gt(energy);
+        last = last & (stays | small) & within(left_h, left_v);
+        if !V::any(last) {
+            return last;
+        }
+        let bound_left = model.gravity * rise(set, &model.left, seen.max_phi_left);
+        let bound_right = model.gravity * rise(set, &model.right, -seen.max_phi_right);
+        last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
+        x_most = cell.reach_h * left_h.sqrt();
+        y_swing = cell.reach_v * left_v.sqrt();
     }
     // The least normal force and the largest share of the shear.
-    let x_most = cell.reach_h * left_h.sqrt();
-    let y_swing = cell.reach_v * left_v.sqrt();
     let share = V::select(stays, y.u.like(1.0), model.normal_share);
     let turn = V::select(stays, zero, energy);
     let by_shear = V::select(stays, zero, model.normal_by_shear * x_most);

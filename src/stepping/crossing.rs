@@ -1,7 +1,9 @@
 //! The first guard that has happened in a span just taken. Twin of `shaders/crossing.wgsl`.
 
+use crate::model::CellEquations;
 use crate::model::dynamics::{Contact, Motion, Rates, largest_uplift_moment, uplift_moment};
 use crate::model::number::Number;
+use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::cubic::Cubic;
@@ -23,6 +25,14 @@ pub struct Crossing<V: Vector> {
 /// Share of its bend by which a parabola may miss a crest: (omega h/2)^2/24 for a step of a 32nd of a
 /// period is 4e-4.
 const CREST_ERROR: f64 = 1.0e-3;
+
+/// What rounding may have made of an uplift moment.
+#[inline(always)]
+fn moment_rounding<V: Vector>(set: &CellEquations<V>, contact: Contact<V>) -> V {
+    let (model, rounding) = (set.model, contact.normal.like(V::Element::ROUNDING.to_f64()));
+    let arm = model.left.arm.max(model.right.arm);
+    rounding * (model.height * contact.shear.abs() + arm * contact.normal.abs())
+}
 
 /// The parabola through an uplift moment's values at a span's start, middle and end, and where in
 /// the span it is positive, or may be for all that it tells; negative where it is not.
@@ -193,8 +203,11 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let sense = V::select(sought.overturning, corner.side, -corner.side);
         let target = V::select(sought.overturning, corner.overturn, zero);
         let mut sample = angle_guard(sense, target, y1, k_end, h);
-        let moment = largest_uplift_moment(&set, k_end.contact());
+        let contact = k_end.contact();
+        let moment = largest_uplift_moment(&set, contact);
         sample.value = V::select(sought.uplift, moment, sample.value);
+        let rounding = moment_rounding(&set, contact);
+        sample.rounding = V::select(sought.uplift, rounding, zero);
         let kink = kink_guard(sought.kink_z, &self.y, y1, k_end, h);
         sample.value = V::select(sought.kink(), kink.value, sample.value);
         sample.slope = V::select(sought.kink(), kink.slope, sample.slope);

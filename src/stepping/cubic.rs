@@ -57,7 +57,8 @@ impl<N: Number> Cubic<N> {
         let rises = self.c1.gt(zero) & slope1.gt(zero);
         let chord =
             N::select(rises, -self.c0, -self.c1) / N::select(rises, rise, self.c2 + self.c3);
-        let inverse = hermite(zero, rise / self.c1, one, rise / slope1, chord);
+        let per_slopes = rise / (self.c1 * slope1);
+        let inverse = hermite(zero, slope1 * per_slopes, one, self.c1 * per_slopes, chord);
         let at = N::select(rises, inverse, chord);
         let inside = at.gt(zero) & one.gt(at);
         let at = N::select(inside, at, one);

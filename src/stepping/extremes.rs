@@ -26,19 +26,23 @@ pub struct Extremes<R> {
 
 reals!(Extremes, 6, max_phi_left max_phi_right max_u max_v min_contact friction);
 
-/// Largest magnitude of a coordinate over a span, its interior extremum included.
+/// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
+const SLOPE_SHARE: f64 = 4.0 / 27.0;
+
+/// The larger of what some lanes have seen and the largest magnitude of a coordinate over a span,
+/// its interior extremum included.
 #[inline(always)]
-pub fn peak<N: Number>(x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
+pub fn peak<N: Number>(lanes: N::Mask, seen: N, x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
     let ends = x0.abs().max(x1.abs());
-    let zero = h.like(0.0);
-    let (rising0, rising1) = (rate0.gt(zero), rate1.gt(zero));
-    let turns = (rising0 | rising1) & !(rising0 & rising1);
+    let most = N::select(lanes, seen.max(ends), seen);
+    let bound = (h.like(SLOPE_SHARE) * h).mul_add(rate0.abs() + rate1.abs(), ends);
+    let turns = lanes & crosses(rate0, rate1) & bound.gt(most);
     if !N::any(turns) {
-        return ends;
+        return most;
     }
     let at = rate0 / (rate0 - rate1);
     let extremum = hermite(x0, h * rate0, x1, h * rate1, at).abs();
-    N::select(turns, ends.max(extremum), ends)
+    N::select(turns, most.max(extremum), most)
 }
 
 /// The extremum of the parabola through a span's start, middle and end, where it lies inside; else
@@ -52,26 +56,24 @@ pub fn crest<N: Number>(start: N, mid: N, end: N) -> N {
     N::select(crosses(rise, fall), top, start)
 }
 
-/// How far a parabola through three values can go beyond them, at most four times that.
+/// How far a parabola through three values can go beyond them: its extremum is at most a quarter of
+/// the span from the nearest.
 #[inline(always)]
 fn bend<N: Number>(start: N, mid: N, end: N) -> N {
-    (start - mid.like(2.0) * mid + end).abs()
+    mid.like(0.125) * (start - mid.like(2.0) * mid + end).abs()
 }
 
 impl<N: Number> Extremes<N> {
     /// Takes in the motion of some lanes over spans of `h` seconds about corners of this side.
     #[inline(always)]
     pub fn motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
-        let u = self.max_u.max(peak(y0.u, y0.du, y1.u, y1.du, h));
-        self.max_u = N::select(lanes, u, self.max_u);
-        let v = self.max_v.max(peak(y0.v, y0.dv, y1.v, y1.dv, h));
-        self.max_v = N::select(lanes, v, self.max_v);
-        let angle = peak(y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+        self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
+        self.max_v = peak(lanes, self.max_v, y0.v, y0.dv, y1.v, y1.dv, h);
         let left = side.gt(h.like(0.0));
-        let larger = lanes & left & angle.gt(self.max_phi_left);
-        self.max_phi_left = N::select(larger, angle, self.max_phi_left);
-        let larger = lanes & !left & angle.gt(self.max_phi_right);
-        self.max_phi_right = N::select(larger, angle, self.max_phi_right);
+        let seen = N::select(left, self.max_phi_left, self.max_phi_right);
+        let angle = peak(lanes, seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+        self.max_phi_left = N::select(left, angle, self.max_phi_left);
+        self.max_phi_right = N::select(left, self.max_phi_right, angle);
     }
 
     /// Takes in the contact forces of some lanes at a span's start, middle and end, and the crests of

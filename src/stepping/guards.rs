@@ -4,7 +4,7 @@
 //!
 //! | guard | value | slope over the span | located to, of a step | what happens there |
 //! |---|---|---|---|---|
-//! | uplift | the larger uplift moment (14), s H X - b Y | secant of two trials | `EVENT_TOLERANCE` | the block lifts about the corner of the larger moment |
+//! | uplift | the larger uplift moment (14), s H X - b Y | secant of two trials | `EVENT_TOLERANCE`, or twice its rounding | the block lifts about the corner of the larger moment |
 //! | impact | -s phi | -s h phi' | `EVENT_TOLERANCE` | (16), or rest on both corners |
 //! | overturning | s phi - phi_c | s h phi' | `EVENT_TOLERANCE` | the cell ends |
 //! | kink of u' | u', its sign at the start reversed | h u'' | `KINK_TOLERANCE` | the step is cut: the law (11) is smooth on either side |
@@ -115,8 +115,10 @@ pub struct GuardSample<N> {
     pub value: N,
     /// Its slope over the span.
     pub slope: N,
-    /// Twice the coefficient of the square there: what a step along the slope misses.
+    /// The change of that slope over the span, as it is there.
     pub bend: N,
+    /// What rounding may have made of the value.
+    pub rounding: N,
 }
 
 /// True where a number goes from one side of zero to the other; zero itself is on neither.
@@ -135,7 +137,12 @@ pub fn angle_guard<N: Number>(
     k: &Rates<N>,
     h: N,
 ) -> GuardSample<N> {
-    GuardSample { value: sense * y.phi - target, slope: h * sense * y.dphi, bend: h * h * k.ddphi }
+    GuardSample {
+        value: sense * y.phi - target,
+        slope: h * sense * y.dphi,
+        bend: h * h * sense * k.ddphi,
+        rounding: h.like(0.0),
+    }
 }
 
 /// A kink: u' or z, positive once it has left the side of zero that it was on at the start.
@@ -156,5 +163,6 @@ pub fn kink_guard<N: Number>(
         value: N::select(positive, -value, value),
         slope: N::select(positive, -slope, slope),
         bend: zero,
+        rounding: zero,
     }
 }

@@ -31,6 +31,30 @@ pub fn shift<R: Number>(y: &Motion<R>, k: &Rates<R>, h: R) -> Motion<R> {
     }
 }
 
+/// The motion a time `back` before the end `y` of a span of `h` seconds, whose rates are `k1` at the
+/// start and `k` at the end and change evenly: to second order in `back`.
+#[inline(always)]
+pub fn shift_back<R: Number>(
+    y: &Motion<R>,
+    k1: &Rates<R>,
+    k: &Rates<R>,
+    back: R,
+    h: R,
+) -> Motion<R> {
+    let half = h.like(0.5) * back * back;
+    let change = half / h;
+    let at = |x: R, rate: R, second: R| second + (-back).mul_add(rate, x);
+    Motion {
+        u: at(y.u, k.du, half * k.ddu),
+        du: at(y.du, k.ddu, change * (k.ddu - k1.ddu)),
+        v: at(y.v, k.dv, half * k.ddv),
+        dv: at(y.dv, k.ddv, change * (k.ddv - k1.ddv)),
+        z: at(y.z, k.dz, change * (k.dz - k1.dz)),
+        phi: at(y.phi, k.dphi, half * k.ddphi),
+        dphi: at(y.dphi, k.ddphi, change * (k.ddphi - k1.ddphi)),
+    }
+}
+
 /// Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at
 /// the end.
 #[inline(always)]

@@ -1,6 +1,7 @@
 //! Where in its span each lane's guard is, a trial of every lane at a time: Newton's method inside a
 //! bracket, from the cubic through the span's ends. Twin of `shaders/search.wgsl`.
 
+use crate::model::number::Number;
 use crate::model::vector::Vector;
 
 use super::cubic::Cubic;
@@ -13,6 +14,28 @@ pub struct Arrived<V: Vector> {
     /// How far before the trial's end the guard is, a fraction of the span: near enough to go back
     /// along the rates. Zero in all other lanes.
     pub back: V,
+}
+
+/// How far before a trial's end an angle was at its target, and what that leaves out; fractions of
+/// the trial's span.
+pub struct WayBack<N> {
+    /// The way back.
+    pub back: N,
+    /// What its terms of third order may be.
+    pub missed: N,
+}
+
+/// The way back along the parabola that touches the angle at a trial's end; `bend_before` is its bend
+/// at the trial's start.
+#[inline(always)]
+pub fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> WayBack<N> {
+    let (half, sixth) = (per_slope.like(0.5), per_slope.like(1.0 / 6.0));
+    let first = end.value * per_slope;
+    let ratio = end.bend * per_slope;
+    let second = half * first * first * ratio;
+    let bends = (end.bend.abs() + bend_before.abs()) * per_slope.abs();
+    let third = (second * ratio).abs() + sixth * first * first * bends;
+    WayBack { back: first + second, missed: first.abs() * third }
 }
 
 /// The searches of all lanes.
@@ -91,9 +114,9 @@ impl<V: Vector> Search<V> {
         V::select(self.sought.angle(), zero, half * self.sought.tolerance(zero))
     }
 
-    /// Takes in what the trial at `at` came to.
+    /// Takes in what the trial at `at` came to; `bend_before` is an angle's bend at its start.
     #[inline(always)]
-    pub fn narrow(&mut self, found: GuardSample<V>) -> Arrived<V> {
+    pub fn narrow(&mut self, found: GuardSample<V>, bend_before: V) -> Arrived<V> {
         let (zero, one, half) =
             (found.value.like(0.0), found.value.like(1.0), found.value.like(0.5));
         let seeking = self.sought.any();
@@ -106,12 +129,14 @@ impl<V: Vector> Search<V> {
         self.before = at;
         self.value_before = found.value;
         self.tries = self.tries + one;
-        let change = found.value / self.slope;
+        let per_slope = one / self.slope;
         let beyond = found.value.gt(zero);
-        // Going back along the slope misses half the bend times the square of the way.
-        let missed = half * change * change * found.bend.abs();
-        let near = V::select(angle, missed, (change * self.slope).abs());
-        let near = (tolerance * self.slope.abs()).ge(near);
+        let way = way_back(&found, per_slope, bend_before);
+        // A value that may be rounding is aimed beyond by as much, and is near at twice that.
+        let rounding = found.rounding;
+        let change = V::select(angle, way.back, (found.value - rounding) * per_slope);
+        let off = (found.value.abs() - rounding - rounding) * per_slope.abs();
+        let near = tolerance.ge(V::select(angle, way.missed, off));
         // What has not happened at the upper end does not happen.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;

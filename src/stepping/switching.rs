@@ -131,14 +131,15 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         state.mode = FULL_CONTACT;
     }
 
-    /// The lanes whose cell is final.
+    /// The lanes of `tried` whose cell is final.
     #[inline(always)]
-    pub(super) fn is_final(&self) -> V::Mask {
+    pub(super) fn is_final(&self, tried: V::Mask) -> V::Mask {
         let set = self.equations();
         certificate::is_final(
             &set,
             &self.corner,
             self.rocking,
+            tried,
             self.lifted,
             &self.y,
             &self.extremes,

@@ -11,10 +11,11 @@ use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::certificate::STEPS_A_TRY;
-use super::guards::EVENT_BOUND;
+use super::guards::{EVENT_BOUND, angle_guard};
 use super::lanes::Lanes;
 use super::log::Listener;
-use super::rk4::{rk4, shift};
+use super::rk4::{rk4, shift_back};
+use super::search::way_back;
 use super::state::is_sound;
 
 #[inline(always)]
@@ -80,7 +81,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         if V::any(seeking) {
             let sought = self.search.sought;
             let sample = self.sample(&y1, &k_end);
-            let found = self.search.narrow(sample);
+            let whole_h = self.span * self.forcing.step;
+            let found = self.search.narrow(sample, whole_h * whole_h * k1.ddphi);
             kinked = found.lanes & sought.kink();
             arrived = found.lanes & sought.uplift;
             switched = found.lanes & sought.angle();
@@ -93,20 +95,24 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         }
         let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
         // Spans that end just beyond the impact that they were cut for end there.
-        let change = -y1.phi / (h * y1.dphi);
-        let missed = half * change * change * (h * h * k_end.ddphi).abs();
-        let allowed = (h * y1.dphi).abs() * one.like(V::Element::EVENT_TOLERANCE.to_f64());
-        let impact = crossing.found.impact & crossing.upper.ge(one);
-        let landed = impact & allowed.ge(missed);
-        crossing.found.impact = crossing.found.impact & !landed;
-        back = V::select(landed, -change * length, back);
-        switched = switched | landed;
+        let mut landed = none;
+        if V::any(crossing.found.impact) {
+            let end = angle_guard(one, zero, &y1, &k_end, h);
+            let way = way_back(&end, one / end.slope, h * h * k1.ddphi);
+            let allowed = one.like(V::Element::EVENT_TOLERANCE.to_f64());
+            let impact = crossing.found.impact & crossing.upper.ge(one);
+            landed = impact & allowed.ge(way.missed);
+            crossing.found.impact = crossing.found.impact & !landed;
+            back = V::select(landed, way.back * length, back);
+            switched = switched | landed;
+        }
         let found = crossing.found.any();
         if V::any(found) {
             self.search.begin(&crossing.found, &crossing.cubic, crossing.upper);
         }
         if V::any(switched) {
-            y1 = shift(&y1, &k_end, -back * self.forcing.step);
+            let shifted = shift_back(&y1, &k1, &k_end, back * self.forcing.step, h);
+            y1 = select_motion(switched, &shifted, &y1);
             length = length - back;
             h = length * self.forcing.step;
         }
@@ -150,7 +156,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             self.untried = V::select(due, zero, self.untried);
             proved = (proved | (due & !self.rocking)) & self.free();
             if V::any(proved) {
-                proved = proved & self.is_final();
+                proved = self.is_final(proved);
                 attend |= V::bits(proved);
             }
         }
