@@ -22,8 +22,15 @@ use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
 use traces::{Packed, Traces, record};
 
-const CHOICE: Choice =
-    Choice { chunk: 8, block: (1, 1), workgroup: 64, refill: None, longest_first: false };
+const CHOICE: Choice = Choice {
+    chunk: 8,
+    block: (1, 1),
+    workgroup: 64,
+    refill: None,
+    longest_first: false,
+    sides: 2,
+    tile: 1,
+};
 
 fn map() -> Scene {
     object(1, 0.2, (1.75, 0.75), 0.5, "0.5:12:24", "0.5:12:24")

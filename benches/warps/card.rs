@@ -22,6 +22,10 @@ pub struct Choice {
     pub refill: Option<usize>,
     /// Cells of a tile in the order of their turns, the most first: no host can know it.
     pub longest_first: bool,
+    /// Tiles at once.
+    pub sides: usize,
+    /// Cells of a tile at most.
+    pub tile: usize,
 }
 
 /// What warps did.
@@ -43,9 +47,7 @@ pub struct Tally {
     pub mixed: usize,
     /// Turns that warps wait for others of their workgroup.
     pub waiting: usize,
-    /// Turns of launches of fewer warps than the card holds.
-    pub thin: usize,
-    /// Turns one after the other.
+    /// Turns one after the other, by workgroups that follow one another in their places.
     pub rounds: usize,
 }
 
@@ -126,11 +128,7 @@ impl<'a> Card<'a> {
                 }
             }
         }
-        let before = self.tally.turns;
         warps.iter().for_each(|warp| warp.count(&mut self.tally));
-        if warps.len() < self.warps {
-            self.tally.thin += self.tally.turns - before;
-        }
         let (order, rounds) = self.ends(&warps);
         self.tally.rounds += rounds;
         let running = |cell: &u32| !self.left(*cell).is_empty();

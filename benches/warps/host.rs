@@ -1,17 +1,16 @@
 //! The host's part: tiles, submissions and their chunks, as `src/sweep/gpu/tiles.rs` hands them out,
 //! by the pace that it learns.
 
+use std::cmp::Reverse;
 use std::collections::VecDeque;
+use std::ops::Range;
 use std::time::Duration;
 
-use topple::sweep::gpu::pace::{CHUNK, Pace};
-use topple::sweep::gpu::slots::{FLIGHTS, SIDES};
+use topple::sweep::gpu::pace::Pace;
+use topple::sweep::gpu::slots::FLIGHTS;
 
 use super::card::{Card, Choice, Tally};
 use super::traces::Traces;
-
-/// Most cells of a tile: `src/sweep/gpu/run.rs`.
-const MOST_CELLS: usize = 1 << 18;
 
 /// A kind of card.
 #[derive(Debug, Clone, Copy)]
@@ -22,23 +21,27 @@ pub struct Kind {
     pub turn: Duration,
 }
 
+/// A tile whose cells run.
+struct Side {
+    cells: Range<usize>,
+    /// Number of the submission that it begins with.
+    since: usize,
+}
+
 /// A submission on its way: what it will tell.
 struct Flight {
     running: usize,
-    left: [usize; SIDES],
+    /// Tiles that have cells left.
+    left: Vec<Range<usize>>,
     begun: usize,
-    cells: usize,
+    /// Cells that run in it, at most.
+    bound: usize,
     work: u32,
     took: Duration,
 }
 
-/// Cells of a tile in the order in which threads take them, and where the tile ends.
-fn tile(
-    traces: &Traces,
-    columns: usize,
-    cells: std::ops::Range<usize>,
-    choice: Choice,
-) -> Vec<u32> {
+/// A tile's cells that run, in the order in which threads take them.
+fn tile(traces: &Traces, columns: usize, cells: Range<usize>, choice: Choice) -> Vec<u32> {
     let (width, height) = choice.block;
     let first = cells.start / columns;
     let place = |cell: usize| {
@@ -48,7 +51,7 @@ fn tile(
     let mut cells: Vec<usize> = cells.filter(|&cell| !traces.of(cell).is_empty()).collect();
     cells.sort_by_key(|&cell| place(cell));
     if choice.longest_first {
-        cells.sort_by_key(|&cell| std::cmp::Reverse(traces.of(cell).len()));
+        cells.sort_by_key(|&cell| Reverse(traces.of(cell).len()));
     }
     cells.into_iter().map(|cell| cell as u32).collect()
 }
@@ -57,58 +60,47 @@ fn tile(
 pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tally {
     let mut card = Card::new(traces, choice, kind.warps);
     let mut pace = Pace::default();
-    let (mut list, mut rest): (Vec<u32>, usize) = (Vec::new(), 0);
-    // The cells of each side, as the card knows them and as the host does.
-    let mut sides: [std::ops::Range<usize>; SIDES] = [0..0, 0..0];
-    let mut free = [true; SIDES];
-    let mut heard_since = [0; SIDES];
-    let (mut submitted, mut heard, mut running) = (0, 0, 0);
+    let mut list: Vec<u32> = Vec::new();
+    let mut sides: Vec<Side> = Vec::new();
     let mut flights: VecDeque<Flight> = VecDeque::new();
+    let (mut rest, mut submitted, mut heard, mut running) = (0, 0, 0, 0);
     loop {
         while flights.len() < FLIGHTS {
             let mut bound = running + flights.iter().map(|flight| flight.begun).sum::<usize>();
             let mut begun = 0;
-            let side = free.iter().position(|free| *free);
-            if let Some(side) = side.filter(|_| bound < pace.tile() / 2 && rest < traces.len()) {
-                let count = pace.tile().min(MOST_CELLS).min(traces.len() - rest);
-                sides[side] = rest..rest + count;
-                (free[side], heard_since[side]) = (false, submitted);
-                list.extend(tile(traces, columns, sides[side].clone(), choice));
-                (begun, rest) = (count, rest + count);
-                bound += count;
+            if sides.len() < choice.sides && bound < pace.tile() / 2 && rest < traces.len() {
+                begun = pace.tile().min(choice.tile).min(traces.len() - rest);
+                let cells = rest..rest + begun;
+                list.extend(tile(traces, columns, cells.clone(), choice));
+                sides.push(Side { cells, since: submitted });
+                rest += begun;
+                bound += begun;
             }
             if bound == 0 {
                 break;
             }
-            let (_, work) = pace.chunks();
-            let total = work * pace.chunks().0;
-            let chunks = total.div_ceil(choice.chunk);
-            let work = total / chunks;
+            let (chunks, work) = pace.chunks();
+            let all = chunks * work;
+            let chunks = all.div_ceil(choice.chunk);
+            let work = all / chunks;
             let mut rounds = 0;
             for _ in 0..chunks {
                 let (next, turns) = card.launch(&list, work as usize);
                 (list, rounds) = (next, rounds + turns);
             }
-            let mut left = [0; SIDES];
-            for &cell in &list {
-                for (side, left) in sides.iter().zip(&mut left) {
-                    *left += usize::from(side.contains(&(cell as usize)));
-                }
-            }
+            let runs =
+                |cells: &Range<usize>| list.iter().any(|&cell| cells.contains(&(cell as usize)));
+            let left = sides.iter().map(|side| side.cells.clone()).filter(runs).collect();
             let took = kind.turn * rounds as u32;
             let (running, work) = (list.len(), chunks * work);
-            flights.push_back(Flight { running, left, begun, cells: bound, work, took });
+            flights.push_back(Flight { running, left, begun, bound, work, took });
             submitted += 1;
         }
         let Some(flight) = flights.pop_front() else { break };
-        for side in 0..SIDES {
-            if heard_since[side] <= heard && flight.left[side] == 0 {
-                free[side] = true;
-            }
-        }
+        sides.retain(|side| side.since > heard || flight.left.contains(&side.cells));
         (heard, running) = (heard + 1, flight.running);
-        pace.learn(flight.work, flight.cells, flight.took, Some(flight.took));
+        pace.learn(flight.work, flight.bound, flight.took, Some(flight.took));
     }
-    debug_assert!(list.is_empty() && CHUNK > 0);
+    assert!(list.is_empty() && rest == traces.len(), "cells are left");
     card.tally
 }

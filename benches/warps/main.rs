@@ -1,7 +1,7 @@
 //! Lanes in use: those of the CPU's vectors, and those of a card's warps by a model that runs the
 //! cells' traces in lock step.
 //!
-//! `cargo bench --bench warps`
+//! `cargo bench --bench warps`, or `cargo bench --bench warps -- 400` for one of the maps.
 
 #![allow(missing_docs, clippy::unwrap_used)] // a bench
 
@@ -23,10 +23,13 @@ use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::pace::CHUNK;
 use topple::sweep::gpu::pipelines::WORKGROUP;
+use topple::sweep::gpu::slots::SIDES;
 use topple::sweep::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
 use topple::sweep::plan::Plan;
 use traces::{BATCH, Traces, record, turns};
 
+/// Most cells of a tile: `src/sweep/gpu/run.rs`.
+const MOST_CELLS: usize = 1 << 18;
 /// What the shader and its host do.
 const PRESENT: Choice = Choice {
     chunk: CHUNK,
@@ -34,6 +37,8 @@ const PRESENT: Choice = Choice {
     workgroup: WORKGROUP,
     refill: None,
     longest_first: false,
+    sides: SIDES,
+    tile: MOST_CELLS,
 };
 /// A large card: an H100 holds 16 warps of the shader on each of 132 multiprocessors.
 const LARGE: Kind = Kind { warps: 2112, turn: Duration::from_micros(2) };
@@ -83,10 +88,10 @@ fn on_cpu<R: Real + Vector<Element = R>>(name: &str, plan: &Plan, grid: &Grid) -
     traces
 }
 
-fn print(name: &str, tally: &Tally) {
+fn print(name: &str, tally: &Tally, kind: Kind) {
     let lanes = WARP * tally.turns;
     println!(
-        "{name:<34} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:8}",
+        "{name:<30} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:7.1} {:8}",
         percent(tally.filled, lanes),
         percent(tally.useful, lanes),
         percent(tally.filled, lanes + WARP * tally.waiting),
@@ -94,21 +99,21 @@ fn print(name: &str, tally: &Tally) {
         percent(tally.seeking, WARP * tally.searching),
         percent(tally.few, tally.turns),
         percent(tally.mixed, tally.turns),
-        percent(tally.thin, tally.turns),
+        percent(tally.turns, tally.rounds * kind.warps),
         tally.rounds,
     );
 }
 
 fn choices() -> Vec<(String, Choice)> {
     let mut all = vec![("as it is".to_string(), PRESENT)];
-    for chunk in [32, 64, 256, 512] {
+    for chunk in [32, 64, 96, 192, 256, 512] {
         all.push((format!("chunks of {chunk}"), Choice { chunk, ..PRESENT }));
     }
-    for block in [(1, 1), (4, 8), (16, 2), (8, 8)] {
+    for block in [(1, 1), (4, 8), (2, 16), (1, 32), (8, 8)] {
         let name = format!("blocks of {} x {}", block.0, block.1);
         all.push((name, Choice { block, ..PRESENT }));
     }
-    for workgroup in [32, 128, 256] {
+    for workgroup in [32, 128] {
         all.push((format!("workgroups of {workgroup}"), Choice { workgroup, ..PRESENT }));
     }
     all.push(("longest first".into(), Choice { longest_first: true, ..PRESENT }));
@@ -116,18 +121,22 @@ fn choices() -> Vec<(String, Choice)> {
         let name = format!("refilled every {every}");
         all.push((name, Choice { refill: Some(every), ..PRESENT }));
     }
-    let refill = Choice { refill: Some(16), chunk: 512, ..PRESENT };
-    all.push(("refilled every 16, chunks of 512".into(), refill));
+    for (sides, tile) in [(4, 1 << 17), (8, 1 << 16), (8, 1 << 18)] {
+        let name = format!("{sides} tiles of {tile}");
+        all.push((name, Choice { sides, tile, ..PRESENT }));
+    }
     all
 }
 
 fn main() {
-    let maps = [
+    let wanted = std::env::args().skip(1).find(|word| !word.starts_with('-'));
+    let mut maps = vec![
         ("default 400 x 400", pulse(400), false),
         ("default 1024 x 1024", pulse(1024), false),
         ("all 30 s 200 x 200", pulse(200), true),
         ("record 200 x 200", shaken(200), false),
     ];
+    maps.retain(|(name, ..)| wanted.as_ref().is_none_or(|wanted| name.contains(wanted)));
     print!("{:<24} {:>8} {:>8}", "CPU, % of trials", "a cell", "filled");
     Purpose::ALL.iter().for_each(|purpose| print!(" {:>8}", format!("{purpose:?}")));
     println!();
@@ -141,14 +150,21 @@ fn main() {
         }
         tables.push(on_cpu::<f32>(name, &plan, &grid));
     }
+    println!(
+        "\nA card's warps, %: lanes filled, with a useful trial, filled where a workgroup's warps wait \
+         for each other; turns in which lanes search, lanes that do in these, turns in which a \
+         quarter of the lanes or fewer do; turns with rocking and standing blocks; places of the \
+         card in use; turns one after the other"
+    );
     for ((name, scene, _), traces) in maps.iter().zip(&tables) {
         let columns = Grid::of(scene).shape().0;
-        println!("\n{name:<34}  filled  useful    held  search  lanes  few  mixed  thin  rounds");
-        for (number, (choice_name, choice)) in choices().iter().enumerate() {
-            print(choice_name, &host::sweep(traces, columns, *choice, LARGE));
-            if number == 0 {
-                print("as it is, on a small card", &host::sweep(traces, columns, *choice, SMALL));
-            }
+        println!(
+            "\n{name:<30} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>8}",
+            "filled", "useful", "waiting", "search", "lanes", "few", "mixed", "places", "rounds"
+        );
+        print("as it is, small card", &host::sweep(traces, columns, PRESENT, SMALL), SMALL);
+        for (choice_name, choice) in choices() {
+            print(&choice_name, &host::sweep(traces, columns, choice, LARGE), LARGE);
         }
     }
 }
