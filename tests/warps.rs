@@ -132,7 +132,7 @@ fn a_long_cell_leaves_the_lanes_beside_it_idle_until_the_list_is_made_anew() {
 #[test]
 fn threads_that_take_the_next_cell_have_one_to_the_last() {
     let mut traces = Traces::default();
-    (0..64 * WARP).for_each(|number| traces.add(&cell(1 + number % 7, Purpose::Step)));
+    (0..256 * WARP).for_each(|number| traces.add(&cell(1 + number % 7, Purpose::Step)));
     let refilled = Choice { chunk: 1000, refill: Some(1), ..CHOICE };
     let tally = sweep(&traces, refilled);
     assert_eq!(tally.filled, traces.all().len());
