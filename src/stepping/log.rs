@@ -4,6 +4,7 @@ use bytemuck::Zeroable;
 
 use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
+use super::trials::Trial;
 use crate::model::dynamics::Motion;
 use crate::model::real::{Real, pod};
 
@@ -25,8 +26,14 @@ pub trait Listener<R> {
     /// False for none.
     const HEARS: bool;
 
+    /// Whether it is told of every trial.
+    const COUNTS: bool = false;
+
     /// See [`Log::switched`].
     fn hear(&mut self, kind: u32, fraction: R, state: &State<R>);
+
+    /// A turn has been made; of each lane that has a cell, the cell's number and its trial.
+    fn tried(&mut self, _: impl Iterator<Item = (usize, Trial)>) {}
 }
 
 /// No one listens.

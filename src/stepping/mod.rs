@@ -26,4 +26,5 @@ pub mod single;
 pub mod span;
 pub mod state;
 pub mod switching;
+pub mod trials;
 pub mod turn;

@@ -17,6 +17,7 @@ use super::log::Listener;
 use super::rk4::{rk4, shift_back};
 use super::search::way_back;
 use super::state::is_sound;
+use super::trials::Done;
 
 #[inline(always)]
 pub(super) fn select_motion<V: Vector>(
@@ -36,6 +37,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let none = zero.mask(0);
         let seeking = self.search.sought.any();
         let again = self.search.again;
+        let fresh = if L::COUNTS { V::bits(zero.ge(self.start)) } else { 0 };
         let begun = zero.mask(self.running) & !(seeking | again);
         let ground = self.forcing.ground(variant.recorded, self.start);
         let set = self.equations();
@@ -61,6 +63,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let ground_end = self.forcing.ground(variant.recorded, self.start + length);
         let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
+        let rocked = if L::COUNTS { V::bits(rocking) } else { 0 };
         let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;
         let mut k_end = stepped.k4;
@@ -165,6 +168,19 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         attend = (attend | V::bits(lost | left)) & self.running & !ended;
         if attend != 0 {
             ended |= self.attend(attend, V::bits(lost), V::bits(endless), V::bits(proved));
+        }
+        if L::COUNTS {
+            self.tell_trials(&Done {
+                rocking: rocked,
+                fresh,
+                seeking: V::bits(seeking),
+                again: V::bits(again),
+                lifts: V::bits(lifts),
+                landed: V::bits(landed),
+                found: V::bits(found),
+                moved: V::bits(moved),
+                through: V::bits(through),
+            });
         }
         ended & self.running
     }
