@@ -68,9 +68,9 @@ exec > >(tee "$out/log.txt") 2>&1
 
 if [ -n "${TOPPLE_CARD_ANY:-}" ]; then
     # Two tiles, and little to do in each cell.
-    default_sides='12 24' default_whole=1040 shorter=(--t-max 0.1)
+    default_sides='12 24' default_whole=1040 killed_map=(--t-max 0.1)
 else
-    default_sides='400 1024 2048 4096' default_whole=2048 shorter=()
+    default_sides='400 1024 2048 4096' default_whole=2048 killed_map=(--full-model)
 fi
 # The sides of the maps that are timed, of the map that is killed, and the longest that a run may take, s.
 read -ra sides <<<"${TOPPLE_CARD_SIDES:-$default_sides}"
@@ -236,22 +236,22 @@ row 'issue use' f32 "${issue:-$missing}"
 [ -n "$smi" ] || row 'clock, load and power while it ran' '' 'nvidia-smi is missing'
 
 say 'killed and resumed, and two at once'
-sweep 'default map' "$whole" f32 "$scratch/alone" "${shorter[@]}"
+sweep 'default map' "$whole" f32 "$scratch/alone" "${killed_map[@]}"
 words=()
 read -ra words <<<"$(scene 'default map' "$whole")"
 "$topple" "${words[@]}" --backend gpu --adapter "$number" --keep-every 0.01 --quiet --out "$scratch/killed" \
-    "${shorter[@]}" &
+    "${killed_map[@]}" &
 killed=$!
 running+=("$killed")
 # As soon as a tile is on disk.
-while kill -0 "$killed" 2>/dev/null && ! compgen -G "$scratch/killed/unfinished/*.tile" >/dev/null; do sleep 0.02; done
+while kill -0 "$killed" 2>/dev/null && ! compgen -G "$scratch/killed/unfinished/*.tile" >/dev/null; do sleep 0.005; done
 kill -KILL "$killed" 2>/dev/null || true
 wait "$killed" 2>/dev/null || true
 if [ -e "$scratch/killed/run.json" ]; then
     result='it ended before it was killed'
-elif sweep 'default map' "$whole" f32 "$scratch/killed" "${shorter[@]}" --resume &&
+elif sweep 'default map' "$whole" f32 "$scratch/killed" "${killed_map[@]}" --resume &&
     cmp "$scratch/alone/map.csv" "$scratch/killed/map.csv"; then
-    result="alike, $(rounded "$(told "$scratch/killed" resumed_cells)") cells kept"
+    result="alike, $(rounded "$(told "$scratch/killed" resumed_cells)") of $(rounded $((whole * whole))) cells kept"
 else
     result='NOT ALIKE'
 fi
@@ -259,7 +259,7 @@ row "killed and resumed, $whole²" f32 "$result"
 rm -rf "$scratch/killed"
 pair=()
 for i in 1 2; do
-    sweep 'default map' "$whole" f32 "$scratch/two-$i" "${shorter[@]}" &
+    sweep 'default map' "$whole" f32 "$scratch/two-$i" "${killed_map[@]}" &
     pair+=($!)
     running+=($!)
 done
