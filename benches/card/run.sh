@@ -145,7 +145,7 @@ TOPPLE_REQUIRE_ADAPTER=1 "$agreement" --nocapture the_shader a_wrong_sign a_shad
 compared=()
 for precision in "${precisions[@]}"; do
     compared+=("$(awk -v name="gpu ${precision^}:" '
-        index($0, name) == 1 { match($0, /[0-9]+ of [0-9]+ cells differ/); split(substr($0, RSTART), n, " ")
+        index($0, name) { match($0, /[0-9]+ of [0-9]+ cells differ/); split(substr($0, RSTART), n, " ")
             differ += n[1]; cells += n[3] }
         END { if (cells) print differ " of " cells; else print "not compared" }' "$scratch/agreement")")
     row 'outcomes other than the reference’s, ten maps of 60²' "$precision" "${compared[-1]}"
