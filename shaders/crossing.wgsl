@@ -20,6 +20,18 @@ fn moment_rounding(contact: Contact) -> real {
     return ROUNDING * (model.height * abs(contact.shear) + arm * abs(contact.normal));
 }
 
+// No uplift moment in a span with these contact forces at its start, middle and end is larger: a
+// parabola goes beyond three of its values by an eighth of their bend at most.
+fn highest_moment(start: Contact, mid: Contact, end: Contact) -> real {
+    let bend = Contact(
+        abs(start.shear - 2.0 * mid.shear + end.shear),
+        -abs(start.normal - 2.0 * mid.normal + end.normal),
+    );
+    let ends = max(largest_uplift_moment(start), largest_uplift_moment(end));
+    let values = max(ends, largest_uplift_moment(mid));
+    return values + (0.125 + CREST_ERROR) * largest_uplift_moment(bend);
+}
+
 // The parabola through an uplift moment's values at a span's start, middle and end, and where in the
 // span it is positive, or may be for all that it tells; negative where it is not.
 fn moment_rises(start: real, mid: real, end: real) -> Rise {
@@ -86,6 +98,9 @@ fn angles_in(corner: Corner, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: 
 fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     let zero: real = 0.0;
     let one: real = 1.0;
+    if !(highest_moment(start, mid, end) > 0.0) {
+        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+    }
     let left_end = uplift_moment(model.left, end);
     let right_end = uplift_moment(model.right, end);
     let by_left =

@@ -34,6 +34,25 @@ fn moment_rounding<V: Vector>(set: &CellEquations<V>, contact: Contact<V>) -> V 
     rounding * (model.height * contact.shear.abs() + arm * contact.normal.abs())
 }
 
+/// No uplift moment in a span with these contact forces at its start, middle and end is larger: a
+/// parabola goes beyond three of its values by an eighth of their bend at most.
+#[inline(always)]
+fn highest_moment<N: Number>(
+    set: &CellEquations<N>,
+    start: Contact<N>,
+    mid: Contact<N>,
+    end: Contact<N>,
+) -> N {
+    let (two, share) = (mid.shear.like(2.0), mid.shear.like(0.125 + CREST_ERROR));
+    let bend = Contact {
+        shear: (start.shear - two * mid.shear + end.shear).abs(),
+        normal: -(start.normal - two * mid.normal + end.normal).abs(),
+    };
+    let largest = |contact| largest_uplift_moment(set, contact);
+    let ends = largest(start).max(largest(end));
+    share.mul_add(largest(bend), ends.max(largest(mid)))
+}
+
 /// The parabola through an uplift moment's values at a span's start, middle and end, and where in
 /// the span it is positive, or may be for all that it tells; negative where it is not.
 #[inline(always)]
@@ -139,6 +158,9 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     ) {
         let set = self.equations();
         let zero = self.start.like(0.0);
+        if !V::any(looked & highest_moment(&set, start, mid, end).gt(zero)) {
+            return;
+        }
         let (left, right) = (&self.model.left, &self.model.right);
         let at = |corner, contact| uplift_moment(&set, corner, contact);
         let (by_left, at_left) = moment_rises(at(left, start), at(left, mid), at(left, end));
