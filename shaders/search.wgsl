@@ -74,11 +74,13 @@ fn narrow(search: ptr<function, Search>, found: GuardSample) -> Arrived {
     (*search).before = at;
     (*search).value_before = found.value;
     (*search).tries += 1u;
-    let change = found.value / slope;
+    // A guard without a slope tells no way to go; no device is asked for a NaN here.
+    let steep = abs(slope) > 0.0;
+    let change = found.value / select(one, slope, steep);
     let beyond = found.value > 0.0;
     // Going back along the slope misses half the bend times the square of the way.
     let missed = select(abs(change * slope), 0.5 * change * change * abs(found.bend), angle);
-    let near = tolerance * abs(slope) >= missed;
+    let near = steep && tolerance * abs(slope) >= missed;
     // What has not happened at the upper end does not happen.
     let nothing = !(*search).verified && !beyond && at >= (*search).high;
     let done = ((near && (beyond || angle)) || (*search).last) && !nothing;
@@ -88,7 +90,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample) -> Arrived {
     (*search).low = low;
     (*search).verified = (*search).verified || beyond;
     var next = at - change + aim(sought);
-    next = select(0.5 * (low + high), next, next > low && next < high);
+    next = select(0.5 * (low + high), next, steep && next > low && next < high);
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
     (*search).last = narrow;
     (*search).at = select(next, high, narrow);

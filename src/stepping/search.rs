@@ -106,12 +106,14 @@ impl<V: Vector> Search<V> {
         self.before = at;
         self.value_before = found.value;
         self.tries = self.tries + one;
-        let change = found.value / self.slope;
+        // A guard without a slope tells no way to go; no device is asked for a NaN here.
+        let steep = self.slope.abs().gt(zero);
+        let change = found.value / V::select(steep, self.slope, one);
         let beyond = found.value.gt(zero);
         // Going back along the slope misses half the bend times the square of the way.
         let missed = half * change * change * found.bend.abs();
         let near = V::select(angle, missed, (change * self.slope).abs());
-        let near = (tolerance * self.slope.abs()).ge(near);
+        let near = steep & (tolerance * self.slope.abs()).ge(near);
         // What has not happened at the upper end does not happen.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;
@@ -119,7 +121,7 @@ impl<V: Vector> Search<V> {
         self.low = V::select(beyond, self.low, at);
         self.verified = self.verified | (seeking & beyond);
         let next = at - change + self.aim();
-        let inside = next.gt(self.low) & self.high.gt(next);
+        let inside = steep & next.gt(self.low) & self.high.gt(next);
         let next = V::select(inside, next, half * (self.low + self.high));
         let narrow =
             tolerance.ge(self.high - self.low) | self.tries.ge(one.like(f64::from(LOCATE_BOUND)));
