@@ -91,14 +91,16 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     (*search).before = at;
     (*search).value_before = found.value;
     (*search).tries += 1u;
-    let per_slope = 1.0 / slope;
+    // A guard without a slope tells no way to go; no device is asked for a NaN here.
+    let steep = abs(slope) > 0.0;
+    let per_slope = 1.0 / select(one, slope, steep);
     let beyond = found.value > 0.0;
     let way = way_back(found, per_slope, bend_before);
     // A value that may be rounding is aimed beyond by as much, and is near at twice that.
     let rounding = found.rounding;
     let change = select((found.value - rounding) * per_slope, way.back, angle);
     let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
-    let near = tolerance >= select(off, way.missed, angle);
+    let near = steep && tolerance >= select(off, way.missed, angle);
     // What has not happened at the upper end does not happen.
     let nothing = !(*search).verified && !beyond && at >= (*search).high;
     let done = ((near && (beyond || angle)) || (*search).last) && !nothing;
@@ -108,7 +110,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     (*search).low = low;
     (*search).verified = (*search).verified || beyond;
     var next = at - change + aim(sought);
-    next = select(0.5 * (low + high), next, next > low && next < high);
+    next = select(0.5 * (low + high), next, steep && next > low && next < high);
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
     (*search).last = narrow;
     (*search).at = select(next, high, narrow);

@@ -114,9 +114,10 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         // A span that ends just beyond the impact that it was cut for ends there.
         if crossing.found.impact {
             let end = angle_guard(one, zero, y1, k_end, h);
-            let way = way_back(end, 1.0 / end.slope, h * h * k1.ddphi);
+            let steep = abs(end.slope) > 0.0;
+            let way = way_back(end, 1.0 / select(one, end.slope, steep), h * h * k1.ddphi);
             let allowed: real = EVENT_TOLERANCE;
-            landed = crossing.upper >= 1.0 && allowed >= way.missed;
+            landed = crossing.upper >= 1.0 && steep && allowed >= way.missed;
             back = select(back, way.back * length, landed);
             switches = switches || landed;
         }

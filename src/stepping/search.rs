@@ -129,14 +129,16 @@ impl<V: Vector> Search<V> {
         self.before = at;
         self.value_before = found.value;
         self.tries = self.tries + one;
-        let per_slope = one / self.slope;
+        // A guard without a slope tells no way to go; no device is asked for a NaN here.
+        let steep = self.slope.abs().gt(zero);
+        let per_slope = one / V::select(steep, self.slope, one);
         let beyond = found.value.gt(zero);
         let way = way_back(&found, per_slope, bend_before);
         // A value that may be rounding is aimed beyond by as much, and is near at twice that.
         let rounding = found.rounding;
         let change = V::select(angle, way.back, (found.value - rounding) * per_slope);
         let off = (found.value.abs() - rounding - rounding) * per_slope.abs();
-        let near = tolerance.ge(V::select(angle, way.missed, off));
+        let near = steep & tolerance.ge(V::select(angle, way.missed, off));
         // What has not happened at the upper end does not happen.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;
@@ -144,7 +146,7 @@ impl<V: Vector> Search<V> {
         self.low = V::select(beyond, self.low, at);
         self.verified = self.verified | (seeking & beyond);
         let next = at - change + self.aim();
-        let inside = next.gt(self.low) & self.high.gt(next);
+        let inside = steep & next.gt(self.low) & self.high.gt(next);
         let next = V::select(inside, next, half * (self.low + self.high));
         let narrow =
             tolerance.ge(self.high - self.low) | self.tries.ge(one.like(f64::from(LOCATE_BOUND)));

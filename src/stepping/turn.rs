@@ -101,10 +101,12 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let mut landed = none;
         if V::any(crossing.found.impact) {
             let end = angle_guard(one, zero, &y1, &k_end, h);
-            let way = way_back(&end, one / end.slope, h * h * k1.ddphi);
+            let steep = end.slope.abs().gt(zero);
+            let per_slope = one / V::select(steep, end.slope, one);
+            let way = way_back(&end, per_slope, h * h * k1.ddphi);
             let allowed = one.like(V::Element::EVENT_TOLERANCE.to_f64());
             let impact = crossing.found.impact & crossing.upper.ge(one);
-            landed = impact & allowed.ge(way.missed);
+            landed = impact & steep & allowed.ge(way.missed);
             crossing.found.impact = crossing.found.impact & !landed;
             back = V::select(landed, way.back * length, back);
             switched = switched | landed;

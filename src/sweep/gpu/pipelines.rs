@@ -21,16 +21,8 @@ pub struct Pipelines {
     pub sweep: ComputePipeline,
 }
 
-/// Compiles a shader's text for a variant of the model.
-///
-/// # Errors
-/// [`GpuError::Refused`].
-pub fn compile(
-    gpu: &Gpu,
-    source: &str,
-    variant: Variant,
-    events_kept: usize,
-) -> Result<Pipelines, GpuError> {
+/// The override constants of a shader's text for a variant of the model.
+pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64)> {
     let mut constants = vec![
         ("recorded", f64::from(u8::from(variant.recorded))),
         ("isolated_h", f64::from(u8::from(variant.isolated_h))),
@@ -44,6 +36,20 @@ pub fn compile(
     if events_kept > 0 {
         constants.push(("events_kept", events_kept as f64));
     }
+    constants
+}
+
+/// Compiles a shader's text for a variant of the model.
+///
+/// # Errors
+/// [`GpuError::Refused`].
+pub fn compile(
+    gpu: &Gpu,
+    source: &str,
+    variant: Variant,
+    events_kept: usize,
+) -> Result<Pipelines, GpuError> {
+    let constants = constants(variant, events_kept);
     gpu.checked(|| {
         let module = gpu.device.create_shader_module(ShaderModuleDescriptor {
             label: Some("sweep"),
