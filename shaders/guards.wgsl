@@ -10,29 +10,26 @@ const KINK = 5u;
 const EVENT_BOUND = 128u;
 const LOCATE_BOUND = 60u;
 
-// Which guard is searched for: one at most.
-struct Sought {
-    uplift: bool,
-    impact: bool,
-    overturning: bool,
-    kink_u: bool,
-    kink_z: bool,
-}
+// Which guard is searched for, one of these at most: a number takes one register, five flags take five.
+alias Sought = u32;
 
-fn nothing_sought() -> Sought {
-    return Sought(false, false, false, false, false);
-}
+const NOTHING_SOUGHT = 0u;
+const SOUGHT_UPLIFT = 1u;
+const SOUGHT_IMPACT = 2u;
+const SOUGHT_OVERTURNING = 3u;
+const SOUGHT_KINK_U = 4u;
+const SOUGHT_KINK_Z = 5u;
 
 fn is_kink(sought: Sought) -> bool {
-    return sought.kink_u || sought.kink_z;
+    return sought >= SOUGHT_KINK_U;
 }
 
 fn is_angle(sought: Sought) -> bool {
-    return sought.impact || sought.overturning;
+    return sought == SOUGHT_IMPACT || sought == SOUGHT_OVERTURNING;
 }
 
 fn is_any(sought: Sought) -> bool {
-    return is_kink(sought) || is_angle(sought) || sought.uplift;
+    return sought != NOTHING_SOUGHT;
 }
 
 // How near a guard must be found, as a fraction of the step.

@@ -19,7 +19,7 @@ fn no_search() -> Search {
     let zero: real = 0.0;
     let one: real = 1.0;
     return Search(
-        nothing_sought(),
+        NOTHING_SOUGHT,
         false,
         one,
         zero,
@@ -86,7 +86,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let at = (*search).at;
     let secant = (found.value - (*search).value_before) / (at - (*search).before);
     let repeated = (*search).tries > 0u;
-    let slope = select(found.slope, select((*search).slope, secant, repeated), sought.uplift);
+    let slope = select(found.slope, select((*search).slope, secant, repeated), sought == SOUGHT_UPLIFT);
     (*search).slope = slope;
     (*search).before = at;
     (*search).value_before = found.value;
@@ -114,7 +114,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     (*search).at = select(next, high, narrow);
     (*search).again = nothing;
     if done || nothing {
-        (*search).sought = nothing_sought();
+        (*search).sought = NOTHING_SOUGHT;
         (*search).at = one;
     }
     return Arrived(done, select(zero, change, done && angle && near));

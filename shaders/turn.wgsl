@@ -96,9 +96,9 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         let whole_h = (*t).span * step;
         let found = narrow(&search, sample, whole_h * whole_h * k1.ddphi);
         kinked = found.done && is_kink(sought);
-        arrived = found.done && sought.uplift;
+        arrived = found.done && sought == SOUGHT_UPLIFT;
         switches = found.done && is_angle(sought);
-        overturned = found.done && sought.overturning;
+        overturned = found.done && sought == SOUGHT_OVERTURNING;
         back = found.back * (*t).span;
         // A kink and an uplift cut the step: the next turn goes on from there.
         if kinked || arrived {
@@ -112,7 +112,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if looked {
         let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
         // A span that ends just beyond the impact that it was cut for ends there.
-        if crossing.found.impact {
+        if crossing.found == SOUGHT_IMPACT {
             let end = angle_guard(one, zero, y1, k_end, h);
             let way = way_back(end, 1.0 / end.slope, h * h * k1.ddphi);
             let allowed: real = EVENT_TOLERANCE;
