@@ -46,7 +46,7 @@ fn begin_segment(cell: Cell, step: u32) -> Forcing {
     let none = Ground(zero, zero);
     if step >= cell.steps_forced {
         let steps = min(cell.steps - step, MOST_STEPS);
-        return Forcing(cell.step_free, zero, real(steps), zero, zero, none, none, step, false);
+        return Forcing(cell.step_free, zero, real(steps), zero, cell.phase_step, Ground(cell.amplitude_h, cell.amplitude_v), none, step, false);
     }
     if recorded {
         let sample = step / cell.substeps;

@@ -13,8 +13,6 @@ struct Turn {
     cut: bool,
     // Switches and kinks in the step so far.
     events: u32,
-    // Steps since a block in full contact was last tried by the certificate.
-    untried: u32,
     search: Search,
 }
 
@@ -28,7 +26,6 @@ fn begin_turns(cell: Cell, state: State) -> Turn {
     turn.span = one;
     turn.cut = false;
     turn.events = 0u;
-    turn.untried = (state.step - cell.steps_forced) % STEPS_A_TRY;
     turn.search = no_search();
     return turn;
 }
@@ -165,13 +162,10 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if through {
         (*t).events = 0u;
         (*t).forcing.done += 1.0;
-        (*t).untried += 1u;
-        if (*t).untried >= STEPS_A_TRY {
-            (*t).untried = 0u;
-            due = due || (*state).mode == FULL_CONTACT;
-        }
         lost = !is_sound((*state).motion);
         (*state).step += 1u;
+        let untried = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
+        due = due || (untried == 0u && (*state).mode == FULL_CONTACT);
     }
     if (*state).status != RUNNING {
         return;
@@ -187,6 +181,5 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         (*state).status = PROVED;
     } else if through && (*t).forcing.done >= (*t).forcing.steps {
         (*t).forcing = begin_segment(cell, (*state).step);
-        (*t).untried = 0u;
     }
 }
