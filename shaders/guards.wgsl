@@ -10,15 +10,18 @@ const KINK = 5u;
 const EVENT_BOUND = 128u;
 const LOCATE_BOUND = 60u;
 
-// Which guard is searched for, one of these at most: a number takes one register, five flags take five.
+// Which guard is searched for: one at most, so that a number takes the place of the twin's six flags,
+// which would take a register each.
 alias Sought = u32;
 
 const NOTHING_SOUGHT = 0u;
-const SOUGHT_UPLIFT = 1u;
-const SOUGHT_IMPACT = 2u;
-const SOUGHT_OVERTURNING = 3u;
-const SOUGHT_KINK_U = 4u;
-const SOUGHT_KINK_Z = 5u;
+// Nothing was found, and the span is taken whole.
+const SOUGHT_AGAIN = 1u;
+const SOUGHT_UPLIFT = 2u;
+const SOUGHT_IMPACT = 3u;
+const SOUGHT_OVERTURNING = 4u;
+const SOUGHT_KINK_U = 5u;
+const SOUGHT_KINK_Z = 6u;
 
 fn is_kink(sought: Sought) -> bool {
     return sought >= SOUGHT_KINK_U;
@@ -29,7 +32,7 @@ fn is_angle(sought: Sought) -> bool {
 }
 
 fn is_any(sought: Sought) -> bool {
-    return sought != NOTHING_SOUGHT;
+    return sought > SOUGHT_AGAIN;
 }
 
 // How near a guard must be found, as a fraction of the step.

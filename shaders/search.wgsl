@@ -3,7 +3,6 @@
 
 struct Search {
     sought: Sought,
-    again: bool,
     at: real,
     low: real,
     high: real,
@@ -20,7 +19,6 @@ fn no_search() -> Search {
     let one: real = 1.0;
     return Search(
         NOTHING_SOUGHT,
-        false,
         one,
         zero,
         zero,
@@ -112,9 +110,8 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
     (*search).last = narrow;
     (*search).at = select(next, high, narrow);
-    (*search).again = nothing;
     if done || nothing {
-        (*search).sought = NOTHING_SOUGHT;
+        (*search).sought = select(NOTHING_SOUGHT, SOUGHT_AGAIN, nothing);
         (*search).at = one;
     }
     return Arrived(done, select(zero, change, done && angle && near));

@@ -32,7 +32,7 @@ fn begin_turns(cell: Cell, state: State) -> Turn {
 
 // True where a cell is at the start of a step, and nothing is searched for.
 fn at_an_edge(turn: Turn) -> bool {
-    return turn.start == 0.0 && !is_any(turn.search.sought) && !turn.search.again;
+    return turn.start == 0.0 && turn.search.sought == NOTHING_SOUGHT;
 }
 
 fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
@@ -46,7 +46,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var search = (*t).search;
     let sought = search.sought;
     let seeking = is_any(sought);
-    let again = search.again;
+    let again = sought == SOUGHT_AGAIN;
     let begun = !(seeking || again);
     let k1 = rates(cell, corner, rocking, y, ground_at((*t).forcing, start));
 
@@ -131,7 +131,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     // Whether the cell moves on.
     let plain = (looked && !found && !landed) || again;
     if again {
-        search.again = false;
+        search.sought = NOTHING_SOUGHT;
     }
     (*t).search = search;
     let moved = plain || switches || arrived;
