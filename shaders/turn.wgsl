@@ -42,7 +42,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let rocking = (*state).mode != FULL_CONTACT;
     let corner = pivot((*state).mode);
     let start = (*t).start;
-    let step = (*t).forcing.step;
+    let step = step_length(cell, (*t).forcing);
     var search = (*t).search;
     let sought = search.sought;
     let seeking = is_any(sought);
@@ -164,22 +164,25 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         (*t).forcing.done += 1.0;
         lost = !is_sound((*state).motion);
         (*state).step += 1u;
+        // The twin counts; a free segment begins where the forced steps end, or whole tries later.
         let untried = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
         due = due || (untried == 0u && (*state).mode == FULL_CONTACT);
     }
     if (*state).status != RUNNING {
         return;
     }
+    // Numbers of the cell that only the certificate or a segment's start needs are read again there,
+    // rather than kept in registers.
     if endless {
         (*state).status = EVENT_LIMIT;
     } else if lost {
         (*state).status = DIVERGED;
     } else if (*state).step >= cell.steps {
         (*state).status = FINISHED;
-    } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
+    } else if certificate && due && !(*t).forcing.forced && is_final(cells[lane], *state) {
         (*state).end_fraction = (*t).start;
         (*state).status = PROVED;
     } else if through && (*t).forcing.done >= (*t).forcing.steps {
-        (*t).forcing = begin_segment(cell, (*state).step);
+        (*t).forcing = begin_segment(cells[lane], (*state).step);
     }
 }
