@@ -54,15 +54,15 @@ fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing
     let of_z = crosses(y.z, y1.z);
     let of_du = crosses(y.du, y1.du);
     if !of_z && !of_du {
-        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+        return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
     // Where both cross, the one whose chord does so first.
     let z_first = y.du / (y.du - y1.du) > y.z / (y.z - y1.z);
     let kink_z = of_z && (!of_du || z_first);
-    let kink_u = of_du && !kink_z;
     let start = kink_guard(kink_z, y, y, k1, h);
     let end = kink_guard(kink_z, y, y1, k_end, h);
-    return Crossing(Sought(false, false, false, kink_u, kink_z), cubic_through(start, end), one);
+    let found = select(SOUGHT_KINK_U, SOUGHT_KINK_Z, kink_z);
+    return Crossing(found, cubic_through(start, end), one);
 }
 
 // The first impact or overturning in a span of `h` seconds, while the block rocks.
@@ -85,13 +85,14 @@ fn angles_in(corner: Corner, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: 
         upper = select(one, at, impact || over);
     }
     if !(impact || over) {
-        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+        return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
     let sense = select(corner.side, -corner.side, impact);
     let goal = select(corner.overturn, zero, impact);
     let start = angle_guard(sense, goal, y, k1, h);
     let end = angle_guard(sense, goal, y1, k_end, h);
-    return Crossing(Sought(false, impact, !impact, false, false), cubic_through(start, end), upper);
+    let found = select(SOUGHT_OVERTURNING, SOUGHT_IMPACT, impact);
+    return Crossing(found, cubic_through(start, end), upper);
 }
 
 // The first uplift in a span, while the block stands.
@@ -110,7 +111,7 @@ fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     let lefts = by_left.at > 0.0;
     let rights = by_right.at > 0.0;
     if !(lefts || rights) {
-        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+        return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
     // The first guess is of the one that is positive earlier; the search itself is for the larger
     // moment of the two, whose zero is the first uplift whichever it is.
@@ -121,7 +122,7 @@ fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     if by_its_left {
         rise = by_left;
     }
-    return Crossing(Sought(true, false, false, false, false), rise.cubic, rise.at);
+    return Crossing(SOUGHT_UPLIFT, rise.cubic, rise.at);
 }
 
 // The first guard in a span of `h` seconds: a kink (unless the span ends at one), else a switch.
@@ -158,15 +159,15 @@ fn sample_of(
     h: real,
 ) -> GuardSample {
     let zero: real = 0.0;
-    let sense = select(-corner.side, corner.side, sought.overturning);
-    let goal = select(zero, corner.overturn, sought.overturning);
+    let sense = select(-corner.side, corner.side, sought == SOUGHT_OVERTURNING);
+    let goal = select(zero, corner.overturn, sought == SOUGHT_OVERTURNING);
     var sample = angle_guard(sense, goal, y1, k_end, h);
-    if sought.uplift {
+    if sought == SOUGHT_UPLIFT {
         sample.value = largest_uplift_moment(contact_of(k_end));
         sample.rounding = moment_rounding(contact_of(k_end));
     }
     if is_kink(sought) {
-        sample = kink_guard(sought.kink_z, y, y1, k_end, h);
+        sample = kink_guard(sought == SOUGHT_KINK_Z, y, y1, k_end, h);
     }
     return sample;
 }

@@ -6,17 +6,21 @@ override recorded: bool = false;
 // Most steps of a segment.
 const MOST_STEPS = 1048576u;
 
+// What a cell has already takes no registers of its own here: the length of a step is a function, and
+// the pulse's numbers stay after its end, where `ground_at` makes no use of them.
 struct Forcing {
-    step: real,
     done: real,
     steps: real,
     phase_start: real,
     phase_step: real,
     base: Ground,
     rise: Ground,
-    // First step of the segment.
-    first_step: u32,
     forced: bool,
+}
+
+// Length of a step, s.
+fn step_length(cell: Cell, forcing: Forcing) -> real {
+    return select(cell.step_free, cell.step_forced, forcing.forced);
 }
 
 // Samples of the record.
@@ -44,9 +48,10 @@ fn ground_at(forcing: Forcing, fraction: real) -> Ground {
 fn begin_segment(cell: Cell, step: u32) -> Forcing {
     let zero: real = 0.0;
     let none = Ground(zero, zero);
+    let amplitude = Ground(cell.amplitude_h, cell.amplitude_v);
     if step >= cell.steps_forced {
         let steps = min(cell.steps - step, MOST_STEPS);
-        return Forcing(cell.step_free, zero, real(steps), zero, zero, none, none, step, false);
+        return Forcing(zero, real(steps), zero, cell.phase_step, amplitude, none, false);
     }
     if recorded {
         let sample = step / cell.substeps;
@@ -56,29 +61,17 @@ fn begin_segment(cell: Cell, step: u32) -> Forcing {
         let first = sample * cell.substeps;
         let done = real(step - first);
         let steps = real(cell.substeps);
-        return Forcing(
-            cell.step_forced,
-            done,
-            steps,
-            zero,
-            cell.phase_step,
-            before,
-            rise,
-            first,
-            true,
-        );
+        return Forcing(done, steps, zero, cell.phase_step, before, rise, true);
     }
     let first = step - step % MOST_STEPS;
     let steps = min(cell.steps_forced - first, MOST_STEPS);
     return Forcing(
-        cell.step_forced,
         real(step - first),
         real(steps),
         real(first) * cell.phase_step,
         cell.phase_step,
-        Ground(cell.amplitude_h, cell.amplitude_v),
+        amplitude,
         none,
-        first,
         true,
     );
 }

@@ -10,29 +10,29 @@ const KINK = 5u;
 const EVENT_BOUND = 128u;
 const LOCATE_BOUND = 60u;
 
-// Which guard is searched for: one at most.
-struct Sought {
-    uplift: bool,
-    impact: bool,
-    overturning: bool,
-    kink_u: bool,
-    kink_z: bool,
-}
+// Which guard is searched for: one at most, so that a number takes the place of the twin's six flags,
+// which would take a register each.
+alias Sought = u32;
 
-fn nothing_sought() -> Sought {
-    return Sought(false, false, false, false, false);
-}
+const NOTHING_SOUGHT = 0u;
+// Nothing was found, and the span is taken whole.
+const SOUGHT_AGAIN = 1u;
+const SOUGHT_UPLIFT = 2u;
+const SOUGHT_IMPACT = 3u;
+const SOUGHT_OVERTURNING = 4u;
+const SOUGHT_KINK_U = 5u;
+const SOUGHT_KINK_Z = 6u;
 
 fn is_kink(sought: Sought) -> bool {
-    return sought.kink_u || sought.kink_z;
+    return sought >= SOUGHT_KINK_U;
 }
 
 fn is_angle(sought: Sought) -> bool {
-    return sought.impact || sought.overturning;
+    return sought == SOUGHT_IMPACT || sought == SOUGHT_OVERTURNING;
 }
 
 fn is_any(sought: Sought) -> bool {
-    return is_kink(sought) || is_angle(sought) || sought.uplift;
+    return sought > SOUGHT_AGAIN;
 }
 
 // How near a guard must be found, as a fraction of the step.

@@ -3,7 +3,6 @@
 
 struct Search {
     sought: Sought,
-    again: bool,
     at: real,
     low: real,
     high: real,
@@ -19,8 +18,7 @@ fn no_search() -> Search {
     let zero: real = 0.0;
     let one: real = 1.0;
     return Search(
-        nothing_sought(),
-        false,
+        NOTHING_SOUGHT,
         one,
         zero,
         zero,
@@ -86,7 +84,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let at = (*search).at;
     let secant = (found.value - (*search).value_before) / (at - (*search).before);
     let repeated = (*search).tries > 0u;
-    let slope = select(found.slope, select((*search).slope, secant, repeated), sought.uplift);
+    let slope = select(found.slope, select((*search).slope, secant, repeated), sought == SOUGHT_UPLIFT);
     (*search).slope = slope;
     (*search).before = at;
     (*search).value_before = found.value;
@@ -114,9 +112,8 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
     (*search).last = narrow;
     (*search).at = select(next, high, narrow);
-    (*search).again = nothing;
     if done || nothing {
-        (*search).sought = nothing_sought();
+        (*search).sought = select(NOTHING_SOUGHT, SOUGHT_AGAIN, nothing);
         (*search).at = one;
     }
     return Arrived(done, select(zero, change, done && angle && near));

@@ -13,8 +13,6 @@ struct Turn {
     cut: bool,
     // Switches and kinks in the step so far.
     events: u32,
-    // Steps since a block in full contact was last tried by the certificate.
-    untried: u32,
     search: Search,
 }
 
@@ -28,14 +26,13 @@ fn begin_turns(cell: Cell, state: State) -> Turn {
     turn.span = one;
     turn.cut = false;
     turn.events = 0u;
-    turn.untried = (state.step - cell.steps_forced) % STEPS_A_TRY;
     turn.search = no_search();
     return turn;
 }
 
 // True where a cell is at the start of a step, and nothing is searched for.
 fn at_an_edge(turn: Turn) -> bool {
-    return turn.start == 0.0 && !is_any(turn.search.sought) && !turn.search.again;
+    return turn.start == 0.0 && turn.search.sought == NOTHING_SOUGHT;
 }
 
 fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
@@ -45,11 +42,11 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let rocking = (*state).mode != FULL_CONTACT;
     let corner = pivot((*state).mode);
     let start = (*t).start;
-    let step = (*t).forcing.step;
+    let step = step_length(cell, (*t).forcing);
     var search = (*t).search;
     let sought = search.sought;
     let seeking = is_any(sought);
-    let again = search.again;
+    let again = sought == SOUGHT_AGAIN;
     let begun = !(seeking || again);
     let k1 = rates(cell, corner, rocking, y, ground_at((*t).forcing, start));
 
@@ -96,9 +93,9 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         let whole_h = (*t).span * step;
         let found = narrow(&search, sample, whole_h * whole_h * k1.ddphi);
         kinked = found.done && is_kink(sought);
-        arrived = found.done && sought.uplift;
+        arrived = found.done && sought == SOUGHT_UPLIFT;
         switches = found.done && is_angle(sought);
-        overturned = found.done && sought.overturning;
+        overturned = found.done && sought == SOUGHT_OVERTURNING;
         back = found.back * (*t).span;
         // A kink and an uplift cut the step: the next turn goes on from there.
         if kinked || arrived {
@@ -112,7 +109,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if looked {
         let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
         // A span that ends just beyond the impact that it was cut for ends there.
-        if crossing.found.impact {
+        if crossing.found == SOUGHT_IMPACT {
             let end = angle_guard(one, zero, y1, k_end, h);
             let steep = abs(end.slope) > 0.0;
             let way = way_back(end, 1.0 / select(one, end.slope, steep), h * h * k1.ddphi);
@@ -135,7 +132,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     // Whether the cell moves on.
     let plain = (looked && !found && !landed) || again;
     if again {
-        search.again = false;
+        search.sought = NOTHING_SOUGHT;
     }
     (*t).search = search;
     let moved = plain || switches || arrived;
@@ -166,28 +163,27 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if through {
         (*t).events = 0u;
         (*t).forcing.done += 1.0;
-        (*t).untried += 1u;
-        if (*t).untried >= STEPS_A_TRY {
-            (*t).untried = 0u;
-            due = due || (*state).mode == FULL_CONTACT;
-        }
         lost = !is_sound((*state).motion);
         (*state).step += 1u;
+        // The twin counts; a free segment begins where the forced steps end, or whole tries later.
+        let untried = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
+        due = due || (untried == 0u && (*state).mode == FULL_CONTACT);
     }
     if (*state).status != RUNNING {
         return;
     }
+    // Numbers of the cell that only the certificate or a segment's start needs are read again there,
+    // rather than kept in registers.
     if endless {
         (*state).status = EVENT_LIMIT;
     } else if lost {
         (*state).status = DIVERGED;
     } else if (*state).step >= cell.steps {
         (*state).status = FINISHED;
-    } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
+    } else if certificate && due && !(*t).forcing.forced && is_final(cells[lane], *state) {
         (*state).end_fraction = (*t).start;
         (*state).status = PROVED;
     } else if through && (*t).forcing.done >= (*t).forcing.steps {
-        (*t).forcing = begin_segment(cell, (*state).step);
-        (*t).untried = 0u;
+        (*t).forcing = begin_segment(cells[lane], (*state).step);
     }
 }
