@@ -23,13 +23,12 @@ fn moment_rounding(contact: Contact) -> real {
 // No uplift moment in a span with these contact forces at its start, middle and end is larger: a
 // parabola goes beyond three of its values by an eighth of their bend at most.
 fn highest_moment(start: Contact, mid: Contact, end: Contact) -> real {
-    let bend = Contact(
-        abs(start.shear - 2.0 * mid.shear + end.shear),
-        -abs(start.normal - 2.0 * mid.normal + end.normal),
-    );
+    let arm = max(model.left.arm, model.right.arm);
+    let shear = abs(start.shear - 2.0 * mid.shear + end.shear);
+    let normal = abs(start.normal - 2.0 * mid.normal + end.normal);
     let ends = max(largest_uplift_moment(start), largest_uplift_moment(end));
     let values = max(ends, largest_uplift_moment(mid));
-    return values + (0.125 + CREST_ERROR) * largest_uplift_moment(bend);
+    return values + (0.125 + CREST_ERROR) * (model.height * shear + arm * normal);
 }
 
 // The parabola through an uplift moment's values at a span's start, middle and end, and where in the
@@ -100,7 +99,7 @@ fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     let zero: real = 0.0;
     let one: real = 1.0;
     if !(highest_moment(start, mid, end) > 0.0) {
-        return Crossing(nothing_sought(), Cubic(-one, zero, zero, zero), one);
+        return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
     let left_end = uplift_moment(model.left, end);
     let right_end = uplift_moment(model.right, end);

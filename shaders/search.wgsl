@@ -6,12 +6,11 @@ struct Search {
     at: real,
     low: real,
     high: real,
-    verified: bool,
-    last: bool,
     tries: u32,
+    // Before the first trial the slope at the root that the search begins with, then the trial before;
+    // the twin has a variable for each, and flags for `last` and for what is verified.
     before: real,
     value_before: real,
-    slope: real,
 }
 
 fn no_search() -> Search {
@@ -22,10 +21,7 @@ fn no_search() -> Search {
         one,
         zero,
         zero,
-        false,
-        false,
         0u,
-        zero,
         zero,
         zero,
     );
@@ -47,9 +43,7 @@ fn begin_search(search: ptr<function, Search>, found: Sought, cubic: Cubic, uppe
     (*search).low = zero;
     (*search).high = upper;
     (*search).tries = 0u;
-    (*search).slope = root.slope;
-    (*search).verified = whole;
-    (*search).last = false;
+    (*search).before = root.slope;
 }
 
 // How far before a trial's end an angle was at its target, and what that leaves out.
@@ -84,10 +78,11 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let at = (*search).at;
     let secant = (found.value - (*search).value_before) / (at - (*search).before);
     let repeated = (*search).tries > 0u;
-    let slope = select(found.slope, select((*search).slope, secant, repeated), sought == SOUGHT_UPLIFT);
-    (*search).slope = slope;
+    let uplift = sought == SOUGHT_UPLIFT;
+    let slope = select(found.slope, select((*search).before, secant, repeated), uplift);
     (*search).before = at;
     (*search).value_before = found.value;
+    let last = (*search).tries >= LOCATE_BOUND;
     (*search).tries += 1u;
     // A guard without a slope tells no way to go; no device is asked for a NaN here.
     let steep = abs(slope) > 0.0;
@@ -99,18 +94,18 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) 
     let change = select((found.value - rounding) * per_slope, way.back, angle);
     let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
     let near = steep && tolerance >= select(off, way.missed, angle);
-    // What has not happened at the upper end does not happen.
-    let nothing = !(*search).verified && !beyond && at >= (*search).high;
-    let done = ((near && (beyond || angle)) || (*search).last) && !nothing;
+    // What has not happened at the upper end does not happen; one inside the span is tried first.
+    let nothing = !repeated && (*search).high < 1.0 && !beyond;
+    let done = ((near && (beyond || angle)) || last) && !nothing;
     let high = select((*search).high, at, beyond);
     let low = select(at, (*search).low, beyond);
     (*search).high = high;
     (*search).low = low;
-    (*search).verified = (*search).verified || beyond;
     var next = at - change + aim(sought);
     next = select(0.5 * (low + high), next, steep && next > low && next < high);
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
-    (*search).last = narrow;
+    // A bracket that is narrow enough counts as all trials made: the next is the last.
+    (*search).tries = select((*search).tries, LOCATE_BOUND, narrow);
     (*search).at = select(next, high, narrow);
     if done || nothing {
         (*search).sought = select(NOTHING_SOUGHT, SOUGHT_AGAIN, nothing);

@@ -5,8 +5,8 @@
 
 mod common;
 
-use common::{all, judge, scene, shaken};
-use topple::scene::{Grid, Scene};
+use common::{all, judge, scene, shaken, synthetic_pair, under};
+use topple::scene::{Grid, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -162,4 +162,66 @@ fn restitution_on_an_eccentric_block() {
         }
     }
     assert!(proved > 10, "{proved}");
+}
+
+/// A pulse that the run's end cuts: the friction asked for is that of the last instant too, also where
+/// the ground moves vertically under a grid whose cells share their full contact.
+#[test]
+fn friction_where_the_ground_rises_and_the_run_is_cut() {
+    let scene = scene(
+        "[block]\nobject = 1\n[base]\nt_h = 1.5\nt_v = 0.8\n\
+         [pulse]\nomega = 3.0\na_h = \"0.1:0.4:4\"\na_v = 3.0\n[run]\nt_max = 0.3\n",
+    );
+    for cells in swept(&scene) {
+        for (row, cell) in cells.iter().enumerate() {
+            let right = 0.005_772_336 * (row + 1) as f64 / 4.0;
+            assert!(near(cell.friction, right, 1e-4), "row {row}: {} for {right}", cell.friction);
+        }
+    }
+}
+
+/// A base so stiff vertically that quarters of a record's gap do not resolve it: full contact is not
+/// shared there, and friction is that of the full model.
+#[test]
+fn friction_under_a_record_on_a_stiff_base() {
+    let mut scene = scene(
+        "[block]\nobject = 2\n[base]\nt_h = 1.0\nt_v = 0.5\nxi_v = 0.02\n\
+         [pulse]\nomega = 1.0\na_h = 1.0\n",
+    );
+    under(&mut scene, synthetic_pair());
+    let (Some(h), Some(v)) = (&mut scene.isolation.horizontal, &mut scene.isolation.vertical)
+    else {
+        unreachable!("dual")
+    };
+    h.t_h = Range { start: 1.5, stop: 4.0, count: 4 };
+    v.t_v = Range { start: 0.01, stop: 0.06, count: 6 };
+    let sweeps = swept(&scene);
+    let mut held = 0;
+    for (cell, full) in sweeps[1].iter().zip(&sweeps[3]) {
+        // A force that comes near zero makes any friction.
+        if full.min_contact > 1.0 {
+            assert!(near(cell.friction, full.friction, 1e-3), "{cell:?} for {full:?}");
+            held += 1;
+        }
+    }
+    assert!(held >= 12, "{held}");
+}
+
+/// A block that barely lifts between two steps does so about either corner: the scene and its mirror
+/// image.
+#[test]
+fn a_grazing_uplift_and_its_mirror_image() {
+    for sign in [1.0, -1.0] {
+        let scene = scene(&format!(
+            "[block]\nhalf_width = 0.4\nheight = 0.6\nmass = 500.0\nplate_h = 100.0\nplate_v = 100.0\neccentricity = {}\n\
+             [base]\nt_h = 0.9\nt_v = 0.6\npsi = 1.0\nxi_h = 0.05\n\
+             [pulse]\nomega = 9.0\na_h = {}\na_v = -6.0\n[run]\nt_max = 0.35\n",
+            0.8 * sign,
+            1.116_945_5 * sign
+        ));
+        let grid = Grid::of(&scene);
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).full_model();
+        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        assert!(cells[0].uplifts > 0, "{sign}: {:?}", cells[0]);
+    }
 }

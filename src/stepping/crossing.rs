@@ -44,13 +44,12 @@ fn highest_moment<N: Number>(
     end: Contact<N>,
 ) -> N {
     let (two, share) = (mid.shear.like(2.0), mid.shear.like(0.125 + CREST_ERROR));
-    let bend = Contact {
-        shear: (start.shear - two * mid.shear + end.shear).abs(),
-        normal: -(start.normal - two * mid.normal + end.normal).abs(),
-    };
+    let arm = set.model.left.arm.max(set.model.right.arm);
+    let shear = (start.shear - two * mid.shear + end.shear).abs();
+    let normal = (start.normal - two * mid.normal + end.normal).abs();
     let largest = |contact| largest_uplift_moment(set, contact);
-    let ends = largest(start).max(largest(end));
-    share.mul_add(largest(bend), ends.max(largest(mid)))
+    let values = largest(start).max(largest(mid)).max(largest(end));
+    share.mul_add(set.model.height.mul_add(shear, arm * normal), values)
 }
 
 /// The parabola through an uplift moment's values at a span's start, middle and end, and where in

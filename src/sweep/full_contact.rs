@@ -23,6 +23,7 @@ use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Point};
+use crate::stepping::extremes::crest;
 use crate::stepping::forcing::ground_at;
 use crate::stepping::rk4::hermite;
 use crate::stepping::single::Single;
@@ -33,6 +34,9 @@ const MOST_MEMORY: usize = 1 << 29;
 /// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
 /// 80 steps a period leave 8e-4.
 const SLACK: f64 = 2.0e-3;
+/// Share of the weight, or of the largest |X|, by which the parabolas through quarters of a gap may miss
+/// an extremum there. A motion that is faster is shared by nobody.
+const MISSED: f64 = 1.0e-3;
 
 /// A motion in one direction, sample by sample.
 struct Track<R> {
@@ -63,6 +67,21 @@ struct Track<R> {
 enum Direction {
     Horizontal,
     Vertical,
+}
+
+impl Direction {
+    /// The largest |X| or the least Y in a gap, by parabolas through its quarters.
+    fn extremum<R: Real>(self, start: R, [first, mid, last]: [R; 3], end: R) -> R {
+        let of = |a: [R; 5], pick: fn(R, R) -> R| {
+            let crests = pick(crest(a[0], a[1], a[2]), crest(a[2], a[3], a[4]));
+            a.into_iter().fold(crests, pick)
+        };
+        let values = [start, first, mid, last, end];
+        match self {
+            Direction::Horizontal => of(values.map(|x| x.abs()), |a, b| a.max(b)),
+            Direction::Vertical => of(values, |a, b| a.min(b)),
+        }
+    }
 }
 
 /// The full-contact motions of a plan's grid.
@@ -208,7 +227,15 @@ impl<R: Real> Track<R> {
         let mut model = plan.model::<R>();
         // No lever arm lifts: the uplift moments (14) are zero.
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (cell, state) = plan.cell::<R>(point);
+        let (mut cell, state) = plan.cell::<R>(point);
+        // X by itself: over g it is the friction asked for where the ground does not move vertically.
+        let level: Vec<Ground<R>>;
+        let mut record = record;
+        if direction == Direction::Horizontal {
+            cell.amplitude_v = R::of(0.0);
+            level = record.iter().map(|ground| Ground { v: R::of(0.0), ..*ground }).collect();
+            record = &level;
+        }
         let set = CellEquations { variant, model: &model, cell: &cell, record };
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
         let mut track = Track {
@@ -255,6 +282,7 @@ impl<R: Real> Track<R> {
         let mut state = state;
         let mut now = acceleration(&state);
         let mut lowest = now;
+        let mut missed = R::of(0.0);
         for sample in 0..count {
             let peak = if direction == Direction::Horizontal { state.max_u } else { state.max_v };
             track.motion.push(state.motion);
@@ -264,6 +292,7 @@ impl<R: Real> Track<R> {
             if sample + 1 == count {
                 break;
             }
+            let start = now;
             let (mut least, mut most, mut change) = (now, now, R::of(0.0));
             single.forget_contact();
             for part in 0..cell.substeps {
@@ -286,18 +315,30 @@ impl<R: Real> Track<R> {
                 most = most.max(next);
                 now = next;
             }
-            // With the other direction locked the friction asked for is |X|/g.
             let crest = match direction {
                 Direction::Horizontal => state.friction * model.gravity,
                 Direction::Vertical => state.min_contact,
             };
             track.crest.push(crest);
+            let quarters = track.quarters.each_ref().map(|values| values[sample]);
+            let by_quarters = direction.extremum(start, quarters, now);
+            missed = missed.max((by_quarters - crest).abs());
             if crest < lowest {
                 lowest = crest;
             }
             let slack = change + R::of(SLACK) * most.abs().max(least.abs());
             track.least.push(least - slack);
             track.most.push(most + slack);
+        }
+        let scale = match direction {
+            Direction::Horizontal => track.crest.iter().fold(R::of(0.0), |most, &x| most.max(x)),
+            Direction::Vertical => model.gravity,
+        };
+        if missed > R::of(MISSED) * scale {
+            // Every cell may lift in every gap, and looks for itself.
+            let beyond = R::of(f64::from(f32::MAX));
+            track.least.fill(-beyond);
+            track.most.fill(beyond);
         }
         let largest = |numbers: &mut dyn Iterator<Item = R>| {
             let mut most = R::of(0.0);
