@@ -1,10 +1,5 @@
 //! What the trials of a turn were for, told to an observer. It costs nothing where nobody listens.
 
-use super::lanes::{Lanes, each};
-use super::log::Listener;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
-
 /// What a trial was for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
@@ -80,7 +75,8 @@ pub(super) struct Done {
 }
 
 impl Done {
-    fn purpose(&self, lane: usize) -> Purpose {
+    /// What the trial of a lane was for, but that a try may have found nothing.
+    pub fn purpose(&self, lane: usize) -> Purpose {
         let is = |bits: u64| bits >> lane & 1 == 1;
         match self {
             _ if is(self.lifts) => Purpose::Uplift,
@@ -92,26 +88,5 @@ impl Done {
             _ if is(self.fresh & self.through) => Purpose::Step,
             _ => Purpose::Part,
         }
-    }
-}
-
-impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
-    /// Tells of the trials of the lanes that have a cell.
-    #[inline(never)]
-    pub(super) fn tell_trials(&mut self, done: &Done) {
-        let again = V::bits(self.search.again);
-        let searching = V::bits(self.search.sought.any()) | again;
-        let (lanes, start) = (&self.lanes, self.start);
-        let trials = each(self.running).map(|lane| {
-            let bit = 1 << lane;
-            let purpose = match done.purpose(lane) {
-                Purpose::Try if again & bit != 0 => Purpose::Nothing,
-                purpose => purpose,
-            };
-            let at_edge = searching & bit == 0 && start.lane(lane) == V::Element::of(0.0);
-            let trial = Trial { purpose, rocking: done.rocking & bit != 0, at_edge };
-            (lanes[lane].job.number, trial)
-        });
-        self.log.tried(trials);
     }
 }

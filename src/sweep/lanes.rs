@@ -4,9 +4,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use fearless_simd::Level;
-#[cfg(target_arch = "x86_64")]
-use fearless_simd::Simd;
+use fearless_simd::{Level, Simd};
 
 use super::cells::Cells;
 use super::plan::Plan;
@@ -108,26 +106,25 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
             ended: Vec::with_capacity(BATCH),
         };
         let zero = R::of(0.0);
+        macro_rules! run {
+            ($simd:ident) => {
+                $simd.vectorize(
+                    #[inline(always)]
+                    || Lanes::new(shared, zero.lanes($simd), ()).run(&mut belt),
+                )
+            };
+        }
         // Without SSE4.2, which has little that SSE2 has not: each level compiles the turn once more.
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = level.as_avx512() {
-            simd.vectorize(
-                #[inline(always)]
-                || Lanes::new(shared, zero.lanes(simd), ()).run(&mut belt),
-            );
+            run!(simd);
         } else if let Some(simd) = level.as_avx2() {
-            simd.vectorize(
-                #[inline(always)]
-                || Lanes::new(shared, zero.lanes(simd), ()).run(&mut belt),
-            );
+            run!(simd);
         } else if let Some(simd) = level.as_sse2() {
-            simd.vectorize(
-                #[inline(always)]
-                || Lanes::new(shared, zero.lanes(simd), ()).run(&mut belt),
-            );
+            run!(simd);
         }
         #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(level, simd => Lanes::new(shared, zero.lanes(simd), ()).run(&mut belt));
+        fearless_simd::dispatch!(level, simd => run!(simd));
         belt.deliver();
     });
     outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)
