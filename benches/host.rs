@@ -5,13 +5,15 @@
 
 #![allow(missing_docs, clippy::unwrap_used)] // a bench
 
+mod common;
+
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use common::pulse;
 use rayon::prelude::*;
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
-use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::state::{FINISHED, State};
@@ -29,15 +31,6 @@ use topple::sweep::plan::Plan;
 const TILE: usize = 1 << 18;
 /// Times that each part is measured; the shortest counts.
 const TIMES: usize = 7;
-
-/// The map that is swept where nothing else is said, of so many columns and rows.
-fn pulse(side: u32) -> Scene {
-    let text = format!(
-        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.75\n\
-         [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\n"
-    );
-    SceneText::from_toml(&text).unwrap().check().unwrap()
-}
 
 /// A map of periods under the synthetic record, and two seconds of rest.
 fn record(side: u32) -> Scene {

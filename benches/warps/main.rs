@@ -6,17 +6,19 @@
 #![allow(missing_docs, clippy::unwrap_used)] // a bench
 
 mod card;
+#[path = "../common/mod.rs"]
+mod common;
 mod host;
 mod traces;
 
 use std::time::Duration;
 
 use card::{Choice, Tally, WARP};
+use common::pulse;
 use host::Kind;
 use topple::model::real::Real;
 use topple::model::vector::Vector;
 use topple::scene::record::synthetic;
-use topple::scene::text::SceneText;
 use topple::scene::{Excitation, Grid, Range, Scene};
 use topple::stepping::trials::Purpose;
 use topple::sweep::backend::Precision;
@@ -44,15 +46,6 @@ const PRESENT: Choice = Choice {
 const LARGE: Kind = Kind { warps: 2112, turn: Duration::from_micros(2) };
 /// A small one.
 const SMALL: Kind = Kind { warps: 64, turn: Duration::from_micros(8) };
-
-/// The map that is swept where nothing else is said, of so many columns and rows.
-fn pulse(side: u32) -> Scene {
-    let text = format!(
-        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.75\n\
-         [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\n"
-    );
-    SceneText::from_toml(&text).unwrap().check().unwrap()
-}
 
 /// Periods under the synthetic record.
 fn shaken(side: u32) -> Scene {
