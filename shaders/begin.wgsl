@@ -87,6 +87,7 @@ fn begin(
     @builtin(global_invocation_id) id: vec3<u32>,
     @builtin(local_invocation_index) local: u32,
 ) {
+    model = uniform_model;
     let place = place_of(id.x);
     var runs = false;
     if place.number < tile.cells {

@@ -37,12 +37,23 @@ struct Model {
     padding_1: real,
 }
 
-@group(0) @binding(0) var<uniform> model: Model;
+@group(0) @binding(0) var<uniform> uniform_model: Model;
+
+// Every thread reads it once, as it begins: a software driver looks up a uniform number lane by lane,
+// each time.
+var<private> model: Model;
 
 // The corner that the block turns about in a rocking mode.
 fn pivot(mode: u32) -> Corner {
-    if mode == ROCKING_RIGHT {
-        return model.right;
-    }
-    return model.left;
+    let right = mode == ROCKING_RIGHT;
+    return Corner(
+        select(model.left.side, model.right.side, right),
+        select(model.left.arm, model.right.arm, right),
+        select(model.left.inertia, model.right.inertia, right),
+        select(model.left.overturn, model.right.overturn, right),
+        select(model.left.eta_phi, model.right.eta_phi, right),
+        select(model.left.eta_u, model.right.eta_u, right),
+        select(model.left.eta_v, model.right.eta_v, right),
+        model.left.padding,
+    );
 }

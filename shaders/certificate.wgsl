@@ -4,12 +4,25 @@ override certificate: bool = false;
 
 const STEPS_A_TRY = 16u;
 const MARGIN = 1.0e-3;
+const SIXTH = 0.16666666666666666;
+const TWELFTH = 0.08333333333333333;
+const THIRTIETH = 0.03333333333333333;
 
-// P - H: height that the centre of mass has gained at phi about a corner, m.
-fn rise(corner: Corner, phi: real) -> real {
-    // H (1 - cos phi) by the half angle, for 1 - cos phi of a small phi is all rounding.
-    let half_sine = sine(0.5 * phi);
-    return corner.side * corner.arm * sine(phi) - 2.0 * model.height * half_sine * half_sine;
+// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
+// than this, by sin phi >= phi - phi^3/6 and 1 - cos phi <= phi^2/2 - phi^4/24 + phi^6/720.
+fn least_rise(corner: Corner, phi: real) -> real {
+    let t = phi * phi;
+    let arm = corner.arm * (1.0 - t * SIXTH);
+    let height = model.height * (1.0 - t * TWELFTH * (1.0 - t * THIRTIETH));
+    return phi * (arm - 0.5 * phi * height);
+}
+
+// P - H at an angle phi >= 0 about a corner, m: no more than this, by the next terms.
+fn most_rise(corner: Corner, phi: real) -> real {
+    let t = phi * phi;
+    let arm = corner.arm * (1.0 - t * SIXTH * (1.0 - t * 0.05));
+    let height = model.height * (1.0 - t * TWELFTH);
+    return phi * (arm - 0.5 * phi * height);
 }
 
 // True where energies that are left in the base reach no further than the largest |u| and |v|.
@@ -71,7 +84,7 @@ fn is_final(cell: Cell, state: State) -> bool {
             let corner = pivot(state.mode);
             let lever = lever_at(corner, y.phi);
             let push = lever.q * y.dv - lever.p * y.du + 0.5 * corner.inertia * y.dphi;
-            energy = energy + push * y.dphi + model.gravity * rise(corner, y.phi);
+            energy = energy + push * y.dphi + model.gravity * most_rise(corner, corner.side * y.phi);
         }
         energy = model.impact_gain * more * energy;
         left_h = 2.0 * model.mu_h * energy;
@@ -80,8 +93,8 @@ fn is_final(cell: Cell, state: State) -> bool {
         if !(small && within(cell, state, left_h, left_v)) {
             return false;
         }
-        let bound_left = model.gravity * rise(model.left, state.max_phi_left);
-        let bound_right = model.gravity * rise(model.right, -state.max_phi_right);
+        let bound_left = model.gravity * least_rise(model.left, state.max_phi_left);
+        let bound_right = model.gravity * least_rise(model.right, state.max_phi_right);
         if !(energy <= bound_left && energy <= bound_right) {
             return false;
         }

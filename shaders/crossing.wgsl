@@ -56,7 +56,7 @@ fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing
         return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
     // Where both cross, the one whose chord does so first.
-    let z_first = y.du / (y.du - y1.du) > y.z / (y.z - y1.z);
+    let z_first = abs(y.du * (y.z - y1.z)) > abs(y.z * (y.du - y1.du));
     let kink_z = of_z && (!of_du || z_first);
     let start = kink_guard(kink_z, y, y, k1, h);
     let end = kink_guard(kink_z, y, y1, k_end, h);
@@ -148,7 +148,8 @@ fn crossing_in(
     return uplifts_in(contact_of(k1), stepped.mid, contact_of(k_end));
 }
 
-// The sought guard at the end of a trial, its slope over the span of `h` seconds.
+// The guard at the end of a trial, that which is sought or else an impact; its slope over the span of
+// `h` seconds.
 fn sample_of(
     sought: Sought,
     corner: Corner,

@@ -33,10 +33,12 @@ fn root(cubic: Cubic) -> Root {
     // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
     // value. Where it falls first: where the parabola from the start is as high as there again.
     let rises = cubic.c1 > 0.0 && slope1 > 0.0;
-    let chord = select(-cubic.c1, -cubic.c0, rises) / select(cubic.c2 + cubic.c3, rise, rises);
-    let per_slopes = rise / (cubic.c1 * slope1);
-    let inverse = hermite(zero, slope1 * per_slopes, one, cubic.c1 * per_slopes, chord);
-    var at = select(chord, inverse, rises);
+    let slopes = cubic.c1 * slope1;
+    let inverse = 1.0 / select(cubic.c2 + cubic.c3, rise * slopes, rises);
+    let chord = select(-cubic.c1, -cubic.c0 * slopes, rises) * inverse;
+    let per_slopes = rise * rise * inverse;
+    let place = hermite(zero, slope1 * per_slopes, one, cubic.c1 * per_slopes, chord);
+    var at = select(chord, place, rises);
     at = select(one, at, at > 0.0 && at < 1.0);
     // One step of Newton's method.
     let value = cubic.c0 + at * (cubic.c1 + at * (cubic.c2 + at * cubic.c3));

@@ -63,32 +63,50 @@ fn way_back(end: GuardSample, per_slope: real, bend_before: real) -> WayBack {
     return WayBack(first + second, abs(first) * third);
 }
 
+// How far the guard is from a trial's end.
+struct Reach {
+    // The guard has a slope; one without tells no way to go. No device is asked for a NaN here.
+    steep: bool,
+    // One over the slope.
+    per_slope: real,
+    // Of an angle.
+    way: WayBack,
+}
+
 struct Arrived {
     done: bool,
     back: real,
 }
 
-// Takes in what the trial at `at` came to; `bend_before` is an angle's bend at its start.
-fn narrow(search: ptr<function, Search>, found: GuardSample, bend_before: real) -> Arrived {
+// How far the guard at the end of a trial is; `bend_before` is an angle's bend at the trial's start. An
+// uplift moment's slope is the secant from the trial before.
+fn reach_of(search: Search, end: GuardSample, bend_before: real) -> Reach {
+    let one: real = 1.0;
+    let by_secant = search.sought == SOUGHT_UPLIFT && search.tries > 0u;
+    let first = select(end.slope, search.before, search.sought == SOUGHT_UPLIFT);
+    let slope = select(first, end.value - search.value_before, by_secant);
+    let steep = abs(slope) > 0.0;
+    let per_slope = select(one, search.at - search.before, by_secant) / select(one, slope, steep);
+    return Reach(steep, per_slope, way_back(end, per_slope, bend_before));
+}
+
+// Takes in what the trial at `at` came to.
+fn narrow(search: ptr<function, Search>, found: GuardSample, reach: Reach) -> Arrived {
     let zero: real = 0.0;
     let one: real = 1.0;
+    let steep = reach.steep;
+    let per_slope = reach.per_slope;
+    let way = reach.way;
     let sought = (*search).sought;
     let angle = is_angle(sought);
     let tolerance = tolerance_of(sought);
     let at = (*search).at;
-    let secant = (found.value - (*search).value_before) / (at - (*search).before);
     let repeated = (*search).tries > 0u;
-    let uplift = sought == SOUGHT_UPLIFT;
-    let slope = select(found.slope, select((*search).before, secant, repeated), uplift);
     (*search).before = at;
     (*search).value_before = found.value;
     let last = (*search).tries >= LOCATE_BOUND;
     (*search).tries += 1u;
-    // A guard without a slope tells no way to go; no device is asked for a NaN here.
-    let steep = abs(slope) > 0.0;
-    let per_slope = 1.0 / select(one, slope, steep);
     let beyond = found.value > 0.0;
-    let way = way_back(found, per_slope, bend_before);
     // A value that may be rounding is aimed beyond by as much, and is near at twice that.
     let rounding = found.rounding;
     let change = select((found.value - rounding) * per_slope, way.back, angle);

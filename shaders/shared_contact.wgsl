@@ -17,7 +17,7 @@ const DEEPEST = 8u;
 const STRONGEST = 9u;
 const TROUGH = 6u;
 const CREST = 10u;
-const QUARTERS_V = 7u;
+const EIGHTHS_V = 7u;
 const QUARTERS_H = 11u;
 
 // True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
@@ -49,9 +49,38 @@ fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
 // Share of the friction asked for by which a gap must exceed it to be looked into.
 const OVER = 2.0e-4;
 
+// The parabola through three values evenly apart, at a fraction of the way.
+fn parabola(start: real, mid: real, end: real, at: real) -> real {
+    let rise = 4.0 * mid - 3.0 * start - end;
+    let fall = 3.0 * end - 4.0 * mid + start;
+    return start + at * (rise + at * 0.5 * (fall - rise));
+}
+
+struct Dip {
+    least: real,
+    at: real,
+}
+
+// The least of the parabola through three values evenly apart, and at what fraction of the way.
+fn dip(start: real, mid: real, end: real) -> Dip {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let rise = 4.0 * mid - 3.0 * start - end;
+    let fall = 3.0 * end - 4.0 * mid + start;
+    var at = select(zero, one, end < start);
+    if rise < 0.0 && fall > 0.0 {
+        at = rise / (rise - fall);
+    }
+    return Dip(parabola(start, mid, end, at), at);
+}
+
 // The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
-// over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
+// over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them, and
+// where Y is least. How small Y is there is known; the parabolas tell when.
 fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> real {
+    let zero: real = 0.0;
+    let early: real = 0.25;
+    let late: real = 0.75;
     let over: real = 1.0 + OVER;
     let all_h = tile.across.w;
     let all_v = tile.up.w;
@@ -59,28 +88,58 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> r
     for (var gap = 0u; gap < sample; gap++) {
         let at = h + gap;
         let at_v = v + min(gap, last_v - 1u);
-        let most = size * tracks[at + CREST * all_h];
+        let most_x = tracks[at + CREST * all_h];
         let trough = tracks[at_v + TROUGH * all_v];
-        if !(most > over * friction * trough) {
+        if !(size * most_x > over * friction * trough) {
             continue;
         }
-        let x = at + QUARTERS_H * all_h;
-        let y = at_v + QUARTERS_V * all_v;
-        let end = at + 1u + ACCELERATION * all_h;
-        let end_v = at_v + 1u + ACCELERATION * all_v;
-        let share0 = size * share(abs(tracks[end - 1u]), tracks[end_v - 1u]);
-        let share1 = size * share(abs(tracks[x]), tracks[y]);
-        let share2 = size * share(abs(tracks[x + all_h]), tracks[y + all_v]);
-        let share3 = size * share(abs(tracks[x + 2u * all_h]), tracks[y + 2u * all_v]);
-        let share4 = size * share(abs(tracks[end]), tracks[end_v]);
-        let top = max(crest(share0, share1, share2), crest(share2, share3, share4));
-        let ends = max(max(max(share0, share1), max(share2, share3)), share4);
-        // No more than the bound that the gap was looked into for.
-        var largest = ends;
-        if trough > 0.0 {
-            largest = min(max(top, ends), max(most / trough, ends));
+        let next = at + 1u + ACCELERATION * all_h;
+        let next_v = at_v + 1u + ACCELERATION * all_v;
+        let quarter = at + QUARTERS_H * all_h;
+        let eighth = at_v + EIGHTHS_V * all_v;
+        // Of spans of two eighths each: the largest share, and |X| where Y is least.
+        var ends = zero;
+        var top = zero;
+        var least = tracks[next_v - 1u];
+        var x_there = tracks[next - 1u];
+        var x0 = x_there;
+        var y0 = least;
+        for (var span = 0u; span < 4u; span++) {
+            // The parabola of X through the half of the gap that the span is in.
+            let middle = tracks[quarter + all_h];
+            let first_half = span < 2u;
+            let start_h = select(middle, tracks[next - 1u], first_half);
+            let mid_h = tracks[quarter + select(2u, 0u, first_half) * all_h];
+            let end_h = select(tracks[next], middle, first_half);
+            let at_h = select(late, early, span % 2u == 0u);
+            let x1 = parabola(start_h, mid_h, end_h, at_h);
+            let x2 = select(end_h, mid_h, span % 2u == 0u);
+            let y1 = tracks[eighth + 2u * span * all_v];
+            var y2 = tracks[next_v];
+            if span < 3u {
+                y2 = tracks[eighth + (2u * span + 1u) * all_v];
+            }
+            let start = size * share(abs(x0), y0);
+            let mid = size * share(abs(x1), y1);
+            let end = size * share(abs(x2), y2);
+            ends = max(ends, max(max(start, mid), end));
+            top = max(top, crest(start, mid, end));
+            let lower = dip(y0, y1, y2);
+            if lower.least < least {
+                least = lower.least;
+                x_there = parabola(x0, x1, x2, lower.at);
+            }
+            x0 = x2;
+            y0 = y2;
         }
-        friction = max(friction, largest);
+        var most = ends;
+        if trough > 0.0 {
+            // No more than the bound that the gap was looked into for.
+            let bound = size * share(most_x, trough);
+            let there = size * share(abs(x_there), trough);
+            most = min(max(max(top, there), ends), max(bound, ends));
+        }
+        friction = max(friction, most);
     }
     return friction;
 }

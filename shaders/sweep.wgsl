@@ -66,6 +66,8 @@ fn sweep(
     }
     var runs = false;
     if id.x < atomicLoad(&tally.running[chunk.number]) {
+        model = uniform_model;
+        let work = chunk.work;
         lane = running[(chunk.number % 2u) * chunk.slots + id.x];
         let cell = cells[lane];
         var state = states[lane];
@@ -73,7 +75,7 @@ fn sweep(
         var turns = begin_turns(cell, state);
         var done = 0u;
         // A cell leaves at a step's edge, so that no search is kept between chunks.
-        while state.status == RUNNING && (done < chunk.work || !at_an_edge(turns)) {
+        while state.status == RUNNING && (done < work || !at_an_edge(turns)) {
             turn(cell, &state, &turns);
             done += 1u;
         }

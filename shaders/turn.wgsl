@@ -81,6 +81,11 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         k_end.normal = base.f_v;
     }
 
+    // How far the guard is that is searched for, or else the impact.
+    let whole_h = (*t).span * step;
+    let end = sample_of(sought, corner, y, y1, k_end, whole_h);
+    let reach = reach_of(search, end, whole_h * whole_h * k1.ddphi);
+
     // What a search has found.
     var looked = whole;
     var kinked = false;
@@ -89,9 +94,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var overturned = false;
     var back = zero;
     if seeking {
-        let sample = sample_of(sought, corner, y, y1, k_end, (*t).span * step);
-        let whole_h = (*t).span * step;
-        let found = narrow(&search, sample, whole_h * whole_h * k1.ddphi);
+        let found = narrow(&search, end, reach);
         kinked = found.done && is_kink(sought);
         arrived = found.done && sought == SOUGHT_UPLIFT;
         switches = found.done && is_angle(sought);
@@ -109,13 +112,10 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if looked {
         let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
         // A span that ends just beyond the impact that it was cut for ends there.
-        if crossing.found == SOUGHT_IMPACT {
-            let end = angle_guard(one, zero, y1, k_end, h);
-            let steep = abs(end.slope) > 0.0;
-            let way = way_back(end, 1.0 / select(one, end.slope, steep), h * h * k1.ddphi);
+        if crossing.found == SOUGHT_IMPACT && !kinked {
             let allowed: real = EVENT_TOLERANCE;
-            landed = crossing.upper >= 1.0 && steep && allowed >= way.missed;
-            back = select(back, way.back * length, landed);
+            landed = crossing.upper >= 1.0 && reach.steep && allowed >= reach.way.missed;
+            back = select(back, reach.way.back * length, landed);
             switches = switches || landed;
         }
         found = is_any(crossing.found) && !landed;
@@ -172,18 +172,16 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if (*state).status != RUNNING {
         return;
     }
-    // Numbers of the cell that only the certificate or a segment's start needs are read again there,
-    // rather than kept in registers.
     if endless {
         (*state).status = EVENT_LIMIT;
     } else if lost {
         (*state).status = DIVERGED;
     } else if (*state).step >= cell.steps {
         (*state).status = FINISHED;
-    } else if certificate && due && !(*t).forcing.forced && is_final(cells[lane], *state) {
+    } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
         (*state).end_fraction = (*t).start;
         (*state).status = PROVED;
     } else if through && (*t).forcing.done >= (*t).forcing.steps {
-        (*t).forcing = begin_segment(cells[lane], (*state).step);
+        (*t).forcing = begin_segment(cell, (*state).step);
     }
 }

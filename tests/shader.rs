@@ -214,7 +214,7 @@ fn uniform_numbers_lie_as_a_uniform_buffer_asks() {
             .filter(|(_, variable)| variable.space == naga::AddressSpace::Uniform)
             .filter_map(|(_, variable)| variable.name.as_deref())
             .collect();
-        assert_eq!(uniform, ["model", "chunk", "tile"]);
+        assert_eq!(uniform, ["uniform_model", "chunk", "tile"]);
     }
 }
 
@@ -329,7 +329,7 @@ fn constants_agree_with_the_twin() {
         ("STRONGEST", tracks::STRONGEST as u32),
         ("TROUGH", tracks::TROUGH as u32),
         ("CREST", tracks::CREST as u32),
-        ("QUARTERS_V", tracks::QUARTERS_V as u32),
+        ("EIGHTHS_V", tracks::EIGHTHS_V as u32),
         ("QUARTERS_H", tracks::QUARTERS_H as u32),
     ] {
         assert_eq!(value(name), twin, "{name}");

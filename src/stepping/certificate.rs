@@ -32,12 +32,23 @@ pub const STEPS_A_TRY: u32 = 16;
 /// seen by this share of it.
 pub const MARGIN: f64 = 1.0e-3;
 
-/// P - H: height that the centre of mass has gained at phi about a corner, m.
+/// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
+/// than this, by sin phi >= phi - phi^3/6 and 1 - cos phi <= phi^2/2 - phi^4/24 + phi^6/720.
 #[inline(always)]
-fn rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
-    // H (1 - cos phi) by the half angle, for 1 - cos phi of a small phi is all rounding.
-    let half_sine = (phi.like(0.5) * phi).sine();
-    corner.side * corner.arm * phi.sine() - phi.like(2.0) * set.model.height * half_sine * half_sine
+fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+    let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
+    let arm = corner.arm * (one - t * t.like(1.0 / 6.0));
+    let height = set.model.height * (one - t * t.like(1.0 / 12.0) * (one - t * t.like(1.0 / 30.0)));
+    phi * (arm - half * phi * height)
+}
+
+/// P - H at an angle phi >= 0 about a corner, m: no more than this, by the next terms.
+#[inline(always)]
+fn most_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+    let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
+    let arm = corner.arm * (one - t * t.like(1.0 / 6.0) * (one - t * t.like(1.0 / 20.0)));
+    let height = set.model.height * (one - t * t.like(1.0 / 12.0));
+    phi * (arm - half * phi * height)
 }
 
 /// The lanes of `tried` of which everything that a map tells is final, the excitation being over.
@@ -108,7 +119,8 @@ pub fn is_final<V: Vector>(
         if V::any(last & rocking) {
             let Lever { p, q } = lever_at(set, corner, y.phi);
             let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
-            let turning = push * y.dphi + model.gravity * rise(set, corner, y.phi);
+            let rise = most_rise(set, corner, corner.side * y.phi);
+            let turning = push * y.dphi + model.gravity * rise;
             energy = V::select(rocking, energy + turning, energy);
         }
         energy = model.impact_gain * more * energy;
@@ -119,8 +131,8 @@ pub fn is_final<V: Vector>(
         if !V::any(last) {
             return last;
         }
-        let bound_left = model.gravity * rise(set, &model.left, seen.max_phi_left);
-        let bound_right = model.gravity * rise(set, &model.right, -seen.max_phi_right);
+        let bound_left = model.gravity * least_rise(set, &model.left, seen.max_phi_left);
+        let bound_right = model.gravity * least_rise(set, &model.right, seen.max_phi_right);
         last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
         x_most = cell.reach_h * left_h.sqrt();
         y_swing = cell.reach_v * left_v.sqrt();

@@ -93,7 +93,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             return;
         }
         // Where both cross, the one whose chord does so first.
-        let z_first = (y.du / (y.du - y1.du)).gt(y.z / (y.z - y1.z));
+        let z_first = (y.du * (y.z - y1.z)).abs().gt((y.z * (y.du - y1.du)).abs());
         crossing.found.kink_z = of_z & (!of_du | z_first);
         crossing.found.kink_u = of_du & !crossing.found.kink_z;
         let of_z = crossing.found.kink_z;
@@ -214,7 +214,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         crossing
     }
 
-    /// The sought guards at the ends of the trials of lanes that search, slopes over their spans.
+    /// The guards at the ends of the trials, those that are sought or else impacts; slopes over their
+    /// spans.
     #[inline(always)]
     pub(super) fn sample(&self, y1: &Motion<V>, k_end: &Rates<V>) -> GuardSample<V> {
         let set = self.equations();

@@ -55,11 +55,12 @@ impl<N: Number> Cubic<N> {
         // value. Where it falls first, as the angle of a block that has just landed does: where the
         // parabola from the start is as high as there again.
         let rises = self.c1.gt(zero) & slope1.gt(zero);
-        let chord =
-            N::select(rises, -self.c0, -self.c1) / N::select(rises, rise, self.c2 + self.c3);
-        let per_slopes = rise / (self.c1 * slope1);
-        let inverse = hermite(zero, slope1 * per_slopes, one, self.c1 * per_slopes, chord);
-        let at = N::select(rises, inverse, chord);
+        let slopes = self.c1 * slope1;
+        let inverse = one / N::select(rises, rise * slopes, self.c2 + self.c3);
+        let chord = N::select(rises, -self.c0 * slopes, -self.c1) * inverse;
+        let per_slopes = rise * rise * inverse;
+        let place = hermite(zero, slope1 * per_slopes, one, self.c1 * per_slopes, chord);
+        let at = N::select(rises, place, chord);
         let inside = at.gt(zero) & one.gt(at);
         let at = N::select(inside, at, one);
         // One step of Newton's method.

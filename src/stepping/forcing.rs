@@ -68,9 +68,15 @@ impl<V: Vector> Forcing<V> {
     }
 
     /// Puts a lane on the segment that its cell is in after `step` steps, fewer than it has in all;
-    /// the segment's first step.
+    /// the segment's first step. `follows`: the segment before was of the same cell.
     #[inline(always)]
-    pub fn begin(&mut self, lane: usize, set: &CellEquations<V::Element>, step: u32) -> u32 {
+    pub fn begin(
+        &mut self,
+        lane: usize,
+        set: &CellEquations<V::Element>,
+        step: u32,
+        follows: bool,
+    ) -> u32 {
         let cell = set.cell;
         let zero = V::Element::of(0.0);
         let bit = 1 << lane;
@@ -88,9 +94,6 @@ impl<V: Vector> Forcing<V> {
             self.rise.v.put(lane, zero);
             return step;
         }
-        self.forced |= bit;
-        self.step.put(lane, cell.step_forced);
-        self.phase_step.put(lane, cell.phase_step);
         let first;
         let steps;
         if set.variant.recorded {
@@ -103,6 +106,11 @@ impl<V: Vector> Forcing<V> {
             self.rise.v.put(lane, after.v - before.v);
             first = sample * cell.substeps;
             steps = cell.substeps;
+            // A gap after another of the same cell has the same steps.
+            if follows {
+                self.done.put(lane, V::Element::of(f64::from(step - first)));
+                return first;
+            }
         } else {
             self.base.h.put(lane, cell.amplitude_h);
             self.base.v.put(lane, cell.amplitude_v);
@@ -110,6 +118,9 @@ impl<V: Vector> Forcing<V> {
             steps = (cell.steps_forced - first).min(MOST_STEPS);
             self.phase_start.put(lane, V::Element::of(f64::from(first)) * cell.phase_step);
         }
+        self.forced |= bit;
+        self.step.put(lane, cell.step_forced);
+        self.phase_step.put(lane, cell.phase_step);
         self.done.put(lane, V::Element::of(f64::from(step - first)));
         self.steps.put(lane, V::Element::of(f64::from(steps)));
         first
@@ -120,7 +131,7 @@ impl<V: Vector> Forcing<V> {
 pub fn ground_at<R: Real>(set: &CellEquations<R>, step: u32, fraction: R) -> Ground<R> {
     let mut forcing = Forcing::new(R::of(0.0));
     if step < set.cell.steps_forced {
-        forcing.begin(0, set, step);
+        forcing.begin(0, set, step, false);
     }
     forcing.ground(set.variant.recorded, fraction)
 }

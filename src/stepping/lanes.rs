@@ -214,7 +214,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         }
         self.lanes[lane].job = job;
         self.enter(lane);
-        self.begin_segment(lane, job.state.step);
+        self.begin_segment(lane, job.state.step, false);
         self.start.put(lane, zero);
         self.events.put(lane, zero);
         self.search.at.put(lane, V::Element::of(1.0));
@@ -274,11 +274,11 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         self.lanes[lane].first_step + self.forcing.done.lane(lane).to_f64() as u32
     }
 
-    /// Puts a lane on the forcing segment of a step.
+    /// Puts a lane on the forcing segment of a step, which `follows` one of the same cell or is its first.
     #[inline(always)]
-    pub(super) fn begin_segment(&mut self, lane: usize, step: u32) {
+    pub(super) fn begin_segment(&mut self, lane: usize, step: u32, follows: bool) {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
-        self.lanes[lane].first_step = self.forcing.begin(lane, &set, step);
+        self.lanes[lane].first_step = self.forcing.begin(lane, &set, step, follows);
         self.untried.put(lane, V::Element::of(0.0));
     }
 }

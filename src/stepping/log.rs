@@ -5,7 +5,7 @@ use bytemuck::Zeroable;
 use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
 use super::trials::Trial;
-use crate::model::dynamics::Motion;
+use crate::model::dynamics::{Contact, Motion};
 use crate::model::real::{Real, pod};
 
 /// What an observer of a cell's switches is told.
@@ -14,6 +14,10 @@ pub trait Log<R> {
     /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
     /// be older.
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
+
+    /// A cell has moved on: the contact forces at the start, in the middle and at the end of the span
+    /// that it was moved by, a step or a part of one. A switch at the end is told later.
+    fn moved(&mut self, _: [Contact<R>; 3]) {}
 }
 
 /// It does not listen.
@@ -32,6 +36,9 @@ pub trait Listener<R> {
     /// See [`Log::switched`].
     fn hear(&mut self, kind: u32, fraction: R, state: &State<R>);
 
+    /// See [`Log::moved`].
+    fn feel(&mut self, _: [Contact<R>; 3]) {}
+
     /// A turn has been made; of each lane that has a cell, the cell's number and its trial.
     fn tried(&mut self, _: impl Iterator<Item = (usize, Trial)>) {}
 }
@@ -49,6 +56,10 @@ impl<R> Listener<R> for &mut dyn Log<R> {
 
     fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
         self.switched(kind, fraction, state);
+    }
+
+    fn feel(&mut self, contacts: [Contact<R>; 3]) {
+        self.moved(contacts);
     }
 }
 

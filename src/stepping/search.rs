@@ -28,7 +28,7 @@ pub struct WayBack<N> {
 /// The way back along the parabola that touches the angle at a trial's end; `bend_before` is its bend
 /// at the trial's start.
 #[inline(always)]
-pub fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> WayBack<N> {
+fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> WayBack<N> {
     let (half, sixth) = (per_slope.like(0.5), per_slope.like(1.0 / 6.0));
     let first = end.value * per_slope;
     let ratio = end.bend * per_slope;
@@ -36,6 +36,24 @@ pub fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -
     let bends = (end.bend.abs() + bend_before.abs()) * per_slope.abs();
     let third = (second * ratio).abs() + sixth * first * first * bends;
     WayBack { back: first + second, missed: first.abs() * third }
+}
+
+/// How far each lane's guard is from its trial's end.
+pub struct Reach<V: Vector> {
+    /// The guard has a slope; one without tells no way to go. No device is asked for a NaN here.
+    pub steep: V::Mask,
+    /// One over the slope.
+    per_slope: V,
+    /// Of an angle.
+    pub way: WayBack<V>,
+}
+
+impl<V: Vector> Reach<V> {
+    /// No way to go.
+    #[inline(always)]
+    pub fn none(zero: V) -> Reach<V> {
+        Reach { steep: zero.mask(0), per_slope: zero, way: WayBack { back: zero, missed: zero } }
+    }
 }
 
 /// The searches of all lanes.
@@ -114,26 +132,35 @@ impl<V: Vector> Search<V> {
         V::select(self.sought.angle(), zero, half * self.sought.tolerance(zero))
     }
 
-    /// Takes in what the trial at `at` came to; `bend_before` is an angle's bend at its start.
+    /// How far the guards at the ends of the trials are; `bend_before` is an angle's bend at a
+    /// trial's start. An uplift moment's slope is the secant from the trial before.
     #[inline(always)]
-    pub fn narrow(&mut self, found: GuardSample<V>, bend_before: V) -> Arrived<V> {
+    pub fn reach(&self, end: &GuardSample<V>, bend_before: V) -> Reach<V> {
+        let (zero, one) = (end.value.like(0.0), end.value.like(1.0));
+        let by_secant = self.sought.uplift & self.tries.gt(zero);
+        let first = V::select(self.sought.uplift, self.slope, end.slope);
+        let slope = V::select(by_secant, end.value - self.value_before, first);
+        let steep = slope.abs().gt(zero);
+        let across = V::select(by_secant, self.at - self.before, one);
+        let per_slope = across / V::select(steep, slope, one);
+        Reach { steep, per_slope, way: way_back(end, per_slope, bend_before) }
+    }
+
+    /// Takes in what the trial at `at` came to.
+    #[inline(always)]
+    pub fn narrow(&mut self, found: GuardSample<V>, reach: &Reach<V>) -> Arrived<V> {
         let (zero, one, half) =
             (found.value.like(0.0), found.value.like(1.0), found.value.like(0.5));
+        let Reach { steep, per_slope, way } = reach;
+        let (steep, per_slope) = (*steep, *per_slope);
         let seeking = self.sought.any();
-        let (uplift, angle) = (self.sought.uplift, self.sought.angle());
+        let angle = self.sought.angle();
         let tolerance = self.sought.tolerance(zero);
         let at = self.at;
-        let secant = (found.value - self.value_before) / (at - self.before);
-        let repeated = self.tries.gt(zero);
-        self.slope = V::select(uplift, V::select(repeated, secant, self.slope), found.slope);
         self.before = at;
         self.value_before = found.value;
         self.tries = self.tries + one;
-        // A guard without a slope tells no way to go; no device is asked for a NaN here.
-        let steep = self.slope.abs().gt(zero);
-        let per_slope = one / V::select(steep, self.slope, one);
         let beyond = found.value.gt(zero);
-        let way = way_back(&found, per_slope, bend_before);
         // A value that may be rounding is aimed beyond by as much, and is near at twice that.
         let rounding = found.rounding;
         let change = V::select(angle, way.back, (found.value - rounding) * per_slope);

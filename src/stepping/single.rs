@@ -62,12 +62,6 @@ impl<'a, R: Real> Single<'a, R> {
         self.lanes.lanes[0].job.state
     }
 
-    /// Forgets the contact forces seen so far: the state's are those from here on.
-    pub fn forget_contact(&mut self) {
-        self.lanes.extremes.min_contact = R::of(f64::from(f32::MAX));
-        self.lanes.extremes.friction = R::of(0.0);
-    }
-
     /// Takes the cell to its end.
     pub fn finish(mut self) -> State<R> {
         while self.turn() {}

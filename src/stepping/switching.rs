@@ -178,7 +178,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
                 ended |= bit;
                 continue;
             }
-            self.begin_segment(lane, step);
+            self.begin_segment(lane, step, true);
         }
         ended
     }
@@ -189,6 +189,16 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         if L::HEARS {
             let fraction = self.start.lane(lane);
             self.log.hear(kind, fraction, &self.lanes[lane].job.state);
+        }
+    }
+
+    /// Tells the log of the contact forces of lanes that moved on, at three places of a span.
+    pub(super) fn tell_contacts(&mut self, bits: u64, contacts: [Contact<V>; 3]) {
+        for lane in each(bits & self.running) {
+            self.log.feel(contacts.map(|contact| Contact {
+                shear: contact.shear.lane(lane),
+                normal: contact.normal.lane(lane),
+            }));
         }
     }
 

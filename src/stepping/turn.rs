@@ -11,11 +11,11 @@ use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::certificate::STEPS_A_TRY;
-use super::guards::{EVENT_BOUND, angle_guard};
+use super::guards::{EVENT_BOUND, GuardSample};
 use super::lanes::Lanes;
 use super::log::Listener;
 use super::rk4::{rk4, shift_back};
-use super::search::way_back;
+use super::search::Reach;
 use super::state::is_sound;
 use super::trials::Done;
 
@@ -74,6 +74,15 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             k_end.normal = V::select(rocking, k_end.normal, base.f_v);
         }
 
+        // How far the guard is that a lane searches for, or else the impact.
+        let mut end = GuardSample { value: zero, slope: zero, bend: zero, rounding: zero };
+        let mut reach = Reach::none(zero);
+        if V::any(seeking | rocking) {
+            let whole_h = self.span * self.forcing.step;
+            end = self.sample(&y1, &k_end);
+            reach = self.search.reach(&end, whole_h * whole_h * k1.ddphi);
+        }
+
         // What the lanes that search have found.
         let mut looked = whole;
         let mut kinked = none;
@@ -83,9 +92,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let mut back = zero;
         if V::any(seeking) {
             let sought = self.search.sought;
-            let sample = self.sample(&y1, &k_end);
-            let whole_h = self.span * self.forcing.step;
-            let found = self.search.narrow(sample, whole_h * whole_h * k1.ddphi);
+            let found = self.search.narrow(end, &reach);
             kinked = found.lanes & sought.kink();
             arrived = found.lanes & sought.uplift;
             switched = found.lanes & sought.angle();
@@ -100,15 +107,11 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         // Spans that end just beyond the impact that they were cut for end there.
         let mut landed = none;
         if V::any(crossing.found.impact) {
-            let end = angle_guard(one, zero, &y1, &k_end, h);
-            let steep = end.slope.abs().gt(zero);
-            let per_slope = one / V::select(steep, end.slope, one);
-            let way = way_back(&end, per_slope, h * h * k1.ddphi);
             let allowed = one.like(V::Element::EVENT_TOLERANCE.to_f64());
-            let impact = crossing.found.impact & crossing.upper.ge(one);
-            landed = impact & steep & allowed.ge(way.missed);
+            let impact = crossing.found.impact & !kinked & crossing.upper.ge(one);
+            landed = impact & reach.steep & allowed.ge(reach.way.missed);
             crossing.found.impact = crossing.found.impact & !landed;
-            back = V::select(landed, way.back * length, back);
+            back = V::select(landed, reach.way.back * length, back);
             switched = switched | landed;
         }
         let found = crossing.found.any();
@@ -128,6 +131,9 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let moved = plain | switched | arrived;
         self.extremes.motion(moved, self.corner.side, &self.y, &y1, h);
         self.extremes.contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        if L::HEARS {
+            self.tell_contacts(V::bits(moved), [k1.contact(), stepped.mid, k_end.contact()]);
+        }
         self.y = select_motion(moved, &y1, &self.y);
         self.start = V::select(moved, self.start + length, self.start);
         self.events = self.events + V::select(lifts, one, zero);

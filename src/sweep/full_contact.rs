@@ -13,77 +13,16 @@ use rayon::prelude::*;
 
 use super::cell_tables::Place;
 use super::plan::Plan;
+use super::shared_motion::{Direction, Track};
 use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, PEAK, VELOCITY};
-use super::tracks::{CREST, LOWEST, QUARTERS_H, QUARTERS_V, TROUGH, VERTICAL_FIELDS};
+use super::tracks::{CREST, EIGHTHS_V, LOWEST, QUARTERS_H, TROUGH, VERTICAL_FIELDS};
 use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
-use crate::model::CellEquations;
-use crate::model::block::{FULL_CONTACT, pivot};
-use crate::model::dynamics::{Motion, rates};
 use crate::model::excitation::Ground;
-use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Point};
-use crate::stepping::extremes::crest;
-use crate::stepping::forcing::ground_at;
-use crate::stepping::rk4::hermite;
-use crate::stepping::single::Single;
-use crate::stepping::state::State;
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
-/// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
-/// 80 steps a period leave 8e-4.
-const SLACK: f64 = 2.0e-3;
-/// Share of the weight, or of the largest |X|, by which the parabolas through quarters of a gap may miss
-/// an extremum there. A motion that is faster is shared by nobody.
-const MISSED: f64 = 1.0e-3;
-
-/// A motion in one direction, sample by sample.
-struct Track<R> {
-    /// At each sample.
-    motion: Vec<Motion<R>>,
-    /// X or Y of (14) at each sample, m/s^2.
-    acceleration: Vec<R>,
-    /// Bounds of it from each sample to the next.
-    least: Vec<R>,
-    most: Vec<R>,
-    /// It after one, two and three quarters of each gap.
-    quarters: [Vec<R>; 3],
-    /// Its largest magnitude (of v its least) in each gap, crests between steps included.
-    crest: Vec<R>,
-    /// Largest |u| or |v| up to each sample, m.
-    peak: Vec<R>,
-    /// Least of the acceleration up to each sample.
-    lowest: Vec<R>,
-    /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
-    /// acceleration, up to and with each gap.
-    highest: Vec<R>,
-    deepest: Vec<R>,
-    strongest: Vec<R>,
-}
-
-/// Which of the two directions a track is of.
-#[derive(Clone, Copy, PartialEq)]
-enum Direction {
-    Horizontal,
-    Vertical,
-}
-
-impl Direction {
-    /// The largest |X| or the least Y in a gap, by parabolas through its quarters.
-    fn extremum<R: Real>(self, start: R, [first, mid, last]: [R; 3], end: R) -> R {
-        let of = |a: [R; 5], pick: fn(R, R) -> R| {
-            let crests = pick(crest(a[0], a[1], a[2]), crest(a[2], a[3], a[4]));
-            a.into_iter().fold(crests, pick)
-        };
-        let values = [start, first, mid, last, end];
-        match self {
-            Direction::Horizontal => of(values.map(|x| x.abs()), |a, b| a.max(b)),
-            Direction::Vertical => of(values, |a, b| a.min(b)),
-        }
-    }
-}
-
 /// The full-contact motions of a plan's grid.
 #[derive(Debug)]
 pub struct Tracks<R> {
@@ -143,13 +82,17 @@ impl<R: Real> Tracks<R> {
         if !plan.reductions.full_contact || plan.scene.tilt != 0.0 || bytes > MOST_MEMORY || !pays {
             return None;
         }
+        // X by itself: over g it is the friction asked for where the ground does not move vertically.
+        let level: Vec<Ground<R>> =
+            record.iter().map(|ground| Ground { v: R::of(0.0), ..*ground }).collect();
+        let (only_h, only_v) = (plan.without_vertical(), plan.without_horizontal());
         let of = |direction: Direction, mut point: Point| {
-            let alone = match direction {
-                Direction::Horizontal => plan.without_vertical(),
-                Direction::Vertical => plan.without_horizontal(),
+            let (alone, record) = match direction {
+                Direction::Horizontal => (&only_h, &level[..]),
+                Direction::Vertical => (&only_v, record),
             };
             // Under a pulse the steps are those of the cells.
-            let clock = if by_row { &alone } else { plan };
+            let clock = if by_row { alone } else { plan };
             point.a_h = amplitude.unwrap_or(point.a_h);
             Track::new(clock, alone.variant(), &point, direction, record)
         };
@@ -190,7 +133,7 @@ fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
         motions.fill(DEEPEST, number, track.deepest.iter().copied());
         motions.fill(STRONGEST, number, track.strongest.iter().copied());
         motions.fill(CREST, number, track.crest.iter().copied());
-        for (quarter, values) in track.quarters.iter().enumerate() {
+        for (quarter, values) in track.inside.iter().enumerate() {
             motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
         }
     }
@@ -209,148 +152,9 @@ fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
         motions.fill(PEAK, number, track.peak.iter().copied());
         motions.fill(LOWEST, number, track.lowest.iter().copied());
         motions.fill(TROUGH, number, track.crest.iter().copied());
-        for (quarter, values) in track.quarters.iter().enumerate() {
-            motions.fill(QUARTERS_V + quarter, number, values.iter().copied());
+        for (eighth, values) in track.inside.iter().enumerate() {
+            motions.fill(EIGHTHS_V + eighth, number, values.iter().copied());
         }
     }
     motions
-}
-
-impl<R: Real> Track<R> {
-    fn new(
-        plan: &Plan,
-        variant: Variant,
-        point: &Point,
-        direction: Direction,
-        record: &[Ground<R>],
-    ) -> Track<R> {
-        let mut model = plan.model::<R>();
-        // No lever arm lifts: the uplift moments (14) are zero.
-        (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (mut cell, state) = plan.cell::<R>(point);
-        // X by itself: over g it is the friction asked for where the ground does not move vertically.
-        let level: Vec<Ground<R>>;
-        let mut record = record;
-        if direction == Direction::Horizontal {
-            cell.amplitude_v = R::of(0.0);
-            level = record.iter().map(|ground| Ground { v: R::of(0.0), ..*ground }).collect();
-            record = &level;
-        }
-        let set = CellEquations { variant, model: &model, cell: &cell, record };
-        let count = (cell.steps_forced / cell.substeps) as usize + 1;
-        let mut track = Track {
-            motion: Vec::with_capacity(count),
-            acceleration: Vec::with_capacity(count),
-            least: Vec::with_capacity(count),
-            most: Vec::with_capacity(count),
-            peak: Vec::with_capacity(count),
-            lowest: Vec::with_capacity(count),
-            quarters: [(); 3].map(|()| Vec::with_capacity(count)),
-            crest: Vec::with_capacity(count),
-            highest: Vec::new(),
-            deepest: Vec::new(),
-            strongest: Vec::new(),
-        };
-        let of = |motion: &Motion<R>, step: u32, fraction: R| {
-            let corner = pivot(&model, FULL_CONTACT);
-            let k = rates(&set, &corner, false, motion, ground_at(&set, step, fraction));
-            (if direction == Direction::Horizontal { k.shear } else { k.normal }, k)
-        };
-        let acceleration = |state: &State<R>| match state.step {
-            step if step < cell.steps_forced => of(&state.motion, step, R::of(0.0)).0,
-            // The last step's end belongs to it.
-            _ => of(&state.motion, cell.steps_forced - 1, R::of(1.0)).0,
-        };
-        // Between a step's ends by the cubic through them.
-        let between = |before: &State<R>, after: &State<R>, fraction: R| {
-            let (y0, y1, h) = (&before.motion, &after.motion, cell.step_forced);
-            let k0 = of(y0, before.step, R::of(0.0)).1;
-            let k1 = of(y1, before.step, R::of(1.0)).1;
-            let at = |x0, slope0, x1, slope1| hermite(x0, h * slope0, x1, h * slope1, fraction);
-            let motion = Motion {
-                u: at(y0.u, k0.du, y1.u, k1.du),
-                du: at(y0.du, k0.ddu, y1.du, k1.ddu),
-                v: at(y0.v, k0.dv, y1.v, k1.dv),
-                dv: at(y0.dv, k0.ddv, y1.dv, k1.ddv),
-                z: at(y0.z, k0.dz, y1.z, k1.dz),
-                ..*y0
-            };
-            of(&motion, before.step, fraction).0
-        };
-        let mut nobody = ();
-        let mut single = Single::new(&set, &state, &mut nobody);
-        let mut state = state;
-        let mut now = acceleration(&state);
-        let mut lowest = now;
-        let mut missed = R::of(0.0);
-        for sample in 0..count {
-            let peak = if direction == Direction::Horizontal { state.max_u } else { state.max_v };
-            track.motion.push(state.motion);
-            track.acceleration.push(now);
-            track.peak.push(peak);
-            track.lowest.push(lowest);
-            if sample + 1 == count {
-                break;
-            }
-            let start = now;
-            let (mut least, mut most, mut change) = (now, now, R::of(0.0));
-            single.forget_contact();
-            for part in 0..cell.substeps {
-                let before = state;
-                single.step();
-                state = single.state();
-                for quarter in 1..=3_u32 {
-                    let place = f64::from(quarter) / 4.0 * f64::from(cell.substeps);
-                    if place.floor() as u32 == part {
-                        let fraction = R::of(place - f64::from(part));
-                        let value = between(&before, &state, fraction);
-                        track.quarters[quarter as usize - 1].push(value);
-                    }
-                }
-                let next = acceleration(&state);
-                change = change.max((next - now).abs());
-                if next < least {
-                    least = next;
-                }
-                most = most.max(next);
-                now = next;
-            }
-            let crest = match direction {
-                Direction::Horizontal => state.friction * model.gravity,
-                Direction::Vertical => state.min_contact,
-            };
-            track.crest.push(crest);
-            let quarters = track.quarters.each_ref().map(|values| values[sample]);
-            let by_quarters = direction.extremum(start, quarters, now);
-            missed = missed.max((by_quarters - crest).abs());
-            if crest < lowest {
-                lowest = crest;
-            }
-            let slack = change + R::of(SLACK) * most.abs().max(least.abs());
-            track.least.push(least - slack);
-            track.most.push(most + slack);
-        }
-        let scale = match direction {
-            Direction::Horizontal => track.crest.iter().fold(R::of(0.0), |most, &x| most.max(x)),
-            Direction::Vertical => model.gravity,
-        };
-        if missed > R::of(MISSED) * scale {
-            // Every cell may lift in every gap, and looks for itself.
-            let beyond = R::of(f64::from(f32::MAX));
-            track.least.fill(-beyond);
-            track.most.fill(beyond);
-        }
-        let largest = |numbers: &mut dyn Iterator<Item = R>| {
-            let mut most = R::of(0.0);
-            let so_far = numbers.map(|number| {
-                most = most.max(number);
-                most
-            });
-            so_far.collect()
-        };
-        track.highest = largest(&mut track.most.iter().copied());
-        track.deepest = largest(&mut track.least.iter().map(|&least| -least));
-        track.strongest = largest(&mut track.crest.iter().copied());
-        track
-    }
 }

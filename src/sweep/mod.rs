@@ -17,6 +17,7 @@ pub mod lanes;
 pub mod plan;
 pub mod shared;
 pub mod shared_contact;
+mod shared_motion;
 pub mod tiles;
 pub mod tracks;
 pub mod verification;

@@ -6,8 +6,8 @@ use fearless_simd::dispatch;
 use super::cell_tables::Place;
 use super::full_contact::Tracks;
 use super::tracks::{
-    ACCELERATION, CREST, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LOWEST, MOST, PEAK,
-    QUARTERS_H, QUARTERS_V, STRONGEST, TROUGH, VELOCITY,
+    ACCELERATION, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST, LOWEST,
+    MOST, PEAK, QUARTERS_H, STRONGEST, TROUGH, VELOCITY,
 };
 use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
@@ -142,33 +142,83 @@ fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> 
 /// Share of the friction asked for by which a gap must exceed it to be looked into.
 const OVER: f64 = 2.0e-4;
 
+/// The parabola through three values evenly apart, at a fraction of the way.
+#[inline(always)]
+pub(super) fn parabola<R: Real>([start, mid, end]: [R; 3], at: R) -> R {
+    let (half, three, four) = (R::of(0.5), R::of(3.0), R::of(4.0));
+    let rise = four * mid - three * start - end;
+    let fall = three * end - four * mid + start;
+    start + at * (rise + at * half * (fall - rise))
+}
+
+/// The least of the parabola through three values evenly apart, and at what fraction of the way.
+#[inline(always)]
+fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
+    let (zero, one, three, four) = (R::of(0.0), R::of(1.0), R::of(3.0), R::of(4.0));
+    let rise = four * mid - three * start - end;
+    let fall = three * end - four * mid + start;
+    let inside = rise < zero && fall > zero;
+    let at = if inside {
+        rise / (rise - fall)
+    } else if end < start {
+        one
+    } else {
+        zero
+    };
+    (parabola([start, mid, end], at), at)
+}
+
 /// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds what was seen, it is looked for on parabolas through quarters of them.
+/// |X| over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them,
+/// and where Y is least. How small Y is there is known; the parabolas tell when.
 #[inline(always)]
 fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, friction: R) -> R {
-    let over = R::of(1.0 + OVER);
+    let (zero, over) = (R::of(0.0), R::of(1.0 + OVER));
     let (h, v) = (tracks.across.at(place), tracks.up.at(place));
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));
+    let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
     let last_v = v.length - 1;
+    let share = |x: R, y: R| if y > zero { size * (x.abs() / y) } else { zero };
     let mut friction = friction;
     for gap in 0..sample {
         let gap_v = gap.min(last_v - 1);
         if !(size * crest[gap] > over * friction * trough[gap_v]) {
             continue;
         }
-        let share = |x: R, y: R| if y > R::of(0.0) { size * (x.abs() / y) } else { R::of(0.0) };
-        let x = |quarter: usize| h.field(QUARTERS_H + quarter)[gap];
-        let y = |quarter: usize| v.field(QUARTERS_V + quarter)[gap_v];
-        let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
-        let start = share(xs[gap], ys[gap_v]);
-        let (first, mid, last) = (share(x(0), y(0)), share(x(1), y(1)), share(x(2), y(2)));
-        let end = share(xs[gap + 1], ys[gap_v + 1]);
-        let top = extremes::crest(start, first, mid).max(extremes::crest(mid, last, end));
-        let ends = start.max(first).max(mid).max(last).max(end);
-        // No more than the bound that the gap was looked into for.
-        let bound = size * crest[gap] / trough[gap_v];
-        let most =
-            if trough[gap_v] > R::of(0.0) { top.max(ends).min(bound.max(ends)) } else { ends };
+        let quarter = |number: usize| match number {
+            0 => xs[gap],
+            4 => xs[gap + 1],
+            _ => h.field(QUARTERS_H + number - 1)[gap],
+        };
+        let eighth = |number: usize| match number {
+            0 => ys[gap_v],
+            8 => ys[gap_v + 1],
+            _ => v.field(EIGHTHS_V + number - 1)[gap_v],
+        };
+        // Of spans of two eighths each: the largest share, and |X| where Y is least.
+        let mut ends = zero;
+        let mut top = zero;
+        let (mut least, mut x_there) = (ys[gap_v], xs[gap]);
+        for span in 0..4 {
+            let half = span / 2 * 2;
+            let xs_half = [quarter(half), quarter(half + 1), quarter(half + 2)];
+            let early = if span % 2 == 0 { 0.25 } else { 0.75 };
+            let x = [quarter(span), parabola(xs_half, R::of(early)), quarter(span + 1)];
+            let y = [eighth(2 * span), eighth(2 * span + 1), eighth(2 * span + 2)];
+            let (start, mid, end) = (share(x[0], y[0]), share(x[1], y[1]), share(x[2], y[2]));
+            ends = ends.max(start).max(mid).max(end);
+            top = top.max(extremes::crest(start, mid, end));
+            let (lower, at) = dip(y);
+            if lower < least {
+                (least, x_there) = (lower, parabola(x, at));
+            }
+        }
+        let mut most = ends;
+        if trough[gap_v] > zero {
+            // No more than the bound that the gap was looked into for.
+            let bound = share(crest[gap], trough[gap_v]);
+            most = top.max(share(x_there, trough[gap_v])).max(ends).min(bound.max(ends));
+        }
         friction = friction.max(most);
     }
     friction

@@ -32,12 +32,12 @@ pub const STRONGEST: usize = 9;
 /// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
 /// included.
 pub const CREST: usize = 10;
-/// Of v: the acceleration after the first quarter of each gap; two quarters more follow.
-pub const QUARTERS_V: usize = 7;
-/// Of u: the same.
+/// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
+pub const EIGHTHS_V: usize = 7;
+/// Of u: the same after the first quarter of each gap; two quarters more follow.
 pub const QUARTERS_H: usize = 11;
 /// Quantities of a motion of v.
-pub const VERTICAL_FIELDS: usize = 10;
+pub const VERTICAL_FIELDS: usize = 14;
 /// Quantities of a motion of u.
 pub const HORIZONTAL_FIELDS: usize = 14;
 

@@ -1,0 +1,65 @@
+//! A block that stands, on a base that does not yield: steps in which no guard can happen, so that there
+//! is nothing to look for. What [`turn`](super::turn) makes of them, without the rest.
+
+use super::extremes::peak;
+use super::forcing::Forcing;
+use super::rk4::rk4;
+use super::state::State;
+use crate::model::CellEquations;
+use crate::model::block::{Corner, FULL_CONTACT, pivot};
+use crate::model::dynamics::{Contact, Motion, rates};
+use crate::model::isolation::support;
+use crate::model::real::Real;
+
+/// A cell in full contact on its way through the excitation.
+pub struct Standing<'a, R: Real> {
+    set: &'a CellEquations<'a, R>,
+    corner: Corner<R>,
+    forcing: Forcing<R>,
+    /// The step that it is at.
+    pub step: u32,
+    /// Its motion there.
+    pub motion: Motion<R>,
+    /// Largest |u| and |v| so far, m.
+    pub max: [R; 2],
+}
+
+impl<'a, R: Real> Standing<'a, R> {
+    /// A cell at a state, under excitation.
+    pub fn new(set: &'a CellEquations<'a, R>, state: &State<R>) -> Standing<'a, R> {
+        let mut forcing = Forcing::new(R::of(0.0));
+        forcing.begin(0, set, state.step, false);
+        Standing {
+            set,
+            corner: pivot(set.model, FULL_CONTACT),
+            forcing,
+            step: state.step,
+            motion: state.motion,
+            max: [state.max_u, state.max_v],
+        }
+    }
+
+    /// Takes the next step, which must be one under excitation: the contact forces at its start, in its
+    /// middle and at its end.
+    pub fn step(&mut self) -> [Contact<R>; 3] {
+        let (set, recorded) = (self.set, self.set.variant.recorded);
+        if self.forcing.done >= self.forcing.steps {
+            self.forcing.begin(0, set, self.step, true);
+        }
+        let at = |fraction: f64| self.forcing.ground(recorded, R::of(fraction));
+        let (start, mid, end) = (at(0.0), at(0.5), at(1.0));
+        let (y, h) = (self.motion, self.forcing.step);
+        let k1 = rates(set, &self.corner, false, &y, start);
+        let stepped = rk4(set, &self.corner, false, &y, &k1, h, [mid, end]);
+        let y1 = stepped.y;
+        let base = support(set, &y1, end);
+        self.max = [
+            peak(true, self.max[0], y.u, y.du, y1.u, y1.du, h),
+            peak(true, self.max[1], y.v, y.dv, y1.v, y1.dv, h),
+        ];
+        self.motion = y1;
+        self.step += 1;
+        self.forcing.done = self.forcing.done + R::of(1.0);
+        [k1.contact(), stepped.mid, Contact { shear: base.f_h, normal: base.f_v }]
+    }
+}

@@ -1,0 +1,378 @@
+//! A motion in full contact, sample by sample, with what cells that share it ask of it: see
+//! [`full_contact`](super::full_contact).
+
+use std::cell::Cell;
+
+use super::plan::Plan;
+use super::shared_contact::parabola;
+use crate::model::CellEquations;
+use crate::model::block::{FULL_CONTACT, pivot};
+use crate::model::dynamics::{Contact, Motion, rates};
+use crate::model::excitation::Ground;
+use crate::model::isolation::Variant;
+use crate::model::real::Real;
+use crate::scene::Point;
+use crate::stepping::extremes::crest;
+use crate::stepping::forcing::ground_at;
+use crate::stepping::log::Log;
+use crate::stepping::rk4::hermite;
+use crate::stepping::single::Single;
+use crate::stepping::standing::Standing;
+use crate::stepping::state::State;
+
+/// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
+/// 80 steps a period leave 8e-4.
+const SLACK: f64 = 2.0e-3;
+/// Share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an
+/// extremum there. A motion that is faster is shared by nobody.
+const MISSED: f64 = 5.0e-4;
+/// Steps of a gap from which on eighths of it are taken from them; with fewer, its quarters tell them.
+const STEPS_FOR_EIGHTHS: u32 = 8;
+
+/// A motion in one direction, sample by sample.
+pub struct Track<R> {
+    /// At each sample.
+    pub motion: Vec<Motion<R>>,
+    /// X or Y of (14) at each sample, m/s^2.
+    pub acceleration: Vec<R>,
+    /// Bounds of it from each sample to the next.
+    pub least: Vec<R>,
+    pub most: Vec<R>,
+    /// It after each part of a gap: a quarter of X, an eighth of Y.
+    pub inside: Vec<Vec<R>>,
+    /// Its largest magnitude (of v its least) in each gap, crests between steps included.
+    pub crest: Vec<R>,
+    /// Largest |u| or |v| up to each sample, m.
+    pub peak: Vec<R>,
+    /// Least of the acceleration up to each sample.
+    pub lowest: Vec<R>,
+    /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
+    /// acceleration, up to and with each gap.
+    pub highest: Vec<R>,
+    pub deepest: Vec<R>,
+    pub strongest: Vec<R>,
+}
+
+/// Which of the two directions a track is of.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Direction {
+    Horizontal,
+    Vertical,
+}
+
+impl Direction {
+    /// X or Y.
+    fn of<R>(self, contact: Contact<R>) -> R {
+        match self {
+            Direction::Horizontal => contact.shear,
+            Direction::Vertical => contact.normal,
+        }
+    }
+
+    /// Parts that a gap is kept in.
+    fn parts(self) -> u32 {
+        match self {
+            Direction::Horizontal => 4,
+            Direction::Vertical => 8,
+        }
+    }
+
+    /// What parabolas through parts of gaps may miss, m/s^2.
+    fn allowed<R: Real>(self, track: &Track<R>, gravity: R) -> R {
+        R::of(MISSED)
+            * match self {
+                Direction::Horizontal => {
+                    track.crest.iter().fold(R::of(0.0), |most, &x| most.max(x))
+                }
+                Direction::Vertical => gravity,
+            }
+    }
+
+    /// The largest |X| or the least Y in a gap, by parabolas through its parts' ends.
+    fn extremum<R: Real>(self, values: &[R]) -> R {
+        let of = |[start, mid, end]: [R; 3], pick: fn(R, R) -> R| {
+            pick(pick(start, mid), pick(end, crest(start, mid, end)))
+        };
+        let spans = values.windows(3).step_by(2).map(|span| [span[0], span[1], span[2]]);
+        match self {
+            Direction::Horizontal => spans
+                .map(|span| of(span.map(|x| x.abs()), |a, b| a.max(b)))
+                .fold(R::of(0.0), |a, b| a.max(b)),
+            Direction::Vertical => {
+                spans.map(|span| of(span, |a, b| a.min(b))).fold(values[0], |a, b| a.min(b))
+            }
+        }
+    }
+}
+
+/// What the steps since it was last asked came to; X or Y, m/s^2.
+#[derive(Clone, Copy)]
+struct Felt<R> {
+    /// Spans of the last step: more than one where z or u' changed its sign in it.
+    spans: u32,
+    /// In the middle of the last span and at its end.
+    mid: R,
+    end: R,
+    /// The largest magnitude, or the least, of all spans.
+    crest: R,
+}
+
+/// The integration of a motion, a step at a time.
+trait Walk<R> {
+    /// Takes a step: what the steps came to since the last gap began.
+    fn step(&mut self) -> Felt<R>;
+    /// The motion, and the largest |u| or |v| so far.
+    fn place(&mut self) -> (Motion<R>, R);
+    /// A gap begins.
+    fn begin_gap(&mut self);
+}
+
+/// Takes in a span by its contact forces.
+fn take_in<R: Real>(felt: Felt<R>, direction: Direction, contacts: [Contact<R>; 3]) -> Felt<R> {
+    let [start, mid, end] = contacts.map(|contact| direction.of(contact));
+    let seen = felt.crest;
+    let crest = match direction {
+        Direction::Horizontal => {
+            let [start, mid, end] = [start.abs(), mid.abs(), end.abs()];
+            seen.max(start).max(mid).max(end).max(crest(start, mid, end))
+        }
+        Direction::Vertical => seen.min(start).min(mid).min(end).min(crest(start, mid, end)),
+    };
+    Felt { spans: felt.spans + 1, mid, end, crest }
+}
+
+/// Nothing felt in a gap so far.
+fn nothing<R: Real>(direction: Direction) -> Felt<R> {
+    let (zero, most) = (R::of(0.0), R::of(f64::from(f32::MAX)));
+    let crest = if direction == Direction::Horizontal { zero } else { most };
+    Felt { spans: 0, mid: zero, end: zero, crest }
+}
+
+/// A base that does not yield.
+struct Smooth<'a, R: Real> {
+    standing: Standing<'a, R>,
+    direction: Direction,
+    felt: Felt<R>,
+}
+
+impl<R: Real> Walk<R> for Smooth<'_, R> {
+    fn step(&mut self) -> Felt<R> {
+        self.felt.spans = 0;
+        self.felt = take_in(self.felt, self.direction, self.standing.step());
+        self.felt
+    }
+
+    fn place(&mut self) -> (Motion<R>, R) {
+        let [max_u, max_v] = self.standing.max;
+        let max = if self.direction == Direction::Horizontal { max_u } else { max_v };
+        (self.standing.motion, max)
+    }
+
+    fn begin_gap(&mut self) {
+        self.felt = nothing(self.direction);
+    }
+}
+
+/// A base that yields: its kinks are looked for.
+struct Yielding<'a, R: Real> {
+    single: Single<'a, R>,
+    felt: &'a Cell<Felt<R>>,
+}
+
+/// Hears of the spans of one.
+struct Ear<'a, R>(&'a Cell<Felt<R>>);
+
+impl<R: Real> Log<R> for Ear<'_, R> {
+    fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
+
+    fn moved(&mut self, contacts: [Contact<R>; 3]) {
+        self.0.set(take_in(self.0.get(), Direction::Horizontal, contacts));
+    }
+}
+
+impl<R: Real> Walk<R> for Yielding<'_, R> {
+    fn step(&mut self) -> Felt<R> {
+        self.felt.set(Felt { spans: 0, ..self.felt.get() });
+        self.single.step();
+        self.felt.get()
+    }
+
+    fn place(&mut self) -> (Motion<R>, R) {
+        let state = self.single.state();
+        (state.motion, state.max_u)
+    }
+
+    fn begin_gap(&mut self) {
+        self.felt.set(nothing(Direction::Horizontal));
+    }
+}
+
+/// X or Y at a fraction of a step, by the cubic through its ends.
+fn between<R: Real>(
+    set: &CellEquations<R>,
+    step: u32,
+    (y0, y1): (&Motion<R>, &Motion<R>),
+    fraction: R,
+) -> Contact<R> {
+    let corner = pivot(set.model, FULL_CONTACT);
+    let of = |motion: &Motion<R>, fraction: R| {
+        rates(set, &corner, false, motion, ground_at(set, step, fraction))
+    };
+    let h = set.cell.step_forced;
+    let (k0, k1) = (of(y0, R::of(0.0)), of(y1, R::of(1.0)));
+    let at = |x0, slope0, x1, slope1| hermite(x0, h * slope0, x1, h * slope1, fraction);
+    let motion = Motion {
+        u: at(y0.u, k0.du, y1.u, k1.du),
+        du: at(y0.du, k0.ddu, y1.du, k1.ddu),
+        v: at(y0.v, k0.dv, y1.v, k1.dv),
+        dv: at(y0.dv, k0.ddv, y1.dv, k1.ddv),
+        z: at(y0.z, k0.dz, y1.z, k1.dz),
+        ..*y0
+    };
+    of(&motion, fraction).contact()
+}
+
+impl<R: Real> Track<R> {
+    /// The motion of a point in the steps of a plan, by the `variant` that has this direction alone.
+    pub fn new(
+        plan: &Plan,
+        variant: Variant,
+        point: &Point,
+        direction: Direction,
+        record: &[Ground<R>],
+    ) -> Track<R> {
+        let mut model = plan.model::<R>();
+        // No lever arm lifts: the uplift moments (14) are zero.
+        (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
+        let (mut cell, state) = plan.cell::<R>(point);
+        if direction == Direction::Horizontal {
+            cell.amplitude_v = R::of(0.0);
+        }
+        let set = CellEquations { variant, model: &model, cell: &cell, record };
+        let first = ground_at(&set, 0, R::of(0.0));
+        let k = rates(&set, &pivot(&model, FULL_CONTACT), false, &state.motion, first);
+        let now = direction.of(k.contact());
+        if set.variant.kinks {
+            let felt = Cell::new(nothing(direction));
+            let mut ear = Ear(&felt);
+            let single = Single::new(&set, &state, &mut ear);
+            Track::walk(&set, direction, now, &mut Yielding { single, felt: &felt })
+        } else {
+            let standing = Standing::new(&set, &state);
+            let felt = nothing(direction);
+            Track::walk(&set, direction, now, &mut Smooth { standing, direction, felt })
+        }
+    }
+
+    /// Walks through all gaps from a start where X or Y is `now`.
+    fn walk(
+        set: &CellEquations<R>,
+        direction: Direction,
+        mut now: R,
+        walk: &mut dyn Walk<R>,
+    ) -> Track<R> {
+        let cell = set.cell;
+        let count = (cell.steps_forced / cell.substeps) as usize + 1;
+        let mut track = Track {
+            motion: Vec::with_capacity(count),
+            acceleration: Vec::with_capacity(count),
+            least: Vec::with_capacity(count),
+            most: Vec::with_capacity(count),
+            peak: Vec::with_capacity(count),
+            lowest: Vec::with_capacity(count),
+            inside: (1..direction.parts()).map(|_| Vec::with_capacity(count)).collect(),
+            crest: Vec::with_capacity(count),
+            highest: Vec::new(),
+            deepest: Vec::new(),
+            strongest: Vec::new(),
+        };
+        let parts = direction.parts();
+        // With few steps to a gap every other part is told by those beside it.
+        let apart = if cell.substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 };
+        let mut values = vec![R::of(0.0); parts as usize + 1];
+        let (mut lowest, mut missed) = (now, R::of(0.0));
+        for sample in 0..count {
+            let (mut motion, peak) = walk.place();
+            track.motion.push(motion);
+            track.acceleration.push(now);
+            track.peak.push(peak);
+            track.lowest.push(lowest);
+            if sample + 1 == count {
+                break;
+            }
+            values[0] = now;
+            let (mut least, mut most, mut change) = (now, now, R::of(0.0));
+            let (mut part, mut crest) = (apart, now);
+            walk.begin_gap();
+            for step in 0..cell.substeps {
+                // A part's end that is in this step, by how many parts of the step.
+                let in_step = |part: u32| part * cell.substeps - parts * step;
+                if step > 0 && part < parts && in_step(part) < parts {
+                    motion = walk.place().0;
+                }
+                let Felt { spans, mid, end: next, crest: so_far } = walk.step();
+                while part < parts && in_step(part) < parts {
+                    values[part as usize] = match in_step(part) {
+                        0 => now,
+                        half if 2 * half == parts && spans == 1 => mid,
+                        some => {
+                            let number = sample as u32 * cell.substeps + step;
+                            let fraction = R::of(f64::from(some) / f64::from(parts));
+                            let ends = (&motion, &walk.place().0);
+                            direction.of(between(set, number, ends, fraction))
+                        }
+                    };
+                    part += apart;
+                }
+                crest = so_far;
+                change = change.max((next - now).abs());
+                least = least.min(next);
+                most = most.max(next);
+                now = next;
+            }
+            values[parts as usize] = now;
+            if apart == 2 {
+                for half in [0, 4] {
+                    let span = [values[half], values[half + 2], values[half + 4]];
+                    values[half + 1] = parabola(span, R::of(0.25));
+                    values[half + 3] = parabola(span, R::of(0.75));
+                }
+            }
+            for (kept, value) in track.inside.iter_mut().zip(&values[1..]) {
+                kept.push(*value);
+            }
+            track.crest.push(crest);
+            missed = missed.max((direction.extremum(&values) - crest).abs());
+            if crest < lowest {
+                lowest = crest;
+            }
+            let slack = change + R::of(SLACK) * most.abs().max(least.abs());
+            track.least.push(least - slack);
+            track.most.push(most + slack);
+        }
+        let missed = missed > direction.allowed(&track, set.model.gravity);
+        track.finish(missed)
+    }
+
+    /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
+    fn finish(mut self, missed: bool) -> Track<R> {
+        if missed {
+            // Every cell may lift in every gap, and looks for itself.
+            let beyond = R::of(f64::from(f32::MAX));
+            self.least.fill(-beyond);
+            self.most.fill(beyond);
+        }
+        let largest = |numbers: &mut dyn Iterator<Item = R>| {
+            let mut most = R::of(0.0);
+            let so_far = numbers.map(|number| {
+                most = most.max(number);
+                most
+            });
+            so_far.collect()
+        };
+        self.highest = largest(&mut self.most.iter().copied());
+        self.deepest = largest(&mut self.least.iter().map(|&least| -least));
+        self.strongest = largest(&mut self.crest.iter().copied());
+        self
+    }
+}
