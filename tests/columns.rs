@@ -180,8 +180,8 @@ fn friction_where_the_ground_rises_and_the_run_is_cut() {
     }
 }
 
-/// A base so stiff vertically that quarters of a record's gap do not resolve it: full contact is not
-/// shared there, and friction is that of the full model.
+/// A base so stiff vertically that a record's gap holds much of its period, or more than one: where full
+/// contact is shared, and where it is not for that reason, friction is that of the full model.
 #[test]
 fn friction_under_a_record_on_a_stiff_base() {
     let mut scene = scene(
