@@ -1,10 +1,10 @@
 //! One adaptive step, cut at the first switch or kink inside it.
 
-use super::Settings;
 use super::cubic::Cubic;
 use super::guards::{Guard, first_guard};
 use super::system::State;
 use super::trial::Trial;
+use super::{EVENT_TIME, Settings};
 use crate::scene::Point;
 
 /// A step that was taken.
@@ -51,12 +51,19 @@ impl Stepper {
             let mut d1 = trial.rate_of(h, &y1);
             let mut guard = None;
             let mut cut = h;
-            let cubic = Cubic::new((trial.y, trial.rate), (&y1, &d1), h);
-            if let Some((which, place)) = first_guard(trial, &cubic) {
-                guard = Some(which);
-                cut = place;
-                (y1, error) = trial.step(cut);
-                d1 = trial.rate_of(cut, &y1);
+            // A step too long for the motion tells nothing of what happens before it is cut: what is
+            // left of it is looked through again.
+            loop {
+                let cubic = Cubic::new((trial.y, trial.rate), (&y1, &d1), cut);
+                match first_guard(trial, &cubic) {
+                    Some((which, place)) if guard.is_none() || place < cut - 2.0 * EVENT_TIME => {
+                        guard = Some(which);
+                        cut = place;
+                        (y1, error) = trial.step(cut);
+                        d1 = trial.rate_of(cut, &y1);
+                    }
+                    _ => break,
+                }
             }
             if !error.is_finite() && cut > 1.0e-14 {
                 // The trial left the range of its law, as |z|^n does soon for a large n.
