@@ -37,8 +37,9 @@ fn moment_rises(start: real, mid: real, end: real) -> Rise {
     let zero: real = 0.0;
     let one: real = 1.0;
     // The slope falls from `rise` to `fall`.
-    let rise = 4.0 * mid - 3.0 * start - end;
-    let fall = 3.0 * end - 4.0 * mid + start;
+    let slope = end_slopes(start, mid, end);
+    let rise = slope.rise;
+    let fall = slope.fall;
     let top = rise / (rise - fall);
     let missed = 0.25 * CREST_ERROR * (fall - rise);
     let inside = rise > 0.0 && fall < 0.0 && start + 0.5 * rise * top > missed;

@@ -16,13 +16,28 @@ fn peak(seen: real, x0: real, rate0: real, x1: real, rate1: real, h: real) -> re
     return max(most, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
 }
 
+struct EndSlopes {
+    rise: real,
+    fall: real,
+}
+
+// The slopes at both ends, over the whole span, of the parabola through its start, middle and end.
+fn end_slopes(start: real, mid: real, end: real) -> EndSlopes {
+    return EndSlopes(4.0 * mid - 3.0 * start - end, 3.0 * end - 4.0 * mid + start);
+}
+
+// The parabola through a span's start, middle and end, at a fraction of the way.
+fn parabola(start: real, mid: real, end: real, at: real) -> real {
+    let slope = end_slopes(start, mid, end);
+    return start + at * (slope.rise + at * 0.5 * (slope.fall - slope.rise));
+}
+
 // The extremum of the parabola through a span's start, middle and end, where it lies inside; else the
 // start.
 fn crest(start: real, mid: real, end: real) -> real {
-    let rise = 4.0 * mid - 3.0 * start - end;
-    let fall = 3.0 * end - 4.0 * mid + start;
-    let top = start + 0.5 * rise * rise / (rise - fall);
-    return select(start, top, crosses(rise, fall));
+    let slope = end_slopes(start, mid, end);
+    let top = start + 0.5 * slope.rise * slope.rise / (slope.rise - slope.fall);
+    return select(start, top, crosses(slope.rise, slope.fall));
 }
 
 // How far a parabola through three values can go beyond them: its extremum is at most a quarter of the

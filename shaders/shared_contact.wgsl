@@ -49,13 +49,6 @@ fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
 // Share of the friction asked for by which a gap must exceed it to be looked into.
 const OVER = 2.0e-4;
 
-// The parabola through three values evenly apart, at a fraction of the way.
-fn parabola(start: real, mid: real, end: real, at: real) -> real {
-    let rise = 4.0 * mid - 3.0 * start - end;
-    let fall = 3.0 * end - 4.0 * mid + start;
-    return start + at * (rise + at * 0.5 * (fall - rise));
-}
-
 struct Dip {
     least: real,
     at: real,
@@ -65,11 +58,10 @@ struct Dip {
 fn dip(start: real, mid: real, end: real) -> Dip {
     let zero: real = 0.0;
     let one: real = 1.0;
-    let rise = 4.0 * mid - 3.0 * start - end;
-    let fall = 3.0 * end - 4.0 * mid + start;
+    let slope = end_slopes(start, mid, end);
     var at = select(zero, one, end < start);
-    if rise < 0.0 && fall > 0.0 {
-        at = rise / (rise - fall);
+    if slope.rise < 0.0 && slope.fall > 0.0 {
+        at = slope.rise / (slope.rise - slope.fall);
     }
     return Dip(parabola(start, mid, end, at), at);
 }

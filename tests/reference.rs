@@ -5,9 +5,8 @@
 mod common;
 
 use approx::assert_abs_diff_eq;
-use common::{judge, object};
+use common::{judge, object, scene};
 use differential_equations::prelude::*;
-use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Class;
 use topple::stepping::reference::system::{Drive, PHI, Phase, State as Cell, System};
@@ -108,7 +107,7 @@ fn no_step_ends_beyond_an_impact() {
         t_v = 0.3295\nxi_v = 0.006\n\
         [pulse]\nomega = 4.816833333333333\na_h = -0.4335\n\
         [run]\nt_max = 1.6\noverturn = \"quarter-turn\"\n";
-    let scene = SceneText::from_toml(text).unwrap().check().unwrap();
+    let scene = scene(text);
     let mut rocked = 0;
     let see = &mut |seen: &Instant| {
         if let Some(pole) = seen.phase {

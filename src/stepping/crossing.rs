@@ -7,6 +7,7 @@ use crate::model::real::Real;
 use crate::model::vector::Vector;
 
 use super::cubic::Cubic;
+use super::extremes::end_slopes;
 use super::guards::{GuardSample, Sought, angle_guard, crosses, kink_guard};
 use super::lanes::Lanes;
 use super::log::Listener;
@@ -57,10 +58,8 @@ fn highest_moment<N: Number>(
 #[inline(always)]
 fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     let (zero, one) = (start.like(0.0), start.like(1.0));
-    let (three, four) = (start.like(3.0), start.like(4.0));
     // The slope falls from `rise` to `fall`.
-    let rise = four * mid - three * start - end;
-    let fall = three * end - four * mid + start;
+    let (rise, fall) = end_slopes(start, mid, end);
     let half = start.like(0.5);
     let cubic = Cubic { c0: start, c1: rise, c2: half * (fall - rise), c3: zero };
     let mut at = -one;

@@ -45,13 +45,26 @@ pub fn peak<N: Number>(lanes: N::Mask, seen: N, x0: N, rate0: N, x1: N, rate1: N
     N::select(turns, most.max(extremum), most)
 }
 
+/// The slopes at both ends, over the whole span, of the parabola through its start, middle and end.
+#[inline(always)]
+pub fn end_slopes<N: Number>(start: N, mid: N, end: N) -> (N, N) {
+    let (three, four) = (start.like(3.0), start.like(4.0));
+    (four * mid - three * start - end, three * end - four * mid + start)
+}
+
+/// The parabola through a span's start, middle and end, at a fraction of the way.
+#[inline(always)]
+pub fn parabola<N: Number>(start: N, mid: N, end: N, at: N) -> N {
+    let (rise, fall) = end_slopes(start, mid, end);
+    start + at * (rise + at * start.like(0.5) * (fall - rise))
+}
+
 /// The extremum of the parabola through a span's start, middle and end, where it lies inside; else
 /// the start.
 #[inline(always)]
 pub fn crest<N: Number>(start: N, mid: N, end: N) -> N {
-    let (half, three, four) = (start.like(0.5), start.like(3.0), start.like(4.0));
-    let rise = four * mid - three * start - end;
-    let fall = three * end - four * mid + start;
+    let half = start.like(0.5);
+    let (rise, fall) = end_slopes(start, mid, end);
     let top = start + half * rise * rise / (rise - fall);
     N::select(crosses(rise, fall), top, start)
 }

@@ -12,7 +12,7 @@ use super::tracks::{
 use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
-use crate::stepping::extremes;
+use crate::stepping::extremes::{self, end_slopes, parabola};
 use crate::stepping::state::{FINISHED, State};
 
 /// Gaps between samples that a cell is looked through at once.
@@ -142,21 +142,11 @@ fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> 
 /// Share of the friction asked for by which a gap must exceed it to be looked into.
 const OVER: f64 = 2.0e-4;
 
-/// The parabola through three values evenly apart, at a fraction of the way.
-#[inline(always)]
-pub(super) fn parabola<R: Real>([start, mid, end]: [R; 3], at: R) -> R {
-    let (half, three, four) = (R::of(0.5), R::of(3.0), R::of(4.0));
-    let rise = four * mid - three * start - end;
-    let fall = three * end - four * mid + start;
-    start + at * (rise + at * half * (fall - rise))
-}
-
 /// The least of the parabola through three values evenly apart, and at what fraction of the way.
 #[inline(always)]
 fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
-    let (zero, one, three, four) = (R::of(0.0), R::of(1.0), R::of(3.0), R::of(4.0));
-    let rise = four * mid - three * start - end;
-    let fall = three * end - four * mid + start;
+    let (zero, one) = (R::of(0.0), R::of(1.0));
+    let (rise, fall) = end_slopes(start, mid, end);
     let inside = rise < zero && fall > zero;
     let at = if inside {
         rise / (rise - fall)
@@ -165,7 +155,7 @@ fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
     } else {
         zero
     };
-    (parabola([start, mid, end], at), at)
+    (parabola(start, mid, end, at), at)
 }
 
 /// The friction asked for up to a sample, crests between samples included: in gaps where the largest
@@ -201,16 +191,20 @@ fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, fri
         let (mut least, mut x_there) = (ys[gap_v], xs[gap]);
         for span in 0..4 {
             let half = span / 2 * 2;
-            let xs_half = [quarter(half), quarter(half + 1), quarter(half + 2)];
+            let xs_half = (quarter(half), quarter(half + 1), quarter(half + 2));
             let early = if span % 2 == 0 { 0.25 } else { 0.75 };
-            let x = [quarter(span), parabola(xs_half, R::of(early)), quarter(span + 1)];
+            let x = [
+                quarter(span),
+                parabola(xs_half.0, xs_half.1, xs_half.2, R::of(early)),
+                quarter(span + 1),
+            ];
             let y = [eighth(2 * span), eighth(2 * span + 1), eighth(2 * span + 2)];
             let (start, mid, end) = (share(x[0], y[0]), share(x[1], y[1]), share(x[2], y[2]));
             ends = ends.max(start).max(mid).max(end);
             top = top.max(extremes::crest(start, mid, end));
             let (lower, at) = dip(y);
             if lower < least {
-                (least, x_there) = (lower, parabola(x, at));
+                (least, x_there) = (lower, parabola(x[0], x[1], x[2], at));
             }
         }
         let mut most = ends;

@@ -4,7 +4,6 @@
 use std::cell::Cell;
 
 use super::plan::Plan;
-use super::shared_contact::parabola;
 use crate::model::CellEquations;
 use crate::model::block::{FULL_CONTACT, pivot};
 use crate::model::dynamics::{Contact, Motion, rates};
@@ -12,7 +11,7 @@ use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::Point;
-use crate::stepping::extremes::crest;
+use crate::stepping::extremes::{crest, parabola};
 use crate::stepping::forcing::ground_at;
 use crate::stepping::log::Log;
 use crate::stepping::rk4::hermite;
@@ -90,17 +89,27 @@ impl Direction {
 
     /// The largest |X| or the least Y in a gap, by parabolas through its parts' ends.
     fn extremum<R: Real>(self, values: &[R]) -> R {
-        let of = |[start, mid, end]: [R; 3], pick: fn(R, R) -> R| {
-            pick(pick(start, mid), pick(end, crest(start, mid, end)))
-        };
         let spans = values.windows(3).step_by(2).map(|span| [span[0], span[1], span[2]]);
+        spans.fold(self.no_crest(), |seen, span| self.crest(seen, span))
+    }
+
+    /// The larger of what was seen and the largest |X|, or the lesser and the least Y, on the parabola
+    /// through a span's start, middle and end.
+    fn crest<R: Real>(self, seen: R, [start, mid, end]: [R; 3]) -> R {
         match self {
-            Direction::Horizontal => spans
-                .map(|span| of(span.map(|x| x.abs()), |a, b| a.max(b)))
-                .fold(R::of(0.0), |a, b| a.max(b)),
-            Direction::Vertical => {
-                spans.map(|span| of(span, |a, b| a.min(b))).fold(values[0], |a, b| a.min(b))
+            Direction::Horizontal => {
+                let [start, mid, end] = [start.abs(), mid.abs(), end.abs()];
+                seen.max(start).max(mid).max(end).max(crest(start, mid, end))
             }
+            Direction::Vertical => seen.min(start).min(mid).min(end).min(crest(start, mid, end)),
+        }
+    }
+
+    /// That of no span at all.
+    fn no_crest<R: Real>(self) -> R {
+        match self {
+            Direction::Horizontal => R::of(0.0),
+            Direction::Vertical => R::of(f64::from(f32::MAX)),
         }
     }
 }
@@ -129,23 +138,15 @@ trait Walk<R> {
 
 /// Takes in a span by its contact forces.
 fn take_in<R: Real>(felt: Felt<R>, direction: Direction, contacts: [Contact<R>; 3]) -> Felt<R> {
-    let [start, mid, end] = contacts.map(|contact| direction.of(contact));
-    let seen = felt.crest;
-    let crest = match direction {
-        Direction::Horizontal => {
-            let [start, mid, end] = [start.abs(), mid.abs(), end.abs()];
-            seen.max(start).max(mid).max(end).max(crest(start, mid, end))
-        }
-        Direction::Vertical => seen.min(start).min(mid).min(end).min(crest(start, mid, end)),
-    };
-    Felt { spans: felt.spans + 1, mid, end, crest }
+    let span = contacts.map(|contact| direction.of(contact));
+    let [_, mid, end] = span;
+    Felt { spans: felt.spans + 1, mid, end, crest: direction.crest(felt.crest, span) }
 }
 
 /// Nothing felt in a gap so far.
 fn nothing<R: Real>(direction: Direction) -> Felt<R> {
-    let (zero, most) = (R::of(0.0), R::of(f64::from(f32::MAX)));
-    let crest = if direction == Direction::Horizontal { zero } else { most };
-    Felt { spans: 0, mid: zero, end: zero, crest }
+    let zero = R::of(0.0);
+    Felt { spans: 0, mid: zero, end: zero, crest: direction.no_crest() }
 }
 
 /// A base that does not yield.
@@ -333,9 +334,9 @@ impl<R: Real> Track<R> {
             values[parts as usize] = now;
             if apart == 2 {
                 for half in [0, 4] {
-                    let span = [values[half], values[half + 2], values[half + 4]];
-                    values[half + 1] = parabola(span, R::of(0.25));
-                    values[half + 3] = parabola(span, R::of(0.75));
+                    let (start, mid, end) = (values[half], values[half + 2], values[half + 4]);
+                    values[half + 1] = parabola(start, mid, end, R::of(0.25));
+                    values[half + 3] = parabola(start, mid, end, R::of(0.75));
                 }
             }
             for (kept, value) in track.inside.iter_mut().zip(&values[1..]) {
