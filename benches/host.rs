@@ -117,18 +117,25 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let size_of_state = size_of::<State<R>>();
     let clocks: Vec<Option<OwnClocks<R>>> =
         all.chunks(TILE).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
-    let read = each(all.len(), || {
-        let mut outcomes: Vec<Outcome> = Vec::with_capacity(all.len());
+    let read_into = |outcomes: &mut Vec<Outcome>| {
         let tiles = all.chunks(TILE).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
         for ((tile, bytes), own) in tiles {
-            outcomes::read(&cells, tile, own.as_ref(), bytes, &mut outcomes).unwrap();
+            outcomes::read(&cells, tile, own.as_ref(), bytes, outcomes).unwrap();
         }
         black_box(outcomes.len());
+    };
+    let read = each(all.len(), || read_into(&mut Vec::with_capacity(all.len())));
+    // In memory that has been written to before: the system hands out no new pages.
+    let mut used = Vec::with_capacity(all.len());
+    let again = each(all.len(), || {
+        used.clear();
+        read_into(&mut used);
     });
     let total = tables + tiles + read + if upload.is_nan() { 0.0 } else { upload };
     println!(
         "{name:<18} {:<4} tables {tables:5.2}  tiles {tiles:5.2}  handed over {upload:5.2} ({:.1} B)  \
-         outcomes {read:5.2}  together {total:5.2} ns a cell  (cells made by the host: {begin:5.1})",
+         outcomes {read:5.2} ({again:5.2} in used memory)  together {total:5.2} ns a cell  \
+         (cells made by the host: {begin:5.1})",
         precision.name(),
         size as f64 / all.len() as f64,
     );

@@ -135,6 +135,10 @@ impl<'a, R: Real> CellTables<'a, R> {
     /// A cell's column and row.
     #[inline(always)]
     pub fn place(&self, index: usize) -> Place {
+        // Most grids are small enough for the shorter division, which takes half the time.
+        if let (Ok(index), Ok(columns)) = (u32::try_from(index), u32::try_from(self.columns)) {
+            return [(index % columns) as usize, (index / columns) as usize];
+        }
         [index % self.columns, index / self.columns]
     }
 

@@ -71,15 +71,18 @@ impl Plan {
 
     /// The squares of the base's largest angular frequencies with the block rocking on it, which are
     /// larger than the base's own: a part for each direction, whose sum is the square about a corner.
+    /// That of a stiff or locked base is no less than the block's own p^2.
     pub(super) fn swing_h(&self, t_h: f64) -> SwingH {
+        let p2 = [1.0, -1.0].map(|side| self.most_p2(self.scene.block.arm(side)));
         let Some(law) = &self.scene.isolation.horizontal else {
-            return SwingH { squares: [0.0; 2], longest: f64::INFINITY };
+            return SwingH { squares: p2, longest: f64::INFINITY };
         };
         let squares = [1.0, -1.0].map(|side| {
             let b = self.scene.block.arm(side);
             let (h2, b2) = (self.scene.block.height * self.scene.block.height, b * b);
             (TAU / t_h).powi(2) * (1.0 + self.mu_h * (h2 + b2) / self.swing_inertia(b))
         });
+        let squares = [squares[0].max(p2[0]), squares[1].max(p2[1])];
         let longest = if self.has_hysteretic_variable() {
             let yield_time = law.alpha_y * t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)
@@ -104,6 +107,11 @@ impl Plan {
             (TAU / t_v).powi(2) * (1.0 + self.mu_v * q2 / self.swing_inertia(b))
         });
         SwingV { squares }
+    }
+
+    /// p^2 = g R/(I/M) of a block about a corner, or what a light base makes of it at most, 1/s^2.
+    fn most_p2(&self, b: f64) -> f64 {
+        GRAVITY * b.hypot(self.scene.block.height) / self.swing_inertia(b)
     }
 
     /// No larger than I/M - mu_h P^2 - mu_v Q^2 about a corner in any position: P^2 and Q^2 at their
