@@ -13,8 +13,9 @@ use std::time::{Duration, Instant};
 use common::pulse;
 use rayon::prelude::*;
 use topple::model::real::Real;
+use topple::scene::parameters::Section;
 use topple::scene::record::synthetic;
-use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::state::{FINISHED, State};
 use topple::sweep::backend::Precision;
@@ -26,6 +27,7 @@ use topple::sweep::gpu::device::Gpu;
 use topple::sweep::gpu::outcomes;
 use topple::sweep::gpu::tile::{OwnClocks, Tile};
 use topple::sweep::plan::Plan;
+use topple::sweep::table::Window;
 
 /// Cells of a tile.
 const TILE: usize = 1 << 18;
@@ -36,14 +38,13 @@ const TIMES: usize = 7;
 fn record(side: u32) -> Scene {
     let mut scene = pulse(2);
     let pair = synthetic::pair();
-    scene.t_max = pair.duration() + 2.0;
+    scene.set(Parameter::TMax, pair.duration() + 2.0);
     scene.excitation = Excitation::Record(pair);
-    if let Some(base) = &mut scene.isolation.horizontal {
-        base.t_h = Range { start: 0.5, stop: 4.0, count: side };
+    for parameter in Parameter::of_section(Section::Pulse) {
+        scene.numbers.remove(parameter);
     }
-    if let Some(base) = &mut scene.isolation.vertical {
-        base.t_v = Range { start: 0.05, stop: 1.0, count: side };
-    }
+    scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
+    scene.set(Parameter::TV, Range::even(0.05, 1.0, side));
     scene
 }
 
@@ -61,7 +62,7 @@ fn each(cells: usize, mut part: impl FnMut()) -> f64 {
 /// What is handed to the device of a tile.
 fn input<R: Real>(tables: &CellTables<R>, cells: &[usize]) -> Vec<Vec<u8>> {
     let own = OwnClocks::of(tables, cells);
-    let (_, listed) = Tile::default().place(tables.columns, cells, 0);
+    let (_, listed) = Tile::default().place(tables.grid().shape().0, cells, 0);
     let bytes = |own: OwnClocks<R>| {
         vec![bytemuck::cast_slice(&own.numbers).to_vec(), bytemuck::cast_slice(&own.steps).to_vec()]
     };
@@ -74,14 +75,14 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let all: Vec<usize> = (0..grid.len()).collect();
-    let cells = Cells::<R>::of(&plan, &grid, &plan.record());
+    let cells = Cells::<R>::of(&plan, &grid, &all, &plan.record());
     let tables = each(all.len(), || {
-        black_box(CellTables::<R>::of(&plan, &grid));
+        black_box(CellTables::<R>::of(&plan, &grid, &Window::whole(&grid)));
     });
     let tiles = each(all.len(), || {
         for tile in all.chunks(TILE) {
             black_box(OwnClocks::of(&cells.tables, tile));
-            black_box(Tile::default().place(cells.tables.columns, tile, 0));
+            black_box(Tile::default().place(grid.shape().0, tile, 0));
         }
     });
     let mut upload = f64::NAN;

@@ -40,8 +40,8 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let outcomes = cpu::sweep::<R>(&plan, &grid, &cells, &|_| ());
     let standing = cells.iter().filter(|index| outcomes[**index].class == Class::Rocking);
     let index = *standing.max_by_key(|index| outcomes[**index].impacts).unwrap();
-    let model = plan.model::<R>();
-    let (cell, state) = plan.cell::<R>(&grid.point(index));
+    let model = plan.model::<R>(&plan.scene.case());
+    let (cell, state) = plan.cell::<R>(&grid.case(index));
     let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
     // Its first steps, and those from a second later on, when it rocks.
     let mut nobody = ();
@@ -95,8 +95,8 @@ fn writers(c: &mut Criterion) {
             map::npz::write(&map.grid, &map, Cursor::new(Vec::with_capacity(1 << 22))).unwrap()
         });
     });
-    c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map).unwrap()));
-    let svg = overturning::draw(&map).unwrap();
+    c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
+    let svg = overturning::draw(&map, "").unwrap();
     c.bench_function("writer, png of the svg", |b| {
         b.iter(|| document::render(&svg, 2.0).unwrap());
     });

@@ -15,27 +15,38 @@ struct Steps {
 }
 
 @group(0) @binding(1) var<storage, read_write> new_cells: array<Cell>;
-// The tilt, and the tables of the groups that are reals alone.
+// The tables of the groups that are reals alone.
 @group(0) @binding(9) var<storage, read> numbers: array<real>;
 @group(0) @binding(10) var<storage, read> clocks: array<Steps>;
 
 fn steps_of(place: Place) -> Steps {
-    if tile.clock.w == 1u {
-        return clocks[words[tile.clock.x + place.number]];
+    if tile.clock.more == 1u {
+        return clocks[words[tile.clock.first + place.number]];
     }
     return clocks[entry(tile.clock, place)];
 }
 
+// The corner that a block of this tilt turns about.
+fn mode_of(tilt: real) -> u32 {
+    if tilt > 0.0 {
+        return ROCKING_LEFT;
+    }
+    if tilt < 0.0 {
+        return ROCKING_RIGHT;
+    }
+    return FULL_CONTACT;
+}
+
 // A state at rest, the base in static equilibrium.
-fn at_rest(cell: Cell, sound: bool) -> State {
+fn at_rest(cell: Cell, sound: bool, tilt: real) -> State {
     var state = State();
     if cell.deflection > 0.0 {
         state.motion.v = -cell.deflection;
     }
-    state.motion.phi = numbers[0];
+    state.motion.phi = tilt;
     state.max_v = cell.deflection;
     state.min_contact = model.gravity;
-    state.mode = tile.mode;
+    state.mode = mode_of(tilt);
     if !sound {
         state.status = DIVERGED;
     }
@@ -48,6 +59,11 @@ fn make(place: Place) -> bool {
     let v = entry(tile.vertical, place);
     let drive = entry(tile.drive, place);
     let steps = steps_of(place);
+    let body = entry(tile.bodies, place);
+    let lever = tile.levers + 3u * body;
+    model.height = numbers[lever];
+    model.left.arm = numbers[lever + 1u];
+    model.right.arm = numbers[lever + 2u];
     let cell = Cell(
         numbers[h],
         numbers[h + 1u],
@@ -68,11 +84,11 @@ fn make(place: Place) -> bool {
         steps.steps_forced,
         steps.steps,
         steps.substeps,
-        0u,
+        body,
     );
-    let sound = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 3u] > 0.0
+    let sound = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 4u] > 0.0
         && steps.sound > 0u;
-    var state = at_rest(cell, sound);
+    var state = at_rest(cell, sound, numbers[drive + 3u]);
     if tile.shared_contact == 1u && state.status == RUNNING {
         full_contact(place, numbers[drive + 2u], cell, &state);
     }

@@ -37,10 +37,11 @@ struct Model {
     padding_1: real,
 }
 
+// The body that all cells have, where they differ in none; otherwise that of the first.
 @group(0) @binding(0) var<uniform> uniform_model: Model;
 
-// Every thread reads it once, as it begins: a software driver looks up a uniform number lane by lane,
-// each time.
+// Every thread reads its cell's once, as it begins: a software driver looks up a uniform number lane by
+// lane, each time.
 var<private> model: Model;
 
 // The corner that the block turns about in a rocking mode.

@@ -20,7 +20,8 @@ struct Cell {
     steps_forced: u32,
     steps: u32,
     substeps: u32,
-    padding: u32,
+    // Number of the body.
+    body: u32,
 }
 
 struct Ground {

@@ -57,11 +57,15 @@ fn begin_segment(cell: Cell, step: u32) -> Forcing {
         let sample = step / cell.substeps;
         let before = record[sample];
         let after = record[sample + 1u];
-        let rise = Ground(after.h - before.h, after.v - before.v);
+        let start = Ground(amplitude.h * before.h, amplitude.v * before.v);
+        let rise = Ground(
+            amplitude.h * (after.h - before.h),
+            amplitude.v * (after.v - before.v),
+        );
         let first = sample * cell.substeps;
         let done = real(step - first);
         let steps = real(cell.substeps);
-        return Forcing(done, steps, zero, cell.phase_step, before, rise, true);
+        return Forcing(done, steps, zero, cell.phase_step, start, rise, true);
     }
     let first = step - step % MOST_STEPS;
     let steps = min(cell.steps_forced - first, MOST_STEPS);

@@ -74,8 +74,8 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> r
     let early: real = 0.25;
     let late: real = 0.75;
     let over: real = 1.0 + OVER;
-    let all_h = tile.across.w;
-    let all_v = tile.up.w;
+    let all_h = tile.across.more;
+    let all_v = tile.up.more;
     var friction = seen;
     for (var gap = 0u; gap < sample; gap++) {
         let at = h + gap;
@@ -143,8 +143,8 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     let first_v = entry(tile.up, place);
     let h = words[first_h];
     let v = tile.up_values + words[first_v];
-    let all_h = tile.across.w;
-    let all_v = tile.up.w;
+    let all_h = tile.across.more;
+    let all_v = tile.up.more;
     // u is A_h times what it is for A_h = 1.
     let lever = model.height * scale;
     let size = abs(scale);

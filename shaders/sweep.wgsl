@@ -28,6 +28,11 @@ struct Tally {
 @group(0) @binding(4) var<storage, read_write> tally: Tally;
 // The cells that run, twice: a chunk reads one list and writes the other.
 @group(0) @binding(7) var<storage, read_write> running: array<u32>;
+// The bodies, by the cells' numbers of them.
+@group(0) @binding(13) var<storage, read> models: array<Model>;
+
+// Cells differ in their body.
+override bodies: bool = false;
 
 // This thread's cell.
 var<private> lane: u32;
@@ -66,10 +71,14 @@ fn sweep(
     }
     var runs = false;
     if id.x < atomicLoad(&tally.running[chunk.number]) {
-        model = uniform_model;
         let work = chunk.work;
         lane = running[(chunk.number % 2u) * chunk.slots + id.x];
         let cell = cells[lane];
+        if bodies {
+            model = models[cell.body];
+        } else {
+            model = uniform_model;
+        }
         var state = states[lane];
         let first = state.step;
         var turns = begin_turns(cell, state);

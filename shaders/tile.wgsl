@@ -1,31 +1,49 @@
 // A tile's cells: which of the grid's they are, and where the tables hold their numbers.
 // Twin: src/sweep/gpu/tile.rs.
 
+// Where a table's entries lie.
+struct Layout {
+    // Place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before the first.
+    first: u32,
+    // From a value of each axis to the next.
+    stride_0: u32,
+    stride_1: u32,
+    stride_2: u32,
+    stride_3: u32,
+    stride_4: u32,
+    stride_5: u32,
+    // See the field of Tile.
+    more: u32,
+}
+
 // A tile's cells, and where their numbers lie.
 struct Tile {
-    // Tables: place of the first entry, and from a column and from a row to the next.
-    horizontal: vec4<u32>,
-    vertical: vec4<u32>,
-    drive: vec4<u32>,
-    // The same of the clocks; w: 1 where each cell has the number of its clock in `words`, from x on.
-    clock: vec4<u32>,
-    // Motions: place in `words` of the first one's first sample, motions from a column and from a row
-    // to the next, samples of all motions.
-    across: vec4<u32>,
-    up: vec4<u32>,
+    // Tables in `numbers`.
+    horizontal: Layout,
+    vertical: Layout,
+    drive: Layout,
+    // That of the clocks; more: 1 where each cell has the number of its clock in `words`, from first on.
+    clock: Layout,
+    // Of the bodies, by number.
+    bodies: Layout,
+    // Of the motions' beginnings in `words`; more: samples of all motions.
+    across: Layout,
+    up: Layout,
+    // Values of the axes after the first but the last, 1 for those that a grid has not.
+    counts: vec4<u32>,
+    // Place in `numbers` of the first body's height and lever arms.
+    levers: u32,
     // Place of the vertical motions in `tracks`.
     up_values: u32,
     // 1 where there are shared motions.
     shared_contact: u32,
     // 1 where the base does not move vertically before the block lifts.
     still: u32,
-    // The corner that a tilted block turns about.
-    mode: u32,
     // Cells of the tile.
     cells: u32,
     // Columns of the grid.
     columns: u32,
-    // Column and row of the tile's first cell.
+    // Column and row of the tile's first cell; rows are those of all axes after the first together.
     first_column: u32,
     first_row: u32,
     // How threads take cells: IN_ORDER, IN_BLOCKS or LISTED.
@@ -58,12 +76,34 @@ const BLOCK_CELLS = 32u;
 // Numbers of clocks, places of motions, and cells of a list.
 @group(0) @binding(11) var<storage, read> words: array<u32>;
 
-// A cell's number in its tile, its column and its row; the number is no less than the tile's cells
+// A cell's number in its tile, and its place along each axis; the number is no less than the tile's cells
 // for a thread that has none.
 struct Place {
     number: u32,
-    column: u32,
-    row: u32,
+    at_0: u32,
+    at_1: u32,
+    at_2: u32,
+    at_3: u32,
+    at_4: u32,
+    at_5: u32,
+}
+
+// The place of a cell in a column and a row.
+fn along_axes(number: u32, column: u32, row: u32) -> Place {
+    let counts = tile.counts;
+    let from_2 = row / counts.x;
+    let from_3 = from_2 / counts.y;
+    let from_4 = from_3 / counts.z;
+    let from_5 = from_4 / counts.w;
+    return Place(
+        number,
+        column,
+        row % counts.x,
+        from_2 % counts.y,
+        from_3 % counts.z,
+        from_4 % counts.w,
+        from_5,
+    );
 }
 
 fn place_of(thread: u32) -> Place {
@@ -75,19 +115,21 @@ fn place_of(thread: u32) -> Place {
         let from_row = rows * tile.columns + column;
         // Beside the grid, or before the tile's first cell.
         if column >= tile.columns || from_row < tile.first_column {
-            return Place(tile.cells, 0u, 0u);
+            return along_axes(tile.cells, 0u, 0u);
         }
-        return Place(from_row - tile.first_column, column, tile.first_row + rows);
+        return along_axes(from_row - tile.first_column, column, tile.first_row + rows);
     }
     if tile.order == LISTED {
         let at = tile.blocks + 2u * min(thread, tile.cells - 1u);
-        return Place(thread, words[at], words[at + 1u]);
+        return along_axes(thread, words[at], words[at + 1u]);
     }
     let from_row = tile.first_column + thread;
-    return Place(thread, from_row % tile.columns, tile.first_row + from_row / tile.columns);
+    return along_axes(thread, from_row % tile.columns, tile.first_row + from_row / tile.columns);
 }
 
 // Place of a cell's entry in a table.
-fn entry(table: vec4<u32>, place: Place) -> u32 {
-    return table.x + place.column * table.y + place.row * table.z;
+fn entry(table: Layout, place: Place) -> u32 {
+    return table.first + place.at_0 * table.stride_0 + place.at_1 * table.stride_1
+        + place.at_2 * table.stride_2 + place.at_3 * table.stride_3
+        + place.at_4 * table.stride_4 + place.at_5 * table.stride_5;
 }

@@ -37,7 +37,7 @@ static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
     let judge = |(a_v, e)| {
         let scene = map_scene(a_v, e);
         let grid = Grid::of(&scene);
-        let run = |index| (index, reference::run(&scene, &grid.point(index), &Settings::default()));
+        let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
         let outcomes = (0..grid.len()).into_par_iter().map(run).collect();
         (scene, outcomes)
     };
@@ -57,11 +57,11 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
             &grid,
             judged.iter().map(|&(index, reference)| (index, outcomes[index], reference)),
         );
-        let topple::scene::Excitation::Pulse(pulse) = &scene.excitation else { panic!() };
+        let case = scene.case();
         say(&format!(
             "{name}: e = {:+.1}, A_v = {}: {} of {} cells differ, {} in impacts, zeta median {:.0e} worst {:.0e}",
-            scene.block.eccentricity,
-            pulse.a_v,
+            case.block.eccentricity,
+            case.shaking.pulse().unwrap().a_v,
             report.differ,
             report.sampled,
             report.impacts_differ,
@@ -111,7 +111,7 @@ fn a_wrong_sign_in_the_shader_shows() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "0.1:15:24");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(&scene);
-    let run = |index| (index, reference::run(&scene, &grid.point(index), &Settings::default()));
+    let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
     let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
@@ -159,7 +159,7 @@ fn locked_directions_agree_with_the_reference() {
         ));
         let grid = Grid::of(&scene);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-        let run = |index| (index, reference::run(&scene, &grid.point(index), &Settings::default()));
+        let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
         let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
         let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
         let report = compare(

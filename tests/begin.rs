@@ -9,7 +9,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use topple::model::excitation::Cell;
 use topple::model::real::Real;
-use topple::scene::{Grid, Overturn, Range, Scene};
+use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
 use topple::stepping::state::{RUNNING, State};
 use topple::sweep::backend::Precision;
 use topple::sweep::cells::Cells;
@@ -29,7 +29,7 @@ fn axis(rng: &mut Pcg64Mcg, least: f64, most: f64) -> Range {
     let (start, stop) = (between(rng, least, most), between(rng, least, most));
     match rng.next_u32() % 4 {
         0 => Range::single(start),
-        _ => Range { start, stop, count: 2 + rng.next_u32() % 11 },
+        _ => Range::even(start, stop, 2 + rng.next_u32() % 11),
     }
 }
 
@@ -59,17 +59,18 @@ fn random_scene(rng: &mut Pcg64Mcg) -> Scene {
         1 + rng.next_u32() % 3,
         between(rng, -0.4, 0.4),
     ));
-    scene.tilt = tilt;
+    scene.set(Parameter::Tilt, tilt);
     scene.overturn = [Overturn::CriticalAngle, Overturn::QuarterTurn][rng.next_u32() as usize % 2];
     if recorded {
-        if let Some(base) = &mut scene.isolation.horizontal {
-            base.t_h = axis(rng, 0.2, 4.0);
+        if dual || h {
+            scene.set(Parameter::TH, axis(rng, 0.2, 4.0));
         }
-        if let Some(base) = &mut scene.isolation.vertical {
-            base.t_v = axis(rng, 0.02, 1.5);
+        if dual || v {
+            scene.set(Parameter::TV, axis(rng, 0.02, 1.5));
         }
         under(&mut scene, synthetic_pair());
-        scene.t_max += pick(rng, [0.0, 7.0]);
+        let longer = scene.case().t_max + pick(rng, [0.0, 7.0]);
+        scene.set(Parameter::TMax, longer);
     }
     scene
 }
@@ -81,13 +82,16 @@ fn words<T: bytemuck::Pod>(item: &T) -> Vec<u32> {
 fn tables_hold<R: Real>(scene: &Scene) {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let grid = Grid::of(scene);
-    let cells = Cells::<R>::of(&plan, &grid, &plan.record());
+    let cells = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record());
     for index in 0..grid.len() {
-        let (cell, state) = plan.cell::<R>(&grid.point(index));
-        let (made, begun) = cells.begin(index);
+        let (cell, state) = plan.cell::<R>(&grid.case(index));
+        let (mut made, begun) = cells.begin(index);
+        let body = cells.bodies()[made.body as usize];
+        assert_eq!(words(&body), words(&plan.model::<R>(&grid.case(index))), "body of {index}");
+        made.body = 0;
         assert_eq!(words(&made), words(&cell), "cell {index} of {scene:?}");
         assert_eq!(words(&begun), words(&state), "cell {index} of {scene:?}");
-        assert_eq!(cells.tables.clock(cells.tables.place(index)), plan.clock(&grid.point(index)));
+        assert_eq!(cells.tables.clock(&cells.tables.place(index)), plan.clock(&grid.case(index)));
     }
 }
 
@@ -114,7 +118,7 @@ fn device_makes<R: Real>(
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let chosen = chosen(&grid);
-    let host = Cells::<R>::of(&plan, &grid, &plan.record());
+    let host = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record());
     let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
     for side in [0, 1] {
         let made = sweeper.make::<R>(&plan, &grid, &chosen, side).unwrap();
@@ -178,7 +182,7 @@ fn threads_take_cells_in_blocks() {
     let Some(gpu) = gpu("blocks of cells", Precision::F32) else { return };
     // All of them lift, for a tilted block does so at once.
     let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:32", "0.1:15:32");
-    scene.tilt = 0.01;
+    scene.set(Parameter::Tilt, 0.01);
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
     let made = sweeper.make::<f32>(&plan, &grid, &all(&grid), 0).unwrap();
@@ -196,7 +200,7 @@ fn a_mistake_in_making_cells_shows() {
     let Some(gpu) = gpu("mistakes in making cells", Precision::F32) else { return };
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "-7:15:24");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let host = Cells::<f32>::of(&plan, &grid, &plan.record());
+    let host = Cells::<f32>::of(&plan, &grid, &all(&grid), &plan.record());
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),

@@ -6,7 +6,7 @@
 mod common;
 
 use common::{all, judge, scene, shaken, synthetic_pair, under};
-use topple::scene::{Grid, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -189,12 +189,8 @@ fn friction_under_a_record_on_a_stiff_base() {
          [pulse]\nomega = 1.0\na_h = 1.0\n",
     );
     under(&mut scene, synthetic_pair());
-    let (Some(h), Some(v)) = (&mut scene.isolation.horizontal, &mut scene.isolation.vertical)
-    else {
-        unreachable!("dual")
-    };
-    h.t_h = Range { start: 1.5, stop: 4.0, count: 4 };
-    v.t_v = Range { start: 0.01, stop: 0.06, count: 6 };
+    scene.set(Parameter::TH, Range::even(1.5, 4.0, 4));
+    scene.set(Parameter::TV, Range::even(0.01, 0.06, 6));
     let sweeps = swept(&scene);
     let mut held = 0;
     for (cell, full) in sweeps[1].iter().zip(&sweeps[3]) {

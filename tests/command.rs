@@ -280,9 +280,10 @@ fn bad_input_is_refused_in_one_line() {
     let other = |extra: &[&'static str]| [&block[..], extra].concat();
     refused(&other(&[]), &["--object"]);
     refused(&other(&["--object", "4"]), &["--object", "1, 2 or 3"]);
-    for e in ["1", "-1", "1.5", "NaN"] {
+    for e in ["1", "-1", "1.5"] {
         refused(&other(&["--object", "1", "--eccentricity", e]), &["--eccentricity", "base"]);
     }
+    refused(&other(&["--object", "1", "--eccentricity", "NaN"]), &["--eccentricity", "finite"]);
     refused(&other(&["--half-width", "0.2", "--height", "0"]), &["--height", "positive"]);
     refused(&other(&["--half-width", "0.2", "--height", "1", "--plate-h", "5"]), &["--mass"]);
     let periods = |t_h: &'static str, t_v: &'static str| {
@@ -291,7 +292,6 @@ fn bad_input_is_refused_in_one_line() {
     refused(&periods("0", "1"), &["--t-h", "positive"]);
     refused(&periods("1", "-0.5"), &["--t-v", "positive"]);
     refused(&periods("1", "1e-9"), &["--t-v", "stiff"]);
-    refused(&periods("1:2:5", "1"), &["--t-h", "single"]);
     let history = ["history", "--object", "1", "--t-h", "1", "--t-v", "1", "--omega", "1:2:3"];
     refused(&[&history[..], &["--a-h", "3"]].concat(), &["--omega", "single"]);
 }

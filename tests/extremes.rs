@@ -6,7 +6,7 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{judge, object, scene, shaken};
-use topple::scene::{GRAVITY, Grid, Scene};
+use topple::scene::{Directions, GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
 use topple::stepping::reference::{Settings, observe, run};
 
@@ -42,8 +42,8 @@ fn long_steps_find_the_extremes_of_short_ones() {
         object(3, -0.4, (0.8, 0.3), 3.0, "6", "5"),
     ] {
         let mut scene = scene;
-        scene.t_max = 1.5;
-        let point = Grid::of(&scene).point(0);
+        scene.set(Parameter::TMax, 1.5);
+        let point = Grid::of(&scene).case(0);
         let (long, short) = (judge(&scene), run(&scene, &point, &short));
         rocking += u32::from(long.uplifts > 0);
         assert_eq!(long.class, short.class);
@@ -98,7 +98,7 @@ fn impacts_of_long_steps_are_those_of_short_ones() {
     let times = |longest: f64| {
         let settings = Settings { longest, tolerance: 1.0e-12, ..Settings::default() };
         let mut times = Vec::new();
-        observe(&scene, &Grid::of(&scene).point(0), &settings, &mut |instant| {
+        observe(&scene, &Grid::of(&scene).case(0), &settings, &mut |instant| {
             times.extend(instant.switch.map(|_| instant.t));
         });
         times
@@ -118,8 +118,8 @@ fn impacts_of_long_steps_are_those_of_short_ones() {
 fn a_jump_of_the_ground_that_lifts_the_block() {
     let push = 4.0;
     let object_1 = object(1, 0.0, (1.0, 1.0), 0.0, "5", "1");
-    let mut block = object_1.clone();
-    (block.isolation.horizontal, block.isolation.vertical) = (None, None);
+    let block = object_1.clone().isolated(Directions::None);
+    let object_1 = object_1.case();
     let cell = judge(&shaken(block, 0.01, vec![push; 200]));
     let (b, h) = (object_1.block.half_width, object_1.block.height);
     let inertia = object_1.block.inertia / object_1.block.mass + b * b + h * h;

@@ -6,7 +6,7 @@ mod common;
 
 use approx::assert_abs_diff_eq;
 use common::{judge, object, say, scene, shaken};
-use topple::scene::{GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
@@ -161,7 +161,7 @@ fn a_rectangular_pulse_in_closed_form() {
                 "[pulse]\nomega = 5.0\na_h = 0.0\n[run]\noverturn = \"quarter-turn\"\n",
             );
             scene = shaken(scene, dt, samples);
-            scene.t_max = 20.0;
+            scene.set(Parameter::TMax, 20.0);
             swept(&scene)
         };
         let found = threshold(0.97 * closed, 1.03 * closed, |a| overturns(&cell(a)) == Some(0));
@@ -185,7 +185,7 @@ fn restitution_on_an_isolated_plate() {
             alpha.cos(),
             100.0 * gamma
         ));
-        let eta = Plan::new(&scene, DEFAULT_STEP).unwrap().model::<f64>().left.eta_phi;
+        let eta = Plan::new(&scene, DEFAULT_STEP).unwrap().model::<f64>(&scene.case()).left.eta_phi;
         let closed =
             1.0 - 2.0 * alpha.sin().powi(2) / (4.0 / 3.0 - alpha.cos().powi(2) / (1.0 + gamma));
         assert_abs_diff_eq!(eta, closed, epsilon = 1e-14);
@@ -215,7 +215,7 @@ fn isolation_makes_a_frequency_dangerous() {
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
                 let cells = cpu::sweep::<f64>(&plan, &grid, &common::all(&grid), &|_| ());
                 let first = cells.iter().position(|cell| cell.class.overturned());
-                first.map_or(f64::INFINITY, |index| grid.point(index).a_h)
+                first.map_or(f64::INFINITY, |index| grid.case(index).shaking.peak_h())
             })
             .collect()
     };

@@ -138,7 +138,7 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
     // Not begun anew by mistake, and not mixed with another run.
     assert!(matches!(open(out.path(), &scene(0.2), f32, false), Err(StoreError::Unfinished(_))));
     for (other, precision, said) in [
-        (scene(0.4), f32, "scene.block.eccentricity is 0.2 there and 0.4 here"),
+        (scene(0.4), f32, "scene.numbers.eccentricity is 0.2 there and 0.4 here"),
         (scene(0.2), Precision::F64, "precision is \"f32\" there and \"f64\" here"),
     ] {
         let error = open(out.path(), &other, precision, true).unwrap_err();

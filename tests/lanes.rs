@@ -7,7 +7,7 @@ mod common;
 
 use common::{all, object, say, scene, synthetic_pair, under};
 use topple::model::real::Real;
-use topple::scene::{Grid, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
@@ -34,15 +34,12 @@ fn scenes() -> Vec<(&'static str, Scene)> {
     let dual = "t_h = 1.0\nt_v = 0.5";
     let mut record = on(dual, "");
     under(&mut record, synthetic_pair());
-    if let (Some(h), Some(v)) = (&mut record.isolation.horizontal, &mut record.isolation.vertical) {
-        h.t_h = Range { start: 0.6, stop: 4.0, count: SIDE };
-        v.t_v = Range { start: 0.5, stop: 2.0, count: SIDE };
-    }
+    record.set(Parameter::TH, Range::even(0.6, 4.0, SIDE));
+    record.set(Parameter::TV, Range::even(0.5, 2.0, SIDE));
     let mut tilted = on("isolation = \"none\"", "");
-    tilted.tilt = 0.1;
+    tilted.set(Parameter::Tilt, 0.1);
     let mut negative = on(dual, "a_v = 2.0\n");
-    let topple::scene::Excitation::Pulse(pulse) = &mut negative.excitation else { unreachable!() };
-    (pulse.a_h.start, pulse.a_h.stop) = (-12.0, 12.0);
+    negative.set(Parameter::AH, Range::even(-12.0, 12.0, SIDE));
     vec![
         ("default", map(0.2, 0.0)),
         ("both directions", map(-0.4, 0.5)),
@@ -195,14 +192,15 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
     let scene = map(0.2, 0.5);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(&scene);
-    let model = plan.model::<f32>();
+    let model = plan.model::<f32>(&plan.scene.case());
     let record = plan.record::<f32>();
     let job = |number: usize| {
-        let (cell, state) = plan.cell::<f32>(&grid.point(37 * number % grid.len()));
+        let (cell, state) = plan.cell::<f32>(&grid.case(37 * number % grid.len()));
         Job { number, cell, state }
     };
     let run = |jobs: Vec<Job<f32>>| {
-        let shared = Shared { variant: plan.variant(), model: &model, record: &record };
+        let models = std::slice::from_ref(&model);
+        let shared = Shared { variant: plan.variant(), models, record: &record };
         let mut tray = Tray(jobs, Vec::new());
         // One level of instructions: each compiles the lanes anew.
         let level = fearless_simd::Level::baseline();

@@ -11,11 +11,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use assert_cmd::Command;
-use common::{object, own_lines, synthetic_pair, under};
+use common::{object, own_lines, synthetic_pair, under, xy};
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::map::outcomes::{Column, DRAWN, Tally, thinned};
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::store::Store;
 use topple::store::identity::{Identity, Manner};
@@ -69,8 +69,8 @@ fn a_scene_comes_back_from_its_identity() {
     under(&mut shaken, synthetic_pair());
     // Numbers whose shortest decimals are easily misread.
     let mut odd = scene();
-    odd.block.inertia = 0.1 + 0.2;
-    odd.t_max = f64::MIN_POSITIVE;
+    odd.set(Parameter::Inertia, 0.1 + 0.2);
+    odd.set(Parameter::TMax, f64::MIN_POSITIVE);
     for scene in [scene(), shaken, odd] {
         let part = Some("2/5".parse().unwrap());
         let identity = Identity::new(&scene, &Backend::Cpu, &manner(), part).unwrap();
@@ -89,14 +89,14 @@ fn sweep(
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
     let mut outcomes = vec![Outcome::PENDING; grid.len()];
-    let (fail, plan) = (&fail, &plan);
+    let (fail, plan, grid) = (&fail, &plan, &grid);
     let double = |number: usize| -> Worker<'_> {
         let done = AtomicUsize::new(0);
         Box::new(move |cells: Range<usize>| {
             if let Some(error) = fail(number, done.fetch_add(1, Ordering::Relaxed)) {
                 return Err(error);
             }
-            Backend::Cpu.sweep_range(plan, &grid, cells, Precision::F32, false, &|_| ())
+            Backend::Cpu.sweep_range(plan, grid, cells, Precision::F32, false, &|_| ())
         })
     };
     let workers: Vec<Worker> = (0..workers).map(double).collect();
@@ -197,15 +197,15 @@ fn a_fine_map_is_drawn_with_fewer_cells() {
     let grid = Grid::of(&scene);
     let outcomes: Vec<Outcome> =
         (0..15_000).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
-    let map = thinned(&scene, &grid, &outcomes, DRAWN).unwrap();
-    assert_eq!(map.grid.shape(), (DRAWN as usize, 3));
+    let map = thinned(&scene, (&grid, 0), &outcomes, DRAWN).unwrap();
+    assert_eq!(map.grid.shape(), (DRAWN, 3));
     assert_eq!((map.outcomes[0].impacts, map.outcomes[map.grid.len() - 1].impacts), (0, 14_999));
     let pitch = 11.0 / 4999.0;
     for (cell, outcome) in map.outcomes.iter().enumerate() {
-        let (drawn, own) = (map.grid.coordinates(cell), grid.coordinates(outcome.impacts as usize));
+        let (drawn, own) = (xy(&map.grid, cell), xy(&grid, outcome.impacts as usize));
         assert!((drawn.0 - own.0).abs() <= 0.5001 * pitch && drawn.1 == own.1, "{drawn:?} {own:?}");
     }
-    assert_eq!(Tally::of(&scene, &grid, &outcomes).unwrap().cells, 15_000);
+    assert_eq!(Tally::of(&grid, &outcomes).unwrap().cells, 15_000);
 }
 
 const GRID: [&str; 4] = ["--omega", "1:12:30", "--a-h", "1:12:31"];
@@ -361,7 +361,7 @@ fn what_is_no_map_is_refused_by_name() {
     refused(&["1", "2", "3", "half"], &["part-1-of-3", "part-1-of-2", "overlap", "0 to 309"]);
     refused(&["1", "1", "2", "3"], &["overlap"]);
     part(&place("other"), "2/3", &["--eccentricity", "0.2"]);
-    let told = "scene.block.eccentricity is 0.2 there and 0.0 here";
+    let told = "scene.numbers.eccentricity is 0.2 there and 0.0 here";
     refused(&["1", "other", "3"], &["other/part-2-of-3", "1/part-1-of-3", told]);
     part(&place("finer"), "2/3", &["--precision", "f64"]);
     refused(&["1", "finer", "3"], &["finer/part-2-of-3", "precision is \"f64\" there"]);

@@ -36,7 +36,7 @@ fn housner(half_width: f64, height: f64) -> Scene {
 fn restitution_is_housners_on_the_ground() {
     for (b, h) in [(0.1, 1.0), (0.2, 0.6), (0.5, 1.1)] {
         let scene = housner(b, h);
-        let model = Plan::new(&scene, 0.004).unwrap().model::<f64>();
+        let model = Plan::new(&scene, 0.004).unwrap().model::<f64>(&scene.case());
         let alpha = f64::atan2(b, h);
         let eta = 1.0 - 1.5 * alpha.sin().powi(2);
         assert_relative_eq!(model.left.eta_phi, eta, max_relative = 1e-14);
@@ -47,7 +47,7 @@ fn restitution_is_housners_on_the_ground() {
 #[test]
 fn a_light_plate_takes_almost_no_energy() {
     let scene = object(1, 0.0, (1.75, 0.75), 0.0, "5", "3");
-    let model = Plan::new(&scene, 0.004).unwrap().model::<f64>();
+    let model = Plan::new(&scene, 0.004).unwrap().model::<f64>(&scene.case());
     assert_abs_diff_eq!(model.left.eta_phi, 0.992_79, epsilon = 5e-6);
 }
 
@@ -66,8 +66,8 @@ impl Log<f64> for Impacts {
 /// Free rocking from the angle `phi0` about the left corner: impacts of the fixed-step method.
 fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     let plan = Plan::new(scene, 1.0 / 512.0).unwrap().full_model();
-    let point = Grid::of(scene).point(0);
-    let model = plan.model::<f64>();
+    let point = Grid::of(scene).case(0);
+    let model = plan.model::<f64>(&plan.scene.case());
     let (mut cell, mut state) = plan.cell::<f64>(&point);
     // No excitation: every step is a free one of the same length.
     cell.steps_forced = 0;
@@ -138,8 +138,8 @@ proptest! {
     #[test]
     fn the_impact_law_is_the_balance_of_momenta((scene, velocity) in blocks()) {
         let plan = Plan::new(&scene, 0.004).unwrap();
-        let model = plan.model::<f64>();
-        let point = Grid::of(&scene).point(0);
+        let model = plan.model::<f64>(&plan.scene.case());
+        let point = Grid::of(&scene).case(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
         let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
@@ -161,7 +161,7 @@ proptest! {
     /// No impact adds energy, neither one that goes on nor one that ends all rotation.
     #[test]
     fn an_impact_never_adds_energy((scene, velocity) in blocks()) {
-        let system = System::new(&scene, &Grid::of(&scene).point(0));
+        let system = System::new(&scene, &Grid::of(&scene).case(0));
         for pole in [Pole::Left, Pole::Right] {
             let y = before(pole, velocity);
             let energy = system.energy(Some(pole), &y);
@@ -177,8 +177,8 @@ proptest! {
     #[test]
     fn two_formulations_of_the_dynamics_agree((scene, velocity) in blocks(), phi in 0.0..0.5_f64) {
         let plan = Plan::new(&scene, 0.004).unwrap();
-        let model = plan.model::<f64>();
-        let point = Grid::of(&scene).point(0);
+        let model = plan.model::<f64>(&plan.scene.case());
+        let point = Grid::of(&scene).case(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
         let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
@@ -209,7 +209,7 @@ fn mirrored_scenes_give_mirrored_motions_exactly() {
     let run = |e: f64, t_v: f64, omega: &str, a_h: f64| {
         let scene = object(1, e, (1.75, t_v), 0.5, omega, &a_h.to_string());
         let plan = Plan::new(&scene, 1.0 / 256.0).unwrap();
-        by_steps::<f64>(&plan, &Grid::of(&scene).point(0))
+        by_steps::<f64>(&plan, &Grid::of(&scene).case(0))
     };
     for (e, t_v, omega, a_h) in
         [(0.1, 0.75, "7.75", 6.99), (0.4, 0.3, "7.56", 7.54), (0.4, 0.3, "13.37", 10.23)]
@@ -231,7 +231,7 @@ fn mirrored_scenes_give_mirrored_motions_exactly() {
 #[test]
 fn without_eccentricity_the_block_is_symmetric() {
     let scene = object(2, 0.0, (1.75, 0.75), 0.0, "5", "3");
-    let model = Plan::new(&scene, 0.004).unwrap().model::<f64>();
+    let model = Plan::new(&scene, 0.004).unwrap().model::<f64>(&scene.case());
     let (left, mut right) = (model.left, model.right);
     right.side = -right.side;
     assert_eq!(left, right);
@@ -254,7 +254,7 @@ fn energy_never_rises_once_the_pulse_is_over() {
         (-0.2, (1.2, 0.75), "11.52", "5.16"),
     ] {
         let scene = object(1, e, periods, 0.0, omega, a_h);
-        let point = Grid::of(&scene).point(0);
+        let point = Grid::of(&scene).case(0);
         let system = System::new(&scene, &point);
         let (rows, outcome) = by_steps::<f64>(&Plan::new(&scene, 1.0 / 512.0).unwrap(), &point);
         assert!(outcome.impacts > 50 && outcome.class == Class::Rocking, "{outcome:?}");

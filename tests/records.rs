@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use topple::scene::GRAVITY;
 use topple::scene::record::read::{self, Told};
 use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
+use topple::scene::text::SceneText;
 
 fn told(dt: Option<f64>, units: Option<Units>) -> Told {
     Told { dt, units, scaled: false }
@@ -338,4 +339,48 @@ proptest! {
             prop_assert!((a - b).abs() <= 1e-6, "{} {}", a, b);
         }
     }
+}
+
+/// A pair of files by their titles, checked as a scene's record.
+fn pair_of(horizontal: &str, vertical: &str, force: bool) -> Result<Pair, String> {
+    let directory = tempfile::TempDir::new().unwrap();
+    for (name, title, scale) in [("h.at2", horizontal, "1"), ("v.at2", vertical, "2")] {
+        let text = AT2.replace("A STATION, 90", title).replace(".7E-1", &format!(".{scale}E-1"));
+        std::fs::write(directory.path().join(name), text).unwrap();
+    }
+    let scene = format!(
+        "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n[run]\nforce = {force}\n\
+         [record]\nhorizontal = \"h.at2\"\nvertical = \"v.at2\"\npga = 3\n"
+    );
+    let text = SceneText::from_toml(&scene).unwrap();
+    let scene = text.check_in(directory.path()).map_err(|error| error.to_string())?;
+    Ok(scene.excitation.record().unwrap().clone())
+}
+
+#[test]
+fn a_vertical_that_is_positive_down_is_turned_over() {
+    let up = pair_of("A QUAKE, HERE, 90", "A QUAKE, HERE, UP", false).unwrap();
+    let down = pair_of("A QUAKE, HERE, 90", "A QUAKE, HERE, DWN", false).unwrap();
+    assert!(up.vertical.iter().zip(down.vertical.iter()).all(|(up, down)| *up == -down));
+    assert_eq!(up.horizontal, down.horizontal);
+    assert!(down.notes.iter().any(|note| note.contains("turned over")), "{:?}", down.notes);
+    assert!(!up.notes.iter().any(|note| note.contains("turned over")));
+}
+
+#[test]
+fn pairs_that_are_none_are_questioned_and_believed_when_forced() {
+    for (horizontal, vertical, said) in [
+        ("A QUAKE, HERE, UP", "A QUAKE, HERE, UP", "horizontal: 'A QUAKE, HERE, UP' is a vertical"),
+        ("A QUAKE, HERE, 90", "A QUAKE, THERE, UP", "vertical: 'A QUAKE, THERE, UP' is of another"),
+    ] {
+        let error = pair_of(horizontal, vertical, false).unwrap_err();
+        assert!(error.starts_with(said) && error.contains("--force"), "{error}");
+        assert!(pair_of(horizontal, vertical, true).is_ok());
+    }
+    let directory = tempfile::TempDir::new().unwrap();
+    std::fs::write(directory.path().join("h.at2"), AT2).unwrap();
+    let twice = "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n\
+                 [record]\nhorizontal = \"h.at2\"\nvertical = \"h.at2\"\n";
+    let error = SceneText::from_toml(twice).unwrap().check_in(directory.path()).unwrap_err();
+    assert!(error.to_string().starts_with("vertical: the same motion"), "{error}");
 }

@@ -11,7 +11,7 @@ use common::{all, gpu, object, say, scene, synthetic_pair, under};
 use proptest::prelude::*;
 use topple::model::CellEquations;
 use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT, pivot};
-use topple::scene::{Excitation, GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Pole, System, U, V, Z};
@@ -44,11 +44,9 @@ fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {
 fn record_map(object_number: u32, e: f64, side: u32, t_max: Option<f64>) -> Scene {
     let mut scene = object(object_number, e, (1.0, 1.0), 0.0, "5", "1");
     under(&mut scene, synthetic_pair());
-    scene.t_max = t_max.unwrap_or(scene.t_max);
-    let base = &mut scene.isolation;
-    let range = |start, stop| topple::scene::Range { start, stop, count: side };
-    base.horizontal.as_mut().unwrap().t_h = range(0.5, 4.0);
-    base.vertical.as_mut().unwrap().t_v = range(0.3, 2.0);
+    scene.set(Parameter::TMax, t_max.unwrap_or(scene.case().t_max));
+    scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
+    scene.set(Parameter::TV, Range::even(0.3, 2.0, side));
     scene
 }
 
@@ -130,7 +128,9 @@ fn the_certificate() {
                 hold(&format!("certificate, {isolation}, A_v = {a_v}"), &scene, CERTIFICATE);
             // Of the slowest pulses there is no end in the 30 s, and nothing to prove.
             let grid = Grid::of(&scene);
-            let ends = |index: usize| std::f64::consts::TAU / grid.point(index).omega < 20.0;
+            let ends = |index: usize| {
+                std::f64::consts::TAU / grid.case(index).shaking.pulse().unwrap().omega < 20.0
+            };
             let stand = cells
                 .iter()
                 .enumerate()
@@ -166,10 +166,10 @@ fn the_certificate_after_a_record() {
 fn what_is_proved_stays_so() {
     let scene = map("dual", None, 0.5, 24);
     let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
-    let model = plan.model::<f64>();
+    let model = plan.model::<f64>(&plan.scene.case());
     let mut proved = 0;
     for index in all(&grid) {
-        let (cell, state) = plan.cell::<f64>(&grid.point(index));
+        let (cell, state) = plan.cell::<f64>(&grid.case(index));
         let mut set =
             CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
         let then = single::run(&set, &state, &mut ());
@@ -185,12 +185,12 @@ fn what_is_proved_stays_so() {
             state.max_u - then.max_u,
             state.max_v - then.max_v,
         ];
-        assert!(grown.iter().all(|more| *more <= 1e-9), "{:?}: {grown:?}", grid.point(index));
+        assert!(grown.iter().all(|more| *more <= 1e-9), "{:?}: {grown:?}", grid.case(index));
         // The contact forces by a thousandth at most.
         let lower = then.min_contact - state.min_contact;
-        assert!(lower <= 1e-3 * then.min_contact.abs(), "{:?}: {lower}", grid.point(index));
+        assert!(lower <= 1e-3 * then.min_contact.abs(), "{:?}: {lower}", grid.case(index));
         let higher = state.friction - then.friction;
-        assert!(higher <= 1.001e-3 * then.friction, "{:?}: {higher}", grid.point(index));
+        assert!(higher <= 1.001e-3 * then.friction, "{:?}: {higher}", grid.case(index));
     }
     assert!(proved > 200, "{proved}");
 }
@@ -213,9 +213,7 @@ fn full_contact_once_for_all() {
 #[test]
 fn full_contact_with_the_pulse_reversed() {
     let mut scene = map("dual", None, 0.5, 24);
-    if let Excitation::Pulse(pulse) = &mut scene.excitation {
-        (pulse.a_h.start, pulse.a_h.stop) = (-12.0, 12.0);
-    }
+    scene.set(Parameter::AH, Range::even(-12.0, 12.0, 24));
     hold("full contact, A_h from -12 to 12", &scene, FULL_CONTACT);
 }
 
@@ -272,7 +270,7 @@ fn the_reference_agrees_with_what_is_left() {
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
         let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
         let differ = (0..grid.len()).filter(|index| {
-            let right = reference::run(&scene, &grid.point(*index), &Settings::default());
+            let right = reference::run(&scene, &grid.case(*index), &Settings::default());
             right.class != cells[*index].class
         });
         assert_eq!(differ.count(), 0, "{isolation}");
@@ -291,9 +289,9 @@ proptest! {
         seen in [0.0..0.14_f64, 0.0..0.14_f64],
     ) {
         let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3");
-        let point = Grid::of(&scene).point(0);
+        let point = Grid::of(&scene).case(0);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-        let model = plan.model::<f64>();
+        let model = plan.model::<f64>(&plan.scene.case());
         let (cell, mut state) = plan.cell::<f64>(&point);
         let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
         let pole = if left { Pole::Left } else { Pole::Right };
@@ -317,10 +315,10 @@ proptest! {
         let y = state.motion;
         (other[U], other[DU], other[V], other[DV], other[Z]) = (y.u, y.du, y.v, y.dv, y.z);
         (other[PHI], other[DPHI]) = (y.phi, y.dphi);
-        let energy = (system.energy(Some(pole), &other) - rest) / scene.block.mass;
-        let height = scene.block.height;
+        let energy = (system.energy(Some(pole), &other) - rest) / scene.case().block.mass;
+        let height = scene.case().block.height;
         let bound = |side: f64, angle: f64| {
-            let (arm, critical) = (scene.block.arm(side), scene.block.critical_angle(side));
+            let (arm, critical) = (scene.case().block.arm(side), scene.case().block.critical_angle(side));
             GRAVITY * (arm.hypot(height) * (critical - angle).cos() - height)
         };
         let least = bound(1.0, seen[0]).min(bound(-1.0, seen[1]));

@@ -90,7 +90,7 @@ struct Seen {
 
 fn watch(scene: &Scene) -> Vec<Seen> {
     let mut seen = Vec::new();
-    let point = Grid::of(scene).point(0);
+    let point = Grid::of(scene).case(0);
     reference::observe(scene, &point, &Settings::default(), &mut |i| {
         seen.push(Seen { t: i.t, phase: i.phase, y: *i.y, switch: i.switch });
     });
@@ -117,7 +117,7 @@ fn no_step_ends_beyond_an_impact() {
             assert!(angle > -1.0e-12, "{} s: {angle} rad about {pole:?}", seen.t);
         }
     };
-    reference::observe(&scene, &Grid::of(&scene).point(0), &Settings::default(), see);
+    reference::observe(&scene, &Grid::of(&scene).case(0), &Settings::default(), see);
     assert!(rocked > 100, "{rocked}");
 }
 
@@ -130,7 +130,7 @@ fn every_step_again_by_another_projects_integrator() {
         [(0.0, 0.0, "5", "3.5"), (0.1, 0.5, "7.75", "6.99"), (0.2, 0.0, "9", "8.4")]
     {
         let scene = object(1, e, (1.75, 0.75), a_v, omega, a_h);
-        let system = System::new(&scene, &Grid::of(&scene).point(0));
+        let system = System::new(&scene, &Grid::of(&scene).case(0));
         let mut switches = 0;
         for pair in watch(&scene).windows(2) {
             let (from, to) = (&pair[0], &pair[1]);
@@ -175,7 +175,7 @@ fn the_reference_does_not_depend_on_its_own_settings() {
     let tight = Settings { tolerance: 1e-12, rest_speed: 1e-6, ..standard };
     let loose = Settings { tolerance: 1e-8, rest_speed: 1e-4, ..standard };
     for index in 0..grid.len() {
-        let point = grid.point(index);
+        let point = grid.case(index);
         let a = run(&scene, &point, &standard);
         for other in [&tight, &loose] {
             let b = run(&scene, &point, other);

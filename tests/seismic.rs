@@ -8,7 +8,7 @@ use std::path::Path;
 
 use common::{all, gpu, record, say, scene};
 use rayon::prelude::*;
-use topple::scene::{GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::{Backend, Precision};
@@ -68,7 +68,7 @@ impl Tally {
                     && (0..rows as i64).contains(&j)
                     && judged[j as usize * columns + i as usize].class != judge.class
             });
-            match (grid.point(index).t_v < 0.3, near) {
+            match (grid.value(Parameter::TV, index).unwrap() < 0.3, near) {
                 (true, _) => self.stiff += 1,
                 (false, true) => self.beside += 1,
                 (false, false) => self.elsewhere += 1,
@@ -109,7 +109,7 @@ fn rinaldi_maps_agree_with_the_reference() {
             let base = "t_h = '0.5:4:48'\nt_v = '0.05:2:48'";
             let scene = rinaldi_scene(&files, object, e, base);
             let grid = Grid::of(&scene);
-            let run = |index| reference::run(&scene, &grid.point(index), &settings);
+            let run = |index| reference::run(&scene, &grid.case(index), &settings);
             let judged: Vec<Outcome> = (0..grid.len()).into_par_iter().map(run).collect();
             f32s.add(&grid, &sweep(&scene, Precision::F32), &judged);
             f64s.add(&grid, &sweep(&scene, Precision::F64), &judged);
@@ -161,7 +161,7 @@ fn critical_period(scene: &Scene) -> f64 {
     let grid = Grid::of(scene);
     let cells = sweep(scene, Precision::F32);
     let overturned = cells.iter().enumerate().filter(|(_, cell)| cell.class.overturned());
-    overturned.map(|(index, _)| grid.point(index).t_h).fold(0.0, f64::max)
+    overturned.map(|(index, _)| grid.value(Parameter::TH, index).unwrap()).fold(0.0, f64::max)
 }
 
 fn share(cells: &[Outcome], test: impl Fn(&Outcome) -> bool) -> f64 {
@@ -210,7 +210,7 @@ fn the_vertical_displacement_tends_to_the_static_deflection() {
         .iter()
         .enumerate()
         .map(|(index, cell)| {
-            let omega = std::f64::consts::TAU / grid.point(index).t_v;
+            let omega = std::f64::consts::TAU / grid.value(Parameter::TV, index).unwrap();
             cell.max_v / (GRAVITY / (omega * omega)) - 1.0
         })
         .collect();
@@ -267,8 +267,8 @@ fn the_ground_is_linear_between_samples() {
         path.display()
     ));
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    let point = Grid::of(&scene).point(0);
-    let (model, record) = (plan.model::<f64>(), plan.record::<f64>());
+    let point = Grid::of(&scene).case(0);
+    let (model, record) = (plan.model::<f64>(&plan.scene.case()), plan.record::<f64>());
     let (cell, _) = plan.cell::<f64>(&point);
     let clock = plan.clock(&point);
     assert_eq!(cell.steps_forced, 3 * cell.substeps);

@@ -151,7 +151,7 @@ macro_rules! same_layouts {
                 steps_forced,
                 steps,
                 substeps,
-                padding
+                body
             }
         );
         same_layout!(
@@ -245,12 +245,14 @@ fn words_are_laid_out_as_the_shaders() {
         vertical,
         drive,
         clock,
+        bodies,
         across,
         up,
+        counts,
+        levers,
         up_values,
         shared_contact,
         still,
-        mode,
         cells,
         columns,
         first_column,

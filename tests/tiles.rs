@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{all, gpu, object, synthetic_pair, under};
 use topple::model::real::Real;
-use topple::scene::{Grid, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::device::Gpu;
@@ -24,13 +24,10 @@ fn pulse() -> Scene {
 fn record() -> Scene {
     let mut scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3");
     under(&mut scene, synthetic_pair());
-    scene.t_max += 3.0;
-    if let Some(base) = &mut scene.isolation.horizontal {
-        base.t_h = Range { start: 0.5, stop: 3.0, count: 17 };
-    }
-    if let Some(base) = &mut scene.isolation.vertical {
-        base.t_v = Range { start: 0.1, stop: 1.0, count: 11 };
-    }
+    let longer = scene.case().t_max + 3.0;
+    scene.set(Parameter::TMax, longer);
+    scene.set(Parameter::TH, Range::even(0.5, 3.0, 17));
+    scene.set(Parameter::TV, Range::even(0.1, 1.0, 11));
     scene
 }
 

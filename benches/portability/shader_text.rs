@@ -24,6 +24,7 @@ const PULSE: Variant = Variant {
     kinks: true,
     yields: true,
     certificate: true,
+    bodies: false,
     bouc_wen_n: 2,
 };
 

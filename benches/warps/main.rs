@@ -18,8 +18,9 @@ use common::pulse;
 use host::Kind;
 use topple::model::real::Real;
 use topple::model::vector::Vector;
+use topple::scene::parameters::Section;
 use topple::scene::record::synthetic;
-use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
 use topple::stepping::trials::Purpose;
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -50,14 +51,15 @@ const SMALL: Kind = Kind { warps: 64, turn: Duration::from_micros(8) };
 /// Periods under the synthetic record.
 fn shaken(side: u32) -> Scene {
     let mut scene = pulse(2);
-    scene.block.eccentricity = -0.4;
+    scene.set(Parameter::Eccentricity, -0.4);
     let pair = synthetic::pair();
-    scene.t_max = pair.duration();
+    scene.set(Parameter::TMax, pair.duration());
     scene.excitation = Excitation::Record(pair);
-    if let (Some(h), Some(v)) = (&mut scene.isolation.horizontal, &mut scene.isolation.vertical) {
-        h.t_h = Range { start: 0.5, stop: 4.0, count: side };
-        v.t_v = Range { start: 0.02, stop: 2.0, count: side };
+    for parameter in Parameter::of_section(Section::Pulse) {
+        scene.numbers.remove(parameter);
     }
+    scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
+    scene.set(Parameter::TV, Range::even(0.02, 2.0, side));
     scene
 }
 

@@ -140,9 +140,10 @@ pub fn record<V: Vector + Send + Sync>(
     grid: &Grid,
     zero: V,
 ) -> (Traces, Vec<State<V::Element>>, usize) {
-    let (model, record) = (plan.model::<V::Element>(), plan.record::<V::Element>());
-    let all = Cells::<V::Element>::of(plan, grid, &record);
-    let shared = Shared { variant: plan.variant(), model: &model, record: &record };
+    let record = plan.record::<V::Element>();
+    let cells: Vec<usize> = (0..grid.len()).collect();
+    let all = Cells::<V::Element>::of(plan, grid, &cells, &record);
+    let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let count = grid.len();
     let next = AtomicUsize::new(0);
     let mut ran = rayon::broadcast(|_| {

@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::scene::excitation::{PulseText, RecordText};
-use crate::scene::isolation::{Directions, IsolationText};
-use crate::scene::text::{RunText, SceneText};
-use crate::scene::{Excitation, Grid, Range, Scene, SceneError, block::BlockText};
+use crate::scene::excitation::RecordText;
+use crate::scene::text::SceneText;
+use crate::scene::{Directions, Grid, Numbers, Parameter, Range, Scene, SceneError};
 
 /// Scenes that are charted together.
 #[derive(Debug, Clone)]
@@ -68,31 +67,25 @@ pub const MAPS: [(f64, f64); 10] = [
     (0.5, -0.4),
 ];
 
-fn range(start: f64, stop: f64, count: u32) -> Option<Range> {
-    Some(Range { start, stop, count })
+/// The numbers of Object 1 on an isolated base, which are not its own.
+fn object_1(eccentricity: f64) -> Numbers {
+    Numbers::default().with(Parameter::Eccentricity, eccentricity)
 }
 
-fn object_1(eccentricity: f64) -> BlockText {
-    BlockText { object: Some(1), eccentricity: Some(eccentricity), ..BlockText::default() }
-}
-
-fn periods(t_h: Option<Range>, t_v: Option<Range>) -> IsolationText {
-    IsolationText { t_h, t_v, ..IsolationText::default() }
+/// A scene of Object 1.
+fn scene(numbers: Numbers) -> SceneText {
+    SceneText { object: Some(1), numbers, ..SceneText::default() }
 }
 
 /// A map of Figs. 11 and 13.
 fn overturning_map(a_v: f64, e: f64, side: u32) -> Result<Scene, SceneError> {
-    SceneText {
-        block: object_1(e),
-        base: periods(range(1.75, 1.75, 1), range(0.75, 0.75, 1)),
-        pulse: Some(PulseText {
-            omega: range(0.2, 15.0, side),
-            a_h: range(0.1, 15.0, side),
-            a_v: Some(a_v),
-        }),
-        ..SceneText::default()
-    }
-    .check()
+    let numbers = object_1(e)
+        .with(Parameter::TH, 1.75)
+        .with(Parameter::TV, 0.75)
+        .with(Parameter::Omega, Range::even(0.2, 15.0, side))
+        .with(Parameter::AH, Range::even(0.1, 15.0, side))
+        .with(Parameter::AV, a_v);
+    scene(numbers).check()
 }
 
 /// The pulse map of Fig. 11, lower row, middle, with `side` points an axis.
@@ -111,17 +104,11 @@ pub fn pulse(side: u32, finest: u32) -> Result<Bench, SceneError> {
 
 /// A record's map, from T_v = 0.3 s on: below, rocking is chaotic and no method decides.
 fn record(side: u32, record: RecordText, finest: u32) -> Result<Bench, SceneError> {
-    let scene = SceneText {
-        block: object_1(-0.4),
-        base: periods(range(0.5, 4.0, side), range(0.3, 2.0, side)),
-        record: Some(record),
-        ..SceneText::default()
-    }
-    .check()?;
-    let name = match &scene.excitation {
-        Excitation::Record(pair) => pair.title.as_str(),
-        Excitation::Pulse(_) => "no record",
-    };
+    let numbers = object_1(-0.4)
+        .with(Parameter::TH, Range::even(0.5, 4.0, side))
+        .with(Parameter::TV, Range::even(0.3, 2.0, side));
+    let scene = SceneText { record: Some(record), ..scene(numbers) }.check()?;
+    let name = scene.excitation.record().map_or("no record", |pair| pair.title.as_str());
     let title = format!("Record map: Object 1, ε = -0.4, {name}");
     Ok(Bench { name: "record", title, scenes: vec![scene], finest, whole: true })
 }
@@ -129,18 +116,12 @@ fn record(side: u32, record: RecordText, finest: u32) -> Result<Bench, SceneErro
 /// One block on the ground, let go at half its critical angle. The pulse is of no strength: it only
 /// makes each cell's steps differ a little in length, so that switches fall anywhere in a step.
 fn free(finest: u32) -> Result<Bench, SceneError> {
-    let scene = SceneText {
-        block: object_1(0.0),
-        base: IsolationText { isolation: Some(Directions::None), ..IsolationText::default() },
-        pulse: Some(PulseText {
-            omega: range(TAU / 0.9, TAU / 1.1, 64),
-            a_h: range(0.0, 0.0, 1),
-            a_v: None,
-        }),
-        run: RunText { t_max: Some(8.0), tilt: Some(0.1), ..RunText::default() },
-        ..SceneText::default()
-    }
-    .check()?;
+    let numbers = object_1(0.0)
+        .with(Parameter::Omega, Range::even(TAU / 0.9, TAU / 1.1, 64))
+        .with(Parameter::AH, 0.0)
+        .with(Parameter::TMax, 8.0)
+        .with(Parameter::Tilt, 0.1);
+    let scene = SceneText { isolation: Some(Directions::None), ..scene(numbers) }.check()?;
     Ok(Bench {
         name: "free",
         title: "Free rocking of Object 1 on the ground from φ = 0.1 rad, 8 s".into(),

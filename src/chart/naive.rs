@@ -9,7 +9,7 @@ use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use crate::model::dynamics::{largest_uplift_moment, rates, uplift_moment};
 use crate::model::excitation::Ground;
 use crate::model::impact::{change_corner, come_to_rest};
-use crate::scene::{Grid, Point};
+use crate::scene::{Case, Grid};
 use crate::stepping::forcing::ground_at;
 use crate::stepping::guards::{IMPACT, NOTHING, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
 use crate::stepping::log::{Event, FirstSwitches, Log};
@@ -27,16 +27,16 @@ pub fn sweep(
     cells: &[usize],
     events_kept: usize,
 ) -> (Vec<Outcome>, Vec<Event<f64>>) {
-    let run = |&index: &usize| run(plan, &grid.point(index), events_kept);
+    let run = |&index: &usize| run(plan, &grid.case(index), events_kept);
     let ran: Vec<(Outcome, FirstSwitches<f64>)> = cells.par_iter().map(run).collect();
     let (outcomes, events): (Vec<Outcome>, Vec<FirstSwitches<f64>>) = ran.into_iter().unzip();
     (outcomes, events.into_iter().flat_map(|kept| kept.0).collect())
 }
 
-fn run(plan: &Plan, point: &Point, events_kept: usize) -> (Outcome, FirstSwitches<f64>) {
-    let model = plan.model::<f64>();
+fn run(plan: &Plan, case: &Case, events_kept: usize) -> (Outcome, FirstSwitches<f64>) {
+    let model = plan.model::<f64>(case);
     let record = plan.record::<f64>();
-    let (cell, mut state) = plan.cell::<f64>(point);
+    let (cell, mut state) = plan.cell::<f64>(case);
     let set =
         CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
     let mut log = FirstSwitches(vec![Event::zeroed(); events_kept]);
@@ -48,7 +48,7 @@ fn run(plan: &Plan, point: &Point, events_kept: usize) -> (Outcome, FirstSwitche
             state.status = FINISHED;
         }
     }
-    (plan.outcome(point, &state), log)
+    (plan.outcome(case, &state), log)
 }
 
 /// One whole step, and the switch that its end asks for.

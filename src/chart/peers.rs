@@ -14,7 +14,7 @@ use super::bench::Bench;
 use super::errors::compare;
 use super::table::Row;
 use super::truth::{Kind, Seen, Told};
-use crate::scene::{Excitation, Grid};
+use crate::scene::{Excitation, Grid, Shaking};
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::reference::system::Pole;
 
@@ -112,23 +112,25 @@ pub fn write_cells(benches: &[Bench], writer: impl Write) -> Result<(), csv::Err
     for bench in benches.iter().filter(|bench| bench.whole) {
         let mut number = 0;
         for scene in &bench.scenes {
-            let (grid, block, base) = (Grid::of(scene), &scene.block, &scene.isolation);
-            let dt = match &scene.excitation {
-                Excitation::Record(pair) => Some(pair.dt),
-                Excitation::Pulse(_) => None,
-            };
+            let grid = Grid::of(scene);
+            let dt = scene.excitation.record().map(|pair| pair.dt);
             for index in 0..grid.len() {
-                let point = grid.point(index);
+                let case = grid.case(index);
+                let (block, base) = (&case.block, &case.isolation);
+                let (omega, a_h, a_v) = match case.shaking {
+                    Shaking::Pulse(pulse) => (pulse.omega, pulse.a_h, pulse.a_v),
+                    Shaking::Record { pga_h, pga_v, .. } => (1.0, pga_h, pga_v),
+                };
                 table.serialize(Cell {
                     scene: bench.name,
                     cell: number,
                     recorded: u8::from(dt.is_some()),
-                    omega: point.omega,
-                    a_h: point.a_h,
-                    a_v: point.a_v,
+                    omega,
+                    a_h,
+                    a_v,
                     dt: dt.unwrap_or(0.0),
-                    t_max: scene.t_max,
-                    tilt: scene.tilt,
+                    t_max: case.t_max,
+                    tilt: case.tilt,
                     half_width: block.half_width,
                     height: block.height,
                     offset: block.offset(),
@@ -136,11 +138,11 @@ pub fn write_cells(benches: &[Bench], writer: impl Write) -> Result<(), csv::Err
                     inertia: block.inertia,
                     plate_h: base.plate_h,
                     plate_v: base.plate_v,
-                    t_h: base.horizontal.map_or(0.0, |_| point.t_h),
+                    t_h: base.horizontal.map_or(0.0, |law| law.t_h),
                     psi: base.horizontal.map_or(1.0, |law| law.psi),
                     xi_h: base.horizontal.map_or(0.0, |law| law.xi_h),
                     alpha_y: base.horizontal.map_or(0.0, |law| law.alpha_y),
-                    t_v: base.vertical.map_or(0.0, |_| point.t_v),
+                    t_v: base.vertical.map_or(0.0, |law| law.t_v),
                     xi_v: base.vertical.map_or(0.0, |law| law.xi_v),
                 })?;
                 number += 1;

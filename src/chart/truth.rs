@@ -6,7 +6,7 @@ use super::SWITCHES;
 use super::bench::Bench;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
-use crate::scene::{Grid, Point, Scene};
+use crate::scene::{Case, Grid, Scene};
 use crate::stepping::guards::{IMPACT, OVERTURN, UPLIFT_LEFT};
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
@@ -56,9 +56,9 @@ pub struct Told {
 }
 
 /// A cell by the reference.
-pub fn by_reference(scene: &Scene, point: &Point, settings: &Settings) -> Told {
+pub fn by_reference(scene: &Scene, case: &Case, settings: &Settings) -> Told {
     let mut switches = Vec::new();
-    let outcome = reference::observe(scene, point, settings, &mut |instant| {
+    let outcome = reference::observe(scene, case, settings, &mut |instant| {
         let kind = match instant.switch {
             Some(Switch::Uplift(pole)) => Kind::Uplift(pole),
             Some(Switch::Impact(_)) => Kind::Impact(instant.phase),
@@ -107,7 +107,7 @@ pub fn of_bench(bench: &Bench, settings: &Settings, done: &(dyn Fn(usize) + Sync
     for scene in &bench.scenes {
         let grid = Grid::of(scene);
         let cells = (0..grid.len()).into_par_iter().map(|index| {
-            let cell = by_reference(scene, &grid.point(index), settings);
+            let cell = by_reference(scene, &grid.case(index), settings);
             done(1);
             cell
         });

@@ -7,7 +7,7 @@ use sysinfo::{CpuRefreshKind, RefreshKind, System};
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
-use topple::scene::{Excitation, Grid, Range, Scene};
+use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
@@ -147,14 +147,10 @@ impl BenchCommand {
             ))
         };
         let mut shaken = scene("[base]\nt_h = 1.0\nt_v = 1.0\n[pulse]\nomega = 5.0\na_h = 1.0\n")?;
-        let range = |start, stop| Range { start, stop, count: quarter };
-        if let (Some(h), Some(v)) =
-            (&mut shaken.isolation.horizontal, &mut shaken.isolation.vertical)
-        {
-            (h.t_h, v.t_v) = (range(0.5, 4.0), range(0.02, 2.0));
-        }
+        shaken.set(Parameter::TH, Range::even(0.5, 4.0, quarter));
+        shaken.set(Parameter::TV, Range::even(0.02, 2.0, quarter));
         let pair = synthetic::pair();
-        shaken.t_max = pair.duration();
+        shaken.set(Parameter::TMax, pair.duration());
         shaken.excitation = Excitation::Record(pair);
         Ok([
             course(&map(self.side)?, false)?,
@@ -176,7 +172,7 @@ impl BenchCommand {
         let mut seconds = [f64::INFINITY; 3];
         for (course, shortest) in courses.iter().zip(&mut seconds) {
             let Course { plan, grid, cells } = course;
-            let (plan, grid, cells) = (plan.at(precision), *grid, cells.clone());
+            let (plan, grid, cells) = (plan.at(precision), grid.clone(), cells.clone());
             let course = Course { plan, grid, cells };
             for _ in 0..self.repeat {
                 let began = Instant::now();
@@ -203,12 +199,16 @@ impl BenchCommand {
         );
         println!("|{}|---|--:|--:|--:|--:|--:|--:|--:|", "-".repeat(42));
         for row in rows {
-            let rate = |i: usize| cells[i] / row.seconds[i];
+            let rate = |i: usize| match cells[i] / row.seconds[i] {
+                // A slow machine has some, too.
+                few if few < 10.0 => format!("{few:.3}"),
+                many => format!("{many:.0}"),
+            };
             let times = |i: usize| base[i] / row.seconds[i];
             let flops = f64::from(self.flops(&courses[1], row.precision));
             let giga = flops * steps / row.seconds[1] / 1.0e9;
             println!(
-                "| {:<40} | {:<7} | {:>17.0} | {:>6.2} | {:>14.0} | {:>5.2} | {:>10.0} | {:>5.2} | {:>7.3} |",
+                "| {:<40} | {:<7} | {:>17} | {:>6.2} | {:>14} | {:>5.2} | {:>10} | {:>5.2} | {:>7.3} |",
                 row.name,
                 row.precision.name(),
                 rate(0),
@@ -268,7 +268,7 @@ fn steps(course: &Course) -> u64 {
     let Course { plan, grid, cells } = course;
     let outcomes = cpu::sweep::<f32>(plan, grid, cells, &|_| ());
     let of = |(&index, cell): (&usize, &Outcome)| {
-        plan.clock(&grid.point(index)).steps_until(cell.t_simulated)
+        plan.clock(&grid.case(index)).steps_until(cell.t_simulated)
     };
     cells.iter().zip(&outcomes).map(of).sum()
 }

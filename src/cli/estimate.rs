@@ -3,14 +3,14 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use topple::scene::Grid;
+use topple::scene::{Grid, Parameter};
 use topple::store::tile;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
 
 use super::disk::{self, Files, size};
-use super::memory;
 use super::options::{MapOptions, flag_error};
+use super::{memory, words};
 
 /// Most points of an axis of the sample, and the least.
 const SIDE: [f64; 2] = [16.0, 96.0];
@@ -43,9 +43,15 @@ impl Estimate {
         cells: usize,
     ) -> anyhow::Result<Estimate> {
         let mut sample = plan.scene.clone();
-        let side = (cells as f64 / SHARE).sqrt().clamp(SIDE[0], SIDE[1]) as u32;
-        for axis in sample.axes_mut() {
-            axis.count = axis.count.min(side);
+        let side = (cells as f64 / SHARE).sqrt().clamp(SIDE[0], SIDE[1]);
+        let swept = sample.swept();
+        // As many cells as a square has, by as many axes as there are.
+        let most = side.powf(2.0 / swept.len().max(1) as f64).max(2.0) as usize;
+        for parameter in swept {
+            if let Some(values) = sample.numbers.get(parameter) {
+                let thinned = values.thinned(most);
+                sample.set(parameter, thinned);
+            }
         }
         let sample_plan = options.run.plan(&sample).map_err(|e| flag_error(&e))?;
         let sample = Grid::of(&sample);
@@ -73,12 +79,11 @@ pub fn tell(
     // A choice has one backend at least.
     let backend = &backends[0];
     let takes = Estimate::of(plan, grid, options, backend, wanted.len())?;
-    let (columns, rows) = grid.shape();
     let part = match options.tile {
         None => String::new(),
         Some(part) => format!(", part {part} of them {}", wanted.len()),
     };
-    println!("cells      {columns} x {rows} = {}{part}", grid.len());
+    println!("cells      {} = {}{part}", words::sides(grid), grid.len());
     println!("motion     {:.3e} s simulated at the most", motion(plan, wanted.len()));
     println!(
         "time       about {} of sweep by {} {}, {:.0} cells/s on {} cells",
@@ -141,7 +146,8 @@ pub fn before(
 
 /// Time that cells simulate if none ends early, s.
 fn motion(plan: &Plan, cells: usize) -> f64 {
-    cells as f64 * plan.scene.t_max
+    let longest = plan.scene.numbers.get(Parameter::TMax).map_or(0.0, |t_max| t_max.ends().1);
+    cells as f64 * longest
 }
 
 /// A time in the unit that a reader would use.

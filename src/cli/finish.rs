@@ -6,8 +6,9 @@ use std::time::Instant;
 use rayon::prelude::*;
 use topple::map::files::Directory;
 use topple::map::manifest::{Manifest, Origin, Reduced, Steps, Timings};
-use topple::map::outcomes::{DRAWN, Outcomes, Tally, thinned};
-use topple::scene::Grid;
+use topple::map::outcomes::{DRAWN, Outcomes, Tally};
+use topple::map::slices;
+use topple::scene::{Grid, Parameter};
 use topple::store::identity::Manner;
 use topple::store::parts::Report;
 use topple::sweep::plan::Plan;
@@ -43,12 +44,12 @@ pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<
     let watch =
         |doing, columns| Watched::new(*outcomes, doing, grid.len(), columns, say.is_quiet());
     let counted = watch("counting", COUNTED);
-    let tally = Tally::of(scene, grid, &counted)?;
+    let tally = Tally::of(grid, &counted)?;
     let judging = Instant::now();
     let verification = verification::verify(plan, grid, &counted, verification::SAMPLE)?;
     let verified = judging.elapsed().as_secs_f64();
     counted.finish();
-    say.line("outcomes", words::shares(&tally, scene.friction));
+    say.line("outcomes", words::shares(&tally, scene.numbers.get(Parameter::Friction)));
     say.line("reference", words::agreement(&verification));
     let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
     let resumed: usize = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -60,7 +61,7 @@ pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<
     // One that all parts share, if they do.
     let adapter = parts[0].1.adapter.as_ref();
     let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
-    let map = thinned(scene, grid, *outcomes, DRAWN)?;
+    let slices = slices::of(scene, grid, *outcomes)?;
     let manifest = Manifest {
         version: env!("CARGO_PKG_VERSION"),
         scene,
@@ -79,28 +80,38 @@ pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<
         sliding_cells: tally.sliding,
         model: Reduced::of(plan, &tally),
         verification: &verification,
-        drawn: map.grid.shape(),
+        drawn: slices.first().map_or((0, 0), |slice| slice.map.grid.shape()),
         parts: parts
             .iter()
             .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
             .collect(),
     };
     let written = watch("writing", WRITTEN);
-    let picture = output::write(out, grid, &written, &map, &manifest)?;
+    let pictures = output::write(out, grid, &written, &slices, &manifest)?;
     written.finish();
-    let thinned = match map.grid == *grid {
+    let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
+    let thinned = match cells == grid.len() {
         true => String::new(),
         false => format!(", {DRAWN} cells a side of them"),
     };
-    say.line("picture", format!("{}{thinned}", picture.display()));
-    say.line("data", format!("{} with map.npz, map.svg, run.json", out.file("map.csv").display()));
+    match &pictures[..] {
+        [] => {
+            let (count, most) = (grid.slices(), slices::MOST);
+            say.line("picture", format!("none: {count} slices, of which {most} at most are drawn"));
+        }
+        [picture] => say.line("picture", format!("{}{thinned}", picture.display())),
+        [first, .., last] => {
+            say.line("pictures", format!("{} to {}{thinned}", first.display(), last.display()));
+        }
+    }
+    say.line("data", format!("{} with map.npz, run.json", out.file("map.csv").display()));
     Ok(())
 }
 
 /// The steps of a grid's cells.
 fn steps(plan: &Plan, grid: &Grid) -> Steps {
     let of = |cell: usize| {
-        let clock = plan.clock(&grid.point(cell));
+        let clock = plan.clock(&grid.case(cell));
         let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };
         (step, clock.steps)
     };

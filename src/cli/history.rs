@@ -3,16 +3,16 @@
 use serde::Serialize;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
-use topple::scene::excitation::{PulseText, RecordText};
+use topple::scene::Scene;
+use topple::scene::excitation::RecordText;
 use topple::scene::text::SceneText;
-use topple::scene::{Grid, Point, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
 use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;
-use topple::sweep::plan::Plan;
 
 use super::InputError;
+use super::numbers::{PulseNumbers, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
 
@@ -21,11 +21,13 @@ use super::output;
 pub struct HistoryCommand {
     #[command(flatten)]
     common: CommonFlags,
-    #[command(flatten, next_help_heading = "Pulse")]
-    pulse: PulseText,
+    #[command(flatten)]
+    pulse: PulseNumbers,
     #[command(flatten, next_help_heading = "Record")]
     record: RecordText,
-    #[command(flatten, next_help_heading = "Run")]
+    #[command(flatten)]
+    scale: RecordNumbers,
+    #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
 }
 
@@ -44,40 +46,31 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let given = |pulse: bool| {
-            if pulse {
-                self.pulse != PulseText::default()
-            } else {
-                self.record != RecordText::default()
-            }
-        };
+        let numbers = self.pulse.placed().chain(self.scale.placed());
         let text = SceneText {
-            pulse: given(true).then(|| self.pulse.clone()),
-            record: given(false).then(|| self.record.clone()),
-            ..self.common.text(Some("Time history"))
+            force: options.force,
+            record: (self.record != RecordText::default()).then(|| self.record.clone()),
+            ..self.common.text(Some("Time history"), numbers)
         };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        let grid = Grid::of(&scene);
-        for axis in [&grid.x, &grid.y] {
-            if axis.range.count > 1 {
-                let flag = axis.key.replace('_', "-");
-                let problem = format!("--{flag}: a history is of one cell; give a single number");
-                return Err(InputError(problem).into());
-            }
+        if let Some(swept) = scene.swept().first() {
+            let flag = swept.entry().flag();
+            let problem = format!("{flag}: a history is of one cell; give a single number");
+            return Err(InputError(problem).into());
         }
         if options.backend == Choice::Gpu {
             let problem = "--backend: the shader keeps no history; use cpu or reference";
             return Err(InputError(problem.into()).into());
         }
-        let plan = Plan::new(&scene, options.step).map_err(|e| flag_error(&e))?;
+        let plan = options.plan(&scene).map_err(|e| flag_error(&e))?;
         let out = output::open(&options.out)?;
-        let point: Point = grid.point(0);
+        let case = scene.case();
         let (rows, outcome) = match (options.backend, options.precision) {
-            (Choice::Reference, _) => motion::by_reference(&scene, &point),
-            (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &point),
-            (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &point),
+            (Choice::Reference, _) => motion::by_reference(&scene, &case),
+            (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
+            (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
         };
-        let svg = figure::draw(&scene, &point, &rows, &outcome)?;
+        let svg = figure::draw(&scene, &case, &rows, &outcome)?;
         let png = document::render(&svg, output::PNG_SCALE)?;
         out.write("history.csv", |w| table::write(&rows, w))?;
         output::write_figure(&out, "history", &svg, &png)?;

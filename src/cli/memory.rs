@@ -39,7 +39,7 @@ pub fn of_run(grid: &Grid, options: &MapOptions, workers: &[Backend]) -> u64 {
     let kept = match options.tile {
         Some(_) => 0,
         None if holds(grid) => grid.len(),
-        None => columns.min(DRAWN as usize) * rows.min(DRAWN as usize),
+        None => columns.min(DRAWN) * rows.min(DRAWN),
     };
     of_cells(kept + tiles.min(grid.len())) + MOTIONS as u64
 }

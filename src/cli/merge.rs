@@ -13,7 +13,7 @@ use super::words::{self, Say};
 use super::{InputError, output, run};
 
 /// Points of an axis of the sample that tells how large the files will be.
-const SAMPLE: u32 = 96;
+const SAMPLE: usize = 96;
 
 /// Join the parts of a map that runs with --tile left, and write its files.
 #[derive(clap::Args)]
@@ -43,7 +43,8 @@ impl MergeCommand {
         let plan = manner.plan(&scene)?;
         let out = output::open(&self.out)?;
         let grid = Grid::of(&scene);
-        let sample = thinned(&scene, &grid, &shelf, SAMPLE)?;
+        let (slice, _) = grid.slice(0);
+        let sample = thinned(&scene, (&slice, 0), &shelf, SAMPLE)?;
         let files = Files::of(&sample.grid, &sample, grid.len())?;
         disk::fits(files.all(), &self.out)?;
         // Nobody else is to write there, and a run that was interrupted there is not to be lost.

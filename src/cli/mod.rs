@@ -10,6 +10,7 @@ mod finish;
 mod history;
 mod memory;
 mod merge;
+mod numbers;
 mod options;
 mod output;
 mod progress;

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use topple::scene::block::BlockText;
-use topple::scene::isolation::IsolationText;
-use topple::scene::text::{RunText, SceneText};
-use topple::scene::{Scene, SceneError};
+use topple::scene::parameters::PARAMETERS;
+use topple::scene::text::SceneText;
+use topple::scene::{Directions, Overturn, Parameter, Scene, SceneError, Values};
 use topple::store::identity::Manner;
 use topple::store::part::Part;
 use topple::sweep::backend::{Backend, Precision};
@@ -15,6 +14,7 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
 
+use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
 use super::{InputError, words};
 
 /// Where to and on what.
@@ -42,10 +42,16 @@ pub struct RunOptions {
     /// Simulate all of the model and all of the time, also where it has no say in the result
     #[arg(long)]
     pub full_model: bool,
+    /// Believe numbers that are not plausible
+    #[arg(long)]
+    pub force: bool,
     /// Print nothing but warnings and errors
     #[arg(long)]
     pub quiet: bool,
 }
+
+/// The largest step that is not questioned, s.
+const LARGEST_STEP: f64 = 0.1;
 
 /// What a map has besides.
 #[derive(clap::Args)]
@@ -73,6 +79,15 @@ impl RunOptions {
     /// # Errors
     /// Those of [`Manner::plan`].
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        let step = self.step;
+        if step > LARGEST_STEP && !self.force {
+            let key = "step";
+            let problem = format!(
+                "{step} s is not plausible (up to {LARGEST_STEP}; seconds are meant, not \
+                 milliseconds); --force believes it"
+            );
+            return Err(SceneError { key, problem });
+        }
         self.manner().plan(scene)
     }
 
@@ -111,29 +126,67 @@ impl RunOptions {
     }
 }
 
-/// The flags that every scene has.
+/// What a number's values may be, for the help.
+pub const VALUES: &str = "VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each \
+the same factor larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most.";
+
+/// The flags that every scene has. Every number takes a value, start:stop:count, start:stop:count:log, or
+/// a,b,c.
 #[derive(clap::Args)]
 pub struct CommonFlags {
-    #[command(flatten, next_help_heading = "Block")]
-    block: BlockText,
-    #[command(flatten, next_help_heading = "Base")]
-    base: IsolationText,
-    #[command(flatten, next_help_heading = "Simulation")]
-    run: RunText,
+    /// A block of the paper's Table 1 with its plates: 1 caryatid, 2 server cabinet, 3 hospital
+    /// cabinet
+    #[arg(long, value_name = "1|2|3", help_heading = "Block")]
+    object: Option<u32>,
+    #[command(flatten)]
+    block: BlockNumbers,
+    /// Directions in which the base moves; a locked one needs no period [default: dual]
+    #[arg(long, value_name = "DIRECTIONS", help_heading = "Base")]
+    isolation: Option<Directions>,
+    #[command(flatten)]
+    base: BaseNumbers,
+    #[command(flatten)]
+    run: RunNumbers,
+    /// When a block counts as overturned [default: critical-angle]
+    #[arg(long, value_name = "WHEN", help_heading = "Run")]
+    overturn: Option<Overturn>,
+    /// The number along the picture's horizontal axis
+    #[arg(long, value_name = "KEY", help_heading = "Run", value_parser = parameter)]
+    x: Option<Parameter>,
+    /// The number along the picture's vertical axis
+    #[arg(long, value_name = "KEY", help_heading = "Run", value_parser = parameter)]
+    y: Option<Parameter>,
 }
 
 impl CommonFlags {
-    /// The scene so far, without its excitation.
-    pub fn text(&self, title: Option<&str>) -> SceneText {
+    /// The scene so far, with other numbers than those that every scene has, and without its excitation.
+    pub fn text(
+        &self,
+        title: Option<&str>,
+        more: impl Iterator<Item = (usize, Parameter, Values)>,
+    ) -> SceneText {
+        let own = self.block.placed().chain(self.base.placed()).chain(self.run.placed());
         SceneText {
             title: title.map(String::from),
-            block: self.block.clone(),
-            base: self.base.clone(),
-            pulse: None,
+            object: self.object,
+            isolation: self.isolation,
+            overturn: self.overturn,
             record: None,
-            run: self.run.clone(),
+            numbers: in_order(own.chain(more)),
+            force: false,
+            x: self.x,
+            y: self.y,
         }
     }
+}
+
+/// A number by its key, written as a flag or as in a file.
+fn parameter(text: &str) -> Result<Parameter, String> {
+    let key = text.trim_start_matches('-').replace('-', "_");
+    Parameter::of_key(&key).ok_or_else(|| {
+        let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
+        format!("no number has this key; there are {}", known.join(", "))
+    })
 }
 
 /// A time in seconds.

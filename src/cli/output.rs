@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use topple::map::figure::FigureError;
-use topple::map::figure::{document, field, frame, overturning};
+use topple::map::figure::{curves, document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::Manifest;
 use topple::map::outcomes::Outcomes;
+use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::scene::{Excitation, Grid};
 
@@ -21,49 +22,80 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
     Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
 }
 
-/// Writes the files of a map, of which `map` is what is drawn; the path of its picture.
+/// Writes the files of a map, of which `slices` are drawn; the paths of their pictures.
 pub fn write(
     out: &Directory,
     grid: &Grid,
     outcomes: &dyn Outcomes,
-    map: &Map,
+    slices: &[Slice],
     manifest: &Manifest,
-) -> anyhow::Result<PathBuf> {
-    let figures = figures(map)?;
+) -> anyhow::Result<Vec<PathBuf>> {
+    let figures: Vec<Figure> = match slices {
+        [whole] => figures(&whole.map)?,
+        slices => slices
+            .par_iter()
+            .enumerate()
+            .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number)))
+            .collect::<Result<_, _>>()?,
+    };
     out.write("map.csv", |w| map::csv::write(grid, outcomes, w))?;
     out.write("map.npz", |w| map::npz::write(grid, outcomes, w))?;
-    if matches!(map.scene.excitation, Excitation::Record(_)) {
-        out.write("boundaries.csv", |w| map::boundaries::write(map, w))?;
+    if let [whole] = slices
+        && whole.map.scene.excitation != Excitation::Pulse
+        && grid.axes().len() == 2
+        && grid.line().is_none()
+    {
+        out.write("boundaries.csv", |w| map::boundaries::write(&whole.map, w))?;
     }
     for (name, svg, png) in &figures {
         write_figure(out, name, svg, png)?;
     }
     write_json(out, manifest)?;
-    Ok(out.file("map.png"))
+    let maps = figures.iter().filter(|(name, ..)| name.starts_with("map"));
+    Ok(maps.map(|(name, ..)| out.file(&format!("{name}.png"))).collect())
 }
 
 /// A picture's name, its SVG and its PNG.
-type Figure = (&'static str, String, Vec<u8>);
+type Figure = (String, String, Vec<u8>);
 
-/// The pictures of a map: its outcomes for a pulse, its fields for a record.
-fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
-    let finish = |name, svg: String| {
-        let png = document::render(&svg, PNG_SCALE)?;
-        Ok((name, svg, png))
+/// The name of a slice's picture.
+fn name_of(number: usize) -> String {
+    format!("map-{:02}", number + 1)
+}
+
+/// The picture of a map that stands for all of it: its outcomes for a pulse, the rocking index for a
+/// record; of one axis curves. `at` tells what the map is a slice at.
+fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
+    let svg = if let Some(axis) = map.grid.line() {
+        curves::draw(map, axis)?
+    } else if map.scene.excitation == Excitation::Pulse {
+        overturning::draw(map, at)?
+    } else {
+        field::draw(map, &field::FIELDS[0], at)?
     };
-    match map.scene.excitation {
-        Excitation::Pulse(_) => Ok(vec![finish("map", overturning::draw(map)?)?]),
-        Excitation::Record(_) => {
-            let mut figures: Vec<Figure> = field::FIELDS
-                .par_iter()
-                .map(|field| finish(field.name, field::draw(map, field)?))
-                .collect::<Result<_, _>>()?;
-            let [normal, friction] = &field::CONTACT;
-            let (left, right) = (field::draw(map, normal)?, field::draw(map, friction)?);
-            figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
-            Ok(figures)
-        }
+    let png = document::render(&svg, PNG_SCALE)?;
+    Ok((name.into(), svg, png))
+}
+
+/// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
+fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
+    let mut figures = vec![main_figure(map, "", "map")?];
+    if map.scene.excitation == Excitation::Pulse || map.grid.line().is_some() {
+        return Ok(figures);
     }
+    let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {
+        let png = document::render(&svg, PNG_SCALE)?;
+        Ok((name.into(), svg, png))
+    };
+    let others: Vec<Figure> = field::FIELDS[1..]
+        .par_iter()
+        .map(|field| finish(field.name, field::draw(map, field, "")?))
+        .collect::<Result<_, _>>()?;
+    figures.extend(others);
+    let [normal, friction] = &field::CONTACT;
+    let (left, right) = (field::draw(map, normal, "")?, field::draw(map, friction, "")?);
+    figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
+    Ok(figures)
 }
 
 /// Writes a picture as NAME.svg and NAME.png.

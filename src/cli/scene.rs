@@ -37,7 +37,8 @@ impl RunCommand {
             let problem = "this is a figure of several panels; run it by topple figures --scenes";
             return Err(refused(problem.into()).into());
         }
-        let scene = SceneText::from_toml(&text).map_err(refused)?;
+        let mut scene = SceneText::from_toml(&text).map_err(refused)?;
+        scene.force |= self.options.run.force;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
         run::run_map(&scene, &self.options)

@@ -6,18 +6,22 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 
-use super::options::{CommonFlags, MapOptions, flag_error};
+use super::numbers::RecordNumbers;
+use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
 use super::output;
 use super::run;
 
 /// Map the response to a ground-motion record over (T_h, T_v).
 #[derive(clap::Args)]
+#[command(after_help = VALUES)]
 pub struct SeismicCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten, next_help_heading = "Record")]
     record: RecordText,
-    #[command(flatten, next_help_heading = "Run")]
+    #[command(flatten)]
+    numbers: RecordNumbers,
+    #[command(flatten, next_help_heading = "Computing")]
     options: MapOptions,
 }
 
@@ -25,9 +29,10 @@ impl SeismicCommand {
     /// Runs the map.
     pub fn run(&self) -> anyhow::Result<()> {
         let mut record = self.record.clone();
+        let force = self.options.run.force;
         if self.options.dry_run && record.horizontal.is_none() && record.vertical.is_none() {
             // Nothing is written, the synthetic pair neither.
-            let text = self.common.text(None);
+            let text = SceneText { force, ..self.common.text(None, self.numbers.placed()) };
             let scene = text
                 .check_under(Excitation::Record(synthetic::pair()))
                 .map_err(|e| flag_error(&e))?;
@@ -37,7 +42,8 @@ impl SeismicCommand {
             let out = output::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }
-        let text = SceneText { record: Some(record), ..self.common.text(None) };
+        let text = self.common.text(None, self.numbers.placed());
+        let text = SceneText { record: Some(record), force, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         run::run_map(&scene, &self.options)
     }

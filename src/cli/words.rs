@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use topple::map::figure::frame;
 use topple::map::outcomes::Tally;
-use topple::scene::{Excitation, Grid, Scene};
+use topple::scene::{Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::{Backend, Precision};
@@ -43,10 +43,15 @@ pub fn threads() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
+/// The points of a grid's axes: `400 x 400`.
+pub fn sides(grid: &Grid) -> String {
+    let counts: Vec<String> = grid.axes().iter().map(|axis| axis.count().to_string()).collect();
+    counts.join(" x ")
+}
+
 /// A scene and its cells.
 pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
-    let (columns, rows) = grid.shape();
-    say.line("scene", format!("{}, {columns} x {rows} cells", scene.title));
+    say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
     say.line("", frame::caption(scene));
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
@@ -98,14 +103,14 @@ fn model(plan: &Plan) -> String {
     if reductions.certificate {
         parts.push("cells end where energy proves them final".into());
     }
-    if reductions.full_contact && plan.scene.tilt == 0.0 {
+    if reductions.full_contact && !Grid::of(&plan.scene).tilts() {
         parts.push("full contact shared".into());
     }
     parts.join(", ")
 }
 
 /// The share of each outcome.
-pub fn shares(tally: &Tally, friction: Option<f64>) -> String {
+pub fn shares(tally: &Tally, friction: Option<&Values>) -> String {
     let percent = |count: usize| 100.0 * count as f64 / tally.cells as f64;
     let mut parts = Vec::new();
     for class in Class::ALL {
@@ -118,6 +123,7 @@ pub fn shares(tally: &Tally, friction: Option<f64>) -> String {
         parts.push(format!("contact force tensile in {:.1} %", percent(tally.tensile)));
     }
     if let (Some(sliding), Some(mu)) = (tally.sliding, friction) {
+        let mu = if mu.count() == 1 { mu.to_string() } else { "μ".into() };
         parts.push(format!("friction above {mu} asked for in {:.1} %", percent(sliding)));
     }
     parts.join(", ")

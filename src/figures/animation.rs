@@ -10,7 +10,7 @@ use crate::map::figure::frame::{
     Area, Axes, Drawn, FINE, Named, at, document, frame, stroke, text,
 };
 use crate::map::figure::palette::Kind;
-use crate::scene::{GRAVITY, Scene};
+use crate::scene::{Case, GRAVITY, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
 
@@ -120,8 +120,9 @@ pub fn still(title: &str, cells: &[Moving], t: f64) -> Result<String, FigureErro
 fn column(root: &Area, size: (u32, u32), left: i32, moving: &Moving, t: f64) -> Drawn<()> {
     root.draw(&Text::new(Kind::of(&moving.outcome).label(), at(left + 14, 38), text(14)))?;
     let Some(now) = moving.at(t) else { return Ok(()) };
-    sketch(root, left + COLUMN / 2, moving.scene, &now)?;
-    let critical = |side: f64| moving.scene.overturning_angle(side);
+    let case = moving.scene.case();
+    sketch(root, left + COLUMN / 2, &case, &now)?;
+    let critical = |side: f64| case.overturning_angle(side);
     let most = 1.15 * critical(1.0).max(critical(-1.0));
     let place = Place { x: left + 52, y: GROUND + 26, width: COLUMN - 66, height: 84 };
     let x = Named { ends: 0.0..moving.cell.seconds, name: "t [s]".into() };
@@ -145,10 +146,10 @@ fn column(root: &Area, size: (u32, u32), left: i32, moving: &Moving, t: f64) -> 
 
 /// Draws block, plates and isolators. The base's displacements are relative to the ground, the
 /// vertical one to its static deflection.
-fn sketch(root: &Area, middle: i32, scene: &Scene, now: &Row) -> Drawn<()> {
-    let (block, base) = (&scene.block, &scene.isolation);
+fn sketch(root: &Area, middle: i32, case: &Case, now: &Row) -> Drawn<()> {
+    let (block, base) = (&case.block, &case.isolation);
     let static_v = base.vertical.as_ref().map_or(0.0, |law| {
-        let omega_v = std::f64::consts::TAU / law.t_v.start;
+        let omega_v = std::f64::consts::TAU / law.t_v;
         -GRAVITY / (omega_v * omega_v)
     });
     let (u, v) = (now.u, now.v - static_v);

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::marks::along;
 use crate::map::csv::Number;
-use crate::scene::{Grid, Isolation, Range, Scene};
+use crate::scene::{Directions, Grid, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::{self, Settings};
 
@@ -30,8 +30,7 @@ pub struct Least {
 
 /// The same scene with the block on the ground.
 pub fn without_isolation(scene: &Scene) -> Scene {
-    let isolation = Isolation { horizontal: None, vertical: None, ..scene.isolation };
-    Scene { isolation, ..scene.clone() }
+    scene.clone().isolated(Directions::None)
 }
 
 /// The boundary of a swept map, a value a column.
@@ -39,13 +38,13 @@ pub fn least(scene: &Scene, outcomes: &[Outcome]) -> Vec<Least> {
     let grid = Grid::of(scene);
     let (columns, rows) = grid.shape();
     let column = |i: usize| {
-        let (omega, _) = grid.coordinates(i);
-        let amplitude = |j: usize| grid.coordinates(j * columns + i).1;
+        let omega = grid.x().values.value(i);
+        let amplitude = |j: usize| grid.y().map_or(0.0, |axis| axis.values.value(j));
         let first = (0..rows).find(|&j| outcomes[j * columns + i].class.overturned());
         let Some(first) = first else { return Least { omega, a_h: None, outcome: None } };
         let judge = |a_h: f64| {
-            let scene = along(scene, Range::single(omega), Range::single(a_h))?;
-            Some(reference::run(&scene, &Grid::of(&scene).point(0), &Settings::default()))
+            let scene = along(scene, omega, a_h)?;
+            Some(reference::run(&scene, &scene.case(), &Settings::default()))
         };
         bisect(omega, if first == 0 { 0.0 } else { amplitude(first - 1) }, amplitude(first), judge)
     };

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::scene::{Excitation, Range, Scene};
+use crate::scene::{Excitation, Parameter, Scene, Values};
 
 /// A rectangle of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -35,7 +35,7 @@ pub struct Path {
     /// Omega, rad/s.
     pub omega: f64,
     /// A_h, m/s^2, upwards.
-    pub a_h: Range,
+    pub a_h: Values,
 }
 
 /// A cell whose motion is shown.
@@ -73,11 +73,11 @@ impl Point {
 impl Path {
     /// What is wrong with it on the map of a scene.
     pub(super) fn fault(&self, map: &Scene) -> Option<String> {
-        let problem = if !matches!(map.excitation, Excitation::Pulse(_)) {
+        let problem = if map.excitation != Excitation::Pulse {
             "a record's map has no amplitudes to go along"
         } else if !(self.omega > 0.0 && self.omega.is_finite()) {
             "omega must be a positive number"
-        } else if self.a_h.count < 2 {
+        } else if self.a_h.count() < 2 {
             "a_h must be start:stop:count with two points or more"
         } else {
             return None;
@@ -86,14 +86,14 @@ impl Path {
     }
     /// The scene of its cells: those of a map that is one column wide. None under a record.
     pub fn scene(&self, map: &Scene) -> Option<Scene> {
-        along(map, Range::single(self.omega), self.a_h)
+        along(map, self.omega, self.a_h.clone())
     }
 }
 
 impl Cell {
     /// What is wrong with it in the plane of a scene.
     pub(super) fn fault(&self, map: &Scene) -> Option<String> {
-        let problem = if !matches!(map.excitation, Excitation::Pulse(_)) {
+        let problem = if map.excitation != Excitation::Pulse {
             "a cell in motion is of a pulse; a record's is shown by topple history"
         } else if !(self.omega > 0.0 && self.omega.is_finite() && self.a_h.is_finite()) {
             "omega must be a positive number, and a_h a finite one"
@@ -107,14 +107,14 @@ impl Cell {
 
     /// Its scene. None under a record.
     pub fn scene(&self, map: &Scene) -> Option<Scene> {
-        along(map, Range::single(self.omega), Range::single(self.a_h))
+        along(map, self.omega, self.a_h)
     }
 }
 
-/// A pulse map's scene over other ranges; none under a record.
-pub fn along(map: &Scene, omega: Range, a_h: Range) -> Option<Scene> {
-    let Excitation::Pulse(pulse) = &map.excitation else { return None };
-    let mut pulse = *pulse;
-    (pulse.omega, pulse.a_h) = (omega, a_h);
-    Some(Scene { excitation: Excitation::Pulse(pulse), ..map.clone() })
+/// A pulse map's scene of one frequency over other amplitudes; none under a record.
+pub fn along(map: &Scene, omega: f64, a_h: impl Into<Values>) -> Option<Scene> {
+    if map.excitation != Excitation::Pulse {
+        return None;
+    }
+    Some(map.clone().with(Parameter::Omega, omega).with(Parameter::AH, a_h))
 }

@@ -95,7 +95,7 @@ pub struct Panel {
     /// Cells whose motion is shown, (x, y).
     pub cells: Vec<marks::Cell>,
     /// Values of the eccentricity along which shares are taken.
-    pub eccentricities: Option<crate::scene::Range>,
+    pub eccentricities: Option<crate::scene::Values>,
 }
 
 /// The letter of a panel, from a; after z aa, ab and so on.

@@ -17,7 +17,6 @@ use crate::map::figure::frame::{
 use crate::map::figure::greys::{Greys, keys};
 use crate::map::figure::overturning::{self, hatched};
 use crate::map::figure::palette::{Kind, Parity};
-use crate::stepping::outcome::Outcome;
 
 /// Width of the lines around overturning and full contact, tenths of a unit.
 const THICK: i32 = 14;
@@ -129,8 +128,8 @@ fn written(columns: usize, maps: &[Map]) -> Vec<(bool, bool)> {
     (0..maps.len())
         .map(|k| {
             let grid = &maps[k].grid;
-            let y = left(k).is_none_or(|other| other.grid.y.range != grid.y.range);
-            let x = below(k).is_none_or(|other| other.grid.x.range != grid.x.range);
+            let y = left(k).is_none_or(|other| other.grid.y() != grid.y());
+            let x = below(k).is_none_or(|other| other.grid.x() != grid.x());
             (y, x)
         })
         .collect()
@@ -160,12 +159,12 @@ fn mark(plot: &mut Plot, panel: &Panel) -> Drawn<()> {
         plot.draw_series(DashedLineSeries::new(corners, dash, gap, stroke(BLACK, 14)))?;
     }
     for path in &panel.paths {
-        let line = [(path.omega, path.a_h.start), (path.omega, path.a_h.stop)];
+        let line = [(path.omega, path.a_h.first()), (path.omega, path.a_h.last())];
         plot.draw_series(LineSeries::new(line, stroke(WHITE, 30)))?;
         plot.draw_series(LineSeries::new(line, stroke(BLACK, 14)))?;
         let side = Pos::new(HPos::Left, VPos::Top);
         let width = (8 + 6 * path.name.chars().count() as i32) * FINE;
-        plot.draw_series([EmptyElement::at((path.omega, path.a_h.stop))
+        plot.draw_series([EmptyElement::at((path.omega, path.a_h.last()))
             + Rectangle::new(
                 [(3 * FINE, 2 * FINE), (width, 16 * FINE)],
                 WHITE.mix(0.85).filled(),
@@ -217,7 +216,7 @@ fn legend(
         scale.greys.draw(root, *place, scale.field.label, 14)?;
         top = place.y + place.height + 26;
     }
-    let beyond = |map: &Map| map.outcomes.iter().any(|cell: &Outcome| map.beyond_the_model(cell));
+    let beyond = |map: &Map| map.has_beyond_the_model();
     let all: Vec<&Map> = maps.iter().collect();
     match bars.last() {
         Some((_, scale)) => {

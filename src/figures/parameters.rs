@@ -1,61 +1,61 @@
 //! Every parameter of a scene, in words, for captions and panels.
 
-use crate::scene::{Excitation, Overturn, Range, Scene};
+use crate::scene::{Directions, Excitation, Overturn, Parameter, Scene};
+
+/// What a line of a caption holds together.
+const LINES: [&[Parameter]; 13] = [
+    &[Parameter::HalfWidth, Parameter::Height, Parameter::Mass, Parameter::Inertia],
+    &[Parameter::Eccentricity, Parameter::Offset],
+    &[Parameter::PlateH, Parameter::PlateV],
+    &[Parameter::TH],
+    &[
+        Parameter::Psi,
+        Parameter::XiH,
+        Parameter::AlphaY,
+        Parameter::UY,
+        Parameter::YieldForce,
+        Parameter::BoucWenN,
+    ],
+    &[Parameter::TV],
+    &[Parameter::XiV],
+    &[Parameter::Omega],
+    &[Parameter::AH],
+    &[Parameter::AV],
+    &[Parameter::Scale, Parameter::Pga],
+    &[Parameter::Friction],
+    &[Parameter::Restitution],
+];
 
 /// The parameters of a scene that its axes do not show, each in a few words, always in the same
 /// order.
 pub fn of(scene: &Scene) -> Vec<String> {
-    let block = &scene.block;
-    let mut parts = vec![
-        format!(
-            "B = {} m, H = {} m, M = {} kg, J_C = {} kg m²",
-            block.half_width, block.height, block.mass, block.inertia
-        ),
-        format!("ε = {}", block.eccentricity),
-    ];
-    let base = &scene.isolation;
-    let fixed = |range: &Range| (range.count == 1).then_some(range.start);
-    if base.horizontal.is_none() && base.vertical.is_none() {
-        parts.push("no isolation".into());
-    } else {
-        parts.push(format!("m_h = {} kg, m_v = {} kg", base.plate_h, base.plate_v));
-    }
-    if let Some(law) = &base.horizontal {
-        if let Some(t_h) = fixed(&law.t_h) {
-            parts.push(format!("T_h = {t_h} s"));
+    let isolated = scene.isolation != Directions::None;
+    let mut parts = Vec::new();
+    for line in LINES {
+        if line.contains(&Parameter::PlateH) && !isolated {
+            parts.push("no isolation".into());
+            continue;
         }
-        parts.push(format!(
-            "ψ = {}, ξ_h = {}, α_y = {}, n = {}",
-            law.psi, law.xi_h, law.alpha_y, law.n
-        ));
-    }
-    if let Some(law) = &base.vertical {
-        if let Some(t_v) = fixed(&law.t_v) {
-            parts.push(format!("T_v = {t_v} s"));
+        let words = |parameter: &Parameter| {
+            let value = scene.numbers.get(*parameter)?.single()?;
+            Some(parameter.entry().written(value))
+        };
+        let words: Vec<String> = line.iter().filter_map(words).collect();
+        if !words.is_empty() {
+            parts.push(words.join(", "));
         }
-        parts.push(format!("ξ_v = {}", law.xi_v));
     }
-    match &scene.excitation {
-        Excitation::Pulse(pulse) => {
-            if let Some(omega) = fixed(&pulse.omega) {
-                parts.push(format!("Ω = {omega} rad/s"));
-            }
-            if let Some(a_h) = fixed(&pulse.a_h) {
-                parts.push(format!("A_h = {a_h} m/s²"));
-            }
-            parts.push(format!("A_v = {} m/s²", pulse.a_v));
-            parts.push(format!("{} s simulated", scene.t_max));
+    match (&scene.excitation, scene.numbers.get(Parameter::TMax)) {
+        (Excitation::Record(_), _) => parts.push("to the end of each record".into()),
+        (Excitation::Pulse, Some(t_max)) if t_max.count() == 1 => {
+            parts.push(format!("{t_max} s simulated"));
         }
-        Excitation::Record(_) => parts.push("to the end of each record".into()),
+        _ => {}
     }
-    if scene.tilt != 0.0 {
-        parts.push(format!("tilt {} rad", scene.tilt));
-    }
-    if let Some(mu) = scene.friction {
-        parts.push(format!("friction {mu}"));
-    }
-    if let Some(restitution) = scene.restitution {
-        parts.push(format!("restitution {restitution}"));
+    if let Some(tilt) = scene.numbers.get(Parameter::Tilt).and_then(|tilt| tilt.single())
+        && tilt != 0.0
+    {
+        parts.push(Parameter::Tilt.entry().written(tilt));
     }
     parts.push(match scene.overturn {
         Overturn::CriticalAngle => "overturned at the critical angle".into(),

@@ -12,6 +12,7 @@ use crate::map::figure::frame::{
 };
 use crate::map::figure::palette::{Kind, Parity};
 use crate::map::figure::raster::png;
+use crate::scene::Values;
 
 /// Size of the axes' numbers.
 const FONT: i32 = 12;
@@ -27,7 +28,7 @@ const STRIP: Place = Place { x: 84, y: 316, width: 610, height: 26 };
 /// # Errors
 /// Any [`FigureError`].
 pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError> {
-    let rows = map.grid.y.range;
+    let rows = map.grid.y().map_or_else(|| Values::from(0.0), |axis| axis.values.clone());
     // The strip lies: a row of the map is a column of it.
     let strip = png(map.outcomes.len(), 1, |column, _| {
         let [r, g, b] = Kind::of(&map.outcomes[column]).colour();
@@ -39,7 +40,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
     document(PATH, &[(STRIP, strip)], |root| {
         root.draw(&Text::new(title.to_string(), at(IMPACTS.x, 14), text(18)))?;
         root.draw(&Text::new(caption.to_string(), at(IMPACTS.x, 40), text(FONT)))?;
-        let x = Named { ends: rows.start..rows.stop, name: "A_h [m/s²]".into() };
+        let x = Named { ends: rows.first()..rows.last(), name: "A_h [m/s²]".into() };
         let y = Named {
             ends: -0.05..f64::from(most).log10() + 0.1,
             name: "impacts before overturning".into(),
@@ -49,7 +50,7 @@ pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError
         let mut plot = frame_with(root, &set, (&x, &y), &decade)?;
         let dots = fallen().filter(|(_, cell)| cell.impacts > 0).map(|(row, cell)| {
             let [r, g, b] = Parity::of(cell).colour();
-            let place = (rows.value(row as u32), f64::from(cell.impacts).log10());
+            let place = (rows.value(row), f64::from(cell.impacts).log10());
             Circle::new(place, 3 * FINE / 2, RGBColor(r, g, b).filled())
         });
         plot.draw_series(dots)?;

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::map::csv::Number;
 use crate::map::figure::palette::Parity;
-use crate::scene::Scene;
+use crate::scene::{Parameter, Scene};
 use crate::stepping::outcome::{Class, Outcome};
 
 /// Shares of the cells of a map; together they are 1.
@@ -85,9 +85,7 @@ impl Shares {
 
 /// The scene at another eccentricity.
 pub fn at(scene: &Scene, eccentricity: f64) -> Scene {
-    let mut scene = scene.clone();
-    scene.block.eccentricity = eccentricity;
-    scene
+    scene.clone().with(Parameter::Eccentricity, eccentricity)
 }
 
 /// Writes shares, a row an eccentricity.

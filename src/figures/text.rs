@@ -12,7 +12,7 @@ use super::marks::{self, Point, Window};
 use super::motions::{Motion, Motions};
 use super::{Figure, Panel, Shows, letter};
 use crate::scene::text::{SceneText, located};
-use crate::scene::{Excitation, Range, Scene, SceneError};
+use crate::scene::{Excitation, Range, Scene, SceneError, Values};
 
 /// What is wrong with a figure or a motion, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -60,7 +60,7 @@ struct PanelText {
     points: Vec<Point>,
     paths: Vec<marks::Path>,
     cells: Vec<marks::Cell>,
-    eccentricities: Option<Range>,
+    eccentricities: Option<Values>,
     scene: Table,
 }
 
@@ -150,8 +150,10 @@ fn read(
         }
     };
     if let Some(cells) = setting.cells {
-        for axis in scene.axes_mut().filter(|axis| axis.count > 1) {
-            axis.count = cells;
+        for parameter in scene.swept() {
+            if let Some(Values::Range(range)) = scene.numbers.get(parameter).cloned() {
+                scene.set(parameter, Range { count: cells, ..range });
+            }
         }
     }
     if let Some(step) = panel.fixed_step
@@ -186,11 +188,14 @@ fn read(
 
 /// What a panel lacks for what it shows.
 fn asked_for(shows: Shows, panel: &PanelText, scene: &Scene) -> Option<String> {
-    let pulse = matches!(scene.excitation, Excitation::Pulse(_));
-    let problem = match (shows, panel.eccentricities) {
+    let pulse = scene.excitation == Excitation::Pulse;
+    let problem = match (shows, &panel.eccentricities) {
+        _ if scene.swept().len() > 2 => {
+            "more than two numbers have several values; give the others one"
+        }
         (Shows::Shares, None) => "eccentricities: missing; give start:stop:count",
-        (Shows::Shares, Some(range))
-            if range.count < 2 || range.start.abs() >= 1.0 || range.stop.abs() >= 1.0 =>
+        (Shows::Shares, Some(values))
+            if values.count() < 2 || values.iter().any(|e| !(e.abs() < 1.0)) =>
         {
             "eccentricities: two or more, all between -1 and 1"
         }

@@ -8,7 +8,7 @@ use super::Map;
 use super::csv::Number;
 use crate::stepping::outcome::{Class, Outcome};
 
-/// A line in the units of the axes.
+/// A line in the axes' coordinates, see [`Values::coordinate`](crate::scene::Values::coordinate).
 pub type Line = Vec<(f64, f64)>;
 
 /// A boundary between outcomes.
@@ -51,6 +51,9 @@ pub fn levels(
     levels: &[f64],
 ) -> Vec<Vec<Line>> {
     let (columns, rows) = map.grid.shape();
+    let (Some(y), x) = (map.grid.y(), map.grid.x()) else {
+        return vec![Vec::new(); levels.len()];
+    };
     if columns < 2 || rows < 2 {
         return vec![Vec::new(); levels.len()];
     }
@@ -61,10 +64,6 @@ pub fn levels(
     };
     // The library puts a cell's value half a cell beyond its number, and closes rings around the
     // grid's edge; those stretches, and those beside unknown cells, are no part of a level.
-    let along = |range: &crate::scene::Range, place: f64| {
-        let share = (place - 0.5) / f64::from(range.count - 1);
-        range.start + (range.stop - range.start) * share
-    };
     let apart = |x: f64, y: f64| {
         let ends = |place: f64, count: usize| {
             // A line beside an unknown cell lies on the known one's centre: look beyond it.
@@ -91,8 +90,8 @@ pub fn levels(
                         line.clear();
                     } else {
                         line.push((
-                            along(&map.grid.x.range, place.x),
-                            along(&map.grid.y.range, place.y),
+                            x.values.coordinate(place.x - 0.5),
+                            y.values.coordinate(place.y - 0.5),
                         ));
                     }
                 }
@@ -111,11 +110,14 @@ pub fn levels(
 /// Those of the writer.
 pub fn write(map: &Map, writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(["boundary", "line", map.grid.x.key, map.grid.y.key])?;
+    let Some(y_axis) = map.grid.y() else { return Ok(()) };
+    let x_axis = map.grid.x();
+    table.write_record(["boundary", "line", x_axis.key(), y_axis.key()])?;
     for boundary in [Boundary::Overturning, Boundary::FullContact] {
         for (index, line) in boundary.lines(map).iter().enumerate() {
             for (x, y) in line {
-                table.serialize((boundary.name(), index, Number(*x), Number(*y)))?;
+                let (x, y) = (x_axis.values.value_at(*x), y_axis.values.value_at(*y));
+                table.serialize((boundary.name(), index, Number(x), Number(y)))?;
             }
         }
     }

@@ -7,9 +7,10 @@ use serde::{Serialize, Serializer};
 
 use super::outcomes::{Column, Outcomes, each_block};
 use crate::scene::Grid;
+use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
 
-/// Columns after the two of the axes.
+/// Columns after those of the axes.
 pub const COLUMNS: [&str; 13] = [
     "outcome",
     "impacts",
@@ -22,7 +23,7 @@ pub const COLUMNS: [&str; 13] = [
     "max_u",
     "max_v",
     "min_contact",
-    "friction",
+    "friction_demand",
     "status",
 ];
 
@@ -52,7 +53,7 @@ pub fn write(
     mut writer: impl Write,
 ) -> Result<(), csv::Error> {
     let mut head = csv::Writer::from_writer(&mut writer);
-    head.write_record([grid.x.key, grid.y.key].iter().chain(&COLUMNS))?;
+    head.write_record(grid.axes().iter().map(Axis::key).chain(COLUMNS))?;
     head.flush()?;
     drop(head);
     each_block(grid, outcomes, &Column::ALL, |first, block| {
@@ -72,10 +73,9 @@ fn rows(grid: &Grid, first: usize, cells: &[Outcome]) -> Result<Vec<u8>, csv::Er
     let mut table =
         csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
     for (index, cell) in (first..).zip(cells) {
-        let (x, y) = grid.coordinates(index);
+        let at: Vec<Number> = grid.coordinates(index).map(Number).collect();
         table.serialize((
-            Number(x),
-            Number(y),
+            at,
             cell.class.name(),
             cell.impacts,
             cell.uplifts,

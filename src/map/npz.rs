@@ -1,4 +1,5 @@
-//! map.npz: the columns of map.csv as arrays of shape (y, x), with the axes.
+//! map.npz: the columns of map.csv as arrays with an index for each axis, the last one fastest: (y, x) for
+//! two; with the axes.
 
 use std::io::{self, Seek, Write};
 
@@ -45,7 +46,7 @@ pub fn status_code(status: Status) -> u8 {
 /// Those of the writer, and of reading the outcomes.
 pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) -> io::Result<()> {
     let mut archive = Archive { zip: ZipWriter::new(writer), grid, outcomes };
-    for axis in [&grid.x, &grid.y] {
+    for axis in grid.axes() {
         archive.axis(axis)?;
     }
     archive.column("outcome", Column::Outcome, |cell| class_code(cell.class))?;
@@ -59,7 +60,7 @@ pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) ->
     archive.column("max_u", Column::MaxU, |cell| cell.max_u)?;
     archive.column("max_v", Column::MaxV, |cell| cell.max_v)?;
     archive.column("min_contact", Column::MinContact, |cell| cell.min_contact)?;
-    archive.column("friction", Column::Friction, |cell| cell.friction)?;
+    archive.column("friction_demand", Column::Friction, |cell| cell.friction)?;
     archive.column("status", Column::Status, |cell| status_code(cell.status))?;
     archive.zip.finish()?;
     Ok(())
@@ -93,20 +94,21 @@ impl<W: Write + Seek> Archive<'_, W> {
 
     /// Adds the values of an axis.
     fn axis(&mut self, axis: &Axis) -> io::Result<()> {
-        let values: Vec<f64> = axis.range.values().collect();
-        self.begin::<f64>(axis.key, &[values.len() as u64])?;
+        let values: Vec<f64> = axis.values.iter().collect();
+        self.begin::<f64>(axis.key(), &[values.len() as u64])?;
         self.zip.write_all(bytemuck::cast_slice(&values))
     }
 
-    /// Adds a column as an array of shape (y, x), its values made on all cores.
+    /// Adds a column as an array with an index for each axis, its values made on all cores.
     fn column<T: AutoSerialize + NoUninit + Send>(
         &mut self,
         name: &str,
         column: Column,
         value: impl Fn(&Outcome) -> T + Sync,
     ) -> io::Result<()> {
-        let (columns, rows) = self.grid.shape();
-        self.begin::<T>(name, &[rows as u64, columns as u64])?;
+        let shape: Vec<u64> =
+            self.grid.axes().iter().rev().map(|axis| axis.count() as u64).collect();
+        self.begin::<T>(name, &shape)?;
         let mut values = Vec::new();
         each_block(self.grid, self.outcomes, &[column], |_, block| {
             block.par_iter().map(&value).collect_into_vec(&mut values);

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::Range;
 
-use crate::scene::{Grid, Scene};
+use crate::scene::values::spread;
+use crate::scene::{Grid, Parameter, Scene};
 use crate::stepping::outcome::{Class, Outcome, Status};
 
-use super::Map;
+use super::{Map, slides};
 
 /// What is known of a cell, a name each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -133,12 +134,12 @@ impl Tally {
     ///
     /// # Errors
     /// Those of reading.
-    pub fn of(scene: &Scene, grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Tally> {
+    pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Tally> {
         let mut tally = Tally {
             cells: grid.len(),
             by_class: [0; 5],
             tensile: 0,
-            sliding: scene.friction.map(|_| 0),
+            sliding: grid.value(Parameter::Friction, 0).map(|_| 0),
             proved: 0,
             mean_time: 0.0,
         };
@@ -150,13 +151,13 @@ impl Tally {
             Column::MinContact,
             Column::Friction,
         ];
-        each_block(grid, outcomes, &columns, |_, block| {
-            for cell in block {
+        each_block(grid, outcomes, &columns, |first, block| {
+            for (index, cell) in (first..).zip(block) {
                 tally.by_class[cell.class as usize] += 1;
                 tally.tensile += usize::from(cell.min_contact < 0.0);
                 tally.proved += usize::from(cell.status == Status::Proved);
-                if let (Some(sliding), Some(mu)) = (&mut tally.sliding, scene.friction) {
-                    *sliding += usize::from(cell.friction > mu);
+                if let Some(sliding) = &mut tally.sliding {
+                    *sliding += usize::from(slides(grid, index, cell));
                 }
                 if !cell.class.overturned() && cell.class != Class::Unresolved {
                     stand += 1;
@@ -181,35 +182,29 @@ impl Tally {
 }
 
 /// Most cells a side of what is drawn: four times the pixels that a figure has for them.
-pub const DRAWN: u32 = 2048;
+pub const DRAWN: usize = 2048;
 
-/// A map with at most so many cells a side, as of [`DRAWN`] it is drawn: all of its cells, or of a
-/// longer side as many evenly spread ones, each at its place to within a cell.
+/// A map of a slice, which begins at a cell of the sweep's grid, with at most so many cells a side, as of
+/// [`DRAWN`] it is drawn: all of its cells, or of a longer side as many evenly spread ones.
 ///
 /// # Errors
 /// Those of reading.
 pub fn thinned<'a>(
     scene: &'a Scene,
-    grid: &Grid,
+    (grid, first): (&Grid, usize),
     outcomes: &'a dyn Outcomes,
-    most: u32,
+    most: usize,
 ) -> io::Result<Map<'a>> {
     let (columns, rows) = grid.shape();
-    let mut thin = *grid;
-    for axis in [&mut thin.x, &mut thin.y] {
-        axis.range.count = axis.range.count.min(most);
-    }
+    let thin = grid.thinned(most);
     if thin == *grid {
-        let outcomes = outcomes.read(0..grid.len(), &Column::ALL)?;
+        let outcomes = outcomes.read(first..first + grid.len(), &Column::ALL)?;
         return Ok(Map { scene, grid: thin, outcomes });
     }
     let (across, up) = thin.shape();
-    let spread = |k: usize, count: usize, of: usize| {
-        if count == of { k } else { (k * (of - 1) + (count - 1) / 2) / (count - 1) }
-    };
     let mut some = Vec::with_capacity(thin.len());
     for j in 0..up {
-        let first = spread(j, up, rows) * columns;
+        let first = first + spread(j, up, rows) * columns;
         let row = outcomes.read(first..first + columns, &Column::ALL)?;
         some.extend((0..across).map(|i| row[spread(i, across, columns)]));
     }

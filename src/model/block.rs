@@ -37,7 +37,7 @@ pod!(Corner, reals: 8, words: 0);
 reals!(Corner, 8, side arm inertia overturn eta_phi eta_u eta_v padding);
 pod!(Model, reals: 32, words: 0);
 
-/// What every cell of a sweep shares: the block, and the mass ratios of its base.
+/// A body: the block, and the mass ratios of its base. Cells that differ in none of it share one.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Model<R> {
@@ -82,32 +82,36 @@ pub struct Model<R> {
     pub padding_1: R,
 }
 
-impl<R: Copy> Model<R> {
-    /// The same model in other numbers, each made of the one in its place.
-    #[inline(always)]
-    pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> Model<Q> {
-        Model {
-            left: self.left.map(&make),
-            right: self.right.map(&make),
-            height: make(self.height),
-            mu_h: make(self.mu_h),
-            mu_v: make(self.mu_v),
-            gravity: make(self.gravity),
-            inverse_mu_h: make(self.inverse_mu_h),
-            inverse_mu_v: make(self.inverse_mu_v),
-            least_arm: make(self.least_arm),
-            topple_energy: make(self.topple_energy),
-            impact_gain: make(self.impact_gain),
-            normal_share: make(self.normal_share),
-            normal_by_shear: make(self.normal_by_shear),
-            normal_by_turn: make(self.normal_by_turn),
-            shear_by_normal: make(self.shear_by_normal),
-            shear_by_turn: make(self.shear_by_turn),
-            padding_0: make(self.padding_0),
-            padding_1: make(self.padding_1),
+macro_rules! model {
+    ($($field:ident)+) => {
+        impl<R: Copy> Model<R> {
+            /// The same model in other numbers, each made of the one in its place.
+            #[inline(always)]
+            pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> Model<Q> {
+                Model {
+                    left: self.left.map(&make),
+                    right: self.right.map(&make),
+                    $($field: make(self.$field),)+
+                }
+            }
+
+            /// Changes each number by the one in its place in another model.
+            #[inline(always)]
+            pub fn take<Q: Copy>(&mut self, from: &Model<Q>, mut change: impl FnMut(&mut R, Q)) {
+                for (to, from) in [(&mut self.left, &from.left), (&mut self.right, &from.right)] {
+                    for (to, from) in to.reals_mut().into_iter().zip(from.reals()) {
+                        change(to, from);
+                    }
+                }
+                $(change(&mut self.$field, from.$field);)+
+            }
         }
-    }
+    };
 }
+model!(
+    height mu_h mu_v gravity inverse_mu_h inverse_mu_v least_arm topple_energy impact_gain normal_share
+    normal_by_shear normal_by_turn shear_by_normal shear_by_turn padding_0 padding_1
+);
 
 /// The corner that the block turns about in a rocking mode (the left one in full contact, where
 /// nothing asks for it).

@@ -24,9 +24,9 @@ pub struct Cell<R> {
     pub stiffness_v: R,
     /// 2 xi_v omega_v, 1/s.
     pub damping_v: R,
-    /// A_h of (22a), m/s^2.
+    /// A_h of (22a), m/s^2; the factor on a record's samples.
     pub amplitude_h: R,
-    /// A_v of (22b), m/s^2.
+    /// A_v of (22b), m/s^2; the same factor.
     pub amplitude_v: R,
     /// Periods of the pulse, or gaps between samples of the record, in one forced step.
     pub phase_step: R,
@@ -51,15 +51,15 @@ pub struct Cell<R> {
     pub steps: u32,
     /// Steps between two samples of a record.
     pub substeps: u32,
-    /// Fills the struct to whole 8 bytes.
-    pub padding: u32,
+    /// Number of the cell's body, see [`Model`](super::block::Model).
+    pub body: u32,
 }
 
 pod!(Cell, reals: 16, words: 4);
 reals!(
     Cell, 16, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
     amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v;
-    steps_forced steps substeps padding
+    steps_forced steps substeps body
 );
 
 /// The ground's accelerations, m/s^2; also a sample of a record.

@@ -22,6 +22,8 @@ pub struct Variant {
     pub yields: bool,
     /// Cells end where energy proves that nothing more will happen.
     pub certificate: bool,
+    /// Cells differ in their body.
+    pub bodies: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
 }

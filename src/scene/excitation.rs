@@ -4,63 +4,34 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::range::Range;
+use super::numbers::Numbers;
+use super::parameters::Parameter;
 use super::record::read::{self, Told};
-use super::record::{Pair, Units};
-use super::{SceneError, positive};
+use super::record::{Pair, Record, Units, component};
+use super::{SceneError, Values, positive};
 
 /// What shakes the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {
     /// A one-sine pulse in both directions, (22).
-    Pulse(Pulse),
+    Pulse,
     /// A ground-motion record.
     Record(Pair),
 }
 
-/// A one-sine pulse (22), swept over its frequency and its horizontal amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Pulse {
-    /// Omega, rad/s.
-    pub omega: Range,
-    /// A_h, m/s^2.
-    pub a_h: Range,
-    /// A_v, m/s^2.
-    pub a_v: f64,
-}
-
-/// The pulse as written.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
-#[serde(deny_unknown_fields)]
-pub struct PulseText {
-    /// Omega: circular frequency of the pulse, rad/s
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub omega: Option<Range>,
-    /// A_h: horizontal amplitude of the pulse, m/s^2
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    pub a_h: Option<Range>,
-    /// A_v: vertical amplitude of the pulse, m/s^2 [default: 0]
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
-    pub a_v: Option<f64>,
-}
-
-/// A checked pulse.
-pub(super) fn check_pulse(text: &PulseText) -> Result<Pulse, SceneError> {
-    let missing = |key| SceneError::new(key, "missing; give a number or start:stop:count");
-    let omega = text.omega.ok_or_else(|| missing("omega"))?;
-    positive("omega", omega.least())?;
-    let a_h = text.a_h.ok_or_else(|| missing("a_h"))?;
-    let a_v = text.a_v.unwrap_or(0.0);
-    if !a_v.is_finite() {
-        return Err(SceneError::new("a_v", format!("{a_v} must be a finite number")));
+impl Excitation {
+    /// The record, where there is one.
+    pub fn record(&self) -> Option<&Pair> {
+        match self {
+            Excitation::Pulse => None,
+            Excitation::Record(pair) => Some(pair),
+        }
     }
-    Ok(Pulse { omega, a_h, a_v })
 }
 
-/// The record as written.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
-#[serde(deny_unknown_fields)]
+/// The record as written, but for its numbers.
+#[derive(Debug, Clone, Default, PartialEq, clap::Args)]
 pub struct RecordText {
     /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
     /// synthetic pair]
@@ -70,49 +41,92 @@ pub struct RecordText {
     #[arg(long, value_name = "FILE")]
     pub vertical: Option<PathBuf>,
     /// Time between samples, s, where a file does not tell
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
     #[arg(long, value_name = "g|m/s2|cm/s2")]
     pub units: Option<Units>,
-    /// Factor on both components
-    #[arg(long, value_name = "F", allow_negative_numbers = true)]
-    pub scale: Option<f64>,
-    /// Scale both components so that the horizontal peak is this, m/s^2
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
-    pub pga: Option<f64>,
 }
 
-/// The checked motion; files are looked for from `directory`.
-pub(super) fn check_record(text: &RecordText, directory: &Path) -> Result<Pair, SceneError> {
+/// What makes a pair of records improbable.
+fn questioned(horizontal: &Record, vertical: Option<&Record>) -> Option<SceneError> {
+    let asked = |key, problem: String| {
+        let believed = "--force believes it, in a file force = true under [run]";
+        Some(SceneError::new(key, format!("{problem}; {believed}")))
+    };
+    let (h, v) = (&horizontal.title, vertical.map_or("", |record| &record.title));
+    if component::vertical(h).is_some() {
+        return asked("horizontal", format!("'{h}' is a vertical component"));
+    }
+    if component::apart(h, v) {
+        return asked("vertical", format!("'{v}' is of another place or time than '{h}'"));
+    }
+    if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
+        return asked("vertical", "the same motion as the horizontal one".into());
+    }
+    None
+}
+
+/// Checks that a pulse has its numbers.
+pub(super) fn complete_pulse(numbers: &mut Numbers) -> Result<(), SceneError> {
+    for parameter in [Parameter::Omega, Parameter::AH] {
+        if !numbers.has(parameter) {
+            let problem = "missing; give a number or start:stop:count";
+            return Err(SceneError::new(parameter.key(), problem));
+        }
+    }
+    if !numbers.has(Parameter::AV) {
+        numbers.set(Parameter::AV, 0.0);
+    }
+    Ok(())
+}
+
+/// The checked motion, scaled by the scene's factor or to its peak; files are looked for from `directory`.
+pub(super) fn check_record(
+    text: &RecordText,
+    numbers: &Numbers,
+    directory: &Path,
+    force: bool,
+) -> Result<Pair, SceneError> {
     if let Some(dt) = text.dt {
         positive("dt", dt)?;
     }
-    let told = Told { dt: text.dt, units: text.units, scaled: text.pga.is_some() };
+    let pga = numbers.get(Parameter::Pga);
+    let told = Told { dt: text.dt, units: text.units, scaled: pga.is_some() };
     let read = |key, path: &Path| {
         let path = directory.join(path);
-        read::file(&path, &told)
-            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))
+        let mut record = read::file(&path, &told)
+            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))?;
+        if record.title.is_empty() {
+            // A file of columns has no title.
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            record.title = name.to_string_lossy().into_owned();
+        }
+        Ok::<Record, SceneError>(record)
     };
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
     };
     let horizontal = read("horizontal", horizontal)?;
-    let vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
-    let pair = Pair::new(horizontal, vertical);
-    match (text.scale, text.pga) {
-        (Some(_), Some(_)) => Err(SceneError::new("pga", "scale says it too; give one of them")),
-        (Some(factor), None) => {
-            if !(factor.is_finite() && factor != 0.0) {
-                let problem = format!("{factor} must be a number other than zero");
-                return Err(SceneError::new("scale", problem));
-            }
-            Ok(pair.scaled(factor))
-        }
-        (None, Some(pga)) => {
-            let factor = positive("pga", pga)? / pair.pga_h;
-            Ok(pair.scaled(factor))
-        }
-        (None, None) => Ok(pair),
+    let mut vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
+    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref()), force) {
+        return Err(fault);
     }
+    if let Some(vertical) = &mut vertical
+        && component::vertical(&vertical.title) == Some(component::Vertical::Down)
+    {
+        vertical.samples.iter_mut().for_each(|a| *a = -*a);
+        vertical.notes.push("positive down by its title: turned over".into());
+    }
+    let pair = Pair::new(horizontal, vertical);
+    // Several factors or peaks are the cells' own.
+    let single = |values: Option<&Values>| values.and_then(Values::single);
+    Ok(match (single(numbers.get(Parameter::Scale)), single(pga)) {
+        (Some(scale), _) => pair.scaled(scale),
+        (None, Some(pga)) => {
+            let factor = pga / pair.pga_h;
+            pair.scaled(factor)
+        }
+        (None, None) => pair,
+    })
 }

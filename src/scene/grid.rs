@@ -1,96 +1,127 @@
 //! The grid of parameters that a scene sweeps.
 
-use super::range::Range;
+use super::case::{Case, Choices};
+use super::numbers::Point;
+use super::parameters::{Entry, Parameter};
+use super::values::Values;
 use super::{Excitation, Scene};
 
+/// Most axes of a grid.
+pub const AXES: usize = 6;
+
 /// A swept parameter.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
+    /// Which one.
+    pub parameter: Parameter,
+    /// Its values.
+    pub values: Values,
+}
+
+impl Axis {
+    /// What is known of the parameter.
+    pub fn entry(&self) -> &'static Entry {
+        self.parameter.entry()
+    }
+
     /// Name of the column and array: `omega`.
-    pub key: &'static str,
-    /// Symbol on figures.
-    pub symbol: &'static str,
-    /// Unit on figures.
-    pub unit: &'static str,
-    /// The values.
-    pub range: Range,
+    pub fn key(&self) -> &'static str {
+        self.parameter.key()
+    }
+
+    /// How many values it has.
+    pub fn count(&self) -> usize {
+        self.values.count()
+    }
 }
 
-/// A rectangle of cells; cells are numbered row by row, x fastest, y upwards.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A cell's place along each axis of its grid; zeros beyond the last.
+pub type Place = [usize; AXES];
+
+/// A box of cells, of one axis at least; the first axis is the fastest.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
-    /// The horizontal axis.
-    pub x: Axis,
-    /// The vertical axis.
-    pub y: Axis,
+    axes: Vec<Axis>,
     fixed: Point,
-    sweeps: Sweeps,
+    choices: Choices,
 }
 
-/// What the axes of a grid are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Sweeps {
-    /// Omega and A_h.
-    Pulse,
-    /// T_h and T_v.
-    Periods,
-}
-
-/// The parameters of one cell, SI.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// T_h, s; of no meaning where the direction is locked.
-    pub t_h: f64,
-    /// T_v, s; of no meaning where the direction is locked.
-    pub t_v: f64,
-    /// Omega, rad/s; of no meaning for a record.
-    pub omega: f64,
-    /// A_h, m/s^2; a record's PGA_h, for (21) asks for it.
-    pub a_h: f64,
-    /// A_v, m/s^2; a record's PGA_v.
-    pub a_v: f64,
+/// The axes that a scene has where nothing else is swept, in the order that they come in.
+fn usual(scene: &Scene) -> [Parameter; 2] {
+    match scene.excitation {
+        Excitation::Pulse => [Parameter::Omega, Parameter::AH],
+        Excitation::Record(_) => [Parameter::TH, Parameter::TV],
+    }
 }
 
 impl Grid {
-    /// The grid of a scene: (Omega, A_h) for a pulse, (T_h, T_v) for a record.
+    /// The grid of a scene: its swept parameters; (Omega, A_h) for a pulse and (T_h, T_v) for a record
+    /// where no other is.
     pub fn of(scene: &Scene) -> Grid {
-        // A locked direction has no period: one value stands for it, which nothing reads.
-        let one = Range::single(1.0);
-        let t_h = scene.isolation.horizontal.map_or(one, |base| base.t_h);
-        let t_v = scene.isolation.vertical.map_or(one, |base| base.t_v);
-        let fixed = Point { t_h: t_h.start, t_v: t_v.start, omega: 1.0, a_h: 0.0, a_v: 0.0 };
-        match &scene.excitation {
-            Excitation::Pulse(pulse) => Grid {
-                x: Axis { key: "omega", symbol: "Ω", unit: "rad/s", range: pulse.omega },
-                y: Axis { key: "a_h", symbol: "A_h", unit: "m/s²", range: pulse.a_h },
-                fixed: Point { a_v: pulse.a_v, ..fixed },
-                sweeps: Sweeps::Pulse,
-            },
-            Excitation::Record(pair) => Grid {
-                x: Axis { key: "t_h", symbol: "T_h", unit: "s", range: t_h },
-                y: Axis { key: "t_v", symbol: "T_v", unit: "s", range: t_v },
-                fixed: Point { a_h: pair.pga_h, a_v: pair.pga_v, ..fixed },
-                sweeps: Sweeps::Periods,
-            },
+        let mut axes: Vec<Axis> = Vec::new();
+        let usual = usual(scene);
+        let swept = scene.swept();
+        if swept.iter().all(|parameter| usual.contains(parameter)) {
+            // A locked direction has no period: one value stands for it, which nothing reads.
+            let one = Values::from(1.0);
+            let values = |parameter| scene.numbers.get(parameter).unwrap_or(&one).clone();
+            axes.extend(usual.map(|parameter| Axis { parameter, values: values(parameter) }));
+        } else {
+            for parameter in swept {
+                axes.extend(
+                    scene.numbers.get(parameter).cloned().map(|values| Axis { parameter, values }),
+                );
+            }
         }
+        // Those asked for are the first and the second.
+        let take = |asked: Option<Parameter>, axes: &mut Vec<Axis>| {
+            let at = axes.iter().position(|axis| Some(axis.parameter) == asked)?;
+            Some(axes.remove(at))
+        };
+        let (x, y) = (take(scene.x, &mut axes), take(scene.y, &mut axes));
+        if let Some(y) = y {
+            axes.insert(usize::from(x.is_none()).min(axes.len()), y);
+        }
+        if let Some(x) = x {
+            axes.insert(0, x);
+        }
+        Grid { axes, fixed: scene.numbers.first(), choices: Choices::of(scene) }
     }
 
-    /// Columns and rows.
+    /// The axes, the fastest first.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// The horizontal axis.
+    pub fn x(&self) -> &Axis {
+        &self.axes[0]
+    }
+
+    /// The vertical axis, where there is one.
+    pub fn y(&self) -> Option<&Axis> {
+        self.axes.get(1)
+    }
+
+    /// The axis along which alone the cells lie, where there is one.
+    pub fn line(&self) -> Option<&Axis> {
+        let mut swept = self.axes.iter().filter(|axis| axis.count() > 1);
+        swept.next().filter(|_| swept.next().is_none())
+    }
+
+    /// Columns, and rows of all other axes together.
     pub fn shape(&self) -> (usize, usize) {
-        (self.x.range.count as usize, self.y.range.count as usize)
+        let rows = self.axes[1..].iter().map(Axis::count);
+        (self.axes[0].count(), rows.fold(1, usize::saturating_mul))
     }
 
-    /// The point that takes the most steps: every period at its shortest, the pulse at its fastest.
-    pub fn extreme(&self) -> Point {
-        let (x, y) = (&self.x.range, &self.y.range);
-        match self.sweeps {
-            Sweeps::Pulse => Point { omega: x.start.max(x.stop), ..self.point(0) },
-            Sweeps::Periods => Point { t_h: x.least(), t_v: y.least(), ..self.fixed },
-        }
+    /// Values of the axes after the first but the last, 1 for those that it has not.
+    pub fn counts(&self) -> [u32; AXES - 2] {
+        // An axis has fewer than 2^32 values.
+        std::array::from_fn(|k| self.axes.get(k + 1).map_or(1, |axis| axis.count() as u32))
     }
 
-    /// Number of cells. At most 2^40, which fits on every machine with 64-bit addresses; smaller
-    /// ones saturate.
+    /// Number of cells, at most what the machine's addresses hold.
     pub fn len(&self) -> usize {
         let (columns, rows) = self.shape();
         columns.saturating_mul(rows)
@@ -101,20 +132,124 @@ impl Grid {
         self.len() == 0
     }
 
-    /// Values of both axes at a cell.
-    pub fn coordinates(&self, cell: usize) -> (f64, f64) {
-        let columns = self.x.range.count as usize;
-        // Both quotients are below an axis's count, a u32.
-        let (column, row) = ((cell % columns) as u32, (cell / columns) as u32);
-        (self.x.range.value(column), self.y.range.value(row))
+    /// A cell's place along each axis.
+    #[inline]
+    pub fn place(&self, cell: usize) -> Place {
+        let mut place = [0; AXES];
+        let mut rest = cell;
+        for (at, axis) in place.iter_mut().zip(&self.axes) {
+            let count = axis.count();
+            // Most grids are small enough for the shorter division, which takes half the time.
+            (*at, rest) = match (u32::try_from(rest), u32::try_from(count)) {
+                (Ok(rest), Ok(count)) => ((rest % count) as usize, (rest / count) as usize),
+                _ => (rest % count, rest / count),
+            };
+        }
+        place
     }
 
-    /// Parameters of a cell.
-    pub fn point(&self, cell: usize) -> Point {
-        let (x, y) = self.coordinates(cell);
-        match self.sweeps {
-            Sweeps::Pulse => Point { omega: x, a_h: y, ..self.fixed },
-            Sweeps::Periods => Point { t_h: x, t_v: y, ..self.fixed },
+    /// The number of the cell at a place.
+    pub fn cell(&self, place: &Place) -> usize {
+        let axes = self.axes.iter().zip(place).rev();
+        axes.fold(0, |cell, (axis, at)| cell * axis.count() + at)
+    }
+
+    /// Values of all axes at a cell.
+    pub fn coordinates(&self, cell: usize) -> impl Iterator<Item = f64> + '_ {
+        let place = self.place(cell);
+        self.axes.iter().zip(place).map(|(axis, at)| axis.values.value(at))
+    }
+
+    /// The value of a parameter in a cell, where it has one.
+    pub fn value(&self, parameter: Parameter, cell: usize) -> Option<f64> {
+        match self.axes.iter().position(|axis| axis.parameter == parameter) {
+            Some(axis) => Some(self.axes[axis].values.value(self.place(cell)[axis])),
+            None => self.fixed.get(parameter),
         }
+    }
+
+    /// The numbers of the cell at a place.
+    pub fn case_at(&self, place: &Place) -> Case {
+        let mut point = self.fixed;
+        for (axis, at) in self.axes.iter().zip(place) {
+            point.set(axis.parameter, axis.values.value(*at));
+        }
+        self.choices.case(&point)
+    }
+
+    /// The numbers of a cell.
+    pub fn case(&self, cell: usize) -> Case {
+        self.case_at(&self.place(cell))
+    }
+
+    /// The cells at the corners of the grid: its axes' smallest and largest values in every combination.
+    pub fn corners(&self) -> impl Iterator<Item = Case> + '_ {
+        (0..1_usize << self.axes.len()).map(|corner| {
+            let mut point = self.fixed;
+            for (number, axis) in self.axes.iter().enumerate() {
+                let (low, high) = axis.values.ends();
+                point.set(axis.parameter, if corner >> number & 1 == 1 { high } else { low });
+            }
+            self.choices.case(&point)
+        })
+    }
+
+    /// True where one of these parameters is swept.
+    pub fn sweeps(&self, parameters: &[Parameter]) -> bool {
+        let swept = |axis: &Axis| axis.count() > 1 && parameters.contains(&axis.parameter);
+        self.axes.iter().any(swept)
+    }
+
+    /// True where the base's yield displacement is given, not tied to the ground's peak by (21).
+    pub fn gives_strength(&self) -> bool {
+        let given = |parameter| {
+            self.fixed.get(parameter).is_some()
+                || self.axes.iter().any(|axis| axis.parameter == parameter)
+        };
+        given(Parameter::UY) || given(Parameter::YieldForce)
+    }
+
+    /// True where some cell's block begins tilted.
+    pub fn tilts(&self) -> bool {
+        self.corners().any(|case| case.tilt != 0.0)
+    }
+
+    /// The same cells along their only axis, where they lie along one.
+    pub fn along_line(&self) -> Option<Grid> {
+        let axis = self.line()?.clone();
+        let mut fixed = self.fixed;
+        for other in self.axes.iter().filter(|other| other.parameter != axis.parameter) {
+            fixed.set(other.parameter, other.values.first());
+        }
+        Some(Grid { axes: vec![axis], fixed, ..self.clone() })
+    }
+
+    /// The slices of the first two axes: one where there are no others.
+    pub fn slices(&self) -> usize {
+        self.axes.iter().skip(2).map(Axis::count).product()
+    }
+
+    /// A slice of the first two axes, the others fixed, and what they are fixed at.
+    pub fn slice(&self, number: usize) -> (Grid, Vec<(Parameter, f64)>) {
+        let area: usize = self.axes.iter().take(2).map(Axis::count).product();
+        let place = self.place(number * area);
+        let mut slice = self.clone();
+        let others = slice.axes.split_off(2.min(self.axes.len()));
+        let mut fixed = Vec::with_capacity(others.len());
+        for (axis, at) in others.iter().zip(&place[2..]) {
+            let value = axis.values.value(*at);
+            slice.fixed.set(axis.parameter, value);
+            fixed.push((axis.parameter, value));
+        }
+        (slice, fixed)
+    }
+
+    /// The same grid with at most so many values of each of its first two axes.
+    pub fn thinned(&self, most: usize) -> Grid {
+        let mut thin = self.clone();
+        for axis in thin.axes.iter_mut().take(2) {
+            axis.values = axis.values.thinned(most);
+        }
+        thin
     }
 }

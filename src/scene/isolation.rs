@@ -1,9 +1,12 @@
 //! The isolated base.
 
+use std::f64::consts::TAU;
+
 use serde::{Deserialize, Serialize};
 
-use super::range::Range;
-use super::{SceneError, positive, within};
+use super::numbers::{Numbers, Point};
+use super::parameters::Parameter;
+use super::{Block, SceneError};
 
 /// The base: what isolates it in each direction, and the masses of its plates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -22,12 +25,14 @@ pub struct Isolation {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BoucWen {
     /// T_h of (19), s.
-    pub t_h: Range,
+    pub t_h: f64,
     /// psi, post-yield over initial stiffness.
     pub psi: f64,
     /// xi_h, damping ratio.
     pub xi_h: f64,
-    /// alpha_y of (21).
+    /// u_y of (11), m: given, or by (21).
+    pub u_y: f64,
+    /// alpha_y of (21): u_y over PGA_h/omega_h^2; infinite where the ground does not move.
     pub alpha_y: f64,
     /// n of (11).
     pub n: u32,
@@ -37,7 +42,7 @@ pub struct BoucWen {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct KelvinVoigt {
     /// T_v of (20), s.
-    pub t_v: Range,
+    pub t_v: f64,
     /// xi_v, damping ratio.
     pub xi_v: f64,
 }
@@ -56,102 +61,117 @@ pub enum Directions {
     None,
 }
 
-/// The base as written.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
-#[serde(deny_unknown_fields)]
-pub struct IsolationText {
-    /// Directions in which the base moves; a locked one needs no period [default: dual]
-    #[arg(long, value_name = "DIRECTIONS")]
-    pub isolation: Option<Directions>,
-    /// T_h: period of the horizontal isolation, s
-    #[arg(long, value_name = "S", allow_hyphen_values = true)]
-    pub t_h: Option<Range>,
-    /// T_v: period of the vertical isolation, s
-    #[arg(long, value_name = "S", allow_hyphen_values = true)]
-    pub t_v: Option<Range>,
-    /// psi: post-yield over initial stiffness, 0 to 1 [default: 0.25]
-    #[arg(long, value_name = "PSI", allow_negative_numbers = true)]
-    pub psi: Option<f64>,
-    /// xi_h: horizontal damping ratio [default: 0.05]
-    #[arg(long, value_name = "XI", allow_negative_numbers = true)]
-    pub xi_h: Option<f64>,
-    /// xi_v: vertical damping ratio [default: 0.1]
-    #[arg(long, value_name = "XI", allow_negative_numbers = true)]
-    pub xi_v: Option<f64>,
-    /// alpha_y: yield displacement as a share of PGA_h/omega_h^2 [default: 0.1]
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
-    pub alpha_y: Option<f64>,
-    /// n: exponent of the Bouc-Wen law, a whole number from 1 to 100 [default: 2]
-    #[arg(long, value_name = "N")]
-    pub bouc_wen_n: Option<u32>,
+impl Directions {
+    /// True where the base moves horizontally.
+    pub fn moves_h(self) -> bool {
+        matches!(self, Directions::Dual | Directions::Horizontal)
+    }
+
+    /// True where it moves vertically.
+    pub fn moves_v(self) -> bool {
+        matches!(self, Directions::Dual | Directions::Vertical)
+    }
+
+    /// The same with the horizontal direction locked.
+    pub fn without_horizontal(self) -> Directions {
+        if self.moves_v() { Directions::Vertical } else { Directions::None }
+    }
+
+    /// The same with the vertical direction locked.
+    pub fn without_vertical(self) -> Directions {
+        if self.moves_h() { Directions::Horizontal } else { Directions::None }
+    }
+}
+
+impl Isolation {
+    /// The base of these numbers under a block, for the ground's horizontal peak, m/s^2.
+    pub(super) fn of(directions: Directions, point: &Point, block: &Block, peak: f64) -> Isolation {
+        let of = |parameter| point.get(parameter).unwrap_or(0.0);
+        let (plate_h, plate_v) = (of(Parameter::PlateH), of(Parameter::PlateV));
+        let horizontal = directions.moves_h().then(|| {
+            let t_h = of(Parameter::TH);
+            let omega_h = TAU / t_h;
+            let square = omega_h * omega_h;
+            let mass = block.mass + plate_h + plate_v;
+            // (21): u_y = alpha_y PGA_h / omega_h^2.
+            let (u_y, alpha_y) = match (point.get(Parameter::UY), point.get(Parameter::YieldForce))
+            {
+                (Some(u_y), _) => (u_y, u_y * square / peak),
+                (None, Some(force)) => (force / (mass * square), force / (mass * peak)),
+                (None, None) => {
+                    let alpha_y = of(Parameter::AlphaY);
+                    (alpha_y * peak / square, alpha_y)
+                }
+            };
+            // A checked exponent is a whole number below 2^32.
+            let n = of(Parameter::BoucWenN) as u32;
+            BoucWen { t_h, psi: of(Parameter::Psi), xi_h: of(Parameter::XiH), u_y, alpha_y, n }
+        });
+        let vertical = directions
+            .moves_v()
+            .then(|| KelvinVoigt { t_v: of(Parameter::TV), xi_v: of(Parameter::XiV) });
+        Isolation { plate_h, plate_v, horizontal, vertical }
+    }
 }
 
 /// Least period that is still taken for an isolation, s.
 const LEAST_PERIOD: f64 = 1.0e-4;
 
-fn period(key: &'static str, given: Option<Range>) -> Result<Range, SceneError> {
-    let Some(range) = given else {
+fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
+    let key = parameter.key();
+    let Some(values) = numbers.get(parameter) else {
         let problem = "missing; give it in seconds, or lock its direction by isolation";
         return Err(SceneError::new(key, problem));
     };
-    positive(key, range.least())?;
-    if range.least() < LEAST_PERIOD {
+    let (least, _) = values.ends();
+    if least > 0.0 && least < LEAST_PERIOD {
         let problem = format!(
-            "{} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction",
-            range.least()
+            "{least} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
         );
-        return Err(SceneError::new(key, problem));
-    }
-    Ok(range)
-}
-
-fn unused(key: &'static str, given: bool, direction: &str) -> Result<(), SceneError> {
-    if given {
-        let problem =
-            format!("means nothing where the {direction} direction is locked; leave it out");
         return Err(SceneError::new(key, problem));
     }
     Ok(())
 }
 
-/// A checked base with plates of `plate_h` and `plate_v` kg.
-pub(super) fn check(
-    text: &IsolationText,
-    plate_h: f64,
-    plate_v: f64,
-) -> Result<Isolation, SceneError> {
-    let directions = text.isolation.unwrap_or(Directions::Dual);
-    let moves_h = matches!(directions, Directions::Dual | Directions::Horizontal);
-    let moves_v = matches!(directions, Directions::Dual | Directions::Vertical);
-    let mut horizontal = None;
-    if moves_h {
-        let n = text.bouc_wen_n.unwrap_or(2);
-        if !(1..=100).contains(&n) {
-            return Err(SceneError::new("bouc_wen_n", format!("{n} must lie between 1 and 100")));
+/// Adds to the numbers what a base has where nothing else is said.
+///
+/// # Errors
+/// A period that is missing, and what means nothing where a direction is locked.
+pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<(), SceneError> {
+    use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
+    let of_h = [TH, Psi, XiH, AlphaY, UY, YieldForce, BoucWenN];
+    let unused = |own: &[Parameter], numbers: &Numbers, direction: &str| match own
+        .iter()
+        .find(|parameter| numbers.has(**parameter))
+    {
+        Some(given) => {
+            let problem =
+                format!("means nothing where the {direction} direction is locked; leave it out");
+            Err(SceneError::new(given.key(), problem))
         }
-        horizontal = Some(BoucWen {
-            t_h: period("t_h", text.t_h)?,
-            psi: within("psi", text.psi.unwrap_or(0.25), 0.0, 1.0)?,
-            xi_h: within("xi_h", text.xi_h.unwrap_or(0.05), 0.0, 10.0)?,
-            alpha_y: positive("alpha_y", text.alpha_y.unwrap_or(0.1))?,
-            n,
-        });
+        None => Ok(()),
+    };
+    let default = |parameter, value: f64, numbers: &mut Numbers| {
+        if !numbers.has(parameter) {
+            numbers.set(parameter, value);
+        }
+    };
+    if directions.moves_h() {
+        period(TH, numbers)?;
+        default(Psi, 0.25, numbers);
+        default(XiH, 0.05, numbers);
+        if !numbers.has(UY) && !numbers.has(YieldForce) {
+            default(AlphaY, 0.1, numbers);
+        }
+        default(BoucWenN, 2.0, numbers);
     } else {
-        unused("t_h", text.t_h.is_some(), "horizontal")?;
-        unused("psi", text.psi.is_some(), "horizontal")?;
-        unused("xi_h", text.xi_h.is_some(), "horizontal")?;
-        unused("alpha_y", text.alpha_y.is_some(), "horizontal")?;
-        unused("bouc_wen_n", text.bouc_wen_n.is_some(), "horizontal")?;
+        unused(&of_h, numbers, "horizontal")?;
     }
-    let mut vertical = None;
-    if moves_v {
-        vertical = Some(KelvinVoigt {
-            t_v: period("t_v", text.t_v)?,
-            xi_v: within("xi_v", text.xi_v.unwrap_or(0.1), 0.0, 10.0)?,
-        });
+    if directions.moves_v() {
+        period(TV, numbers)?;
+        default(XiV, 0.1, numbers);
     } else {
-        unused("t_v", text.t_v.is_some(), "vertical")?;
-        unused("xi_v", text.xi_v.is_some(), "vertical")?;
+        unused(&[TV, XiV], numbers, "vertical")?;
     }
-    Ok(Isolation { plate_h, plate_v, horizontal, vertical })
+    Ok(())
 }

@@ -1,25 +1,36 @@
 //! What is simulated: a block on a base, the excitation, and the grid of parameters.
 //!
 //! A scene is written as flags or as TOML ([`text`]), is checked once on its way into a
-//! [`Scene`], and is believed from there on.
+//! [`Scene`], and is believed from there on. Its numbers stand in one table ([`parameters`]); each may
+//! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 
 pub mod block;
+pub mod case;
+mod check;
 pub mod excitation;
 pub mod grid;
 pub mod isolation;
+mod keys;
+pub mod manual;
+pub mod numbers;
+pub mod parameters;
 pub mod range;
 pub mod record;
 pub mod text;
 
-use std::f64::consts::FRAC_PI_2;
+pub mod values;
 
 use serde::{Deserialize, Serialize};
 
 pub use block::Block;
-pub use excitation::{Excitation, Pulse};
-pub use grid::{Grid, Point};
-pub use isolation::Isolation;
+pub use case::{Case, Choices, Pulse, Shaking};
+pub use excitation::Excitation;
+pub use grid::Grid;
+pub use isolation::{Directions, Isolation};
+pub use numbers::Numbers;
+pub use parameters::Parameter;
 pub use range::Range;
+pub use values::Values;
 
 /// g, m/s^2.
 pub const GRAVITY: f64 = 9.81;
@@ -39,23 +50,18 @@ pub enum Overturn {
 pub struct Scene {
     /// One line for figures and manifests.
     pub title: String,
-    /// The block.
-    pub block: Block,
-    /// The base that it stands on.
-    pub isolation: Isolation,
-    /// What shakes the base.
-    pub excitation: Excitation,
-    /// Simulated time, s.
-    pub t_max: f64,
-    /// phi at the start, rad; other than zero, the block begins tilted, at rest about a corner.
-    pub tilt: f64,
+    /// The directions in which the base moves.
+    pub isolation: Directions,
     /// When the block counts as overturned.
     pub overturn: Overturn,
-    /// Friction coefficient of the contact: cells that ask for more are marked, for the model knows
-    /// no sliding.
-    pub friction: Option<f64>,
-    /// eta_phi given in place of the law of impact (no isolation only).
-    pub restitution: Option<f64>,
+    /// What shakes the base.
+    pub excitation: Excitation,
+    /// The numbers: one value each, or the values of an axis.
+    pub numbers: Numbers,
+    /// The parameter along the picture's horizontal axis, the first, where one was chosen.
+    pub x: Option<Parameter>,
+    /// That along its vertical axis, the second.
+    pub y: Option<Parameter>,
 }
 
 /// What is wrong with a scene: the key (a flag of the same name on the command line), and one
@@ -70,24 +76,49 @@ pub struct SceneError {
 }
 
 impl Scene {
-    /// The ranges that the scene's grid is made of, those of a single value among them.
-    pub fn axes_mut(&mut self) -> impl Iterator<Item = &mut Range> {
-        let (horizontal, vertical) =
-            (self.isolation.horizontal.as_mut(), self.isolation.vertical.as_mut());
-        let periods = [horizontal.map(|law| &mut law.t_h), vertical.map(|law| &mut law.t_v)];
-        let swept = match &mut self.excitation {
-            Excitation::Pulse(pulse) => [Some(&mut pulse.omega), Some(&mut pulse.a_h)],
-            Excitation::Record(_) => [None, None],
+    /// The parameters that it sweeps: Omega and A_h first, then T_h and T_v, then as given.
+    pub fn swept(&self) -> Vec<Parameter> {
+        let swept = self.numbers.iter().filter(|(_, values)| values.count() > 1);
+        let mut swept: Vec<Parameter> = swept.map(|(parameter, _)| parameter).collect();
+        let first = [Parameter::Omega, Parameter::AH, Parameter::TH, Parameter::TV];
+        let rank = |parameter: &Parameter| {
+            first.iter().position(|known| known == parameter).unwrap_or(first.len())
         };
-        periods.into_iter().chain(swept).flatten()
+        swept.sort_by_key(rank);
+        swept
     }
 
-    /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
-    pub fn overturning_angle(&self, side: f64) -> f64 {
-        match self.overturn {
-            Overturn::CriticalAngle => self.block.critical_angle(side),
-            Overturn::QuarterTurn => FRAC_PI_2,
+    /// The cell of the first values.
+    pub fn case(&self) -> Case {
+        Choices::of(self).case(&self.numbers.first())
+    }
+
+    /// Gives a parameter a value or several.
+    pub fn set(&mut self, parameter: Parameter, values: impl Into<Values>) {
+        self.numbers.set(parameter, values);
+    }
+
+    /// The same with a parameter given.
+    pub fn with(mut self, parameter: Parameter, values: impl Into<Values>) -> Scene {
+        self.set(parameter, values);
+        self
+    }
+
+    /// The same with directions locked: what of the base has no say then is taken out.
+    pub fn isolated(mut self, isolation: Directions) -> Scene {
+        use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
+        self.isolation = isolation;
+        let mut locked: Vec<Parameter> = Vec::new();
+        if !isolation.moves_h() {
+            locked.extend([TH, Psi, XiH, AlphaY, UY, YieldForce, BoucWenN]);
         }
+        if !isolation.moves_v() {
+            locked.extend([TV, XiV]);
+        }
+        for parameter in locked {
+            self.numbers.remove(parameter);
+        }
+        self
     }
 }
 
@@ -108,17 +139,4 @@ pub(crate) fn positive(key: &'static str, value: f64) -> Result<f64, SceneError>
         return Ok(value);
     }
     Err(SceneError::new(key, format!("{value} must be a positive number")))
-}
-
-/// `value` if it is in `[low, high]`.
-pub(crate) fn within(
-    key: &'static str,
-    value: f64,
-    low: f64,
-    high: f64,
-) -> Result<f64, SceneError> {
-    if value >= low && value <= high {
-        return Ok(value);
-    }
-    Err(SceneError::new(key, format!("{value} must lie between {low} and {high}")))
 }

@@ -1,11 +1,10 @@
-//! Ranges of a swept parameter, `start:stop:count`.
+//! Ranges of a swept parameter, `start:stop:count`, and `start:stop:count:log`.
 
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-/// Evenly spaced values from `start` to `stop`, both included; one value where they are equal.
+/// Evenly spaced values from `start` to `stop`, both included, or evenly in their logarithm; one value
+/// where the two are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// First value.
@@ -14,14 +13,22 @@ pub struct Range {
     pub stop: f64,
     /// How many values, at least one.
     pub count: u32,
+    /// Spaced by a constant factor.
+    pub log: bool,
 }
 
 /// Why a text is no range.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum RangeError {
     /// Not `start:stop:count` nor a number.
-    #[error("'{0}' is neither a number nor start:stop:count, as in 0.2:15:400")]
+    #[error(
+        "'{0}' is neither a number nor start:stop:count, as in 0.2:15:400 or 0.01:10:50:log, nor a list \
+         as in 1,2,4"
+    )]
     Form(String),
+    /// Logarithmic steps that reach or cross zero.
+    #[error("logarithmic steps from {0} to {1} would cross zero; give two ends of one sign")]
+    Log(String, String),
     /// A bound that is no finite number.
     #[error("'{0}' is not a finite number")]
     Number(String),
@@ -42,7 +49,12 @@ impl Range {
 
     /// The range that holds one value.
     pub fn single(value: f64) -> Range {
-        Range { start: value, stop: value, count: 1 }
+        Range { start: value, stop: value, count: 1, log: false }
+    }
+
+    /// So many values from `start` to `stop`, evenly apart.
+    pub fn even(start: f64, stop: f64, count: u32) -> Range {
+        Range { start, stop, count, log: false }
     }
 
     /// The i-th value, from 0.
@@ -53,17 +65,14 @@ impl Range {
         if i >= self.count - 1 {
             return self.stop;
         }
-        self.start + (self.stop - self.start) * (f64::from(i) / f64::from(self.count - 1))
-    }
-
-    /// All values in order.
-    pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
-        (0..self.count).map(|i| self.value(i))
-    }
-
-    /// The smallest value.
-    pub fn least(&self) -> f64 {
-        self.start.min(self.stop)
+        let share = f64::from(i) / f64::from(self.count - 1);
+        if self.log {
+            let value = self.start * (self.stop / self.start).powf(share);
+            let whole = value.round();
+            // 3.9999999999999996 is 4.
+            return if (value - whole).abs() < 1.0e-12 * value.abs() { whole } else { value };
+        }
+        self.start + (self.stop - self.start) * share
     }
 }
 
@@ -79,7 +88,8 @@ impl FromStr for Range {
         let parts: Vec<&str> = text.split(':').collect();
         match parts[..] {
             [value] => Ok(Range::single(number(value)?)),
-            [start, stop, count] => {
+            [start, stop, count] | [start, stop, count, "log"] => {
+                let log = parts.len() == 4;
                 let (start, stop) = (number(start)?, number(stop)?);
                 let count = match count.trim().parse::<u32>() {
                     Ok(n) if (1..=Range::LARGEST_COUNT).contains(&n) => n,
@@ -91,7 +101,10 @@ impl FromStr for Range {
                 if start != stop && count == 1 {
                     return Err(RangeError::OnePoint(start.to_string(), stop.to_string()));
                 }
-                Ok(Range { start, stop, count })
+                if log && start * stop <= 0.0 {
+                    return Err(RangeError::Log(start.to_string(), stop.to_string()));
+                }
+                Ok(Range { start, stop, count, log })
             }
             _ => Err(RangeError::Form(text.to_string())),
         }
@@ -103,32 +116,8 @@ impl fmt::Display for Range {
         if self.count == 1 {
             return write!(f, "{}", self.start);
         }
-        write!(f, "{}:{}:{}", self.start, self.stop, self.count)
-    }
-}
-
-impl Serialize for Range {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.count == 1 {
-            return serializer.serialize_f64(self.start);
-        }
-        serializer.collect_str(self)
-    }
-}
-
-impl<'de> Deserialize<'de> for Range {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Range, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(untagged, expecting = "expected a number or \"start:stop:count\"")]
-        enum Written {
-            Number(f64),
-            Text(String),
-        }
-        let text = match Written::deserialize(deserializer)? {
-            Written::Number(value) => value.to_string(),
-            Written::Text(text) => text,
-        };
-        text.parse().map_err(serde::de::Error::custom)
+        let log = if self.log { ":log" } else { "" };
+        write!(f, "{}:{}:{}{log}", self.start, self.stop, self.count)
     }
 }
 
@@ -139,7 +128,7 @@ mod tests {
     #[test]
     fn both_ends_are_included_exactly() {
         let range: Range = "0.2:15:400".parse().unwrap();
-        let values: Vec<f64> = range.values().collect();
+        let values: Vec<f64> = (0..400).map(|i| range.value(i)).collect();
         assert_eq!((values.len(), values[0], values[399]), (400, 0.2, 15.0));
         assert!(values.windows(2).all(|pair| pair[1] > pair[0]));
         assert_eq!("1.75".parse(), Ok(Range::single(1.75)));
@@ -148,6 +137,8 @@ mod tests {
     #[test]
     fn what_is_no_range_is_refused_with_its_reason() {
         let error = |text: &str| text.parse::<Range>().unwrap_err();
+        let whole: Range = "1:27:4:log".parse().unwrap();
+        assert!((0..4).map(|i| whole.value(i)).eq([1.0, 3.0, 9.0, 27.0]));
         assert_eq!(error("1:2:0"), RangeError::Count("0".into()));
         assert_eq!(error("1:2:-3"), RangeError::Count("-3".into()));
         assert_eq!(error("1:2:1e9"), RangeError::Count("1e9".into()));
@@ -158,5 +149,7 @@ mod tests {
         assert_eq!(error(""), RangeError::Form(String::new()));
         assert_eq!(error("1:2"), RangeError::Form("1:2".into()));
         assert_eq!(error("1:2:3:4"), RangeError::Form("1:2:3:4".into()));
+        assert_eq!(error("0:2:3:log"), RangeError::Log("0".into(), "2".into()));
+        assert_eq!(error("-1:2:3:log"), RangeError::Log("-1".into(), "2".into()));
     }
 }

@@ -100,10 +100,11 @@ impl<V: Vector> Forcing<V> {
             let sample = step / cell.substeps;
             let before = set.record[sample as usize];
             let after = set.record[sample as usize + 1];
-            self.base.h.put(lane, before.h);
-            self.base.v.put(lane, before.v);
-            self.rise.h.put(lane, after.h - before.h);
-            self.rise.v.put(lane, after.v - before.v);
+            let (h, v) = (cell.amplitude_h, cell.amplitude_v);
+            self.base.h.put(lane, h * before.h);
+            self.base.v.put(lane, v * before.v);
+            self.rise.h.put(lane, h * (after.h - before.h));
+            self.rise.v.put(lane, v * (after.v - before.v));
             first = sample * cell.substeps;
             steps = cell.substeps;
             // A gap after another of the same cell has the same steps.

@@ -47,8 +47,8 @@ pub(super) struct Lane<R> {
 pub struct Shared<'a, R> {
     /// What is switched on.
     pub variant: Variant,
-    /// The block and its base.
-    pub model: &'a Model<R>,
+    /// The bodies, a block and its base each, by the cells' numbers of them: one at least.
+    pub models: &'a [Model<R>],
     /// The record.
     pub record: &'a [Ground<R>],
 }
@@ -60,7 +60,8 @@ impl<'a, R> Shared<'a, R> {
     where
         'a: 'b,
     {
-        CellEquations { variant: self.variant, model: self.model, cell, record: self.record }
+        let model = &self.models[cell.body as usize];
+        CellEquations { variant: self.variant, model, cell, record: self.record }
     }
 }
 
@@ -71,6 +72,8 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     /// Lanes that have a cell, a bit each.
     pub(super) running: u64,
     pub(super) model: Model<V>,
+    /// Whose body each lane of it is.
+    bodies: Vec<u32>,
     pub(super) cell: Cell<V>,
     pub(super) corner: Corner<V>,
     /// Lanes whose block rocks.
@@ -114,7 +117,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
     /// Lanes without cells; `zero` tells the kind of vector, `log` hears of switches.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
-        let one = shared.model;
+        let one = &shared.models[0];
         let idle = || Lane {
             job: Job { number: 0, cell: Cell::zeroed(), state: State::zeroed() },
             first_step: 0,
@@ -125,6 +128,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
             lanes: (0..V::LANES).map(|_| idle()).collect(),
             running: 0,
             model: one.map(|number| zero.like(number.to_f64())),
+            bodies: vec![0; V::LANES],
             cell: Cell::<f32>::zeroed().map(|_| zero),
             corner: one.left.map(|number| zero.like(number.to_f64())),
             rocking: none,
@@ -203,6 +207,11 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         for (to, from) in self.cell.reals_mut().into_iter().zip(job.cell.reals()) {
             to.put(lane, from);
         }
+        if self.bodies[lane] != job.cell.body {
+            self.bodies[lane] = job.cell.body;
+            let body = &self.shared.models[job.cell.body as usize];
+            self.model.take(body, |to, from| to.put(lane, from));
+        }
         let seen = job.state.extremes();
         for (to, from) in self.extremes.reals_mut().into_iter().zip(seen.reals()) {
             to.put(lane, from);
@@ -228,7 +237,8 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         for (to, from) in self.y.reals_mut().into_iter().zip(state.motion.reals()) {
             to.put(lane, from);
         }
-        let corner = pivot(self.shared.model, state.mode);
+        let body = self.lanes[lane].job.cell.body;
+        let corner = pivot(&self.shared.models[body as usize], state.mode);
         for (to, from) in self.corner.reals_mut().into_iter().zip(corner.reals()) {
             to.put(lane, from);
         }

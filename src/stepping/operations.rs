@@ -163,6 +163,7 @@ mod tests {
             kinks: false,
             yields: false,
             certificate: false,
+            bodies: false,
             bouc_wen_n: 2,
         };
         let counted = of_step(variant, false, false);

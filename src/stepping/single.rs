@@ -1,6 +1,7 @@
 //! One cell by itself: vectors of one lane.
 
 use crate::model::CellEquations;
+use crate::model::excitation::Cell;
 use crate::model::real::Real;
 
 use super::lanes::{Job, Lanes, Shared};
@@ -19,10 +20,13 @@ impl<'a, R: Real> Single<'a, R> {
         state: &State<R>,
         log: &'a mut dyn Log<R>,
     ) -> Single<'a, R> {
-        let shared = Shared { variant: set.variant, model: set.model, record: set.record };
+        let models = std::slice::from_ref(set.model);
+        let shared = Shared { variant: set.variant, models, record: set.record };
         let mut lanes = Lanes::new(shared, R::of(0.0), log);
         if state.status == RUNNING {
-            lanes.load(0, Job { number: 0, cell: *set.cell, state: *state });
+            // The one body that there is.
+            let cell = Cell { body: 0, ..*set.cell };
+            lanes.load(0, Job { number: 0, cell, state: *state });
         } else {
             lanes.lanes[0].job.state = *state;
         }

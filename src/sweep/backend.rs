@@ -245,7 +245,7 @@ fn by_reference(
 ) -> Vec<Outcome> {
     let settings = reference::Settings::default();
     let run = |&index: &usize| {
-        let outcome = reference::run(&plan.scene, &grid.point(index), &settings);
+        let outcome = reference::run(&plan.scene, &plan.locked(&grid.case(index)), &settings);
         progress(1);
         outcome
     };

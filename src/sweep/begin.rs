@@ -2,48 +2,47 @@
 
 use bytemuck::Zeroable;
 
-use super::cell_tables::{CellTables, Place};
+use super::body::Body;
+use super::cell_tables::CellTables;
 use super::full_contact::Tracks;
-use super::groups::Groups;
+use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::plan::Plan;
 use super::shared_contact::full_contact;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
-use crate::scene::{GRAVITY, Point};
+use crate::scene::grid::Place;
+use crate::scene::{Case, GRAVITY};
 use crate::stepping::state::{DIVERGED, RUNNING, State};
 
-/// How a block begins.
-#[derive(Debug, Clone, Copy)]
-pub struct Posture<R> {
-    /// phi, rad.
-    pub tilt: R,
-    /// The corner that a tilted block turns about.
-    pub mode: u32,
+/// The corner that a block of this tilt turns about.
+#[inline(always)]
+fn mode_of<R: Real>(tilt: R) -> u32 {
+    let zero = R::of(0.0);
+    if tilt > zero {
+        ROCKING_LEFT
+    } else if tilt < zero {
+        ROCKING_RIGHT
+    } else {
+        FULL_CONTACT
+    }
 }
 
 impl Plan {
-    /// How the scene's block begins.
-    pub fn posture<R: Real>(&self) -> Posture<R> {
-        let tilt = self.scene.tilt;
-        let mode = match tilt {
-            tilt if tilt > 0.0 => ROCKING_LEFT,
-            tilt if tilt < 0.0 => ROCKING_RIGHT,
-            _ => FULL_CONTACT,
-        };
-        Posture { tilt: R::of(tilt), mode }
-    }
-
-    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium.
-    pub fn cell<R: Real>(&self, point: &Point) -> (Cell<R>, State<R>) {
+    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium. Its body
+    /// is number 0.
+    pub fn cell<R: Real>(&self, case: &Case) -> (Cell<R>, State<R>) {
+        let case = self.locked(case);
+        let body = Body::of(&case);
         let groups = Groups {
-            horizontal: self.horizontal(point.t_h, point.a_h),
-            vertical: self.vertical(point.t_v),
-            drive: self.drive(point.a_h, point.a_v, None),
-            steps: self.steps(point.omega, &self.clock(point), self.fall()),
+            horizontal: Horizontal::of(&case, &body),
+            vertical: Vertical::of(&case, &body),
+            drive: Drive::of(&case, None),
+            steps: Steps::of(self.span(&case).omega, &self.clock(&case), body.fall()),
+            body: 0,
         };
         let cell = groups.cell();
-        let state = at_rest(&cell, groups.sound(), &self.posture());
+        let state = at_rest(&cell, groups.sound(), groups.drive.tilt);
         (cell, state)
     }
 }
@@ -53,31 +52,31 @@ impl Plan {
 pub fn begin<R: Real>(
     tables: &CellTables<R>,
     tracks: Option<&Tracks<R>>,
-    posture: &Posture<R>,
-    place: Place,
+    place: &Place,
 ) -> (Cell<R>, State<R>) {
     let groups = tables.groups(place);
     let cell = groups.cell();
-    let mut state = at_rest(&cell, groups.sound(), posture);
+    let mut state = at_rest(&cell, groups.sound(), groups.drive.tilt);
     if let Some(tracks) = tracks
         && state.status == RUNNING
     {
-        full_contact(tracks, place, groups.drive.scale, &cell, &mut state);
+        let model = &tables.bodies.entries[cell.body as usize];
+        full_contact(tracks, model, place, groups.drive.scale, &cell, &mut state);
     }
     (cell, state)
 }
 
 /// A state at rest, the base in static equilibrium.
 #[inline(always)]
-fn at_rest<R: Real>(cell: &Cell<R>, sound: bool, posture: &Posture<R>) -> State<R> {
+fn at_rest<R: Real>(cell: &Cell<R>, sound: bool, tilt: R) -> State<R> {
     let mut state = State::<R>::zeroed();
     if cell.deflection > R::of(0.0) {
         state.motion.v = -cell.deflection;
     }
-    state.motion.phi = posture.tilt;
+    state.motion.phi = tilt;
     state.max_v = cell.deflection;
     state.min_contact = R::of(GRAVITY);
-    state.mode = posture.mode;
+    state.mode = mode_of(tilt);
     if !sound {
         state.status = DIVERGED;
     }

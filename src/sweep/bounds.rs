@@ -1,7 +1,7 @@
 //! Bounds that the certificate goes by, of a block on its base: what energy over M can make of the
 //! contact forces while the block rocks. Symbols as in [`certificate`](crate::stepping::certificate).
 
-use super::plan::Plan;
+use super::body::Body;
 
 /// Which lever a centripetal force acts on.
 #[derive(Clone, Copy)]
@@ -12,17 +12,17 @@ pub(super) enum Lever {
     Arm,
 }
 
-impl Plan {
+impl Body {
     /// b of the longer lever arm, H, and R of the longer arm.
     fn dimensions(&self) -> (f64, f64, f64) {
-        let block = &self.scene.block;
+        let block = &self.block;
         let b = block.arm(1.0).max(block.arm(-1.0));
         (b, block.height, b.hypot(block.height))
     }
 
     /// rho^2 + kappa_h H^2: D at its least, for P >= H and Q >= 0.
     fn least_d(&self) -> f64 {
-        let block = &self.scene.block;
+        let block = &self.block;
         block.inertia / block.mass + (1.0 - self.mu_h) * block.height * block.height
     }
 
@@ -31,8 +31,8 @@ impl Plan {
     /// corner to the left, and E^2 I_r/I_l on the way back: never more than the larger of the two,
     /// for E <= 1.
     pub(super) fn impact_gain(&self) -> f64 {
-        let Some(restitution) = self.scene.restitution else { return 1.0 };
-        let block = &self.scene.block;
+        let Some(restitution) = self.restitution else { return 1.0 };
+        let block = &self.block;
         let inertia =
             |side: f64| block.inertia / block.mass + block.height.powi(2) + block.arm(side).powi(2);
         let ratio = inertia(1.0) / inertia(-1.0);

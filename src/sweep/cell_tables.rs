@@ -1,71 +1,25 @@
-//! The numbers of a grid's cells in tables.
-//!
-//! Each group of a cell's numbers depends on some of the grid's axes only: under a pulse the steps
-//! on Omega, the yield displacement on A_h. A table has one entry for each value of the axes that
-//! its group depends on, so that a map of a thousand columns and rows needs a few thousand entries
-//! for its million cells. A clock that depends on all axes is made for each cell, of the parts that a
-//! column and a row have in it.
+//! The numbers of a grid's cells in tables, each by the parameters that it depends on. A clock that depends
+//! on all axes is made for each cell, of its parts.
 
+use super::body::{BODY, Body};
+use super::cells::Reader;
 use super::clock::Clock;
-use super::coefficients::{Span, SwingH, SwingV};
+use super::clock_parts::{SPAN, STRENGTH, SWING_H, SWING_V, Span, SwingH, SwingV};
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::plan::Plan;
+use super::table::{Table, Window};
+use crate::model::block::Model;
 use crate::model::real::Real;
-use crate::scene::grid::Axis;
-use crate::scene::{Grid, Point};
-
-/// A cell's column and row in its grid.
-pub type Place = [usize; 2];
-
-/// One entry for each value of the axes that a group depends on.
-#[derive(Debug, Clone)]
-pub struct Table<T> {
-    /// The entries, columns first.
-    pub entries: Vec<T>,
-    /// Entries from a column to the next and from a row to the next: none along an axis of no
-    /// effect.
-    pub strides: [usize; 2],
-}
-
-impl<T> Table<T> {
-    /// The table of a group that depends on these parameters.
-    fn of(grid: &Grid, parameters: &[&str], entry: impl Fn(&Point) -> T) -> Table<T> {
-        let [columns, rows] = axes(grid, parameters);
-        let width = grid.shape().0;
-        let points = (0..rows).flat_map(|row| (0..columns).map(move |at| row * width + at));
-        let entries = points.map(|cell| entry(&grid.point(cell))).collect();
-        Table { entries, strides: [usize::from(columns > 1), columns * usize::from(rows > 1)] }
-    }
-
-    /// The entry of a cell.
-    #[inline(always)]
-    pub fn at(&self, [column, row]: Place) -> &T {
-        &self.entries[column * self.strides[0] + row * self.strides[1]]
-    }
-}
-
-/// Values of each axis that these parameters have: one along an axis of another parameter.
-fn axes(grid: &Grid, parameters: &[&str]) -> [usize; 2] {
-    let values = |axis: &Axis| match parameters.contains(&axis.key) {
-        true => axis.range.count as usize,
-        false => 1,
-    };
-    [values(&grid.x), values(&grid.y)]
-}
-
-/// What each group depends on.
-const HORIZONTAL: [&str; 2] = ["t_h", "a_h"];
-const VERTICAL: [&str; 1] = ["t_v"];
-const DRIVE: [&str; 2] = ["a_h", "a_v"];
-const CLOCK: [&str; 3] = ["t_h", "t_v", "omega"];
+use crate::scene::grid::Place;
+use crate::scene::{Case, Grid, Parameter};
 
 /// The clocks of a grid.
 #[derive(Debug)]
 pub enum Clocks<R> {
     /// They do not depend on every axis.
     Shared(Table<(Clock, Steps<R>)>),
-    /// They do, and are made for each cell of its column's part and its row's.
-    Own(Parts),
+    /// They do, and are made for each cell of its parts.
+    Own(Box<Parts>),
 }
 
 /// The parts of clocks.
@@ -74,52 +28,89 @@ pub struct Parts {
     swing_h: Table<SwingH>,
     swing_v: Table<SwingV>,
     span: Table<Span>,
+    /// See [`Body::fall`].
+    fall: Table<f64>,
 }
 
 /// The tables of a plan's grid.
 #[derive(Debug)]
 pub struct CellTables<'a, R> {
     plan: &'a Plan,
-    /// Columns of the grid.
-    pub columns: usize,
+    grid: &'a Grid,
+    /// Of the bodies: the block on its base.
+    pub bodies: Table<Model<R>>,
     /// Of the horizontal isolation.
     pub horizontal: Table<Horizontal<R>>,
     /// Of the vertical isolation.
     pub vertical: Table<Vertical<R>>,
-    /// Of the excitation.
+    /// Of the excitation and the start.
     pub drive: Table<Drive<R>>,
     /// Of the clock.
     pub clocks: Clocks<R>,
-    fall: f64,
+    /// Of what an outcome is read by.
+    pub readers: Table<Reader>,
+}
+
+/// What a clock depends on.
+pub(super) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
+    [&BODY[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
+}
+
+/// What the horizontal part of a clock depends on, beside the body.
+fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
+    let mut swing = SWING_H.to_vec();
+    if grid.gives_strength() {
+        swing.extend(STRENGTH);
+    }
+    swing
 }
 
 impl<'a, R: Real> CellTables<'a, R> {
-    /// The tables of a plan's grid.
-    pub fn of(plan: &'a Plan, grid: &Grid) -> CellTables<'a, R> {
-        let fall = plan.fall();
-        let shared = plan.shared_amplitude();
+    /// The tables of a plan's grid, for the cells in a window.
+    pub fn of(plan: &'a Plan, grid: &'a Grid, window: &Window) -> CellTables<'a, R> {
+        let shared = plan.shared_amplitude(grid);
+        let all = clock_parameters(grid);
+        let body = |case: &Case| Body::of(&plan.locked(case));
         // An axis of one value counts as one that they depend on only where all do.
-        let clocks = if axes(grid, &CLOCK).into_iter().product::<usize>() < grid.len() {
-            Clocks::Shared(Table::of(grid, &CLOCK, |point| {
-                let clock = plan.clock(point);
-                (clock, plan.steps(point.omega, &clock, fall))
+        let clocks = if window.entries(grid, &all) < window.cells() || window.cells() == 1 {
+            Clocks::Shared(Table::of(grid, window, &all, |case| {
+                let clock = plan.clock(case);
+                (clock, Steps::of(plan.span(case).omega, &clock, body(case).fall()))
             }))
         } else {
-            Clocks::Own(Parts {
-                swing_h: Table::of(grid, &["t_h"], |point| plan.swing_h(point.t_h)),
-                swing_v: Table::of(grid, &["t_v"], |point| plan.swing_v(point.t_v)),
-                span: Table::of(grid, &["omega"], |point| plan.span(point.omega)),
-            })
+            let of_h = [&BODY[..], &swing_parameters(grid)].concat();
+            let of_v = [&BODY[..], &SWING_V].concat();
+            let swing_h = |case: &Case| plan.swing_h(&plan.locked(case), &body(case));
+            let swing_v = |case: &Case| plan.swing_v(&plan.locked(case), &body(case));
+            Clocks::Own(Box::new(Parts {
+                swing_h: Table::of(grid, window, &of_h, swing_h),
+                swing_v: Table::of(grid, window, &of_v, swing_v),
+                span: Table::of(grid, window, &SPAN, |case| plan.span(case)),
+                fall: Table::of(grid, window, &BODY, |case| body(case).fall()),
+            }))
         };
+        let of_h = [&BODY[..], &Horizontal::<R>::LAW].concat();
+        let of_v = [&BODY[..], &Vertical::<R>::LAW].concat();
+        let of_reader = [&BODY[..], &Reader::LAW].concat();
+        let (horizontal, vertical) = (
+            |case: &Case| Horizontal::of(&plan.locked(case), &body(case)),
+            |case: &Case| Vertical::of(&plan.locked(case), &body(case)),
+        );
         CellTables {
             plan,
-            columns: grid.shape().0,
-            horizontal: Table::of(grid, &HORIZONTAL, |p| plan.horizontal(p.t_h, p.a_h)),
-            vertical: Table::of(grid, &VERTICAL, |p| plan.vertical(p.t_v)),
-            drive: Table::of(grid, &DRIVE, |p| plan.drive(p.a_h, p.a_v, shared)),
+            grid,
+            bodies: Table::of(grid, window, &BODY, |case| body(case).model()),
+            horizontal: Table::of(grid, window, &of_h, horizontal),
+            vertical: Table::of(grid, window, &of_v, vertical),
+            drive: Table::of(grid, window, &Drive::<R>::LAW, |case| Drive::of(case, shared)),
             clocks,
-            fall,
+            readers: Table::of(grid, window, &of_reader, Reader::of),
         }
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> &'a Grid {
+        self.grid
     }
 
     /// Steps of the longest cell of a grid whose tables hold the clocks.
@@ -132,58 +123,64 @@ impl<'a, R: Real> CellTables<'a, R> {
         }
     }
 
-    /// A cell's column and row.
+    /// A cell's place along each axis.
     #[inline(always)]
     pub fn place(&self, index: usize) -> Place {
-        // Most grids are small enough for the shorter division, which takes half the time.
-        if let (Ok(index), Ok(columns)) = (u32::try_from(index), u32::try_from(self.columns)) {
-            return [(index % columns) as usize, (index / columns) as usize];
-        }
-        [index % self.columns, index / self.columns]
+        self.grid.place(index)
     }
 
     /// A cell's clock.
     #[inline(always)]
-    pub fn clock(&self, place: Place) -> Clock {
+    pub fn clock(&self, place: &Place) -> Clock {
         match &self.clocks {
             Clocks::Shared(table) => table.at(place).0,
-            Clocks::Own(parts) => self.own_clock(parts, place).0,
+            Clocks::Own(parts) => self.own_clock(parts, place).clock,
         }
     }
 
-    /// The clock of a cell made of its parts, and Omega.
+    /// The clock of a cell made of its parts, and what its steps take besides.
     #[inline(always)]
-    pub(super) fn own_clock(&self, parts: &Parts, place: Place) -> (Clock, f64) {
+    pub(super) fn own_clock(&self, parts: &Parts, place: &Place) -> OwnClock {
         let span = parts.span.at(place);
-        (self.plan.clock_of(parts.swing_h.at(place), parts.swing_v.at(place), span), span.omega)
-    }
-
-    /// The numbers of a clock's steps.
-    #[inline(always)]
-    pub(super) fn steps_of(&self, omega: f64, clock: &Clock) -> Steps<R> {
-        self.plan.steps(omega, clock, self.fall)
+        let clock = self.plan.clock_of(parts.swing_h.at(place), parts.swing_v.at(place), span);
+        OwnClock { clock, omega: span.omega, fall: *parts.fall.at(place) }
     }
 
     /// The numbers of a cell's steps.
     #[inline(always)]
-    pub fn steps(&self, place: Place) -> Steps<R> {
+    pub fn steps(&self, place: &Place) -> Steps<R> {
         match &self.clocks {
             Clocks::Shared(table) => table.at(place).1,
-            Clocks::Own(parts) => {
-                let (clock, omega) = self.own_clock(parts, place);
-                self.steps_of(omega, &clock)
-            }
+            Clocks::Own(parts) => self.own_clock(parts, place).steps(),
         }
     }
 
     /// All groups of a cell.
     #[inline(always)]
-    pub fn groups(&self, place: Place) -> Groups<R> {
+    pub fn groups(&self, place: &Place) -> Groups<R> {
         Groups {
             horizontal: *self.horizontal.at(place),
             vertical: *self.vertical.at(place),
             drive: *self.drive.at(place),
             steps: self.steps(place),
+            // A window has fewer than 2^32 bodies.
+            body: self.bodies.index(place) as u32,
         }
+    }
+}
+
+/// A clock of a cell of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct OwnClock {
+    pub(super) clock: Clock,
+    omega: Option<f64>,
+    fall: f64,
+}
+
+impl OwnClock {
+    /// The numbers of its steps.
+    #[inline(always)]
+    pub(super) fn steps<R: Real>(&self) -> Steps<R> {
+        Steps::of(self.omega, &self.clock, self.fall)
     }
 }

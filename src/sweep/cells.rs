@@ -3,57 +3,68 @@
 
 use std::sync::Arc;
 
-use super::begin::{Posture, begin};
+use super::begin::begin;
 use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::full_contact::Tracks;
 use super::plan::Plan;
+use super::table::Window;
+use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
-use crate::scene::{Grid, Point};
+use crate::scene::{Case, Grid, Parameter};
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State,
 };
 
-/// All that the cells of a plan's grid are made of.
+/// All that some cells of a plan's grid are made of.
 pub struct Cells<'a, R> {
     /// Their numbers.
     pub tables: CellTables<'a, R>,
     /// The full contact that they share, if they do.
     pub tracks: Arc<Option<Tracks<R>>>,
-    /// How the block begins.
-    pub posture: Posture<R>,
-    /// How they are read.
-    pub reader: Reader,
 }
 
 impl<'a, R: Real> Cells<'a, R> {
-    /// The cells of a plan's grid under its record.
-    pub fn of(plan: &'a Plan, grid: &Grid, record: &[Ground<R>]) -> Cells<'a, R> {
-        Cells {
-            tables: CellTables::of(plan, grid),
-            tracks: plan.tracks(grid, record),
-            posture: plan.posture(),
-            reader: Reader::of(plan),
-        }
+    /// Some cells of a plan's grid under its record.
+    pub fn of(
+        plan: &'a Plan,
+        grid: &'a Grid,
+        cells: &[usize],
+        record: &[Ground<R>],
+    ) -> Cells<'a, R> {
+        let window = Window::around(grid, cells);
+        Cells { tables: CellTables::of(plan, grid, &window), tracks: plan.tracks(grid, record) }
+    }
+
+    /// The bodies, by the cells' numbers of them.
+    pub fn bodies(&self) -> &[Model<R>] {
+        &self.tables.bodies.entries
     }
 
     /// A cell as its integration begins. Compiled once, not for every kind of vector.
     #[inline(never)]
     pub fn begin(&self, index: usize) -> (Cell<R>, State<R>) {
         let tracks = self.tracks.as_ref().as_ref();
-        begin(&self.tables, tracks, &self.posture, self.tables.place(index))
+        begin(&self.tables, tracks, &self.tables.place(index))
     }
 
     /// What became of a cell whose run has ended in `state`.
     #[inline(never)]
     pub fn outcome(&self, index: usize, state: &State<R>) -> Outcome {
-        self.reader.outcome(&self.tables.clock(self.tables.place(index)), state)
+        let place = self.tables.place(index);
+        self.tables.readers.at(&place).outcome(&self.tables.clock(&place), state)
+    }
+
+    /// The same of a cell of this clock.
+    #[inline]
+    pub fn outcome_by(&self, clock: &Clock, index: usize, state: &State<R>) -> Outcome {
+        self.tables.readers.at(&self.tables.place(index)).outcome(clock, state)
     }
 }
 
-/// What of a scene the reading of a last state takes.
+/// What of a cell's numbers the reading of its last state takes.
 #[derive(Debug, Clone, Copy)]
 pub struct Reader {
     t_max: f64,
@@ -63,11 +74,13 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// That of a plan's scene.
-    pub fn of(plan: &Plan) -> Reader {
-        let scene = &plan.scene;
-        let critical = [1.0, -1.0].map(|side| scene.block.critical_angle(side));
-        Reader { t_max: scene.t_max, tilted: scene.tilt != 0.0, critical }
+    /// What it depends on, with the [`BODY`](super::body::BODY).
+    pub const LAW: [Parameter; 2] = [Parameter::TMax, Parameter::Tilt];
+
+    /// That of a cell.
+    pub fn of(case: &Case) -> Reader {
+        let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical }
     }
 
     /// What became of a cell of this clock whose run has ended in `state`.
@@ -115,7 +128,7 @@ impl Reader {
 
 impl Plan {
     /// What became of a cell whose run has ended in `state`.
-    pub fn outcome<R: Real>(&self, point: &Point, state: &State<R>) -> Outcome {
-        Reader::of(self).outcome(&self.clock(point), state)
+    pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
+        Reader::of(case).outcome(&self.clock(case), state)
     }
 }

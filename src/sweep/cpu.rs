@@ -59,17 +59,17 @@ fn each<R: Real, L: Log<R> + Send>(
     progress: &(dyn Fn(usize) + Sync),
     log: impl Fn() -> L + Sync,
 ) -> Vec<(Outcome, L)> {
-    let model = plan.model::<R>();
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, &record);
+    let all = Cells::of(plan, grid, cells, &record);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
         .with_max_len(BLOCK)
         .map(|&index| {
             let (cell, state) = all.begin(index);
-            let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
+            let model = &all.bodies()[cell.body as usize];
+            let set = CellEquations { variant, model, cell: &cell, record: &record };
             let mut log = log();
             let state = single::run(&set, &state, &mut log);
             progress(1);

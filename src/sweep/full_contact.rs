@@ -1,9 +1,10 @@
 //! Full contact, once for all cells that share it.
 //!
-//! While the block stands on both corners u and v do not see each other, (5). Under a record u(t)
-//! depends on T_h alone and v(t) on T_v alone: a grid of N by N periods holds 2 N such motions. Under
-//! a pulse both depend on Omega alone, and u is proportional to A_h, for u_y is (21): N motions for a
-//! grid of N columns, and v is at rest where A_v = 0. They are integrated through the excitation; a
+//! While the block stands on both corners u and v do not see each other, (5), nor the block: u(t) depends
+//! on the horizontal isolation and the ground, v(t) on the vertical one. Under a record a grid of N by N
+//! periods holds 2 N such motions, a grid of blocks one of each. Under a pulse they are stepped in the
+//! cells' steps, which depend on Omega and the periods, and u is proportional to A_h where u_y is (21): N
+//! motions for a map of N frequencies, and v is at rest where A_v = 0. They are integrated through the excitation; a
 //! cell compares its two and begins its own integration at the first gap between samples (of a pulse,
 //! the first step) in which it may lift. A cell that never may is done at the excitation's end, or
 //! goes on from there.
@@ -11,42 +12,110 @@
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::cell_tables::Place;
+use super::cell_tables::clock_parameters;
 use super::plan::Plan;
 use super::shared_motion::{Direction, Track};
+use super::table::{Strides, Window, places_of, strides};
 use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, PEAK, VELOCITY};
 use super::tracks::{CREST, EIGHTHS_V, LOWEST, QUARTERS_H, TROUGH, VERTICAL_FIELDS};
 use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
-use crate::scene::{Excitation, Grid, Point};
+use crate::scene::grid::Place;
+use crate::scene::{Excitation, Grid, Parameter, Shaking};
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
 /// The full-contact motions of a plan's grid.
 #[derive(Debug)]
 pub struct Tracks<R> {
-    /// Of u: by column of the grid; one where all are alike.
+    /// Of u: one for each combination of what it depends on.
     pub(super) across: Motions<R>,
-    /// Of v: by row under a record, by column under a pulse; one where all are alike.
+    /// Of v: the same.
     pub(super) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
     pub(super) still: bool,
-    /// H, and the two lever arms.
-    pub(super) height: R,
-    pub(super) arms: [R; 2],
     /// The vectors of this machine.
     pub(super) level: Level,
 }
 
-impl Plan {
-    /// A_h that shared motions of u are of, m/s^2, to which they are proportional; none under a
-    /// record, where they are every cell's own.
-    pub(super) fn shared_amplitude(&self) -> Option<f64> {
-        match &self.scene.excitation {
-            Excitation::Record(_) => None,
-            Excitation::Pulse(pulse) => Some(pulse.a_h.start.abs().max(pulse.a_h.stop.abs())),
+/// What u depends on beside the steps.
+const ACROSS: [Parameter; 10] = [
+    Parameter::TH,
+    Parameter::Psi,
+    Parameter::XiH,
+    Parameter::AlphaY,
+    Parameter::UY,
+    Parameter::YieldForce,
+    Parameter::BoucWenN,
+    Parameter::Scale,
+    Parameter::Pga,
+    Parameter::Omega,
+];
+/// What a base's strength in newtons is over.
+const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
+/// What v depends on beside the steps.
+const UP: [Parameter; 6] = [
+    Parameter::TV,
+    Parameter::XiV,
+    Parameter::AV,
+    Parameter::Scale,
+    Parameter::Pga,
+    Parameter::Omega,
+];
+
+/// What the motions of each direction depend on, and whether v is at rest.
+struct Dependence {
+    across: Vec<Parameter>,
+    up: Vec<Parameter>,
+    still: bool,
+}
+
+impl Dependence {
+    fn of(plan: &Plan, grid: &Grid) -> Dependence {
+        let base = plan.scene.isolation;
+        let recorded = plan.scene.excitation.record().is_some();
+        let still = !recorded
+            && grid
+                .corners()
+                .all(|case| case.shaking.pulse().is_some_and(|pulse| pulse.a_v == 0.0));
+        let (mut across, mut up) = (Vec::new(), Vec::new());
+        if base.moves_h() {
+            across.extend(ACROSS);
+            if grid.gives_strength() {
+                across.extend(MASSES);
+            }
+        } else {
+            across.extend([Parameter::Scale, Parameter::Pga, Parameter::Omega]);
         }
+        if base.moves_v() {
+            up.extend(if still { vec![Parameter::TV] } else { UP.to_vec() });
+        } else if !still {
+            up.extend(&UP[2..]);
+        }
+        if !recorded {
+            // The steps of a pulse are those of the cells.
+            across.extend(clock_parameters(grid));
+            if plan.shared_amplitude(grid).is_none() {
+                across.push(Parameter::AH);
+            }
+            if !still {
+                up.extend(clock_parameters(grid));
+            }
+        }
+        Dependence { across, up, still }
+    }
+}
+
+impl Plan {
+    /// A_h that shared motions of u are of, m/s^2, to which they are proportional by (21); none under a
+    /// record, and where the base's strength is given: there they are every cell's own.
+    pub(super) fn shared_amplitude(&self, grid: &Grid) -> Option<f64> {
+        if self.scene.excitation.record().is_some() || grid.gives_strength() {
+            return None;
+        }
+        let amplitudes = grid.corners().map(|case| case.shaking.peak_h());
+        Some(amplitudes.fold(0.0, f64::max))
     }
 }
 
@@ -54,71 +123,57 @@ impl<R: Real> Tracks<R> {
     /// The motions of a grid, under the plan's record; none where cells do not share them (a block that starts tilted), where
     /// the plan leaves nothing out, or where they take too much memory.
     pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<Tracks<R>> {
-        let (width, height) = grid.shape();
-        let base = &plan.scene.isolation;
-        let amplitude = plan.shared_amplitude();
-        let (by_row, still) = match &plan.scene.excitation {
-            Excitation::Record(_) => (true, false),
-            Excitation::Pulse(pulse) => (false, pulse.a_v == 0.0),
-        };
-        let across = if by_row && base.horizontal.is_none() { 1 } else { width };
-        let up = match (by_row, still) {
-            (_, true) => 1,
-            (true, _) if base.vertical.is_none() => 1,
-            (true, _) => height,
-            (false, _) => width,
-        };
-        let samples = |motions: usize| match &plan.scene.excitation {
-            Excitation::Record(pair) => motions * pair.len(),
-            Excitation::Pulse(_) => {
-                let steps = |column| plan.clock(&grid.point(column)).steps_forced as usize;
-                (0..motions).map(|column| steps(column) + 1).sum()
-            }
-        };
-        let numbers = samples(across) * HORIZONTAL_FIELDS + samples(up) * VERTICAL_FIELDS;
-        let bytes = numbers * size_of::<R>();
+        let amplitude = plan.shared_amplitude(grid);
+        let of = Dependence::of(plan, grid);
+        let window = Window::whole(grid);
+        let across = window.entries(grid, &of.across);
+        let up = window.entries(grid, &of.up);
         // As many motions as cells save nothing.
         let pays = across + up < grid.len() && amplitude != Some(0.0);
-        if !plan.reductions.full_contact || plan.scene.tilt != 0.0 || bytes > MOST_MEMORY || !pays {
+        if !plan.reductions.full_contact || grid.tilts() || !pays {
             return None;
         }
-        // X by itself: over g it is the friction asked for where the ground does not move vertically.
-        let level: Vec<Ground<R>> =
-            record.iter().map(|ground| Ground { v: R::of(0.0), ..*ground }).collect();
+        let samples = |parameters: &[Parameter], motions: usize| match &plan.scene.excitation {
+            Excitation::Record(pair) => motions * pair.len(),
+            Excitation::Pulse => {
+                let steps = |place| plan.clock(&grid.case_at(&place)).steps_forced as usize;
+                places_of(grid, parameters).map(|place| steps(place) + 1).sum()
+            }
+        };
+        let numbers =
+            samples(&of.across, across) * HORIZONTAL_FIELDS + samples(&of.up, up) * VERTICAL_FIELDS;
+        if numbers * size_of::<R>() > MOST_MEMORY {
+            return None;
+        }
         let (only_h, only_v) = (plan.without_vertical(), plan.without_horizontal());
-        let of = |direction: Direction, mut point: Point| {
-            let (alone, record) = match direction {
-                Direction::Horizontal => (&only_h, &level[..]),
-                Direction::Vertical => (&only_v, record),
-            };
+        let recorded = plan.scene.excitation.record().is_some();
+        let motion = |direction: Direction, place: &Place| {
+            let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
             // Under a pulse the steps are those of the cells.
-            let clock = if by_row { alone } else { plan };
-            point.a_h = amplitude.unwrap_or(point.a_h);
-            Track::new(clock, alone.variant(), &point, direction, record)
+            let clock = if recorded { alone } else { plan };
+            let mut case = grid.case_at(place);
+            if let (Some(amplitude), Shaking::Pulse(_)) = (amplitude, case.shaking) {
+                case = case.with_amplitude(amplitude);
+            }
+            Track::new(clock, alone.variant(), &case, direction, record)
         };
-        let columns = (0..across).into_par_iter();
-        let along_x = columns.map(|column| of(Direction::Horizontal, grid.point(column))).collect();
-        let first = |index: usize| grid.point(if by_row { index * width } else { index });
-        let along_y = (0..up).into_par_iter();
-        let along_y = along_y.map(|index| of(Direction::Vertical, first(index))).collect();
-        let stride = |count: usize, by_row: bool| -> Place {
-            let step = usize::from(count > 1);
-            if by_row { [0, step] } else { [step, 0] }
+        let all = |direction: Direction, parameters: &[Parameter]| -> Vec<Track<R>> {
+            let places: Vec<Place> = places_of(grid, parameters).collect();
+            places.par_iter().map(|place| motion(direction, place)).collect()
         };
-        let model = plan.model::<R>();
+        let along_x = all(Direction::Horizontal, &of.across);
+        let along_y = all(Direction::Vertical, &of.up);
         Some(Tracks {
-            across: horizontal(along_x, stride(across, false)),
-            up: vertical(along_y, stride(up, by_row)),
-            still,
-            height: model.height,
-            arms: [model.left.arm, model.right.arm],
+            across: horizontal(along_x, strides(grid, &window, &of.across)),
+            up: vertical(along_y, strides(grid, &window, &of.up)),
+            still: of.still,
             level: Level::new(),
         })
     }
 }
 
 /// Motions of u, as they are kept.
-fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
+fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
     let lengths = tracks.iter().map(|track| track.motion.len());
     let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
     for (number, track) in tracks.iter().enumerate() {
@@ -141,7 +196,7 @@ fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
 }
 
 /// Motions of v, as they are kept.
-fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Place) -> Motions<R> {
+fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
     let lengths = tracks.iter().map(|track| track.motion.len());
     let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);
     for (number, track) in tracks.iter().enumerate() {

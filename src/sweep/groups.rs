@@ -5,16 +5,16 @@ use std::f64::consts::TAU;
 
 use bytemuck::Zeroable;
 
+use super::body::Body;
 use super::clock::Clock;
-use super::plan::Plan;
 use crate::model::excitation::Cell;
 use crate::model::real::{Real, pod};
-use crate::scene::{Excitation, GRAVITY};
+use crate::scene::{Case, GRAVITY, Parameter, Shaking};
 
 /// A landing block comes to rest when its next flight would last less than this share of a step.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
 
-/// What the horizontal isolation adds to a cell, by T_h and A_h.
+/// What the horizontal isolation adds to a cell.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Horizontal<R> {
@@ -34,7 +34,7 @@ pub struct Horizontal<R> {
     pub sound: R,
 }
 
-/// What the vertical isolation adds to a cell, by T_v.
+/// What the vertical isolation adds to a cell.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Vertical<R> {
@@ -50,7 +50,7 @@ pub struct Vertical<R> {
     pub sound: R,
 }
 
-/// What the excitation adds to a cell, by A_h and A_v.
+/// What the excitation and the start add to a cell.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Drive<R> {
@@ -60,11 +60,13 @@ pub struct Drive<R> {
     pub amplitude_v: R,
     /// A_h over that of the shared full contact, whose motion of u is proportional to it.
     pub scale: R,
-    /// 1 where the amplitudes are finite, 0 where the number type does not hold one.
+    /// phi at the start, rad.
+    pub tilt: R,
+    /// 1 where these numbers are finite, 0 where the number type does not hold one.
     pub sound: R,
 }
 
-/// A cell's steps, by its clock and Omega.
+/// A cell's steps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Steps<R> {
@@ -88,7 +90,7 @@ pub struct Steps<R> {
 
 pod!(Horizontal, reals: 7, words: 0);
 pod!(Vertical, reals: 5, words: 0);
-pod!(Drive, reals: 4, words: 0);
+pod!(Drive, reals: 5, words: 0);
 pod!(Steps, reals: 4, words: 4);
 
 fn finite<R: Real, const N: usize>(numbers: [R; N]) -> bool {
@@ -99,24 +101,37 @@ fn flag<R: Real>(sound: bool) -> R {
     R::of(f64::from(u8::from(sound)))
 }
 
-impl Plan {
-    /// The numbers of the horizontal isolation; zeros where it is locked.
-    pub fn horizontal<R: Real>(&self, t_h: f64, a_h: f64) -> Horizontal<R> {
+impl<R: Real> Horizontal<R> {
+    /// What it depends on, with the [`BODY`](super::body::BODY).
+    pub const LAW: [Parameter; 10] = [
+        Parameter::TH,
+        Parameter::Psi,
+        Parameter::XiH,
+        Parameter::AlphaY,
+        Parameter::UY,
+        Parameter::YieldForce,
+        Parameter::BoucWenN,
+        Parameter::AH,
+        Parameter::Scale,
+        Parameter::Pga,
+    ];
+
+    /// The numbers of a cell; zeros where the direction is locked.
+    pub fn of(case: &Case, body: &Body) -> Horizontal<R> {
         let mut group = Horizontal::<R>::zeroed();
-        if let Some(base) = &self.scene.isolation.horizontal {
-            let omega_h = TAU / t_h;
-            // (21): u_y = alpha_y PGA_h / omega_h^2; PGA_h is |A_h| for a pulse.
-            let yield_force = base.alpha_y * a_h.abs();
+        if let Some(base) = &case.isolation.horizontal {
+            let omega_h = TAU / base.t_h;
+            // The largest force that z carries, over M_t and (1 - psi).
+            let yield_force = base.u_y * omega_h * omega_h;
             group.post_yield = R::of(base.psi * omega_h * omega_h);
             group.hysteretic = R::of((1.0 - base.psi) * yield_force);
             group.damping_h = R::of(2.0 * base.xi_h * omega_h);
             group.reach_h =
-                R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / self.free_share_h()).sqrt());
-            let u_y = yield_force / (omega_h * omega_h);
-            group.yield_energy = R::of((1.0 - base.psi) * yield_force * u_y);
-            // Without horizontal excitation u_y is zero, and so is the force that z carries.
+                R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / body.free_share_h()).sqrt());
+            group.yield_energy = R::of((1.0 - base.psi) * yield_force * base.u_y);
+            // Without horizontal excitation u_y of (21) is zero, and so is the force that z carries.
             // So they may be taken to be where the number type does not hold 1/u_y.
-            let inverse = R::of(omega_h * omega_h / yield_force);
+            let inverse = R::of(1.0 / base.u_y);
             group.inverse_yield = if inverse.to_f64().is_finite() { inverse } else { R::of(0.0) };
         }
         let Horizontal { post_yield, hysteretic, damping_h, inverse_yield, .. } = group;
@@ -124,37 +139,56 @@ impl Plan {
         group.sound = flag(finite(numbers) && finite([group.yield_energy, group.reach_h]));
         group
     }
+}
 
-    /// The numbers of the vertical isolation; zeros where it is locked.
-    pub fn vertical<R: Real>(&self, t_v: f64) -> Vertical<R> {
+impl<R: Real> Vertical<R> {
+    /// What it depends on, with the [`BODY`](super::body::BODY).
+    pub const LAW: [Parameter; 2] = [Parameter::TV, Parameter::XiV];
+
+    /// The numbers of a cell; zeros where the direction is locked.
+    pub fn of(case: &Case, body: &Body) -> Vertical<R> {
         let mut group = Vertical::<R>::zeroed();
-        if let Some(base) = &self.scene.isolation.vertical {
-            let omega_v = TAU / t_v;
+        if let Some(base) = &case.isolation.vertical {
+            let omega_v = TAU / base.t_v;
             group.stiffness_v = R::of(omega_v * omega_v);
             group.damping_v = R::of(2.0 * base.xi_v * omega_v);
             group.deflection = R::of(GRAVITY / (omega_v * omega_v));
             group.reach_v =
-                R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / self.free_share_v()).sqrt());
+                R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / body.free_share_v()).sqrt());
         }
         let Vertical { stiffness_v, damping_v, deflection, reach_v, .. } = group;
         group.sound = flag(finite([stiffness_v, damping_v, deflection, reach_v]));
         group
     }
+}
 
-    /// The numbers of the excitation; `shared` is the A_h of the shared full contact, where it has
-    /// one.
-    pub fn drive<R: Real>(&self, a_h: f64, a_v: f64, shared: Option<f64>) -> Drive<R> {
+impl<R: Real> Drive<R> {
+    /// What it depends on.
+    pub const LAW: [Parameter; 5] =
+        [Parameter::AH, Parameter::AV, Parameter::Scale, Parameter::Pga, Parameter::Tilt];
+
+    /// The numbers of a cell; `shared` is the A_h of the shared full contact, where it has one.
+    pub fn of(case: &Case, shared: Option<f64>) -> Drive<R> {
+        let (a_h, a_v) = match case.shaking {
+            Shaking::Pulse(pulse) => (pulse.a_h, pulse.a_v),
+            Shaking::Record { factor, .. } => (factor, factor),
+        };
         let (amplitude_h, amplitude_v) = (R::of(a_h), R::of(a_v));
-        let scale = R::of(shared.map_or(1.0, |amplitude| a_h / amplitude));
-        Drive { amplitude_h, amplitude_v, scale, sound: flag(finite([amplitude_h, amplitude_v])) }
+        let (scale, tilt) =
+            (R::of(shared.map_or(1.0, |amplitude| a_h / amplitude)), R::of(case.tilt));
+        let sound = flag(finite([amplitude_h, amplitude_v, tilt]));
+        Drive { amplitude_h, amplitude_v, scale, tilt, sound }
     }
+}
 
-    /// The numbers of a clock's steps; `fall` is that of `Plan::fall`.
+impl<R: Real> Steps<R> {
+    /// The numbers of a clock's steps under a pulse of this Omega, or under a record; the block falls
+    /// back at the rate `fall`.
     #[inline]
-    pub fn steps<R: Real>(&self, omega: f64, clock: &Clock, fall: f64) -> Steps<R> {
-        let phase_step = match &self.scene.excitation {
-            Excitation::Pulse(_) => clock.step_forced * omega / TAU,
-            Excitation::Record(_) => 1.0 / f64::from(clock.substeps),
+    pub fn of(omega: Option<f64>, clock: &Clock, fall: f64) -> Steps<R> {
+        let phase_step = match omega {
+            Some(omega) => clock.step_forced * omega / TAU,
+            None => 1.0 / f64::from(clock.substeps),
         };
         let step = clock.step_forced.max(clock.step_free);
         let numbers = [phase_step, clock.step_forced, clock.step_free];
@@ -171,13 +205,6 @@ impl Plan {
             sound: u32::from(finite([phase_step, step_forced, step_free, rest_speed])),
         }
     }
-
-    /// Rate at which a block that stands on a corner falls back, rad/s^2. A flight at the speed w
-    /// lasts 2 w M D / (M g b): the corner with the shorter arm is the quicker to land.
-    pub(super) fn fall(&self) -> f64 {
-        let b = self.scene.block.arm(1.0).max(self.scene.block.arm(-1.0));
-        GRAVITY * b / self.impact_inertia(b)
-    }
 }
 
 /// The groups of one cell.
@@ -191,13 +218,15 @@ pub struct Groups<R> {
     pub drive: Drive<R>,
     /// Of the clock.
     pub steps: Steps<R>,
+    /// Number of the body.
+    pub body: u32,
 }
 
 impl<R: Real> Groups<R> {
     /// The cell of these numbers.
     #[inline(always)]
     pub fn cell(&self) -> Cell<R> {
-        let Groups { horizontal, vertical, drive, steps } = self;
+        let Groups { horizontal, vertical, drive, steps, body } = self;
         Cell {
             post_yield: horizontal.post_yield,
             hysteretic: horizontal.hysteretic,
@@ -218,14 +247,14 @@ impl<R: Real> Groups<R> {
             steps_forced: steps.steps_forced,
             steps: steps.steps,
             substeps: steps.substeps,
-            padding: 0,
+            body: *body,
         }
     }
 
     /// False where the number type does not hold one of the cell's numbers.
     #[inline(always)]
     pub fn sound(&self) -> bool {
-        let Groups { horizontal, vertical, drive, steps } = self;
+        let Groups { horizontal, vertical, drive, steps, .. } = self;
         let zero = R::of(0.0);
         horizontal.sound > zero && vertical.sound > zero && drive.sound > zero && steps.sound > 0
     }

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use crate::model::CellEquations;
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::real::Real;
-use crate::scene::{Point, Scene};
+use crate::scene::{Case, Scene};
 use crate::stepping::log::Log;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
@@ -63,10 +63,10 @@ fn row<R: Real>(t: f64, state: &State<R>) -> Row {
 }
 
 /// The motion by fixed steps: a row a step, and one a switch.
-pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
-    let model = plan.model::<R>();
-    let clock = plan.clock(point);
-    let (cell, mut state) = plan.cell::<R>(point);
+pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
+    let model = plan.model::<R>(case);
+    let clock = plan.clock(case);
+    let (cell, mut state) = plan.cell::<R>(case);
     let record = plan.record::<R>();
     let set =
         CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
@@ -83,18 +83,18 @@ pub fn by_steps<R: Real>(plan: &Plan, point: &Point) -> (Vec<Row>, Outcome) {
             break;
         }
     }
-    (rows.take(), plan.outcome(point, &state))
+    (rows.take(), plan.outcome(case, &state))
 }
 
 /// The motion by the reference: a row a step of its own choice, and one a switch.
-pub fn by_reference(scene: &Scene, point: &Point) -> (Vec<Row>, Outcome) {
+pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
     let mut rows = Vec::new();
     let name = |phase: Phase| match phase {
         None => "full_contact",
         Some(Pole::Left) => "rocking_left",
         Some(Pole::Right) => "rocking_right",
     };
-    let outcome = reference::observe(scene, point, &Settings::default(), &mut |instant| {
+    let outcome = reference::observe(scene, case, &Settings::default(), &mut |instant| {
         let y = instant.y;
         rows.push(Row {
             t: instant.t,

@@ -90,10 +90,9 @@ fn either(double: bool, sweep: &Sweep) -> Vec<Outcome> {
 
 fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let Sweep { plan, grid, cells, level, .. } = *sweep;
-    let model = plan.model::<R>();
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, &record);
-    let shared = Shared { variant: plan.variant(), model: &model, record: &record };
+    let all = Cells::of(plan, grid, cells, &record);
+    let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     rayon::broadcast(|_| {

@@ -2,12 +2,13 @@
 
 pub mod backend;
 pub mod begin;
+pub mod body;
 mod bounds;
 pub mod cell_tables;
 pub mod cells;
 pub mod choice;
 pub mod clock;
-pub mod coefficients;
+mod clock_parts;
 pub mod cpu;
 pub mod full_contact;
 pub mod gpu;
@@ -18,6 +19,7 @@ pub mod plan;
 pub mod shared;
 pub mod shared_contact;
 mod shared_motion;
+pub mod table;
 pub mod tiles;
 pub mod tracks;
 pub mod verification;

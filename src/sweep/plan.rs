@@ -7,12 +7,14 @@ use bytemuck::Zeroable;
 use serde::Serialize;
 
 use super::backend::Precision;
+use super::body::{BODY, Body};
 use super::clock::Resolution;
 use super::shared::Kept;
+use crate::model::block::Model;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
-use crate::scene::{Excitation, Grid, Point, Scene, SceneError, positive};
+use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positive};
 
 /// A vertical isolation whose period is below this share of a record's time step is rigid for that
 /// record, which holds nothing faster than two steps.
@@ -51,6 +53,17 @@ pub struct Part {
     pub vertical_locked: bool,
 }
 
+/// What decides which model a cell runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Laws {
+    /// The base moves in each direction.
+    moves: [bool; 2],
+    /// The base yields.
+    yields: bool,
+    /// n of (11).
+    bouc_wen_n: u32,
+}
+
 /// A scene made ready for its cells.
 #[derive(Debug, Clone)]
 pub struct Plan {
@@ -60,10 +73,8 @@ pub struct Plan {
     pub resolution: Resolution,
     /// What of the model is left out where it has no say.
     pub reductions: Reductions,
-    /// M/(M + m_h + m_v); zero where the horizontal direction is locked.
-    pub(super) mu_h: f64,
-    /// M/(M + m_v); zero where the vertical direction is locked.
-    pub(super) mu_v: f64,
+    /// What its cells have in common.
+    pub(super) laws: Laws,
     /// What its tiles share.
     pub(super) kept: Arc<Kept>,
 }
@@ -83,27 +94,26 @@ impl Plan {
     /// Those of [`Plan::new`].
     pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
         positive("step", resolution.largest_step)?;
-        let (block, base) = (&scene.block, &scene.isolation);
-        let mass_v = block.mass + base.plate_v;
-        let mass_h = mass_v + base.plate_h;
-        let mu_h = if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 };
-        let mu_v = if base.vertical.is_some() { block.mass / mass_v } else { 0.0 };
+        let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
         let (copy, reductions, kept) = (scene.clone(), Reductions::ALL, Arc::default());
-        let plan = Plan { scene: copy, resolution, reductions, mu_h, mu_v, kept };
-        let mut shortest = Grid::of(scene).extreme();
-        if let Some(rigid) = plan.rigid_period() {
-            // Stiffer cells run without the vertical direction.
-            shortest.t_v = shortest.t_v.max(rigid);
-        }
-        let clock = plan.clock(&shortest);
-        let steps = plan.scene.t_max / clock.step_forced.max(f64::MIN_POSITIVE);
-        if steps > MOST_STEPS {
-            let problem = format!(
-                "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, or \
-                 lock a direction as stiff as that",
-                scene.t_max
-            );
-            return Err(SceneError::new("t_max", problem));
+        let mut plan = Plan { scene: copy, resolution, reductions, laws, kept };
+        let grid = Grid::of(scene);
+        plan.laws = plan.laws_of(&grid.case(0));
+        for mut case in grid.corners() {
+            if let (Some(rigid), Some(law)) = (plan.rigid_period(), &mut case.isolation.vertical) {
+                // Stiffer cells run without the vertical direction.
+                law.t_v = law.t_v.max(rigid);
+            }
+            let clock = plan.clock(&case);
+            let steps = case.t_max / clock.step_forced.max(f64::MIN_POSITIVE);
+            if steps > MOST_STEPS {
+                let problem = format!(
+                    "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, \
+                     or lock a direction as stiff as that",
+                    case.t_max
+                );
+                return Err(SceneError::new("t_max", problem));
+            }
         }
         Ok(plan)
     }
@@ -115,7 +125,9 @@ impl Plan {
 
     /// The plan with nothing left out.
     pub fn full_model(&self) -> Plan {
-        Plan { reductions: Reductions::NONE, ..self.clone() }
+        let mut plan = Plan { reductions: Reductions::NONE, ..self.clone() };
+        plan.laws = plan.laws_of(&Grid::of(&plan.scene).case(0));
+        plan
     }
 
     /// The plan with steps half as long.
@@ -126,7 +138,7 @@ impl Plan {
     /// T_v below which the vertical isolation is rigid for the scene's record, s.
     pub fn rigid_period(&self) -> Option<f64> {
         match &self.scene.excitation {
-            Excitation::Record(pair) if self.scene.isolation.vertical.is_some() => {
+            Excitation::Record(pair) if self.scene.isolation.moves_v() => {
                 Some(RIGID_SHARE * pair.dt)
             }
             _ => None,
@@ -134,38 +146,80 @@ impl Plan {
     }
 
     /// True for a cell whose vertical isolation is rigid for the record, and is locked.
-    pub fn locks_vertical(&self, point: &Point) -> bool {
-        self.rigid_period().is_some_and(|rigid| point.t_v < rigid)
+    pub fn locks_vertical(&self, case: &Case) -> bool {
+        let t_v = case.isolation.vertical.map(|law| law.t_v);
+        t_v.is_some_and(|t_v| self.rigid_period().is_some_and(|rigid| t_v < rigid))
     }
 
-    /// The plan of some of a grid's cells in parts that each run one model: cells as they are, and those whose vertical
-    /// isolation is rigid for the record, with that direction locked.
+    /// A cell with the directions locked that are locked in this plan.
+    pub(super) fn locked(&self, case: &Case) -> Case {
+        let mut case = *case;
+        if !self.scene.isolation.moves_h() {
+            case.isolation.horizontal = None;
+        }
+        if !self.scene.isolation.moves_v() {
+            case.isolation.vertical = None;
+        }
+        case
+    }
+
+    /// The model that a cell runs.
+    fn laws_of(&self, case: &Case) -> Laws {
+        let base = self.locked(case).isolation;
+        Laws {
+            moves: [base.horizontal.is_some(), base.vertical.is_some()],
+            yields: base.horizontal.is_some_and(|law| self.has_hysteretic_variable(law.psi)),
+            bouc_wen_n: base.horizontal.map_or(2, |law| law.n),
+        }
+    }
+
+    /// The plan of some of a grid's cells in parts that each run one model: cells whose base yields and
+    /// those whose base does not, those of one exponent n, and those whose vertical isolation is rigid for
+    /// the record, with that direction locked.
     pub fn parts(&self, grid: &Grid, cells: Range<usize>) -> Vec<Part> {
-        let (stiff, cells): (Vec<usize>, Vec<usize>) =
-            cells.partition(|&index| self.locks_vertical(&grid.point(index)));
-        let mut parts = Vec::new();
-        if !cells.is_empty() {
-            parts.push(Part { plan: self.clone(), cells, vertical_locked: false });
+        let deciding = [Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
+        if !grid.sweeps(&deciding) && !self.locks_vertical(&grid.case(cells.start)) {
+            return vec![Part {
+                plan: self.clone(),
+                cells: cells.collect(),
+                vertical_locked: false,
+            }];
         }
-        if !stiff.is_empty() {
-            parts.push(Part { plan: self.without_vertical(), cells: stiff, vertical_locked: true });
+        let mut parts: Vec<Part> = Vec::new();
+        for cell in cells {
+            let case = grid.case(cell);
+            let vertical_locked = self.locks_vertical(&case);
+            let of = |plan: &Plan| plan.laws == plan.laws_of(&case);
+            let known = parts
+                .iter_mut()
+                .find(|part| part.vertical_locked == vertical_locked && of(&part.plan));
+            if let Some(part) = known {
+                part.cells.push(cell);
+                continue;
+            }
+            let mut plan = if vertical_locked { self.without_vertical() } else { self.clone() };
+            plan.laws = plan.laws_of(&case);
+            parts.push(Part { plan, cells: vec![cell], vertical_locked });
         }
+        // Those that nothing is locked in first.
+        parts.sort_by_key(|part| part.vertical_locked);
         parts
     }
 
     /// The same with the horizontal direction locked.
     pub(super) fn without_horizontal(&self) -> Plan {
         let mut plan = self.clone();
-        plan.scene.isolation.horizontal = None;
-        plan.mu_h = 0.0;
+        plan.scene.isolation = plan.scene.isolation.without_horizontal();
+        plan.laws.moves[0] = false;
+        plan.laws.yields = false;
         plan
     }
 
     /// The same with the vertical direction locked.
     pub(super) fn without_vertical(&self) -> Plan {
         let mut plan = self.clone();
-        plan.scene.isolation.vertical = None;
-        plan.mu_v = 0.0;
+        plan.scene.isolation = plan.scene.isolation.without_vertical();
+        plan.laws.moves[1] = false;
         plan
     }
 
@@ -178,29 +232,33 @@ impl Plan {
                 .zip(pair.vertical.iter())
                 .map(|(h, v)| Ground { h: R::of(*h), v: R::of(*v) })
                 .collect(),
-            Excitation::Pulse(_) => vec![Ground::zeroed(); 2],
+            Excitation::Pulse => vec![Ground::zeroed(); 2],
         }
     }
 
     /// True where z is integrated. Where psi = 1 it has no part in any force; the full model carries it
     /// all the same, and must resolve it.
-    pub(super) fn has_hysteretic_variable(&self) -> bool {
-        let linear = self.reductions.linear;
-        self.scene.isolation.horizontal.is_some_and(|law| law.psi < 1.0 || !linear)
+    pub(super) fn has_hysteretic_variable(&self, psi: f64) -> bool {
+        psi < 1.0 || !self.reductions.linear
     }
 
-    /// What the scene switches on.
+    /// The numbers of a cell's equations that come from its block and the masses of its base.
+    pub fn model<R: Real>(&self, case: &Case) -> Model<R> {
+        Body::of(&self.locked(case)).model()
+    }
+
+    /// What the scene switches on; of a part, what its cells have in common.
     pub fn variant(&self) -> Variant {
-        let base = &self.scene.isolation;
-        let yields = self.has_hysteretic_variable();
+        let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n } = self.laws;
         Variant {
             recorded: matches!(self.scene.excitation, Excitation::Record(_)),
-            isolated_h: base.horizontal.is_some(),
-            isolated_v: base.vertical.is_some(),
+            isolated_h,
+            isolated_v,
             kinks: self.resolution.kinks && yields,
             yields,
             certificate: self.reductions.certificate,
-            bouc_wen_n: base.horizontal.map_or(2, |h| h.n),
+            bodies: Grid::of(&self.scene).sweeps(&BODY),
+            bouc_wen_n,
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::clock::Resolution;
 use super::full_contact::Tracks;
-use super::plan::{Plan, Reductions};
+use super::plan::{Laws, Plan, Reductions};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::{Grid, Scene};
@@ -17,6 +17,7 @@ struct Key {
     grid: Grid,
     resolution: Resolution,
     reductions: Reductions,
+    laws: Laws,
 }
 
 /// The motions of one key, in one number type.
@@ -40,9 +41,9 @@ impl Plan {
         grid: &Grid,
         record: &[Ground<R>],
     ) -> Arc<Option<Tracks<R>>> {
-        let Plan { scene, resolution, reductions, .. } = self;
-        let (scene, grid) = (scene.clone(), *grid);
-        let key = Key { scene, grid, resolution: *resolution, reductions: *reductions };
+        let (scene, grid) = (self.scene.clone(), grid.clone());
+        let Plan { resolution, reductions, laws, .. } = *self;
+        let key = Key { scene, grid, resolution, reductions, laws };
         let alike = |(known, tracks): &(Key, Entry)| {
             let tracks = (*known == key).then(|| Arc::clone(tracks));
             tracks.and_then(|tracks| tracks.downcast().ok())

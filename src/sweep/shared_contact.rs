@@ -3,15 +3,16 @@
 
 use fearless_simd::dispatch;
 
-use super::cell_tables::Place;
 use super::full_contact::Tracks;
 use super::tracks::{
     ACCELERATION, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST, LOWEST,
     MOST, PEAK, QUARTERS_H, STRONGEST, TROUGH, VELOCITY,
 };
+use crate::model::block::Model;
 use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
+use crate::scene::grid::Place;
 use crate::stepping::extremes::{self, end_slopes, parabola};
 use crate::stepping::state::{FINISHED, State};
 
@@ -39,7 +40,8 @@ fn first_beyond<R: Real>(bounds: &[R], size: R, limit: R) -> usize {
 #[inline(always)]
 pub(super) fn full_contact<R: Real>(
     tracks: &Tracks<R>,
-    place: Place,
+    model: &Model<R>,
+    place: &Place,
     scale: R,
     cell: &Cell<R>,
     state: &mut State<R>,
@@ -47,13 +49,14 @@ pub(super) fn full_contact<R: Real>(
     let zero = R::of(0.0);
     let (h, v) = (tracks.across.at(place), tracks.up.at(place));
     // u is A_h times what it is for A_h = 1.
-    let lever = tracks.height * scale;
+    let lever = model.height * scale;
+    let arms = [model.left.arm, model.right.arm];
     // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
     let (last, last_v) = (h.length - 1, v.length - 1);
     let (sample, friction) = if tracks.still {
         // Nothing but u changes from gap to gap: the first that lifts is searched for.
         let (y, least_y) = (v.field(ACCELERATION)[0], v.field(LEAST)[0]);
-        let [left, right] = tracks.arms;
+        let [left, right] = arms;
         let (rising, falling) = if lever < zero { (right, left) } else { (left, right) };
         let size = lever.abs();
         let highest = first_beyond(&h.field(HIGHEST)[..last], size, rising * least_y);
@@ -65,7 +68,7 @@ pub(super) fn full_contact<R: Real>(
     } else {
         // A scan along rows of numbers, with the widest vectors that this machine has.
         dispatch!(tracks.level, _simd => {
-            let (sample, friction) = gap_by_gap(tracks, place, scale, lever);
+            let (sample, friction) = gap_by_gap(tracks, arms, place, scale, lever);
             (sample, crests(tracks, place, scale.abs(), sample, friction))
         })
     };
@@ -96,7 +99,13 @@ pub(super) fn full_contact<R: Real>(
 
 /// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it.
 #[inline(always)]
-fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> (usize, R) {
+fn gap_by_gap<R: Real>(
+    tracks: &Tracks<R>,
+    arms: [R; 2],
+    place: &Place,
+    scale: R,
+    lever: R,
+) -> (usize, R) {
     let zero = R::of(0.0);
     let (h, v) = (tracks.across.at(place), tracks.up.at(place));
     let (last, last_v) = (h.length - 1, v.length - 1);
@@ -116,7 +125,7 @@ fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> 
         let mut any = false;
         let mut largest = friction;
         for i in 0..BLOCK {
-            any |= lifts(tracks.arms, lever, most[i], least[i], least_y[i]);
+            any |= lifts(arms, lever, most[i], least[i], least_y[i]);
             let share = size * x[i].abs() / y[i];
             largest = largest.max(if y[i] > zero { share } else { zero });
         }
@@ -128,7 +137,7 @@ fn gap_by_gap<R: Real>(tracks: &Tracks<R>, place: Place, scale: R, lever: R) -> 
     }
     while sample < last {
         let gap = sample.min(last_v - 1);
-        if lifts(tracks.arms, lever, most[sample], least[sample], least_y[gap]) {
+        if lifts(arms, lever, most[sample], least[sample], least_y[gap]) {
             break;
         }
         if y[gap] > zero {
@@ -162,7 +171,7 @@ fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
 /// |X| over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them,
 /// and where Y is least. How small Y is there is known; the parabolas tell when.
 #[inline(always)]
-fn crests<R: Real>(tracks: &Tracks<R>, place: Place, size: R, sample: usize, friction: R) -> R {
+fn crests<R: Real>(tracks: &Tracks<R>, place: &Place, size: R, sample: usize, friction: R) -> R {
     let (zero, over) = (R::of(0.0), R::of(1.0 + OVER));
     let (h, v) = (tracks.across.at(place), tracks.up.at(place));
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));

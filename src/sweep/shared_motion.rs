@@ -10,7 +10,7 @@ use crate::model::dynamics::{Contact, Motion, rates};
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
-use crate::scene::Point;
+use crate::scene::Case;
 use crate::stepping::extremes::{crest, parabola};
 use crate::stepping::forcing::ground_at;
 use crate::stepping::log::Log;
@@ -238,15 +238,16 @@ impl<R: Real> Track<R> {
     pub fn new(
         plan: &Plan,
         variant: Variant,
-        point: &Point,
+        case: &Case,
         direction: Direction,
         record: &[Ground<R>],
     ) -> Track<R> {
-        let mut model = plan.model::<R>();
+        let mut model = plan.model::<R>(case);
         // No lever arm lifts: the uplift moments (14) are zero.
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (mut cell, state) = plan.cell::<R>(point);
+        let (mut cell, state) = plan.cell::<R>(case);
         if direction == Direction::Horizontal {
+            // X by itself: over g it is the friction asked for where the ground does not move vertically.
             cell.amplitude_v = R::of(0.0);
         }
         let set = CellEquations { variant, model: &model, cell: &cell, record };

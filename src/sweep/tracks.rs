@@ -2,8 +2,9 @@
 //! other, in each a sample after the other. So they lie on a device too (`shaders/shared_contact.wgsl`), where
 //! neighbouring cells read along neighbouring motions.
 
-use super::cell_tables::Place;
+use super::table::Strides;
 use crate::model::real::Real;
+use crate::scene::grid::Place;
 
 /// u or v at each sample, m.
 pub const DISPLACEMENT: usize = 0;
@@ -48,13 +49,17 @@ pub struct Motions<R> {
     pub values: Vec<R>,
     /// First sample of each motion, and the end of the last one.
     pub first: Vec<u32>,
-    /// Motions from a column to the next and from a row to the next.
-    pub strides: Place,
+    /// Motions from a value of each axis to the next.
+    pub strides: Strides,
 }
 
 impl<R: Real> Motions<R> {
     /// Place for motions of these lengths.
-    pub fn new(fields: usize, lengths: impl Iterator<Item = usize>, strides: Place) -> Motions<R> {
+    pub fn new(
+        fields: usize,
+        lengths: impl Iterator<Item = usize>,
+        strides: Strides,
+    ) -> Motions<R> {
         let mut first = vec![0];
         let mut samples = 0;
         for length in lengths {
@@ -86,8 +91,8 @@ impl<R: Real> Motions<R> {
 
     /// The motion of a cell.
     #[inline(always)]
-    pub fn at(&self, [column, row]: Place) -> Track<'_, R> {
-        let number = column * self.strides[0] + row * self.strides[1];
+    pub fn at(&self, place: &Place) -> Track<'_, R> {
+        let number: usize = self.strides.iter().zip(place).map(|(stride, at)| stride * at).sum();
         let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
         Track { values: &self.values[first..], samples: self.samples(), length: end - first }
     }

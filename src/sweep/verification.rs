@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::map::outcomes::{BLOCK, Column, Outcomes};
 use crate::scene::Grid;
+use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::{self, Settings};
 
@@ -16,12 +17,10 @@ use super::plan::Plan;
 pub const SAMPLE: usize = 128;
 
 /// A cell on which sweep and reference disagree.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
-    /// Value of the horizontal axis.
-    pub x: f64,
-    /// Value of the vertical axis.
-    pub y: f64,
+    /// Values of the axes.
+    pub at: Vec<f64>,
     /// The sweep's outcome.
     pub sweep: Class,
     /// The reference's outcome.
@@ -64,6 +63,7 @@ fn beside_boundary(
     mut tell: impl FnMut(usize, bool),
 ) -> io::Result<()> {
     let (columns, rows) = grid.shape();
+    let height_of_slice = grid.y().map_or(1, Axis::count);
     let height = (BLOCK / columns).max(1);
     for first in (0..rows).step_by(height) {
         let last = (first + height).min(rows);
@@ -73,10 +73,12 @@ fn beside_boundary(
             for i in 0..columns {
                 let cell = (j - below) * columns + i;
                 let differs = |other: usize| read[other].class != read[cell].class;
+                // Of further axes the picture shows a slice each.
+                let row = j % height_of_slice;
                 let beside = (i > 0 && differs(cell - 1))
                     || (i + 1 < columns && differs(cell + 1))
-                    || (j > 0 && differs(cell - columns))
-                    || (j + 1 < rows && differs(cell + columns));
+                    || (row > 0 && differs(cell - columns))
+                    || (row + 1 < height_of_slice && differs(cell + columns));
                 tell(j * columns + i, beside);
             }
         }
@@ -130,13 +132,14 @@ pub fn verify(
     size: usize,
 ) -> io::Result<Verification> {
     let (cells, beside_boundary) = sample(grid, outcomes, size)?;
-    let locked = plan.without_vertical();
     let settings = Settings::default();
     let judge = |&index: &usize| {
-        let point = grid.point(index);
-        let scene = if plan.locks_vertical(&point) { &locked.scene } else { &plan.scene };
+        let mut case = grid.case(index);
+        if plan.locks_vertical(&case) {
+            case.isolation.vertical = None;
+        }
         let cell = outcomes.read(index..index + 1, &Column::ALL)?[0];
-        Ok((index, cell, reference::run(scene, &point, &settings)))
+        Ok((index, cell, reference::run(&plan.scene, &case, &settings)))
     };
     let judged: Vec<(usize, Outcome, Outcome)> =
         cells.par_iter().map(judge).collect::<io::Result<_>>()?;
@@ -170,9 +173,9 @@ pub fn compare(
         if cell.class != reference.class {
             report.differ += 1;
             if report.differences.len() < LISTED {
-                let (x, y) = grid.coordinates(index);
+                let at = grid.coordinates(index).collect();
                 let (sweep, reference) = (cell.class, reference.class);
-                report.differences.push(Difference { x, y, sweep, reference });
+                report.differences.push(Difference { at, sweep, reference });
             }
             continue;
         }

@@ -6,9 +6,10 @@ use std::io::Write;
 use std::sync::LazyLock;
 
 use assert_cmd::Command;
+use topple::scene::parameters::Section;
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
-use topple::scene::{Excitation, Grid, Scene};
+use topple::scene::{Excitation, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Precision;
@@ -18,7 +19,8 @@ use topple::sweep::gpu::device::Gpu;
 
 /// The scene of a TOML text.
 pub fn scene(text: &str) -> Scene {
-    SceneText::from_toml(text).unwrap().check().unwrap()
+    // Tests ask for what is not plausible, too.
+    SceneText { force: true, ..SceneText::from_toml(text).unwrap() }.check().unwrap()
 }
 
 /// A pulse scene of a block of Table 1 on dual isolation.
@@ -39,7 +41,7 @@ pub fn object(
 
 /// The reference's outcome of a scene of one cell.
 pub fn judge(scene: &Scene) -> Outcome {
-    reference::run(scene, &Grid::of(scene).point(0), &Settings::default())
+    reference::run(scene, &Grid::of(scene).case(0), &Settings::default())
 }
 
 /// The scene under a record of these samples, m/s^2, to its end.
@@ -51,7 +53,10 @@ pub fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
 
 /// Puts a scene under a pair of records, to its end.
 pub fn under(scene: &mut Scene, pair: Pair) {
-    scene.t_max = pair.duration();
+    for parameter in Parameter::of_section(Section::Pulse) {
+        scene.numbers.remove(parameter);
+    }
+    scene.set(Parameter::TMax, pair.duration());
     scene.excitation = Excitation::Record(pair);
 }
 
@@ -116,6 +121,12 @@ pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
         return None;
     }
     Some(path)
+}
+
+/// The values of a grid's first two axes at a cell.
+pub fn xy(grid: &Grid, cell: usize) -> (f64, f64) {
+    let at: Vec<f64> = grid.coordinates(cell).collect();
+    (at[0], at[1])
 }
 
 /// Every cell of a grid.

@@ -45,7 +45,7 @@ fn a_figure_of_pulses_leaves_picture_tables_and_paths() {
     let json = fs::read_to_string(out.path().join("fig12.json")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["panels"].as_array().unwrap().len(), 6);
-    assert_eq!(json["panels"][1]["scene"]["block"]["eccentricity"], 0.2);
+    assert_eq!(json["panels"][1]["scene"]["numbers"]["eccentricity"], 0.2);
     // The caption has what the panels share, the panels what sets them apart.
     let svg = fs::read_to_string(out.path().join("fig12.svg")).unwrap();
     assert!(svg.contains("H = 0.95 m") && svg.contains("(f) ε = 0.4"));

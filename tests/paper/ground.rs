@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use topple::figures::boundary;
-use topple::scene::Grid;
+use topple::scene::{Directions, Grid};
 
 use super::common::{object, say};
 use super::{Ran, ran, swept};
@@ -24,7 +24,7 @@ fn a_symmetric_block_overturns_after_one_impact_or_none() {
 #[test]
 fn only_odd_counts_at_positive_eccentricity() {
     for map in &GROUND[..6] {
-        assert_eq!(map.shares.even, 0.0, "{}", map.panel.scene.block.eccentricity);
+        assert_eq!(map.shares.even, 0.0, "{}", map.panel.scene.case().block.eccentricity);
         assert!(map.shares.odd > 0.05);
     }
 }
@@ -73,7 +73,7 @@ fn horizontal_isolation_alone_has_the_range_too() {
         least.iter().map(|least| least.a_h.unwrap()).collect()
     };
     let dual = least(&scene);
-    scene.isolation.vertical = None;
+    scene = scene.isolated(Directions::Horizontal);
     let horizontal = least(&scene);
     say(&format!("least amplitudes: dual {dual:.2?}, horizontal {horizontal:.2?}"));
     let lowest = |curve: &[f64]| curve.iter().copied().fold(f64::INFINITY, f64::min);
@@ -88,13 +88,12 @@ fn horizontal_isolation_alone_has_the_range_too() {
 #[test]
 fn the_least_amplitude_is_a_boundary() {
     use topple::figures::marks::along;
-    use topple::scene::Range;
     use topple::stepping::reference::{self, Settings};
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "1:7:3", "0.1:12:240");
     for least in boundary::least(&scene, &swept(&scene)) {
         let judge = |a_h: f64| {
-            let cell = along(&scene, Range::single(least.omega), Range::single(a_h)).unwrap();
-            reference::run(&cell, &Grid::of(&cell).point(0), &Settings::default()).class
+            let cell = along(&scene, least.omega, a_h).unwrap();
+            reference::run(&cell, &Grid::of(&cell).case(0), &Settings::default()).class
         };
         let a_h = least.a_h.unwrap();
         assert!(judge(a_h).overturned());

@@ -18,11 +18,12 @@ mod strip;
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use common::xy;
 use topple::figures::motions::{self, Motion};
 use topple::figures::shares::Shares;
 use topple::figures::text::Setting;
 use topple::figures::{Figure, Panel};
-use topple::scene::{Excitation, Grid, Scene};
+use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::backend::{Backend, Precision};
 use topple::sweep::clock::DEFAULT_STEP;
@@ -90,8 +91,9 @@ fn ran(name: &str, cells: u32) -> Vec<Ran> {
 /// The panel of an eccentricity and a vertical amplitude.
 fn at(panels: &[Ran], e: f64, a_v: f64) -> &Ran {
     let found = panels.iter().find(|ran| {
-        let Excitation::Pulse(pulse) = &ran.panel.scene.excitation else { return false };
-        ran.panel.scene.block.eccentricity == e && pulse.a_v == a_v
+        let case = ran.panel.scene.case();
+        let a_v_there = case.shaking.pulse().map(|pulse| pulse.a_v);
+        case.block.eccentricity == e && a_v_there == Some(a_v)
     });
     found.unwrap_or_else(|| panic!("no panel at {e}, {a_v}"))
 }
@@ -102,7 +104,7 @@ fn along_path(name: &str, panel: usize) -> Vec<(f64, Outcome)> {
     let panel = &figure.panels[panel];
     let scene = panel.paths[0].scene(&panel.scene).unwrap();
     let grid = Grid::of(&scene);
-    swept(&scene).into_iter().enumerate().map(|(k, cell)| (grid.coordinates(k).1, cell)).collect()
+    swept(&scene).into_iter().enumerate().map(|(k, cell)| (xy(&grid, k).1, cell)).collect()
 }
 
 /// The impact counts along a path, each once in order, while its cells overturn about `class`, had

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use topple::scene::{Excitation, Grid};
+use topple::scene::Grid;
 use topple::stepping::outcome::Class;
 
-use super::common::say;
+use super::common::{say, xy};
 use super::{Ran, along_path, at, counted, ran, sequence};
 
 /// Fig. 11, the whole plane.
@@ -46,7 +46,7 @@ fn a_lower_red_region_grows_with_eccentricity() {
         let cells = map.outcomes.iter().enumerate();
         let red =
             cells.filter(|(_, cell)| cell.class == Class::OverturnedRight && cell.impacts == 0);
-        red.map(|(k, _)| map.grid.coordinates(k).0).fold(0.0, f64::max)
+        red.map(|(k, _)| xy(&map.grid, k).0).fold(0.0, f64::max)
     };
     assert!(furthest(0.2) < 10.0, "{}", furthest(0.2));
     assert_eq!(furthest(0.4), 40.0);
@@ -92,19 +92,18 @@ fn parity_tells_the_corner() {
     let panels = PLANE.iter().chain(WINDOW.iter());
     let (mut told, mut exceptions) = (0, 0);
     for map in panels {
-        let Excitation::Pulse(pulse) = &map.panel.scene.excitation else { panic!() };
-        assert!(pulse.a_h.start > 0.0);
+        assert!(map.panel.scene.case().shaking.pulse().is_some_and(|pulse| pulse.a_h > 0.0));
         for (k, cell) in map.outcomes.iter().enumerate().filter(|(_, cell)| counted(cell)) {
-            let omega = map.grid.coordinates(k).0;
+            let omega = xy(&map.grid, k).0;
             let odd = cell.impacts % 2 == 1;
             let right = cell.class == Class::OverturnedRight;
             // The first half-wave lifts it about the left corner, if about any.
             if cell.t_uplift.unwrap() < PI / omega {
-                assert_eq!(odd, right, "{:?}", map.grid.coordinates(k));
+                assert_eq!(odd, right, "{:?}", xy(&map.grid, k));
                 told += 1;
             } else if cell.impacts > 0 && odd != right {
                 exceptions += 1;
-                assert_eq!(map.panel.scene.block.eccentricity, 0.0);
+                assert_eq!(map.panel.scene.case().block.eccentricity, 0.0);
             }
         }
     }

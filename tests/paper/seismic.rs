@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use topple::figures::shares::Shares;
-use topple::scene::Range;
+use topple::scene::{Directions, Parameter, Range};
 use topple::stepping::outcome::{Class, Outcome};
 
-use super::common::{record, say};
+use super::common::{record, say, xy};
 use super::{Ran, figure, swept};
 
 /// Points of an axis.
@@ -40,7 +40,8 @@ fn panels(test: &str) -> Option<&'static [Vec<Ran>; 3]> {
 /// The panel of an object, a motion and an eccentricity.
 fn at<'a>(panels: &'a [Vec<Ran>; 3], object: usize, motion: &str, e: f64) -> &'a Ran {
     let found = panels[object - 1].iter().find(|ran| {
-        ran.panel.motion.as_deref() == Some(motion) && ran.panel.scene.block.eccentricity == e
+        ran.panel.motion.as_deref() == Some(motion)
+            && ran.panel.scene.case().block.eccentricity == e
     });
     found.unwrap_or_else(|| panic!("no panel of {object}, {motion}, {e}"))
 }
@@ -49,13 +50,13 @@ fn at<'a>(panels: &'a [Vec<Ran>; 3], object: usize, motion: &str, e: f64) -> &'a
 fn rows(ran: &Ran) -> impl Iterator<Item = (f64, &[Outcome])> {
     let (columns, _) = ran.grid.shape();
     let cells = ran.outcomes.chunks(columns).enumerate();
-    cells.map(move |(j, row)| (ran.grid.coordinates(j * columns).1, row))
+    cells.map(move |(j, row)| (xy(&ran.grid, j * columns).1, row))
 }
 
 /// The largest T_h of a row that overturns.
 fn critical(ran: &Ran, row: &[Outcome]) -> f64 {
     let last = row.iter().rposition(|cell| cell.class.overturned());
-    last.map_or(0.0, |i| ran.grid.coordinates(i).0)
+    last.map_or(0.0, |i| xy(&ran.grid, i).0)
 }
 
 /// The median over T_v >= 0.5 s of the T_h above which the block stands.
@@ -141,9 +142,8 @@ fn point_a_stays_in_full_contact_within_a_centimetre_or_two() {
     let (figure, _) = figure("fig05", Some(2), Some(&records));
     let panel = figure.panels.iter().find(|panel| !panel.points.is_empty()).unwrap();
     let mut scene = panel.scene.clone();
-    let single = Range::single;
-    scene.isolation.horizontal.as_mut().unwrap().t_h = single(panel.points[0].x);
-    scene.isolation.vertical.as_mut().unwrap().t_v = single(panel.points[0].y);
+    scene.set(Parameter::TH, panel.points[0].x);
+    scene.set(Parameter::TV, panel.points[0].y);
     let cell = swept(&scene)[0];
     say(&format!(
         "point A: {}, max|v| = {:.4} m, max|u| = {:.3} m",
@@ -181,7 +181,7 @@ fn displacements_of_the_base() {
     assert!(most > 0.3 && most < 0.4);
     // v is mostly the static deflection, (T_v / 2 pi)^2 g: more than a metre at 2 s.
     for (k, cell) in standing() {
-        let (_, t_v) = none.grid.coordinates(k);
+        let (_, t_v) = xy(&none.grid, k);
         let deflection = 9.81 * (t_v / std::f64::consts::TAU).powi(2);
         if t_v > 1.0 {
             assert!(
@@ -203,7 +203,7 @@ fn contours_of_u_bend_where_the_block_rocks() {
     let Some(panels) = panels("contours_of_u_bend_where_the_block_rocks") else { return };
     let map = at(panels, 1, "Kobe", 0.4);
     let column = |t_h: f64| {
-        let place = |k: &usize| (map.grid.coordinates(*k).0 - t_h).abs();
+        let place = |k: &usize| (xy(&map.grid, *k).0 - t_h).abs();
         let (columns, _) = map.grid.shape();
         (0..columns).min_by(|a, b| place(a).total_cmp(&place(b))).unwrap()
     };
@@ -293,11 +293,12 @@ fn dual_isolation_against_horizontal_alone() {
     for e in [0.0, 0.4, -0.4] {
         let shares = |vertical: Option<f64>| {
             let mut scene = at(panels, 1, "Rinaldi", e).panel.scene.clone();
-            scene.isolation.horizontal.as_mut().unwrap().t_h.count = 120;
-            scene.isolation.vertical = scene.isolation.vertical.and_then(|mut law| {
-                law.t_v = Range::single(vertical?);
-                Some(law)
-            });
+            let t_h = scene.numbers.get(Parameter::TH).unwrap().clone();
+            scene.set(Parameter::TH, Range::even(t_h.first(), t_h.last(), 120));
+            match vertical {
+                Some(t_v) => scene.set(Parameter::TV, t_v),
+                None => scene = scene.isolated(Directions::Horizontal),
+            }
             Shares::of(&swept(&scene))
         };
         let alone = shares(None);

@@ -1,7 +1,7 @@
 //! The strip of overturning at very small T_v (section 4.2), and what rests between impacts do.
 
 use topple::model::CellEquations;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
@@ -27,7 +27,7 @@ fn a_fixed_step_paints_the_strip_and_a_converged_one_does_not() {
     let scene = |t_v: f64, step: Option<f64>| -> (Scene, Vec<Outcome>) {
         let mut scene = object(1, -0.4, (1.75, t_v), 0.0, "1", "1");
         under(&mut scene, pair.clone());
-        scene.isolation.horizontal.as_mut().unwrap().t_h = "2.5:4:8".parse().unwrap();
+        scene.set(Parameter::TH, Range::even(2.5, 4.0, 8));
         let cells = match step {
             None => swept(&scene),
             Some(step) => {
@@ -48,7 +48,7 @@ fn a_fixed_step_paints_the_strip_and_a_converged_one_does_not() {
     for t_v in [0.009, 0.019] {
         let (scene, cells) = scene(t_v, None);
         assert_eq!(overturned(&cells), 0.0);
-        let point = Grid::of(&scene).point(0);
+        let point = Grid::of(&scene).case(0);
         let judged = reference::run(&scene, &point, &Settings::default());
         assert_eq!(judged.class, cells[0].class);
     }
@@ -60,7 +60,7 @@ fn a_fixed_step_paints_the_strip_and_a_converged_one_does_not() {
 #[test]
 fn counts_before_a_rest_hang_on_the_rest_speed() {
     let scene = object(1, -0.4, (1.75, 0.75), 0.5, "1.9", "0.8438");
-    let point = Grid::of(&scene).point(0);
+    let point = Grid::of(&scene).case(0);
     let sweep = swept(&scene)[0];
     let mut counts = vec![sweep.impacts];
     for rest_speed in [1.0e-3, 1.0e-4, 1.0e-5, 1.0e-6] {
@@ -85,14 +85,14 @@ fn a_start_in_free_fall_paints_no_strip() {
     for t_v in [0.005, 0.01, 0.02, 0.05] {
         let mut scene = object(1, -0.4, (1.75, t_v), 0.0, "1", "1");
         under(&mut scene, pair.clone());
-        scene.isolation.horizontal.as_mut().unwrap().t_h = "2.5:4:8".parse().unwrap();
+        scene.set(Parameter::TH, Range::even(2.5, 4.0, 8));
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
-        let (model, record) = (plan.model::<f64>(), plan.record::<f64>());
+        let (model, record) = (plan.model::<f64>(&plan.scene.case()), plan.record::<f64>());
         let grid = Grid::of(&scene);
         let cells: Vec<Outcome> = all(&grid)
             .into_iter()
             .map(|index| {
-                let point = grid.point(index);
+                let point = grid.case(index);
                 let (cell, mut state) = plan.cell::<f64>(&point);
                 state.motion.v = 0.0;
                 let variant = plan.variant();

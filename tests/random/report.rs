@@ -7,7 +7,7 @@ use topple::scene::{Excitation, Grid};
 use super::compare::{Comparison, Fault};
 use super::scenes::Case;
 use super::truth::Disturbance;
-use crate::common::say;
+use crate::common::{say, xy};
 
 /// Cells of a backend.
 #[derive(Default)]
@@ -32,7 +32,7 @@ pub struct Report {
 
 /// Command that runs one cell, or the scene of a record, again.
 fn again(case: &Case, seed: u64, cell: usize) -> String {
-    let (x, y) = Grid::of(&case.scene).coordinates(cell);
+    let (x, y) = xy(&Grid::of(&case.scene), cell);
     if let Excitation::Record(_) = &case.scene.excitation {
         return format!(
             "TOPPLE_RANDOM_SEED={seed} TOPPLE_RANDOM_SCENE={} cargo test --test random # t_h = {x}, t_v = {y}",

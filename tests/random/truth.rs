@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use topple::scene::{Excitation, GRAVITY, Grid, Point, Scene};
+use topple::scene::{Case, GRAVITY, Grid, Scene, Shaking};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings, Switch};
 use topple::sweep::backend::Precision;
@@ -94,34 +94,44 @@ pub struct Truth {
     /// The reference's outcome.
     pub cell: Outcome,
     scene: Scene,
-    point: Point,
+    case: Case,
     spreads: [OnceLock<Spread>; 3],
     shortest_flight: OnceLock<f64>,
 }
 
-/// The scene's and the cell's parameters a little different: 0 and 1 the push, 2 and 3 the width.
-fn moved(scene: &Scene, point: &Point, way: usize, by: f64) -> (Scene, Point) {
-    let factor = if way.is_multiple_of(2) { 1.0 + by } else { 1.0 - by };
-    let (mut scene, mut point) = (scene.clone(), *point);
-    if way < 2 {
-        point.a_h *= factor;
-        point.a_v *= factor;
-        if let Excitation::Record(pair) = &scene.excitation {
-            scene.excitation = Excitation::Record(pair.clone().scaled(factor));
-        }
-    } else {
-        scene.block.half_width *= factor;
+/// The cell's numbers a little different: 0 and 1 the push, 2 and 3 the width.
+fn moved(case: &Case, way: usize, by: f64) -> Case {
+    let change = if way.is_multiple_of(2) { 1.0 + by } else { 1.0 - by };
+    let mut case = *case;
+    if way >= 2 {
+        case.block.half_width *= change;
+        return case;
     }
-    (scene, point)
+    match &mut case.shaking {
+        Shaking::Pulse(pulse) => {
+            pulse.a_h *= change;
+            pulse.a_v *= change;
+        }
+        Shaking::Record { factor, pga_h, pga_v } => {
+            for number in [factor, pga_h, pga_v] {
+                *number *= change;
+            }
+        }
+    }
+    // (21).
+    if let Some(law) = &mut case.isolation.horizontal {
+        law.u_y *= change;
+    }
+    case
 }
 
 impl Truth {
     /// Runs a cell.
     pub fn of(scene: &Scene, index: usize) -> Truth {
-        let point = Grid::of(scene).point(index);
-        let cell = reference::run(scene, &point, &settings());
+        let case = Grid::of(scene).case(index);
+        let cell = reference::run(scene, &case, &settings());
         let (scene, spreads) = (scene.clone(), Default::default());
-        Truth { cell, scene, point, spreads, shortest_flight: OnceLock::new() }
+        Truth { cell, scene, case, spreads, shortest_flight: OnceLock::new() }
     }
 
     /// What a disturbance makes of the cell.
@@ -129,15 +139,16 @@ impl Truth {
         self.spreads[disturbance as usize].get_or_init(|| {
             let by = disturbance.size();
             let tight = Settings { tolerance: 1.0e-12, ..settings() };
-            let mut others = vec![reference::run(&self.scene, &self.point, &tight)];
+            let mut others = vec![reference::run(&self.scene, &self.case, &tight)];
             others.extend(self.rest_speeds().map(|rest_speed| {
                 let settings = Settings { rest_speed, ..settings() };
-                reference::run(&self.scene, &self.point, &settings)
+                reference::run(&self.scene, &self.case, &settings)
             }));
-            others.extend((0..4).map(|way| {
-                let (scene, point) = moved(&self.scene, &self.point, way, by);
-                reference::run(&scene, &point, &settings())
-            }));
+            others.extend(
+                (0..4).map(|way| {
+                    reference::run(&self.scene, &moved(&self.case, way, by), &settings())
+                }),
+            );
             let mut spread =
                 Spread { undecided: false, numbers: [0.0; NUMBERS.len()], counts: false };
             let here = numbers(&self.cell);
@@ -157,7 +168,7 @@ impl Truth {
     /// Other speeds below which a landing block rests, rad/s: that of a sweep, whose block rests when its next
     /// flight would last less than a 32nd of a step, here the longest; and one below the reference's.
     fn rest_speeds(&self) -> [f64; 2] {
-        let block = &self.scene.block;
+        let block = &self.case.block;
         let slowest = |side: f64| {
             let (b, h) = (block.arm(side), block.height);
             GRAVITY * b / (block.inertia / block.mass + b * b + h * h)
@@ -177,7 +188,7 @@ impl Truth {
     pub fn shortest_flight(&self) -> f64 {
         *self.shortest_flight.get_or_init(|| {
             let (mut shortest, mut last) = (f64::INFINITY, None);
-            reference::observe(&self.scene, &self.point, &settings(), &mut |instant| {
+            reference::observe(&self.scene, &self.case, &settings(), &mut |instant| {
                 if let Some(Switch::Impact(_)) = instant.switch {
                     if let Some(last) = last {
                         shortest = f64::min(shortest, instant.t - last);

@@ -24,7 +24,7 @@ fn sliding(rest: &str) -> Scene {
 #[test]
 fn order_across_the_kinks() {
     let scene = sliding("");
-    let (rows, _) = by_reference(&scene, &Grid::of(&scene).point(0));
+    let (rows, _) = by_reference(&scene, &Grid::of(&scene).case(0));
     let right = rows.last().unwrap().u;
     let order = |kinks: bool| {
         let error = |power: i32| {
@@ -32,7 +32,7 @@ fn order_across_the_kinks() {
             let resolution = Resolution::exactly(h);
             let resolution = if kinks { resolution } else { resolution.across_kinks() };
             let plan = Plan::resolved(&scene, resolution).unwrap();
-            let (rows, _) = by_steps::<f64>(&plan, &Grid::of(&scene).point(0));
+            let (rows, _) = by_steps::<f64>(&plan, &Grid::of(&scene).case(0));
             (h, (rows.last().unwrap().u - right).abs())
         };
         slope(&(6..=11).map(error).collect::<Vec<_>>()).unwrap()
@@ -50,7 +50,7 @@ fn the_hysteretic_variable_stays_within_one() {
     let run = |alpha_y: f64, n: u32, resolution: Resolution| {
         let scene = sliding(&format!("alpha_y = {alpha_y}\nbouc_wen_n = {n}"));
         let plan = Plan::resolved(&scene, resolution).unwrap();
-        let (rows, cell) = by_steps::<f64>(&plan, &Grid::of(&scene).point(0));
+        let (rows, cell) = by_steps::<f64>(&plan, &Grid::of(&scene).case(0));
         let z = rows.iter().fold(0.0, |most: f64, row| most.max(row.z.abs()));
         (z, (cell.max_u - truth(&scene).max_u).abs(), cell.class)
     };

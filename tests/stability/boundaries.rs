@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use topple::model::real::Real;
-use topple::scene::{Grid, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::{Backend, Precision};
@@ -91,7 +91,7 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let right = |tolerance: f64| -> Vec<Class> {
         let settings = Settings { tolerance, ..Settings::default() };
-        let run = |index| reference::run(scene, &grid.point(index), &settings).class;
+        let run = |index| reference::run(scene, &grid.case(index), &settings).class;
         (0..grid.len()).into_par_iter().map(run).collect()
     };
     let (loose, tight) = (right(1e-10), right(1e-12));
@@ -148,10 +148,7 @@ fn chaotic_rocking_on_a_stiff_isolation() {
 /// Object 1, e/B = -0.4, on short vertical periods.
 fn short_periods() -> Scene {
     let mut scene = object(1, -0.4, (1.0, 0.1), 0.0, "5", "1");
-    let base = &mut scene.isolation;
-    if let (Some(h), Some(v)) = (&mut base.horizontal, &mut base.vertical) {
-        h.t_h = Range { start: 0.8, stop: 3.2, count: 30 };
-        v.t_v = Range { start: 0.06, stop: 0.3, count: 16 };
-    }
+    scene.set(Parameter::TH, Range::even(0.8, 3.2, 30));
+    scene.set(Parameter::TV, Range::even(0.06, 0.3, 16));
     scene
 }

@@ -20,11 +20,11 @@ fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
     let plan = Plan::resolved(scene, resolution).unwrap();
     let grid = Grid::of(scene);
     let (_, events) = cpu::sweep_keeping::<f64>(&plan, &grid, &[0], SWITCHES);
-    of_events(&events, &plan.clock(&grid.point(0)))
+    of_events(&events, &plan.clock(&grid.case(0)))
 }
 
 fn true_switches(scene: &Scene) -> Vec<Seen> {
-    by_reference(scene, &Grid::of(scene).point(0), &tight()).switches
+    by_reference(scene, &Grid::of(scene).case(0), &tight()).switches
 }
 
 /// Kinds agree; the largest error of a time.
@@ -94,7 +94,7 @@ fn many_crossings_in_one_step() {
     let plan = Plan::resolved(&scene, Resolution::exactly(h).across_kinks()).unwrap();
     let grid = Grid::of(&scene);
     let (_, events) = topple::chart::naive::sweep(&plan, &grid, &[0], SWITCHES);
-    let naive = of_events(&events, &plan.clock(&grid.point(0)));
+    let naive = of_events(&events, &plan.clock(&grid.case(0)));
     let late = naive[1].t - right[1].t;
     say(&format!(
         "many_crossings_in_one_step: {} in {:.2} s with steps of 1/16 s: within {in_step:.0e} s; naive {late:.2} s late",
@@ -195,12 +195,12 @@ fn impacts(
 ) -> (Vec<f64>, topple::stepping::outcome::Outcome) {
     // All impacts, also those after the last that matters.
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
-    let step = plan.clock(&Grid::of(scene).point(0)).step_free;
+    let step = plan.clock(&Grid::of(scene).case(0)).step_free;
     let mut log = Impacts { step, times: Vec::new() };
     let outcome = altered::<f64>(&plan, &mut log, |cell, _| {
         // Free steps from the start to the end of the run.
         cell.steps_forced = 0;
-        cell.steps = (scene.t_max / step).round() as u32;
+        cell.steps = (scene.case().t_max / step).round() as u32;
         if let Some(speed) = rest_speed {
             cell.rest_speed = speed;
         }
@@ -306,12 +306,12 @@ fn both_uplift_inequalities_at_once() {
         cells_in_all += grid.len();
         for (index, cell) in cells.iter().enumerate() {
             let right =
-                topple::stepping::reference::run(&map, &grid.point(index), &Settings::default());
+                topple::stepping::reference::run(&map, &grid.case(index), &Settings::default());
             assert_eq!(
                 (cell.class, cell.impacts),
                 (right.class, right.impacts),
                 "{:?}",
-                grid.point(index)
+                grid.case(index)
             );
             tensile += usize::from(cell.min_contact < 0.0);
         }

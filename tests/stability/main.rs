@@ -52,7 +52,7 @@ fn tight() -> Settings {
 
 /// The first cell of a scene by the reference so set.
 fn truth(scene: &Scene) -> Outcome {
-    reference::run(scene, &Grid::of(scene).point(0), &tight())
+    reference::run(scene, &Grid::of(scene).case(0), &tight())
 }
 
 /// A scene of one block on the ground: a slender rectangle, its mass in the middle.
@@ -68,8 +68,8 @@ fn altered<R: Real>(
     log: &mut impl Log<R>,
     alter: impl FnOnce(&mut Cell<R>, &mut State<R>),
 ) -> Outcome {
-    let point = Grid::of(&plan.scene).point(0);
-    let model = plan.model::<R>();
+    let point = Grid::of(&plan.scene).case(0);
+    let model = plan.model::<R>(&plan.scene.case());
     let record = plan.record::<R>();
     let (mut cell, mut state) = plan.cell::<R>(&point);
     alter(&mut cell, &mut state);

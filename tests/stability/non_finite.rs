@@ -2,7 +2,7 @@
 
 use topple::model::real::Real;
 use topple::scene::text::SceneText;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -141,7 +141,7 @@ fn in_a_cell() {
 fn in_a_motion() {
     for tilt in [0.0, 0.05] {
         let mut scene = rocks();
-        scene.tilt = tilt;
+        scene.set(Parameter::Tilt, tilt);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         for bad in BAD {
             for place in 0..7 {

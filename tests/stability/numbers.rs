@@ -1,6 +1,6 @@
 //! What 32 bits hold, and what they do not.
 
-use topple::scene::{GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -112,7 +112,7 @@ fn the_same_cells_in_both_precisions() {
     let mut worst = Vec::new();
     for t_max in [30.0, 300.0] {
         let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.7:14:9", "0.6:14:9");
-        scene.t_max = t_max;
+        scene.set(Parameter::TMax, t_max);
         let (short, long) = (all_swept::<f32>(&scene), all_swept::<f64>(&scene));
         let mut errors: Vec<f64> = Vec::new();
         for (a, b) in short.iter().zip(&long) {

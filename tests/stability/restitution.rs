@@ -13,12 +13,12 @@ use super::common::{say, scene};
 /// eta_phi of the two corners.
 fn against_the_reference(name: &str, scene: &Scene, allowed: usize) {
     let grid = Grid::of(scene);
-    let model = Plan::new(scene, DEFAULT_STEP).unwrap().model::<f64>();
+    let model = Plan::new(scene, DEFAULT_STEP).unwrap().model::<f64>(&scene.case());
     let (short, long) = (all_swept::<f32>(scene), all_swept::<f64>(scene));
     let mut differ = [0, 0];
     let mut rocking = 0;
     for index in 0..grid.len() {
-        let right = reference::run(scene, &grid.point(index), &Settings::default());
+        let right = reference::run(scene, &grid.case(index), &Settings::default());
         rocking += usize::from(right.class != Class::FullContact);
         for (count, cells) in differ.iter_mut().zip([&short, &long]) {
             assert_ne!(cells[index].class, Class::Unresolved, "{name}: {:?}", cells[index]);
@@ -51,7 +51,7 @@ fn blocks_without_a_rebound() {
     for (name, b) in [("squat, eta < 0", 1.5), ("eta just above zero", 1.41)] {
         let block = format!("half_width = {b}\nheight = 1.0");
         let scene = pulses(&block, none, "10:60:8");
-        let eta = Plan::new(&scene, DEFAULT_STEP).unwrap().model::<f64>().left.eta_phi;
+        let eta = Plan::new(&scene, DEFAULT_STEP).unwrap().model::<f64>(&scene.case()).left.eta_phi;
         assert_eq!(eta > 0.0, b < f64::sqrt(2.0), "eta = {eta}");
         against_the_reference(&format!("blocks_without_a_rebound: {name}"), &scene, 0);
     }
@@ -99,7 +99,7 @@ fn a_small_moment_of_inertia() {
         );
         let scene = pulses(&block, "t_h = 1.75\nt_v = 0.75", "2:9:8");
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-        let step = plan.clock(&Grid::of(&scene).point(0)).step_free;
+        let step = plan.clock(&Grid::of(&scene).case(0)).step_free;
         against_the_reference(
             &format!("a_small_moment_of_inertia: {share} of it, step {step:.1e} s"),
             &scene,

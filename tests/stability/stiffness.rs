@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
@@ -56,7 +56,7 @@ fn rk4_on_the_vertical_oscillator() {
         assert_ne!(run(1.05 * expected).class, Class::FullContact);
         // The sweep's own step.
         let scene = oscillator(0.02, xi, 5.0, 4.0);
-        let clock = Plan::new(&scene, DEFAULT_STEP).unwrap().clock(&Grid::of(&scene).point(0));
+        let clock = Plan::new(&scene, DEFAULT_STEP).unwrap().clock(&Grid::of(&scene).case(0));
         assert!(omega_v * clock.step_free < 0.1 * expected);
         let (cell, right) = (swept::<f64>(&scene), truth(&scene));
         assert_eq!(cell.class, Class::FullContact);
@@ -85,7 +85,7 @@ fn the_coupled_limit_while_rocking() {
         cell.class == right.class && cell.max_v < 1.2 * right.max_v
     });
     let plan = Plan::new(&scene(0.001), 1.0).unwrap();
-    let step = plan.clock(&Grid::of(&plan.scene).point(0)).step_free;
+    let step = plan.clock(&Grid::of(&plan.scene).case(0)).step_free;
     say(&format!(
         "the_coupled_limit_while_rocking: omega_v h = {found:.2}; a sweep takes {:.3}",
         omega_v * step
@@ -106,7 +106,7 @@ fn periods_from_a_second_to_a_tenth_of_a_millisecond() {
     let mut right_to = f64::INFINITY;
     for t_v in [1.0, 0.3, 0.1, 0.03, 0.01, 3.0e-3, 1.0e-3, 3.0e-4, 1.0e-4] {
         let mut scene = object(1, 0.2, (1.75, t_v), 0.5, "5", "3");
-        scene.t_max = 1.0;
+        scene.set(Parameter::TMax, 1.0);
         let (cell, right) = (swept::<f64>(&scene), truth(&scene));
         assert_eq!((cell.class, cell.impacts), (right.class, right.impacts), "T_v = {t_v}");
         let raw = exactly::<f64>(&scene, fixed);

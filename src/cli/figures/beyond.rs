@@ -4,7 +4,7 @@ use topple::figures::animation::{self, Moving};
 use topple::figures::boundary::{self, Least};
 use topple::figures::shares::{self, Shares};
 use topple::figures::{Figure, curves, letter};
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Scene, Values};
 use topple::sweep::history;
 
 use super::super::progress::Progress;
@@ -39,16 +39,16 @@ impl Work<'_> {
 
     /// The shares of the outcomes against the eccentricity.
     pub(super) fn shares(&self, figure: &Figure) -> anyhow::Result<()> {
-        let values = |k: usize| figure.panels[k].eccentricities.map_or(0, |range| range.count);
+        let values = |k: usize| figure.panels[k].eccentricities.as_ref().map_or(0, Values::count);
         let cells: usize = (0..figure.panels.len())
-            .map(|k| values(k) as usize * Grid::of(&figure.panels[k].scene).len())
+            .map(|k| values(k) * Grid::of(&figure.panels[k].scene).len())
             .sum();
         let progress = Progress::new(cells, self.options.quiet);
         let mut drawn = Vec::with_capacity(figure.panels.len());
         for (k, panel) in figure.panels.iter().enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
             let mut rows: Vec<(f64, Shares)> = Vec::new();
-            for eccentricity in panel.eccentricities.iter().flat_map(|range| range.values()) {
+            for eccentricity in panel.eccentricities.iter().flat_map(Values::iter) {
                 let scene = shares::at(&panel.scene, eccentricity);
                 rows.push((
                     eccentricity,
@@ -72,8 +72,7 @@ impl Work<'_> {
             let mut moving = Vec::with_capacity(scenes.len());
             for (cell, scene) in panel.cells.iter().zip(&scenes) {
                 let by_steps = plan(self.options, scene, panel.fixed_step, &name)?;
-                let (rows, outcome) =
-                    history::by_steps::<f64>(&by_steps, &Grid::of(scene).point(0));
+                let (rows, outcome) = history::by_steps::<f64>(&by_steps, &scene.case());
                 moving.push(Moving::new(cell, scene, rows, outcome));
             }
             let bytes = animation::draw(&figure.title, &moving)?;

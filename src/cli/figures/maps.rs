@@ -119,7 +119,7 @@ impl Work<'_> {
             let title = format!("{}: upwards at Ω = {} rad/s", along.name, along.omega);
             let caption = format!(
                 "Object and base of {panel_name}, ε = {}; {}",
-                scene.block.eccentricity,
+                scene.case().block.eccentricity,
                 self.how()
             );
             let svg = path::draw(&title, &map, &caption)?;

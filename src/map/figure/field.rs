@@ -5,7 +5,7 @@ use plotters::prelude::*;
 use super::super::Map;
 use super::super::boundaries::{Boundary, levels};
 use super::document::{Place, compose};
-use super::frame::{Drawn, FINE, PLOT, Plot, SIZE, area, map_frame, stroke};
+use super::frame::{Drawn, FINE, PLOT, Plot, SIZE, area, map_frame, stroke, titled};
 use super::greys::{FALLEN, Greys, keys};
 use super::labels::Labels;
 use super::overturning::hatched;
@@ -89,18 +89,18 @@ impl Field {
     }
 }
 
-/// Draws a field as SVG.
+/// Draws a field as SVG; `at` tells what the map is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, field: &Field) -> Result<String, FigureError> {
+pub fn draw(map: &Map, field: &Field, at: &str) -> Result<String, FigureError> {
     let greys = Greys::over([map], field);
     let mut images = vec![(PLOT, cells(map, field, &greys)?), (BAR, greys.bar()?)];
     let hatch = hatched(map, PLOT)?;
-    let has_hatch = map.outcomes.iter().any(|cell| map.beyond_the_model(cell));
+    let has_hatch = map.has_beyond_the_model();
     images.extend(hatch.map(|image| (PLOT, image)));
     let mut drawing = String::new();
-    frame(map, field, &greys, has_hatch, &mut drawing)
+    frame((map, at), field, &greys, has_hatch, &mut drawing)
         .map_err(|e| FigureError::Draw(e.to_string()))?;
     Ok(compose(SIZE, &images, &drawing))
 }
@@ -126,14 +126,15 @@ pub fn cells(map: &Map, field: &Field, greys: &Greys) -> Result<Vec<u8>, FigureE
 const BAR: Place = Place { x: 730, y: 110, width: 22, height: 300 };
 
 fn frame(
-    map: &Map,
+    (map, at): (&Map, &str),
     field: &Field,
     greys: &Greys,
     hatched: bool,
     drawing: &mut String,
 ) -> Drawn<()> {
     let root = area(drawing, SIZE);
-    let mut plot = map_frame(&root, map, &format!("{}: {}", map.scene.title, field.title))?;
+    let title = titled(&format!("{}: {}", map.scene.title, field.title), at);
+    let mut plot = map_frame(&root, map, &title)?;
     let named = lines(&mut plot, map, field, greys, 26)?;
     let mut labels = Labels::new(map, field);
     for (text, line) in &named {

@@ -9,7 +9,7 @@ use super::super::Map;
 use super::document::{Place, compose};
 use super::{FigureError, tick};
 use crate::scene::grid::Axis;
-use crate::scene::{Excitation, GRAVITY, Grid, Range, Scene};
+use crate::scene::{Directions, GRAVITY, Grid, Overturn, Parameter, Scene, Values};
 
 /// Size of a map figure.
 pub const SIZE: (u32, u32) = (960, 758);
@@ -74,45 +74,79 @@ pub fn document(
     Ok(compose(size, images, &drawing))
 }
 
-/// The two ends of an axis, half a cell beyond its first and last value.
-pub fn extent(range: &Range) -> std::ops::Range<f64> {
-    if range.count == 1 {
-        let half = (range.start.abs() * 0.05).max(0.05);
-        return range.start - half..range.start + half;
+/// The two ends of an axis in its coordinates, half a cell beyond its first and last value.
+pub fn extent(values: &Values) -> std::ops::Range<f64> {
+    let last = (values.count() - 1) as f64;
+    if last == 0.0 {
+        let only = values.coordinate(0.0);
+        let half = (only.abs() * 0.05).max(0.05);
+        return only - half..only + half;
     }
-    let half = 0.5 * (range.stop - range.start) / f64::from(range.count - 1);
-    range.start - half..range.stop + half
+    values.coordinate(-0.5)..values.coordinate(last + 0.5)
 }
+
+/// Parameters that a caption shows where they have one value.
+const CAPTION: [Parameter; 10] = [
+    Parameter::HalfWidth,
+    Parameter::Height,
+    Parameter::Eccentricity,
+    Parameter::Offset,
+    Parameter::TH,
+    Parameter::TV,
+    Parameter::Scale,
+    Parameter::Omega,
+    Parameter::AH,
+    Parameter::AV,
+];
+
+/// Those that it shows where they are not what they are by default.
+const UNUSUAL: [Parameter; 10] = [
+    Parameter::Psi,
+    Parameter::XiH,
+    Parameter::XiV,
+    Parameter::AlphaY,
+    Parameter::UY,
+    Parameter::YieldForce,
+    Parameter::BoucWenN,
+    Parameter::Tilt,
+    Parameter::Friction,
+    Parameter::Restitution,
+];
 
 /// The parameters of a scene that its axes do not show, in one line.
 pub fn caption(scene: &Scene) -> String {
-    let block = &scene.block;
-    let mut parts = vec![
-        format!("B = {} m", block.half_width),
-        format!("H = {} m", block.height),
-        format!("ε = {}", block.eccentricity),
-    ];
-    let base = &scene.isolation;
-    if base.horizontal.is_none() && base.vertical.is_none() {
-        parts.push("no isolation".into());
+    let single = |parameter: Parameter| scene.numbers.get(parameter)?.single();
+    let mut parts = Vec::new();
+    for parameter in CAPTION {
+        if parameter == Parameter::TH {
+            match scene.isolation {
+                Directions::Dual => {}
+                Directions::Horizontal => parts.push("horizontal isolation alone".into()),
+                Directions::Vertical => parts.push("vertical isolation alone".into()),
+                Directions::None => parts.push("no isolation".into()),
+            }
+        }
+        parts.extend(single(parameter).map(|value| parameter.entry().written(value)));
     }
-    let fixed = |range: &Range| (range.count == 1).then_some(range.start);
-    if let Some(t_h) = base.horizontal.as_ref().and_then(|law| fixed(&law.t_h)) {
-        parts.push(format!("T_h = {t_h} s"));
+    for parameter in UNUSUAL {
+        let entry = parameter.entry();
+        let usual = |value: f64| entry.default.parse() == Ok(value);
+        let unusual = single(parameter).filter(|value| !usual(*value));
+        parts.extend(unusual.map(|value| entry.written(value)));
     }
-    if let Some(t_v) = base.vertical.as_ref().and_then(|law| fixed(&law.t_v)) {
-        parts.push(format!("T_v = {t_v} s"));
+    if scene.overturn == Overturn::QuarterTurn {
+        parts.push("overturned at 90°".into());
     }
-    if scene.tilt != 0.0 {
-        parts.push(format!("tilt {} rad", scene.tilt));
-    }
-    match &scene.excitation {
-        Excitation::Pulse(pulse) => parts.push(format!("A_v = {} m/s²", pulse.a_v)),
-        Excitation::Record(pair) => parts.push(format!(
+    let scaled = [Parameter::Scale, Parameter::Pga].map(|parameter| scene.numbers.get(parameter));
+    let varies = scaled.into_iter().flatten().any(|values| values.count() > 1);
+    if let Some(pair) = scene.excitation.record()
+        && !varies
+    {
+        parts.push(format!(
             "PGA {:.3} g horizontal, {:.3} g vertical",
             pair.pga_h / GRAVITY,
             pair.pga_v / GRAVITY
-        )),
+        ));
     }
     parts.join(",  ")
 }
@@ -149,19 +183,49 @@ pub struct Named {
 }
 
 impl Named {
-    /// The axis of a grid.
-    fn of(axis: &Axis) -> Named {
-        let name = format!("{} [{}]", axis.symbol, axis.unit);
-        Named { ends: extent(&axis.range), name }
+    /// The axis of a grid; of none a single value without a name.
+    fn of(axis: Option<&Axis>) -> Named {
+        match axis {
+            Some(axis) => Named { ends: extent(&axis.values), name: axis.entry().label() },
+            None => Named { ends: 0.0..1.0, name: String::new() },
+        }
     }
 }
 
 /// How an axis writes a number.
 type Writing = dyn Fn(f64) -> String;
 
+/// How the numbers of an axis are written at its coordinates.
+fn writing(axis: Option<&Axis>) -> Box<Writing> {
+    let Some(axis) = axis else { return Box::new(|_| String::new()) };
+    let ends = extent(&axis.values);
+    let width = (ends.end - ends.start).abs();
+    let values = axis.values.clone();
+    match &axis.values {
+        // No number between those of a list.
+        Values::List(_) => Box::new(move |at| match (at - at.round()).abs() < 1.0e-6 {
+            true if at >= 0.0 && at < values.count() as f64 => format!("{}", values.value_at(at)),
+            _ => String::new(),
+        }),
+        Values::Range(range) if range.log => Box::new(move |at| {
+            let value = values.value_at(at);
+            tick(value, value.abs())
+        }),
+        Values::Range(_) => Box::new(move |at| tick(at, width.max(1.0e-3))),
+    }
+}
+
 /// Draws the frame of a plot over a grid, with its axes.
 pub fn axes<'b>(root: &Area<'b>, grid: &Grid, axes: &Axes) -> Drawn<Plot<'b, 'b>> {
-    frame(root, axes, (&Named::of(&grid.x), &Named::of(&grid.y)))
+    let (x, y) = (Some(grid.x()), grid.y());
+    let named = (&Named::of(x), &Named::of(y));
+    frame_written(root, axes, named, (&*writing(x), &*writing(y)))
+}
+
+/// Draws the frame of a plot along one axis.
+pub fn along<'b>(root: &Area<'b>, axis: &Axis, axes: &Axes) -> Drawn<Plot<'b, 'b>> {
+    let named = (&Named::of(Some(axis)), &Named::of(None));
+    frame_written(root, axes, named, (&*writing(Some(axis)), &*writing(None)))
 }
 
 /// Draws the frame of a plot, with its axes.
@@ -177,6 +241,17 @@ pub fn frame_with<'b>(
     (x, y): (&Named, &Named),
     written: &Writing,
 ) -> Drawn<Plot<'b, 'b>> {
+    let width = (x.ends.end - x.ends.start).abs().max(1.0e-3);
+    frame_written(root, axes, (x, y), (&move |value| tick(value, width), written))
+}
+
+/// The same, the numbers of both axes written in another way.
+fn frame_written<'b>(
+    root: &Area<'b>,
+    axes: &Axes,
+    (x, y): (&Named, &Named),
+    (write_x, write_y): (&Writing, &Writing),
+) -> Drawn<Plot<'b, 'b>> {
     let Axes { size, plot, room, font } = *axes;
     let right = size.0 as i32 - plot.x - plot.width;
     let bottom = size.1 as i32 - plot.y - plot.height;
@@ -190,9 +265,8 @@ pub fn frame_with<'b>(
         .set_label_area_size(LabelAreaPosition::Left, left_room * FINE)
         .set_label_area_size(LabelAreaPosition::Bottom, bottom_room * FINE)
         .build_cartesian_2d(x.ends.clone(), y.ends.clone())?;
-    let width = (x.ends.end - x.ends.start).abs().max(1.0e-3);
-    let format_x = |value: &f64| room.1.map_or(String::new(), |_| tick(*value, width));
-    let format_y = |value: &f64| room.0.map_or(String::new(), |_| written(*value));
+    let format_x = |value: &f64| room.1.map_or(String::new(), |_| write_x(*value));
+    let format_y = |value: &f64| room.0.map_or(String::new(), |_| write_y(*value));
     // A number for every so many units.
     let labels = |length: i32| (length / (font * 5)).clamp(3, 12) as usize;
     let mut mesh = chart.configure_mesh();
@@ -216,10 +290,29 @@ pub fn frame_with<'b>(
     Ok(chart)
 }
 
+/// The size of a caption's letters: smaller for a long one, so that it ends on the page.
+pub fn caption_size(caption: &str) -> i32 {
+    match caption.chars().count() {
+        0..=105 => 15,
+        106..=130 => 12,
+        _ => 9,
+    }
+}
+
+/// A title with what a map is a slice at.
+pub fn titled(title: &str, at: &str) -> String {
+    match at {
+        "" => title.into(),
+        at => format!("{title}: {at}"),
+    }
+}
+
 /// Draws title and caption, and the frame of a map's plot with its axes.
 pub fn map_frame<'b>(root: &Area<'b>, map: &Map, title: &str) -> Drawn<Plot<'b, 'b>> {
     root.draw(&Text::new(title.to_string(), at(PLOT.x, 20), text(22)))?;
-    root.draw(&Text::new(caption(map.scene), at(PLOT.x, 49), text(15)))?;
+    let caption = caption(map.scene);
+    let size = caption_size(&caption);
+    root.draw(&Text::new(caption, at(PLOT.x, 49), text(size)))?;
     let room = (Some(PLOT.x - EDGE), Some(SIZE.1 as i32 - PLOT.y - PLOT.height - EDGE));
     axes(root, &map.grid, &Axes { size: SIZE, plot: PLOT, room, font: 15 })
 }

@@ -10,6 +10,7 @@ use super::frame::{Area, Drawn, at, outline, stroke, text};
 use super::overturning::hatch_labels;
 use super::raster::png;
 use super::{FigureError, tick};
+use crate::scene::Parameter;
 use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// Steps of a scale at most.
@@ -172,6 +173,6 @@ fn locked_up_to(map: &Map) -> Option<f64> {
     let cells = map.outcomes.iter().enumerate();
     cells
         .filter(|(_, cell)| cell.status == Status::VerticalLocked)
-        .map(|(index, _)| map.grid.coordinates(index).1)
+        .filter_map(|(index, _)| map.grid.value(Parameter::TV, index))
         .reduce(f64::max)
 }

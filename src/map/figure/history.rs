@@ -6,7 +6,7 @@ use super::FigureError;
 use super::document::compose;
 use super::frame::{Drawn, FINE, area, at, caption, stroke, text};
 use super::tick;
-use crate::scene::{Excitation, Point, Scene};
+use crate::scene::{Case, Excitation, Scene, Shaking};
 use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
 
@@ -28,27 +28,30 @@ const STRIPS: [Strip; 4] = [
 /// Any [`FigureError`].
 pub fn draw(
     scene: &Scene,
-    point: &Point,
+    case: &Case,
     rows: &[Row],
     outcome: &Outcome,
 ) -> Result<String, FigureError> {
     let mut drawing = String::new();
-    strips(scene, point, rows, outcome, &mut drawing)
+    strips(scene, case, rows, outcome, &mut drawing)
         .map_err(|e| FigureError::Draw(e.to_string()))?;
     Ok(compose(SIZE, &[], &drawing))
 }
 
 fn strips(
     scene: &Scene,
-    point: &Point,
+    case: &Case,
     rows: &[Row],
     outcome: &Outcome,
     drawing: &mut String,
 ) -> Drawn<()> {
     let root = area(drawing, SIZE);
-    let cell = match &scene.excitation {
-        Excitation::Pulse(_) => format!("Ω = {} rad/s,  A_h = {} m/s²", point.omega, point.a_h),
-        Excitation::Record(pair) => pair.title.clone(),
+    let cell = match (&scene.excitation, case.shaking) {
+        (Excitation::Record(pair), _) => pair.title.clone(),
+        (Excitation::Pulse, Shaking::Pulse(pulse)) => {
+            format!("Ω = {} rad/s,  A_h = {} m/s²", pulse.omega, pulse.a_h)
+        }
+        (Excitation::Pulse, Shaking::Record { .. }) => String::new(),
     };
     let what = format!(
         "{cell}:  {}, {} impacts, ζ = {:.4}",

@@ -7,7 +7,7 @@ use super::super::Map;
 use super::super::boundaries::Line;
 use super::field::Field;
 use super::frame::{Drawn, FINE, Plot, text};
-use crate::scene::Range;
+use crate::scene::Values;
 
 /// Values written on their lines: none on top of another, none near a cell without a value.
 pub struct Labels<'a> {
@@ -51,8 +51,13 @@ impl<'a> Labels<'a> {
     }
 
     fn share(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let of = |range: &Range, value: f64| (value - range.start) / (range.stop - range.start);
-        (of(&self.map.grid.x.range, x), of(&self.map.grid.y.range, y))
+        let of = |values: &Values, at: f64| {
+            let (start, stop) =
+                (values.coordinate(0.0), values.coordinate((values.count() - 1) as f64));
+            (at - start) / (stop - start)
+        };
+        let grid = &self.map.grid;
+        (of(&grid.x().values, x), grid.y().map_or(0.0, |axis| of(&axis.values, y)))
     }
 
     fn free(&self, (x, y): (f64, f64)) -> bool {

@@ -1,5 +1,6 @@
 //! Pictures: a raster of the cells under a vector frame, as SVG, and the same as PNG.
 
+pub mod curves;
 pub mod document;
 pub mod field;
 pub mod frame;

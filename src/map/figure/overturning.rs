@@ -8,17 +8,19 @@ use super::super::Map;
 use super::FigureError;
 use super::document::{Place, compose};
 use super::frame::{
-    Area, Drawn, PLOT, SIZE, area, at, map_frame, outline, stroke, text, text_left_of,
+    Area, Drawn, PLOT, SIZE, area, at, map_frame, outline, stroke, text, text_left_of, titled,
 };
 use super::palette::Kind;
 use super::raster::png;
+use crate::scene::Parameter;
 use crate::stepping::outcome::{Class, Outcome};
 
 /// What a hatch says.
 pub fn hatch_labels(map: &Map) -> [String; 2] {
-    let why = match map.scene.friction {
+    let why = match map.scene.numbers.get(Parameter::Friction) {
         None => "contact force tensile:".to_string(),
-        Some(mu) => format!("tensile, or friction > {mu}:"),
+        Some(mu) if mu.count() == 1 => format!("tensile, or friction > {mu}:"),
+        Some(_) => "tensile, or friction > μ:".to_string(),
     };
     [why, "the model does not hold".to_string()]
 }
@@ -28,18 +30,19 @@ const HATCH_SCALE: usize = 2;
 /// Distance of the hatch's lines, in its pixels.
 const HATCH_PITCH: usize = 12;
 
-/// Draws the map as SVG.
+/// Draws the map as SVG; `at` tells what it is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map) -> Result<String, FigureError> {
+pub fn draw(map: &Map, at: &str) -> Result<String, FigureError> {
     let mut images = vec![(PLOT, cells(map, |cell| Kind::of(cell).colour())?)];
     let hatch = hatched(map, PLOT)?;
-    let has_hatch = map.outcomes.iter().any(|cell| map.beyond_the_model(cell));
+    let has_hatch = map.has_beyond_the_model();
     images.extend(hatch.map(|image| (PLOT, image)));
     let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
     let mut drawing = String::new();
-    frame(map, &kinds, has_hatch, &mut drawing).map_err(|e| FigureError::Draw(e.to_string()))?;
+    frame(map, at, &kinds, has_hatch, &mut drawing)
+        .map_err(|e| FigureError::Draw(e.to_string()))?;
     Ok(compose(SIZE, &images, &drawing))
 }
 
@@ -61,17 +64,18 @@ pub fn cells(map: &Map, colour: impl Fn(&Outcome) -> [u8; 3]) -> Result<Vec<u8>,
 /// # Errors
 /// [`FigureError::Encode`].
 pub fn hatched(map: &Map, place: Place) -> Result<Option<Vec<u8>>, FigureError> {
-    let marked = |cell: &Outcome| cell.class == Class::Unresolved || map.beyond_the_model(cell);
-    if !map.outcomes.iter().any(marked) {
+    let unresolved = map.outcomes.iter().any(|cell| cell.class == Class::Unresolved);
+    if !unresolved && !map.has_beyond_the_model() {
         return Ok(None);
     }
     let (columns, rows) = map.grid.shape();
     let (width, height) = (place.width as usize * HATCH_SCALE, place.height as usize * HATCH_SCALE);
     let image = png(width, height, |x, y| {
-        let cell = &map.outcomes[(rows - 1 - y * rows / height) * columns + x * columns / width];
+        let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
+        let unresolved = map.outcomes[cell].class == Class::Unresolved;
         let rising = (x + y) % HATCH_PITCH < 2;
         let falling = (x + height - y) % HATCH_PITCH < 2;
-        match (cell.class == Class::Unresolved, map.beyond_the_model(cell)) {
+        match (unresolved, map.beyond_the_model(cell)) {
             (true, _) if rising || falling => [0, 0, 0, 255],
             (false, true) if rising => [0, 0, 0, 150],
             _ => [0, 0, 0, 0],
@@ -80,9 +84,15 @@ pub fn hatched(map: &Map, place: Place) -> Result<Option<Vec<u8>>, FigureError> 
     Ok(Some(image))
 }
 
-fn frame(map: &Map, kinds: &BTreeSet<Kind>, hatched: bool, drawing: &mut String) -> Drawn<()> {
+fn frame(
+    map: &Map,
+    place: &str,
+    kinds: &BTreeSet<Kind>,
+    hatched: bool,
+    drawing: &mut String,
+) -> Drawn<()> {
     let root = area(drawing, SIZE);
-    map_frame(&root, map, &map.scene.title)?;
+    map_frame(&root, map, &titled(&map.scene.title, place))?;
     legend(&root, kinds, hatched, map)?;
     root.present()?;
     Ok(())

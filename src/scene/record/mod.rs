@@ -2,6 +2,7 @@
 
 pub mod at2;
 pub mod columns;
+pub mod component;
 pub mod cosmos;
 pub mod csmip;
 pub mod esm;

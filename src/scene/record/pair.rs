@@ -24,6 +24,8 @@ pub struct Pair {
     pub pga_h: f64,
     /// PGA_v, m/s^2.
     pub pga_v: f64,
+    /// The factor on what the files hold.
+    pub factor: f64,
     /// What had to be decided, in a sentence each.
     pub notes: Vec<String>,
 }
@@ -70,7 +72,8 @@ impl Pair {
             Some(vertical) => bring("vertical", vertical),
             None => std::iter::repeat_n(0.0, count).collect(),
         };
-        let mut pair = Pair { title, dt, horizontal, vertical, pga_h: 0.0, pga_v: 0.0, notes };
+        let mut pair =
+            Pair { title, dt, horizontal, vertical, pga_h: 0.0, pga_v: 0.0, factor: 1.0, notes };
         pair.measure();
         pair
     }
@@ -79,6 +82,7 @@ impl Pair {
     pub fn scaled(mut self, factor: f64) -> Pair {
         self.horizontal = self.horizontal.iter().map(|a| a * factor).collect();
         self.vertical = self.vertical.iter().map(|a| a * factor).collect();
+        self.factor *= factor;
         self.notes.push(format!("both components scaled by {factor:.6}"));
         self.measure();
         self

@@ -14,7 +14,7 @@ pub mod system;
 pub mod tableau;
 pub mod trial;
 
-use crate::scene::{Point, Scene};
+use crate::scene::{Case, Scene};
 
 use super::outcome::{Class, Outcome, Status};
 use extremes::Extremes;
@@ -71,28 +71,28 @@ pub struct Instant<'a> {
     pub switch: Option<Switch>,
 }
 
-/// Integrates one cell.
-pub fn run(scene: &Scene, point: &Point, settings: &Settings) -> Outcome {
-    observe(scene, point, settings, &mut |_| {})
+/// Integrates a cell of a scene, whose record it is under.
+pub fn run(scene: &Scene, case: &Case, settings: &Settings) -> Outcome {
+    observe(scene, case, settings, &mut |_| {})
 }
 
 /// Integrates one cell; `observer` sees every step.
 pub fn observe(
     scene: &Scene,
-    point: &Point,
+    case: &Case,
     settings: &Settings,
     observer: &mut dyn FnMut(&Instant),
 ) -> Outcome {
-    let system = System::new(scene, point);
+    let system = System::new(scene, case);
     let mut y = system.at_rest();
     observer(&Instant { t: 0.0, phase: system.first_phase(), y: &y, switch: None });
-    let mut cell = Cell::new(&system, settings, point, observer);
+    let mut cell = Cell::new(&system, settings, case, observer);
     let mut from = 0.0;
-    for (to, drive) in system.stretches(scene.t_max) {
+    for (to, drive) in system.stretches(case.t_max) {
         y = cell.integrate(y, from, to, drive);
         from = to;
     }
-    cell.outcome(scene.t_max)
+    cell.outcome(case.t_max)
 }
 
 /// A run of one cell.
@@ -116,14 +116,14 @@ impl<'a> Cell<'a> {
     fn new(
         system: &'a System,
         settings: &'a Settings,
-        point: &Point,
+        case: &Case,
         observer: &'a mut dyn FnMut(&Instant),
     ) -> Cell<'a> {
         Cell {
             system,
             settings,
             observer,
-            stepper: Stepper::new(settings, point),
+            stepper: Stepper::new(settings, case),
             phase: system.first_phase(),
             steps: 0,
             class: None,

@@ -5,7 +5,7 @@ use super::guards::{Guard, first_guard};
 use super::system::State;
 use super::trial::Trial;
 use super::{EVENT_TIME, Settings};
-use crate::scene::Point;
+use crate::scene::Case;
 
 /// A step that was taken.
 #[derive(Debug, Clone)]
@@ -31,9 +31,12 @@ pub struct Stepper {
 
 impl Stepper {
     /// Before the first step.
-    pub fn new(settings: &Settings, point: &Point) -> Stepper {
+    pub fn new(settings: &Settings, case: &Case) -> Stepper {
         // A sixteenth of the shortest period, so that an uplift at its crest is not passed over.
-        let longest = settings.longest.min(point.t_v / 16.0).min(point.t_h / 16.0);
+        let base = &case.isolation;
+        let periods = [base.horizontal.map(|law| law.t_h), base.vertical.map(|law| law.t_v)];
+        let bound = |longest: f64, period: f64| longest.min(period / 16.0);
+        let longest = periods.into_iter().flatten().fold(settings.longest, bound);
         Stepper { next: 0.1 * longest, longest }
     }
 

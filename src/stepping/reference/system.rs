@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
 
 use crate::scene::record::Pair;
-use crate::scene::{Excitation, GRAVITY, Overturn, Point, Scene};
+use crate::scene::{Case, Excitation, GRAVITY, Overturn, Scene, Shaking};
 
 /// u, v, phi, their rates, and z.
 pub type State = SVector<f64, 7>;
@@ -93,15 +93,20 @@ pub struct System {
     pub(super) tilt: f64,
     pub(super) overturn: Overturn,
     pub(super) omega: f64,
+    /// A_h, and A_v; the factor on a record's samples.
     pub(super) a_h: f64,
     pub(super) a_v: f64,
     pub(super) record: Option<Pair>,
 }
 
 impl System {
-    /// The system of a scene at a point of its grid.
-    pub fn new(scene: &Scene, point: &Point) -> System {
-        let (block, base) = (&scene.block, &scene.isolation);
+    /// The system of a cell of a scene.
+    pub fn new(scene: &Scene, case: &Case) -> System {
+        let (block, base) = (&case.block, &case.isolation);
+        let (omega, a_h, a_v) = match case.shaking {
+            Shaking::Pulse(pulse) => (pulse.omega, pulse.a_h, pulse.a_v),
+            Shaking::Record { factor, .. } => (0.0, factor, factor),
+        };
         let total_v = block.mass + base.plate_v;
         let total_h = total_v + base.plate_h;
         let mut system = System {
@@ -121,27 +126,27 @@ impl System {
             n: 2,
             moves_h: base.horizontal.is_some(),
             moves_v: base.vertical.is_some(),
-            restitution: scene.restitution,
-            tilt: scene.tilt,
-            overturn: scene.overturn,
-            omega: point.omega,
-            a_h: point.a_h,
-            a_v: point.a_v,
+            restitution: case.restitution,
+            tilt: case.tilt,
+            overturn: case.overturn,
+            omega,
+            a_h,
+            a_v,
             record: match &scene.excitation {
                 Excitation::Record(pair) => Some(pair.clone()),
-                Excitation::Pulse(_) => None,
+                Excitation::Pulse => None,
             },
         };
         if let Some(law) = &base.horizontal {
-            let omega_h = TAU / point.t_h;
+            let omega_h = TAU / law.t_h;
             system.k_h = total_h * omega_h * omega_h;
             system.c_h = 2.0 * total_h * law.xi_h * omega_h;
             system.psi = law.psi;
-            system.u_y = point.a_h.abs() * total_h / system.k_h * law.alpha_y;
+            system.u_y = law.u_y;
             system.n = law.n as i32;
         }
         if let Some(law) = &base.vertical {
-            let omega_v = TAU / point.t_v;
+            let omega_v = TAU / law.t_v;
             system.k_v = total_v * omega_v * omega_v;
             system.c_v = 2.0 * total_v * law.xi_v * omega_v;
         }
@@ -220,7 +225,7 @@ impl System {
             (Drive::Between(i), Some(pair)) => {
                 let share = t / pair.dt - i as f64;
                 let at = |a: &[f64]| a[i] * (1.0 - share) + a[i + 1] * share;
-                (at(&pair.horizontal), at(&pair.vertical))
+                (self.a_h * at(&pair.horizontal), self.a_v * at(&pair.vertical))
             }
             _ => (0.0, 0.0),
         }

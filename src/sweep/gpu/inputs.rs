@@ -9,16 +9,16 @@ use wgpu::{
     BufferSize, BufferUsages, ComputePipeline,
 };
 
-use super::super::cell_tables::{Clocks, Table};
+use super::super::cell_tables::Clocks;
 use super::super::cells::Cells;
 use super::super::full_contact::Tracks;
 use super::super::groups::Steps;
-use super::super::plan::Plan;
+use super::super::table::Table;
 use super::super::tracks::Motions;
 use super::device::Gpu;
 use super::pipelines::Pipelines;
 use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
-use super::tile::{OwnClocks, Tile};
+use super::tile::{Layout, OwnClocks, Tile};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 
@@ -49,15 +49,13 @@ fn filled<R: Real>(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages)
 }
 
 /// Where a table's entries of so many numbers each lie, from a place on.
-fn table<T>(table: &Table<T>, first: usize, size: usize) -> [u32; 4] {
-    let [column, row] = table.strides.map(|stride| (stride * size) as u32);
-    [first as u32, column, row, 0]
+fn table<T>(table: &Table<T>, first: usize, size: usize) -> Layout {
+    Layout::of(table.strides, table.before, first, size)
 }
 
 /// Where motions lie whose beginnings are listed from a place on.
-fn motions<R: Real>(motions: &Motions<R>, first: usize) -> [u32; 4] {
-    let [column, row] = motions.strides.map(|stride| stride as u32);
-    [first as u32, column, row, motions.samples() as u32]
+fn motions<R: Real>(motions: &Motions<R>, first: usize) -> Layout {
+    Layout { more: motions.samples() as u32, ..Layout::of(motions.strides, 0, first, 1) }
 }
 
 impl<R: Real> Inputs<R> {
@@ -66,19 +64,24 @@ impl<R: Real> Inputs<R> {
         gpu: &Gpu,
         pipelines: &Pipelines,
         slots: &mut Slots,
-        plan: &Plan,
         cells: &Cells<R>,
         record: &[Ground<R>],
     ) -> Inputs<R> {
         let tables = &cells.tables;
-        let mut numbers: Vec<R> = vec![cells.posture.tilt];
-        let mut tile = Tile { mode: cells.posture.mode, ..Tile::default() };
+        let mut numbers: Vec<R> = Vec::new();
+        let mut tile = Tile { counts: tables.grid().counts(), ..Tile::default() };
+        tile.bodies = table(&tables.bodies, 0, 1);
         tile.horizontal = table(&tables.horizontal, numbers.len(), 7);
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.horizontal.entries));
         tile.vertical = table(&tables.vertical, numbers.len(), 5);
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.vertical.entries));
-        tile.drive = table(&tables.drive, numbers.len(), 4);
+        tile.drive = table(&tables.drive, numbers.len(), 5);
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.drive.entries));
+        // Of the bodies the kernel that makes cells takes no more than these.
+        tile.levers = numbers.len() as u32;
+        for body in &tables.bodies.entries {
+            numbers.extend([body.height, body.left.arm, body.right.arm]);
+        }
         let steps = match &tables.clocks {
             Clocks::Shared(shared) => {
                 tile.clock = table(shared, 0, 1);
@@ -103,15 +106,18 @@ impl<R: Real> Inputs<R> {
             Some(shared) => resident(gpu, slots, &cells.tracks, shared),
             None => filled::<R>(gpu, "no tracks", &[], BufferUsages::STORAGE),
         };
-        let model = plan.model::<R>();
-        let mut model = bytemuck::bytes_of(&model).to_vec();
+        // A table has an entry at least.
+        let mut model = bytemuck::bytes_of(&cells.bodies()[0]).to_vec();
         // As a uniform buffer's size is on some devices.
         model.resize(model.len().next_multiple_of(16), 0);
         let model = filled::<R>(gpu, "model", &model, BufferUsages::UNIFORM);
+        let bodies = bytemuck::cast_slice(cells.bodies());
+        let bodies = filled::<R>(gpu, "bodies", bodies, BufferUsages::STORAGE);
         let storage = BufferUsages::STORAGE;
         let record = filled::<R>(gpu, "record", bytemuck::cast_slice(record), storage);
         let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
-        let chunks = chunk_groups(gpu, &pipelines.sweep, slots, &model, &record);
+        let models = [&model, &bodies];
+        let chunks = chunk_groups(gpu, &pipelines.sweep, slots, models, &record);
         Inputs { model, numbers, tracks, tile, words, steps, chunks }
     }
 
@@ -129,7 +135,7 @@ impl<R: Real> Inputs<R> {
         let mut tile = self.tile;
         let mut words = self.words.clone();
         if let Some(own) = own {
-            tile.clock = [words.len() as u32, 0, 0, 1];
+            tile.clock = Layout { first: words.len() as u32, more: 1, ..Layout::default() };
             words.extend_from_slice(&own.numbers);
         }
         let (threads, listed) = tile.place(columns, cells, words.len());
@@ -212,7 +218,7 @@ fn chunk_groups(
     gpu: &Gpu,
     pipeline: &ComputePipeline,
     slots: &Slots,
-    model: &Buffer,
+    [model, bodies]: [&Buffer; 2],
     record: &Buffer,
 ) -> [BindGroup; RING] {
     std::array::from_fn(|place| {
@@ -229,6 +235,7 @@ fn chunk_groups(
             (4, slots.tally.as_entire_binding()),
             (5, record.as_entire_binding()),
             (7, slots.running.as_entire_binding()),
+            (13, bodies.as_entire_binding()),
         ];
         if let Some(events) = &slots.events {
             bound.push((6, events.as_entire_binding()));

@@ -38,12 +38,12 @@ impl Sweeper<'_> {
         side: usize,
     ) -> Result<Made<R>, GpuError> {
         let (gpu, record) = (self.gpu, plan.record::<R>());
-        let all = Cells::of(plan, grid, &record);
+        let all = Cells::of(plan, grid, cells, &record);
         let own = OwnClocks::of(&all.tables, cells);
         let (slots, inputs, threads, group) = gpu.checked(|| {
             let mut slots = Slots::new::<R>(gpu, cells.len(), self.events_kept);
-            let inputs = Inputs::new(gpu, &self.pipelines, &mut slots, plan, &all, &record);
-            let tile = (all.tables.columns, cells);
+            let inputs = Inputs::new(gpu, &self.pipelines, &mut slots, &all, &record);
+            let tile = (grid.shape().0, cells);
             let (threads, group) =
                 inputs.begin(gpu, &self.pipelines, &mut slots, (side, 0), tile, own.as_ref());
             (slots, inputs, threads, group)

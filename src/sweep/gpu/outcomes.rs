@@ -45,7 +45,7 @@ pub fn read<R: Real>(
             unfinished.fetch_add(1, Ordering::Relaxed);
         }
         match own {
-            Some(own) => all.reader.outcome(&own.clocks[own.numbers[at] as usize], state),
+            Some(own) => all.outcome_by(&own.clocks[own.numbers[at] as usize], cell, state),
             None => all.outcome(cell, state),
         }
     };

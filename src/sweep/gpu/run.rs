@@ -109,14 +109,14 @@ impl<'a> Sweeper<'a> {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Ran<R>, GpuError> {
         let record = plan.record::<R>();
-        let all = Cells::of(plan, grid, &record);
+        let all = Cells::of(plan, grid, cells, &record);
         let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
         let slots = self.gpu.slots(|slots| slots.suit::<R>(tile, self.events_kept));
         let mut slots = match slots {
             Some(slots) => slots,
             None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
         };
-        let scene = (plan, &all, &record[..]);
+        let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, (cells, tile))?;
         let ran = tiles.run(progress)?;
         // What a failure leaves behind is not used again.

@@ -4,36 +4,41 @@
 use bytemuck::{Pod, Zeroable};
 use rayon::prelude::*;
 
-use super::super::cell_tables::{CellTables, Clocks, Parts};
+use super::super::cell_tables::{CellTables, Clocks, OwnClock, Parts};
 use super::super::clock::Clock;
 use super::super::groups::Steps;
+use super::super::table::Strides;
 use crate::model::real::Real;
+use crate::scene::grid::AXES;
 
 /// A tile as the shader knows it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
 pub struct Tile {
-    /// Place of the table's first entry in `numbers`, and from a column and from a row to the next.
-    pub horizontal: [u32; 4],
+    /// Of the table in `numbers`.
+    pub horizontal: Layout,
     /// The same.
-    pub vertical: [u32; 4],
+    pub vertical: Layout,
     /// The same.
-    pub drive: [u32; 4],
-    /// The same in `clocks`; at the end 1 where each cell has the number of its clock in `words`.
-    pub clock: [u32; 4],
-    /// Place of the first motion's first sample in `words`, motions from a column and from a row to
-    /// the next, samples of all motions.
-    pub across: [u32; 4],
+    pub drive: Layout,
+    /// The same in `clocks`; `more` is 1 where each cell has the number of its clock in `words`.
+    pub clock: Layout,
+    /// Of the bodies, by number.
+    pub bodies: Layout,
+    /// Of the motions' beginnings in `words`; `more` are the samples of all motions.
+    pub across: Layout,
     /// The same of the vertical motions.
-    pub up: [u32; 4],
+    pub up: Layout,
+    /// Values of the axes after the first but the last, for those that a grid lacks 1.
+    pub counts: [u32; 4],
+    /// Place in `numbers` of the first body's height and lever arms.
+    pub levers: u32,
     /// Place of the vertical motions in `tracks`.
     pub up_values: u32,
     /// 1 where there are shared motions.
     pub shared_contact: u32,
     /// 1 where the base does not move vertically before the block lifts.
     pub still: u32,
-    /// The corner that a tilted block turns about.
-    pub mode: u32,
     /// Cells of the tile.
     pub cells: u32,
     /// Columns of the grid.
@@ -58,6 +63,32 @@ pub struct Tile {
     pub padding_1: u32,
     /// The same.
     pub padding_2: u32,
+}
+
+/// Where a table's entries lie.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
+pub struct Layout {
+    /// Place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before a window's
+    /// first.
+    pub first: u32,
+    /// From a value of each axis to the next.
+    pub strides: [u32; AXES],
+    /// See the field of [`Tile`].
+    pub more: u32,
+}
+
+impl Layout {
+    /// That of entries of so many numbers each, from a place on, of which those `before` a window are
+    /// missing.
+    pub fn of(strides: Strides, before: usize, first: usize, size: usize) -> Layout {
+        // The numbers of a buffer fit in a u32; what lies before its first one wraps round.
+        Layout {
+            first: (first as u32).wrapping_sub((before * size) as u32),
+            strides: strides.map(|stride| (stride * size) as u32),
+            more: 0,
+        }
+    }
 }
 
 /// Cells follow one another in the grid, and threads take them so.
@@ -121,7 +152,7 @@ impl<R: Real> OwnClocks<R> {
         let Clocks::Own(parts) = &tables.clocks else { return None };
         let mut numbers = vec![0; cells.len()];
         let chunks = numbers.par_chunks_mut(CHUNK).zip(cells.par_chunks(CHUNK));
-        let lists: Vec<Vec<Listed>> =
+        let lists: Vec<Vec<OwnClock>> =
             chunks.map(|(numbers, cells)| list(tables, parts, cells, numbers)).collect();
         let firsts: Vec<u32> = lists
             .iter()
@@ -129,20 +160,10 @@ impl<R: Real> OwnClocks<R> {
             .collect();
         let chunks = numbers.par_chunks_mut(CHUNK).zip(&firsts);
         chunks.for_each(|(numbers, first)| numbers.iter_mut().for_each(|number| *number += first));
-        let (clocks, steps) = lists
-            .par_iter()
-            .flatten_iter()
-            .map(|listed| (listed.clock, tables.steps_of(listed.omega, &listed.clock)))
-            .unzip();
+        let (clocks, steps) =
+            lists.par_iter().flatten_iter().map(|listed| (listed.clock, listed.steps())).unzip();
         Some(OwnClocks { numbers, clocks, steps })
     }
-}
-
-/// A clock, and Omega.
-#[derive(Clone, Copy, PartialEq)]
-struct Listed {
-    clock: Clock,
-    omega: f64,
 }
 
 /// Lists the clocks of some cells, and numbers them.
@@ -151,12 +172,12 @@ fn list<R: Real>(
     parts: &Parts,
     cells: &[usize],
     numbers: &mut [u32],
-) -> Vec<Listed> {
-    let mut listed: Vec<Listed> = Vec::new();
+) -> Vec<OwnClock> {
+    let mut listed: Vec<OwnClock> = Vec::new();
     let mut remembered = [0_u32; REMEMBERED];
     for (number, &cell) in numbers.iter_mut().zip(cells) {
-        let (clock, omega) = tables.own_clock(parts, tables.place(cell));
-        let this = Listed { clock, omega };
+        let this = tables.own_clock(parts, &tables.place(cell));
+        let clock = this.clock;
         let hash = (clock.steps ^ clock.substeps.rotate_left(16)).wrapping_mul(0x9E37_79B9) >> 24;
         let known = &mut remembered[hash as usize % REMEMBERED];
         if listed.get(*known as usize) != Some(&this) {

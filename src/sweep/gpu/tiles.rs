@@ -11,7 +11,6 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use super::super::cells::Cells;
-use super::super::plan::Plan;
 use super::GpuError;
 use super::chunk::{Begin, Flight, Order, Report, receive, submit};
 use super::device::Gpu;
@@ -61,12 +60,12 @@ impl<'a, R: Real> Tiles<'a, R> {
         gpu: &'a Gpu,
         pipelines: &'a Pipelines,
         slots: &'a mut Slots,
-        (plan, all, record): (&Plan, &'a Cells<'a, R>, &[Ground<R>]),
+        (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
         (cells, most_cells): (&'a [usize], usize),
     ) -> Result<Tiles<'a, R>, GpuError> {
         let inputs = gpu.checked(|| {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
-            Inputs::new(gpu, pipelines, slots, plan, all, record)
+            Inputs::new(gpu, pipelines, slots, all, record)
         })?;
         let ran = Ran {
             outcomes: Vec::with_capacity(cells.len()),
@@ -171,7 +170,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         };
         let (gpu, number) = (self.gpu, self.chunks);
         let (threads, group) = gpu.checked(|| {
-            let tile = (tables.columns, cells);
+            let tile = (tables.grid().shape().0, cells);
             self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
         self.most_steps += count as u64 * u64::from(longest);

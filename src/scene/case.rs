@@ -1,0 +1,166 @@
+//! One cell of a scene: all of its numbers, resolved.
+
+use std::f64::consts::TAU;
+
+use super::numbers::Point;
+use super::parameters::Parameter;
+use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
+
+/// What of a scene is no number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choices {
+    /// The directions in which the base moves.
+    pub isolation: Directions,
+    /// When the block counts as overturned.
+    pub overturn: Overturn,
+    /// The record, where one shakes the base.
+    pub record: Option<Peaks>,
+}
+
+/// What a cell has to know of a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peaks {
+    /// PGA_h, m/s^2.
+    pub h: f64,
+    /// PGA_v, m/s^2.
+    pub v: f64,
+    /// The factor that its samples hold already.
+    pub factor: f64,
+}
+
+/// What shakes a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shaking {
+    /// The pulse (22).
+    Pulse(Pulse),
+    /// The record of the scene.
+    Record {
+        /// Times its samples.
+        factor: f64,
+        /// PGA_h of (21), m/s^2, with the factor in it.
+        pga_h: f64,
+        /// PGA_v, m/s^2, with the factor in it.
+        pga_v: f64,
+    },
+}
+
+/// A one-sine pulse (22).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pulse {
+    /// Omega, rad/s.
+    pub omega: f64,
+    /// A_h, m/s^2.
+    pub a_h: f64,
+    /// A_v, m/s^2.
+    pub a_v: f64,
+}
+
+/// The numbers of a cell, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Case {
+    /// The block.
+    pub block: Block,
+    /// The base that it stands on.
+    pub isolation: Isolation,
+    /// What shakes the base.
+    pub shaking: Shaking,
+    /// Simulated time, s.
+    pub t_max: f64,
+    /// phi at the start, rad; other than zero, the block begins tilted, at rest about a corner.
+    pub tilt: f64,
+    /// When the block counts as overturned.
+    pub overturn: Overturn,
+    /// Friction coefficient of the contact: a cell that asks for more is marked, for the model knows no
+    /// sliding.
+    pub friction: Option<f64>,
+    /// eta_phi given in place of the law of impact (no isolation only).
+    pub restitution: Option<f64>,
+}
+
+/// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
+const ROUNDING: f64 = 1.0e-12;
+
+impl Shaking {
+    /// PGA_h of (21), m/s^2: |A_h| for a pulse.
+    pub fn peak_h(&self) -> f64 {
+        match self {
+            Shaking::Pulse(pulse) => pulse.a_h.abs(),
+            Shaking::Record { pga_h, .. } => *pga_h,
+        }
+    }
+
+    /// The pulse, where one shakes the base.
+    pub fn pulse(&self) -> Option<&Pulse> {
+        match self {
+            Shaking::Pulse(pulse) => Some(pulse),
+            Shaking::Record { .. } => None,
+        }
+    }
+}
+
+impl Choices {
+    /// Those of a scene.
+    pub fn of(scene: &Scene) -> Choices {
+        let record = match &scene.excitation {
+            Excitation::Pulse => None,
+            Excitation::Record(pair) => {
+                Some(Peaks { h: pair.pga_h, v: pair.pga_v, factor: pair.factor })
+            }
+        };
+        Choices { isolation: scene.isolation, overturn: scene.overturn, record }
+    }
+
+    /// What shakes a cell of these numbers.
+    fn shaking(&self, point: &Point) -> Shaking {
+        let of = |parameter| point.get(parameter).unwrap_or(0.0);
+        let Some(peaks) = self.record else {
+            let (omega, a_h) = (of(Parameter::Omega), of(Parameter::AH));
+            return Shaking::Pulse(Pulse { omega, a_h, a_v: of(Parameter::AV) });
+        };
+        let mut factor = match (point.get(Parameter::Scale), point.get(Parameter::Pga)) {
+            (Some(scale), _) => scale / peaks.factor,
+            (None, Some(pga)) => pga / peaks.h,
+            (None, None) => 1.0,
+        };
+        if (factor - 1.0).abs() < ROUNDING {
+            factor = 1.0;
+        }
+        let (pga_h, pga_v) = (peaks.h * factor.abs(), peaks.v * factor.abs());
+        Shaking::Record { factor, pga_h, pga_v }
+    }
+
+    /// The cell of these numbers.
+    pub fn case(&self, point: &Point) -> Case {
+        let shaking = self.shaking(point);
+        let block = Block::of(point);
+        Case {
+            block,
+            isolation: Isolation::of(self.isolation, point, &block, shaking.peak_h()),
+            shaking,
+            t_max: point.get(Parameter::TMax).unwrap_or(0.0),
+            tilt: point.get(Parameter::Tilt).unwrap_or(0.0),
+            overturn: self.overturn,
+            friction: point.get(Parameter::Friction),
+            restitution: point.get(Parameter::Restitution),
+        }
+    }
+}
+
+impl Case {
+    /// The same under a pulse of another horizontal amplitude, to which u_y is proportional, (21).
+    pub fn with_amplitude(mut self, a_h: f64) -> Case {
+        if let Shaking::Pulse(pulse) = &mut self.shaking {
+            pulse.a_h = a_h;
+            if let Some(law) = &mut self.isolation.horizontal {
+                let omega_h = TAU / law.t_h;
+                law.u_y = law.alpha_y * a_h.abs() / (omega_h * omega_h);
+            }
+        }
+        self
+    }
+
+    /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
+    pub fn overturning_angle(&self, side: f64) -> f64 {
+        self.block.overturning_angle(side, self.overturn)
+    }
+}

@@ -1,0 +1,127 @@
+//! Whether a scene's numbers make sense: each by itself, and together.
+
+use super::excitation::Excitation;
+use super::grid::AXES;
+use super::numbers::Numbers;
+use super::parameters::{Entry, Parameter};
+use super::{Directions, Grid, Scene, SceneError};
+
+/// Parameters that say the same: one of each row.
+const ALTERNATIVES: [&[Parameter]; 3] = [
+    &[Parameter::Eccentricity, Parameter::Offset],
+    &[Parameter::AlphaY, Parameter::UY, Parameter::YieldForce],
+    &[Parameter::Scale, Parameter::Pga],
+];
+
+/// Most cells of a grid.
+const MOST_CELLS: usize = 1 << 40;
+
+/// Checks every number by itself; `force` believes what is improbable.
+///
+/// # Errors
+/// The first key at fault.
+pub(super) fn numbers(numbers: &Numbers, force: bool) -> Result<(), SceneError> {
+    for (parameter, values) in numbers.iter() {
+        let entry = parameter.entry();
+        let refused = |problem| Err(SceneError::new(entry.key, problem));
+        for value in values.iter() {
+            if !entry.legal.holds(value) {
+                return refused(format!("{value} must {}", entry.legal));
+            }
+            if !force && !is_plausible(entry, value) {
+                return refused(questioned(entry, value));
+            }
+        }
+    }
+    for row in ALTERNATIVES {
+        let mut given = row.iter().filter(|parameter| numbers.has(**parameter));
+        if let (Some(first), Some(second)) = (given.next(), given.next()) {
+            let problem = format!("{} says it too; give one of them", first.key());
+            return Err(SceneError::new(second.key(), problem));
+        }
+    }
+    Ok(())
+}
+
+fn is_plausible(entry: &Entry, value: f64) -> bool {
+    let (low, high) = entry.plausible;
+    value == 0.0 || (low..=high).contains(&value.abs())
+}
+
+fn questioned(entry: &Entry, value: f64) -> String {
+    let (low, high) = entry.plausible;
+    let unit = if entry.unit.is_empty() { "" } else { " " };
+    format!(
+        "{value}{unit}{} is not plausible ({low} to {high}; {}); --force believes it, in a file \
+         force = true under [run]",
+        entry.unit, entry.perhaps
+    )
+}
+
+/// Checks the numbers of a scene together: at the corners of its grid, for each condition rises or falls
+/// along every axis.
+///
+/// # Errors
+/// The first key at fault.
+pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
+    let swept = scene.swept();
+    if swept.len() > AXES {
+        let problem = format!(
+            "{} parameters have several values; {} at most may, give the others one",
+            swept.len(),
+            AXES
+        );
+        return Err(SceneError::new(swept[AXES].key(), problem));
+    }
+    let counts = swept.iter().filter_map(|parameter| scene.numbers.get(*parameter));
+    let cells = counts.fold(1, |cells: usize, values| cells.saturating_mul(values.count()));
+    if let Some(last) = swept.last()
+        && cells > MOST_CELLS
+    {
+        let problem = format!("{cells} cells are over {MOST_CELLS}; give fewer points");
+        return Err(SceneError::new(last.key(), problem));
+    }
+    let grid = Grid::of(scene);
+    if let (Some(x), Some(y)) = (scene.x, scene.y)
+        && x == y
+    {
+        return Err(SceneError::new(y.key(), "chosen for both axes; choose another for one"));
+    }
+    for asked in [scene.x, scene.y].into_iter().flatten() {
+        if !grid.axes().iter().any(|axis| axis.parameter == asked) {
+            let problem = "chosen as an axis, but has not several values; give start:stop:count";
+            return Err(SceneError::new(asked.key(), problem));
+        }
+    }
+    let numbers = &scene.numbers;
+    if numbers.has(Parameter::Restitution) && scene.isolation != Directions::None {
+        let problem = "replaces the law of impact only with isolation none";
+        return Err(SceneError::new("restitution", problem));
+    }
+    if numbers.has(Parameter::YieldForce) && !numbers.has(Parameter::Mass) {
+        return Err(SceneError::new("mass", "missing; a yield force means nothing without it"));
+    }
+    let duration = match &scene.excitation {
+        Excitation::Pulse => 0.0,
+        Excitation::Record(pair) => pair.duration(),
+    };
+    for case in grid.corners() {
+        let (e, b) = (case.block.offset(), case.block.half_width);
+        if !(e.abs() < b) {
+            let problem = format!("{e} m lies outside the base, whose half is {b} m");
+            return Err(SceneError::new("offset", problem));
+        }
+        let most = case.overturning_angle(case.tilt.signum());
+        if !(case.tilt.abs() < most) {
+            let problem =
+                format!("{} must be below the overturning angle, {most:.4} rad", case.tilt);
+            return Err(SceneError::new("tilt", problem));
+        }
+        if case.t_max < duration {
+            let t_max = case.t_max;
+            let problem = format!("{t_max} s ends before the record, {duration} s; lengthen it");
+            return Err(SceneError::new("t_max", problem));
+        }
+    }
+    Ok(())
+}

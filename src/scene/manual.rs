@@ -1,0 +1,57 @@
+//! The table of parameters as a page: docs/parameters.md.
+
+use std::fmt::Write;
+
+use super::parameters::{PARAMETERS, Section};
+
+const HEAD: &str = "# Every number of a scene
+
+Made of the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page
+again. SI units everywhere.
+
+A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashes in place of underscores it is a flag
+(`t_h`, `--t-h`), and it names the column and the array of an axis. Every number takes
+
+| written | values |
+|---|---|
+| `2` | one |
+| `0.5:4:400` | 400 from 0.5 to 4, both included, evenly apart |
+| `0.01:10:50:log` | 50 from 0.01 to 10, each the same factor larger |
+| `0.5,1,2` | these, in this order |
+
+Numbers of several values are the axes of the sweep, six at most. `--x KEY` and `--y KEY` choose those of the picture;
+else omega, a_h, t_h and t_v come first, then the others as given. A magnitude outside of the plausible ones is
+questioned; `--force` (in a file `force = true` under `[run]`) believes it.
+";
+
+/// The page.
+pub fn page() -> String {
+    let mut page = String::from(HEAD);
+    for section in Section::ALL {
+        // Writing to a text does not fail.
+        let _ = write!(
+            page,
+            "\n## [{}]\n\n| key | symbol | unit | meaning | must | plausible | default | source |\n\
+             |---|---|---|---|---|---|---|---|\n",
+            section.key()
+        );
+        for entry in PARAMETERS.iter().filter(|entry| entry.section == section) {
+            let plausible = match entry.plausible {
+                (_, high) if high.is_infinite() => String::new(),
+                (low, high) => format!("{low} to {high}"),
+            };
+            let _ = writeln!(
+                page,
+                "| `{}` | {} | {} | {} | {} | {plausible} | {} | {} |",
+                entry.key,
+                entry.symbol.replace('|', "\\|"),
+                if entry.unit.is_empty() { "–" } else { entry.unit },
+                entry.meaning,
+                entry.legal,
+                entry.default,
+                entry.source
+            );
+        }
+    }
+    page
+}

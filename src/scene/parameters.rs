@@ -1,0 +1,375 @@
+//! Every number that a scene has, defined once: flags, TOML keys, help, captions, axes, columns and
+//! docs/parameters.md are made of this table.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// A number of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Parameter {
+    /// B.
+    HalfWidth,
+    /// H.
+    Height,
+    /// M.
+    Mass,
+    /// J_C.
+    Inertia,
+    /// epsilon.
+    Eccentricity,
+    /// e.
+    Offset,
+    /// m_h.
+    PlateH,
+    /// m_v.
+    PlateV,
+    /// T_h.
+    TH,
+    /// T_v.
+    TV,
+    /// psi.
+    Psi,
+    /// xi_h.
+    XiH,
+    /// xi_v.
+    XiV,
+    /// alpha_y.
+    AlphaY,
+    /// u_y.
+    UY,
+    /// The force at which the base yields.
+    YieldForce,
+    /// n.
+    BoucWenN,
+    /// Omega.
+    Omega,
+    /// A_h.
+    AH,
+    /// A_v.
+    AV,
+    /// Factor on a record.
+    Scale,
+    /// A record's horizontal peak.
+    Pga,
+    /// Simulated time.
+    TMax,
+    /// phi at the start.
+    Tilt,
+    /// Friction coefficient.
+    Friction,
+    /// Restitution.
+    Restitution,
+}
+
+/// What a number belongs to: a table of a scene file, a heading of the help.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    /// The block and its plates.
+    Block,
+    /// The base.
+    Base,
+    /// The pulse.
+    Pulse,
+    /// The record.
+    Record,
+    /// Duration and criteria.
+    Run,
+}
+
+impl Section {
+    /// All of them, in the order of a scene file.
+    pub const ALL: [Section; 5] = [Block, Base, Pulse, Record, Run];
+
+    /// Name of the table in a scene file.
+    pub fn key(self) -> &'static str {
+        match self {
+            Block => "block",
+            Base => "base",
+            Pulse => "pulse",
+            Record => "record",
+            Run => "run",
+        }
+    }
+
+    /// Its heading in the help.
+    pub fn heading(self) -> &'static str {
+        match self {
+            Block => "Block",
+            Base => "Base",
+            Pulse => "Pulse",
+            Record => "Record",
+            Run => "Run",
+        }
+    }
+}
+
+/// The values that make sense at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Legal {
+    /// Any finite number.
+    Finite,
+    /// Any but zero.
+    NotZero,
+    /// Above zero.
+    Positive,
+    /// Zero and above.
+    NotNegative,
+    /// From the first to the last, both included.
+    Within(f64, f64),
+    /// Between -1 and 1, both excluded: over the base.
+    InBase,
+    /// Above the first, up to and with the last.
+    AboveUpTo(f64, f64),
+    /// A whole number from the first to the last.
+    Whole(u32, u32),
+}
+
+impl Legal {
+    /// True for a value that makes sense.
+    pub fn holds(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Finite => true,
+                NotZero => value != 0.0,
+                Positive => value > 0.0,
+                NotNegative => value >= 0.0,
+                Within(low, high) => value >= low && value <= high,
+                InBase => value.abs() < 1.0,
+                AboveUpTo(low, high) => value > low && value <= high,
+                Whole(low, high) => {
+                    value.fract() == 0.0 && value >= f64::from(low) && value <= f64::from(high)
+                }
+            }
+    }
+}
+
+impl fmt::Display for Legal {
+    /// What a value must be, after "must".
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Finite => write!(f, "be a finite number"),
+            NotZero => write!(f, "be a number other than zero"),
+            Positive => write!(f, "be a positive number"),
+            NotNegative => write!(f, "be 0 or more"),
+            Within(low, high) => write!(f, "lie between {low} and {high}"),
+            InBase => write!(f, "lie between -1 and 1, for the centre of mass is over the base"),
+            AboveUpTo(low, high) => write!(f, "lie above {low} and at most at {high}"),
+            Whole(low, high) => write!(f, "be a whole number from {low} to {high}"),
+        }
+    }
+}
+
+/// What is known of a number.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Which one.
+    pub parameter: Parameter,
+    /// Key in scene files, name of columns and arrays; with dashes the flag.
+    pub key: &'static str,
+    /// Symbol in formulas and on figures.
+    pub symbol: &'static str,
+    /// Unit; empty for a ratio.
+    pub unit: &'static str,
+    /// What it belongs to.
+    pub section: Section,
+    /// What it means.
+    pub meaning: &'static str,
+    /// Values that make sense at all.
+    pub legal: Legal,
+    /// Magnitudes that are not questioned.
+    pub plausible: (f64, f64),
+    /// What a magnitude beyond them may be instead.
+    pub perhaps: &'static str,
+    /// Its value where none is given, in words.
+    pub default: &'static str,
+    /// Where it is defined.
+    pub source: &'static str,
+}
+
+const ANY: (f64, f64) = (0.0, f64::INFINITY);
+
+/// An entry of which nothing is questioned.
+const fn entry(
+    parameter: Parameter,
+    (key, symbol, unit): (&'static str, &'static str, &'static str),
+    section: Section,
+    legal: Legal,
+    meaning: &'static str,
+    default: &'static str,
+    source: &'static str,
+) -> Entry {
+    let (plausible, perhaps) = (ANY, "");
+    Entry {
+        parameter,
+        key,
+        symbol,
+        unit,
+        section,
+        meaning,
+        legal,
+        plausible,
+        perhaps,
+        default,
+        source,
+    }
+}
+
+impl Entry {
+    /// The same, magnitudes beyond two ends questioned.
+    const fn plausible(self, low: f64, high: f64, perhaps: &'static str) -> Entry {
+        Entry { plausible: (low, high), perhaps, ..self }
+    }
+}
+
+use Legal::{AboveUpTo, Finite, InBase, NotNegative, NotZero, Positive, Whole, Within};
+use Parameter as P;
+use Section::{Base, Block, Pulse, Record, Run};
+
+/// The table, in the order of [`Parameter`].
+#[rustfmt::skip]
+pub const PARAMETERS: [Entry; Parameter::COUNT] = [
+    entry(P::HalfWidth, ("half_width", "B", "m"), Block, Positive,
+        "half the width of the base",
+        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres"),
+    entry(P::Height, ("height", "H", "m"), Block, Positive,
+        "height of the centre of mass",
+        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres"),
+    entry(P::Mass, ("mass", "M", "kg"), Block, Positive,
+        "mass; needed only with plates",
+        "1, without plates", "section 2.1"),
+    entry(P::Inertia, ("inertia", "J_C", "kg m²"), Block, Positive,
+        "moment of inertia about the centre of mass",
+        "the uniform rectangle's, M (B² + H²)/3", "section 2.1"),
+    entry(P::Eccentricity, ("eccentricity", "ε", ""), Block, InBase,
+        "e/B: offset of the centre of mass to the right, over B",
+        "0", "section 3.3"),
+    entry(P::Offset, ("offset", "e", "m"), Block, Finite,
+        "offset of the centre of mass to the right, in place of eccentricity; less than B",
+        "", "Fig. 1").plausible(0.0, 20.0, "metres are meant, not millimetres"),
+    entry(P::PlateH, ("plate_h", "m_h", "kg"), Block, NotNegative,
+        "mass of the plate that moves horizontally",
+        "0", "Fig. 1"),
+    entry(P::PlateV, ("plate_v", "m_v", "kg"), Block, NotNegative,
+        "mass of the plate that moves vertically",
+        "0", "Fig. 1"),
+    entry(P::TH, ("t_h", "T_h", "s"), Base, Positive,
+        "period of the horizontal isolation",
+        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant"),
+    entry(P::TV, ("t_v", "T_v", "s"), Base, Positive,
+        "period of the vertical isolation",
+        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant"),
+    entry(P::Psi, ("psi", "ψ", ""), Base, Within(0.0, 1.0),
+        "post-yield over initial stiffness",
+        "0.25", "(10a)"),
+    entry(P::XiH, ("xi_h", "ξ_h", ""), Base, Within(0.0, 10.0),
+        "horizontal damping ratio",
+        "0.05", "(19)").plausible(0.0, 1.0, "a ratio is meant, not percent"),
+    entry(P::XiV, ("xi_v", "ξ_v", ""), Base, Within(0.0, 10.0),
+        "vertical damping ratio",
+        "0.1", "(20)").plausible(0.0, 1.0, "a ratio is meant, not percent"),
+    entry(P::AlphaY, ("alpha_y", "α_y", ""), Base, Positive,
+        "yield displacement over PGA_h/ω_h²: a base whose strength grows with the motion",
+        "0.1", "(21)"),
+    entry(P::UY, ("u_y", "u_y", "m"), Base, Positive,
+        "yield displacement, in place of alpha_y: a base that stays the same when the motion grows",
+        "", "(11)").plausible(1.0e-6, 1.0, "metres are meant, not millimetres"),
+    entry(P::YieldForce, ("yield_force", "F_y", "N"), Base, Positive,
+        "k_h u_y, in place of alpha_y: the force at which the base yields",
+        "", "(10a)"),
+    entry(P::BoucWenN, ("bouc_wen_n", "n", ""), Base, Whole(1, 100),
+        "exponent of the Bouc-Wen law",
+        "2", "(11)"),
+    entry(P::Omega, ("omega", "Ω", "rad/s"), Pulse, Positive,
+        "circular frequency of the pulse",
+        "", "(22)"),
+    entry(P::AH, ("a_h", "A_h", "m/s²"), Pulse, Finite,
+        "horizontal amplitude of the pulse",
+        "", "(22a)"),
+    entry(P::AV, ("a_v", "A_v", "m/s²"), Pulse, Finite,
+        "vertical amplitude of the pulse",
+        "0", "(22b)"),
+    entry(P::Scale, ("scale", "λ", ""), Record, NotZero,
+        "factor on both components",
+        "1", ""),
+    entry(P::Pga, ("pga", "PGA_h", "m/s²"), Record, Positive,
+        "scale both components so that the horizontal peak is this",
+        "", "").plausible(0.5, 100.0, "m/s² are meant, not g"),
+    entry(P::TMax, ("t_max", "t_max", "s"), Run, AboveUpTo(0.0, 1.0e5),
+        "simulated time",
+        "30, or a record's duration", "section 3"),
+    entry(P::Tilt, ("tilt", "φ_0", "rad"), Run, Finite,
+        "rotation of the block at the start, positive about the left corner",
+        "0", "Fig. 1"),
+    entry(P::Friction, ("friction", "μ", ""), Run, Positive,
+        "friction coefficient of the contact: cells that ask for more are marked, for the model knows no sliding",
+        "none", ""),
+    entry(P::Restitution, ("restitution", "η_φ", ""), Run, AboveUpTo(0.0, 1.0),
+        "angular velocity after an impact over the one before, in place of the law; only without isolation",
+        "the law's", "(17c)"),
+];
+
+impl Parameter {
+    /// How many there are.
+    pub const COUNT: usize = Parameter::Restitution as usize + 1;
+
+    /// What is known of it.
+    pub fn entry(self) -> &'static Entry {
+        &PARAMETERS[self as usize]
+    }
+
+    /// Its key: `t_h`.
+    pub fn key(self) -> &'static str {
+        self.entry().key
+    }
+
+    /// The number of a key.
+    pub fn of_key(key: &str) -> Option<Parameter> {
+        PARAMETERS.iter().find(|entry| entry.key == key).map(|entry| entry.parameter)
+    }
+
+    /// All of a section.
+    pub fn of_section(section: Section) -> impl Iterator<Item = Parameter> {
+        let own = PARAMETERS.iter().filter(move |entry| entry.section == section);
+        own.map(|entry| entry.parameter)
+    }
+}
+
+impl Entry {
+    /// Symbol and unit: `T_h [s]`.
+    pub fn label(&self) -> String {
+        match self.unit {
+            "" => self.symbol.into(),
+            unit => format!("{} [{unit}]", self.symbol),
+        }
+    }
+
+    /// A value with symbol and unit: `T_h = 2 s`.
+    pub fn written(&self, value: impl fmt::Display) -> String {
+        match self.unit {
+            "" => format!("{} = {value}", self.symbol),
+            unit => format!("{} = {value} {unit}", self.symbol),
+        }
+    }
+
+    /// The flag: `--t-h`.
+    pub fn flag(&self) -> String {
+        format!("--{}", self.key.replace('_', "-"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PARAMETERS, Parameter};
+
+    #[test]
+    fn the_table_is_in_the_order_of_its_numbers_and_no_key_stands_twice() {
+        for (index, entry) in PARAMETERS.iter().enumerate() {
+            assert_eq!(entry.parameter as usize, index, "{}", entry.key);
+            assert_eq!(Parameter::of_key(entry.key), Some(entry.parameter));
+            let (low, high) = entry.plausible;
+            assert!(low < high && (entry.perhaps.is_empty() == (high == f64::INFINITY)));
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! What a record's title says of its component: PEER's ends with it, after the last comma
+//! (`Northridge-01, 1/17/1994, Rinaldi Receiving Sta, UP`).
+
+/// A vertical component, by which way is positive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Vertical {
+    /// Up.
+    Up,
+    /// Down.
+    Down,
+}
+
+/// Where and when, and which component; none where the title has no comma.
+fn parts(title: &str) -> Option<(&str, &str)> {
+    title.rsplit_once(',').map(|(place, component)| (place.trim(), component.trim()))
+}
+
+/// The vertical component that a title names; none for a horizontal one, and where it says nothing.
+pub fn vertical(title: &str) -> Option<Vertical> {
+    let (_, component) = parts(title)?;
+    match component.to_uppercase().as_str() {
+        "UP" | "UD" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" => Some(Vertical::Up),
+        "DWN" | "DN" | "DOWN" => Some(Vertical::Down),
+        _ => None,
+    }
+}
+
+/// True where two titles name two stations or events.
+pub fn apart(one: &str, other: &str) -> bool {
+    match (parts(one), parts(other)) {
+        (Some((here, _)), Some((there, _))) => !here.eq_ignore_ascii_case(there),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Vertical, apart, vertical};
+
+    #[test]
+    fn titles_tell_components_and_stations() {
+        let rinaldi = |component: &str| format!("Northridge-01, 1/17/1994, Rinaldi, {component}");
+        assert_eq!(vertical(&rinaldi("UP")), Some(Vertical::Up));
+        assert_eq!(vertical(&rinaldi("DWN")), Some(Vertical::Down));
+        assert_eq!(vertical(&rinaldi("228")), None);
+        assert_eq!(vertical("El Centro UP"), None);
+        assert!(!apart(&rinaldi("228"), &rinaldi("UP")));
+        assert!(apart(&rinaldi("228"), "Northridge-01, 1/17/1994, Sylmar, UP"));
+        assert!(!apart("El Centro", "Northridge-01, 1/17/1994, Sylmar, UP"));
+    }
+}

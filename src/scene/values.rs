@@ -1,0 +1,295 @@
+//! The values of a parameter: a number, a range, or a list.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::range::{Range, RangeError};
+
+/// The values that a parameter takes: one at least.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// A number, or a range.
+    Range(Range),
+    /// Two numbers or more, none twice, in any order.
+    List(Vec<f64>),
+}
+
+/// Why a text is no values.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ValuesError {
+    /// No range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// An item of a list that is no number.
+    #[error(
+        "'{0}' in '{1}' is not a finite number; give numbers with commas between, as in 0.5,1,2"
+    )]
+    Item(String, String),
+    /// A list that has a number twice.
+    #[error("{0} stands twice in the list; give each number once")]
+    Twice(String),
+    /// A list of one number or none.
+    #[error("a list has two numbers at least; give a single number by itself")]
+    Short,
+}
+
+impl Values {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        match self {
+            Values::Range(range) => range.count as usize,
+            Values::List(list) => list.len(),
+        }
+    }
+
+    /// The i-th value, from 0; the last one beyond the end.
+    pub fn value(&self, i: usize) -> f64 {
+        match self {
+            // Counts are below 2^32.
+            Values::Range(range) => range.value(i as u32),
+            Values::List(list) => list[i.min(list.len() - 1)],
+        }
+    }
+
+    /// All values in order.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + '_ {
+        (0..self.count()).map(|i| self.value(i))
+    }
+
+    /// The first value.
+    pub fn first(&self) -> f64 {
+        self.value(0)
+    }
+
+    /// The last value.
+    pub fn last(&self) -> f64 {
+        self.value(self.count() - 1)
+    }
+
+    /// The number, where there is one alone.
+    pub fn single(&self) -> Option<f64> {
+        (self.count() == 1).then(|| self.first())
+    }
+
+    /// The smallest and the largest value.
+    pub fn ends(&self) -> (f64, f64) {
+        match self {
+            Values::Range(range) => (range.start.min(range.stop), range.start.max(range.stop)),
+            Values::List(list) => {
+                list.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &x| {
+                    (low.min(x), high.max(x))
+                })
+            }
+        }
+    }
+
+    /// Where a place between the values lies on a drawn axis, counted from the first value: by the value
+    /// itself, for a range of constant factors by its decimal logarithm, for a list by the place.
+    pub fn coordinate(&self, place: f64) -> f64 {
+        match self {
+            Values::Range(range) => {
+                let along = |start: f64, stop: f64| match range.count {
+                    1 => start,
+                    count => start + (stop - start) * place / f64::from(count - 1),
+                };
+                if !range.log {
+                    return along(range.start, range.stop);
+                }
+                let sign = range.start.signum();
+                sign * along(range.start.abs().log10(), range.stop.abs().log10())
+            }
+            Values::List(_) => place,
+        }
+    }
+
+    /// The value at a coordinate; in a list linear between its numbers.
+    pub fn value_at(&self, coordinate: f64) -> f64 {
+        match self {
+            Values::Range(range) if range.log => {
+                let sign = range.start.signum();
+                sign * 10.0_f64.powf(sign * coordinate)
+            }
+            Values::Range(_) => coordinate,
+            Values::List(list) => {
+                let last = list.len() - 1;
+                let place = coordinate.clamp(0.0, last as f64);
+                let before = (place.floor() as usize).min(last);
+                let after = (before + 1).min(last);
+                list[before] + (list[after] - list[before]) * (place - before as f64)
+            }
+        }
+    }
+
+    /// At most so many of the values, spread evenly; all where there are no more.
+    pub fn thinned(&self, most: usize) -> Values {
+        let count = self.count();
+        if count <= most {
+            return self.clone();
+        }
+        match self {
+            Values::Range(range) => Values::Range(Range { count: most as u32, ..*range }),
+            Values::List(list) => {
+                Values::List((0..most).map(|k| list[spread(k, most, count)]).collect())
+            }
+        }
+    }
+
+    /// A list; one number is a single value.
+    ///
+    /// # Errors
+    /// A number that is not finite or stands twice, and no number at all.
+    pub fn list(numbers: Vec<f64>) -> Result<Values, ValuesError> {
+        if let [number] = numbers[..]
+            && number.is_finite()
+        {
+            return Ok(number.into());
+        }
+        if numbers.len() < 2 {
+            return Err(ValuesError::Short);
+        }
+        for (i, number) in numbers.iter().enumerate() {
+            if !number.is_finite() {
+                return Err(RangeError::Number(number.to_string()).into());
+            }
+            if numbers[..i].contains(number) {
+                return Err(ValuesError::Twice(number.to_string()));
+            }
+        }
+        Ok(Values::List(numbers))
+    }
+}
+
+/// The place among `of` of the k-th of `count` that are spread evenly over them, both ends included.
+pub fn spread(k: usize, count: usize, of: usize) -> usize {
+    if count == of || count < 2 { k } else { (k * (of - 1) + (count - 1) / 2) / (count - 1) }
+}
+
+impl From<f64> for Values {
+    fn from(value: f64) -> Values {
+        Values::Range(Range::single(value))
+    }
+}
+
+impl From<Range> for Values {
+    fn from(range: Range) -> Values {
+        Values::Range(range)
+    }
+}
+
+impl FromStr for Values {
+    type Err = ValuesError;
+
+    fn from_str(text: &str) -> Result<Values, ValuesError> {
+        if !text.contains(',') {
+            return Ok(Values::Range(text.parse()?));
+        }
+        let item = |part: &str| match part.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            _ => Err(ValuesError::Item(part.trim().into(), text.into())),
+        };
+        Values::list(text.split(',').map(item).collect::<Result<_, _>>()?)
+    }
+}
+
+impl fmt::Display for Values {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Values::Range(range) => write!(f, "{range}"),
+            Values::List(list) => {
+                let texts: Vec<String> = list.iter().map(f64::to_string).collect();
+                write!(f, "{}", texts.join(","))
+            }
+        }
+    }
+}
+
+impl Serialize for Values {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.single() {
+            Some(number) => serializer.serialize_f64(number),
+            None => serializer.collect_str(self),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Values {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Values, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(
+            untagged,
+            expecting = "expected a number, \"start:stop:count\" or a list of numbers"
+        )]
+        enum Written {
+            Number(f64),
+            Text(String),
+            List(Vec<f64>),
+        }
+        let read = match Written::deserialize(deserializer)? {
+            Written::Number(value) => value.to_string().parse(),
+            Written::Text(text) => text.parse(),
+            Written::List(numbers) => Values::list(numbers),
+        };
+        read.map_err(serde::de::Error::custom)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Values, ValuesError};
+
+    #[test]
+    fn numbers_ranges_and_lists_are_read_and_written_back() {
+        for (text, values) in [
+            ("1.75", vec![1.75]),
+            ("-0.5:0.5:3", vec![-0.5, 0.0, 0.5]),
+            ("0.01:100:3:log", vec![0.01, 1.0, 100.0]),
+            ("3,1,2", vec![3.0, 1.0, 2.0]),
+        ] {
+            let read: Values = text.parse().unwrap();
+            assert_eq!(read.iter().collect::<Vec<_>>(), values, "{text}");
+            assert_eq!(read.to_string(), text);
+            let json = serde_json::to_string(&read).unwrap();
+            assert_eq!(serde_json::from_str::<Values>(&json).unwrap(), read, "{json}");
+        }
+        let list: Values = serde_json::from_str("[3, 1, 2]").unwrap();
+        assert_eq!(list, "3,1,2".parse().unwrap());
+    }
+
+    #[test]
+    fn what_is_no_list_is_refused_with_its_reason() {
+        let error = |text: &str| text.parse::<Values>().unwrap_err();
+        assert_eq!(error("1,2,1"), ValuesError::Twice("1".into()));
+        assert_eq!(error("1,,2"), ValuesError::Item(String::new(), "1,,2".into()));
+        assert_eq!(error("1,inf"), ValuesError::Item("inf".into(), "1,inf".into()));
+        assert_eq!(error("1,5:3"), ValuesError::Item("5:3".into(), "1,5:3".into()));
+    }
+
+    #[test]
+    fn coordinates_and_values_belong_together() {
+        for (text, places) in [
+            ("1:3:5", [1.0, 1.5, 3.0]),
+            ("0.01:100:5:log", [-2.0, -1.0, 2.0]),
+            ("-0.01:-100:5:log", [2.0, 1.0, -2.0]),
+            ("5,1,2,8,9", [0.0, 1.0, 4.0]),
+        ] {
+            let values: Values = text.parse().unwrap();
+            for (place, wanted) in [0, 1, 4].into_iter().zip(places) {
+                let coordinate = values.coordinate(f64::from(place));
+                assert!((coordinate - wanted).abs() < 1e-12, "{text}: {coordinate} for {wanted}");
+                let (back, value) = (values.value_at(coordinate), values.value(place as usize));
+                assert!((back / value - 1.0).abs() < 1e-12, "{text}: {back} for {value}");
+            }
+        }
+        let list: Values = "5,1,2".parse().unwrap();
+        assert_eq!((list.value_at(0.5), list.value_at(9.0)), (3.0, 2.0));
+    }
+
+    #[test]
+    fn thinned_values_keep_their_ends() {
+        let all: Values = "1,2,3,4,5,6,7".parse().unwrap();
+        assert_eq!(all.thinned(3).iter().collect::<Vec<_>>(), [1.0, 4.0, 7.0]);
+        assert_eq!(all.thinned(7), all);
+    }
+}
