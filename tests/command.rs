@@ -63,7 +63,7 @@ fn a_map_leaves_the_files_of_the_contract() {
     assert_eq!(
         header.join(","),
         "omega,a_h,outcome,impacts,uplifts,t_end,t_uplift,zeta,max_phi_left,max_phi_right,max_u,\
-         max_v,min_contact,friction,status"
+         max_v,min_contact,friction_demand,status"
     );
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 63);
