@@ -13,9 +13,8 @@ use std::time::{Duration, Instant};
 use common::pulse;
 use rayon::prelude::*;
 use topple::model::real::Real;
-use topple::scene::parameters::Section;
 use topple::scene::record::synthetic;
-use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::state::{FINISHED, State};
 use topple::sweep::backend::Precision;
@@ -38,11 +37,9 @@ const TIMES: usize = 7;
 fn record(side: u32) -> Scene {
     let mut scene = pulse(2);
     let pair = synthetic::pair();
-    scene.set(Parameter::TMax, pair.duration() + 2.0);
-    scene.excitation = Excitation::Record(pair);
-    for parameter in Parameter::of_section(Section::Pulse) {
-        scene.numbers.remove(parameter);
-    }
+    let end = pair.duration() + 2.0;
+    scene.shake(pair);
+    scene.set(Parameter::TMax, end);
     scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
     scene.set(Parameter::TV, Range::even(0.05, 1.0, side));
     scene

@@ -18,9 +18,8 @@ use common::pulse;
 use host::Kind;
 use topple::model::real::Real;
 use topple::model::vector::Vector;
-use topple::scene::parameters::Section;
 use topple::scene::record::synthetic;
-use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::trials::Purpose;
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -52,12 +51,7 @@ const SMALL: Kind = Kind { warps: 64, turn: Duration::from_micros(8) };
 fn shaken(side: u32) -> Scene {
     let mut scene = pulse(2);
     scene.set(Parameter::Eccentricity, -0.4);
-    let pair = synthetic::pair();
-    scene.set(Parameter::TMax, pair.duration());
-    scene.excitation = Excitation::Record(pair);
-    for parameter in Parameter::of_section(Section::Pulse) {
-        scene.numbers.remove(parameter);
-    }
+    scene.shake(synthetic::pair());
     scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
     scene.set(Parameter::TV, Range::even(0.02, 2.0, side));
     scene

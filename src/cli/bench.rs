@@ -7,7 +7,7 @@ use sysinfo::{CpuRefreshKind, RefreshKind, System};
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
-use topple::scene::{Excitation, Grid, Parameter, Range, Scene};
+use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
@@ -149,9 +149,7 @@ impl BenchCommand {
         let mut shaken = scene("[base]\nt_h = 1.0\nt_v = 1.0\n[pulse]\nomega = 5.0\na_h = 1.0\n")?;
         shaken.set(Parameter::TH, Range::even(0.5, 4.0, quarter));
         shaken.set(Parameter::TV, Range::even(0.02, 2.0, quarter));
-        let pair = synthetic::pair();
-        shaken.set(Parameter::TMax, pair.duration());
-        shaken.excitation = Excitation::Record(pair);
+        shaken.shake(synthetic::pair());
         Ok([
             course(&map(self.side)?, false)?,
             course(&map(quarter)?, true)?,

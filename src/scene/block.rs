@@ -101,9 +101,7 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
             (PlateH, object.plate),
             (PlateV, object.plate),
         ] {
-            if !numbers.has(parameter) {
-                numbers.set(parameter, value);
-            }
+            numbers.set_missing(parameter, value);
         }
     }
     if !numbers.has(HalfWidth) || !numbers.has(Height) {
@@ -111,9 +109,7 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
         return Err(SceneError::new("object", problem));
     }
     for plate in [PlateH, PlateV] {
-        if !numbers.has(plate) {
-            numbers.set(plate, 0.0);
-        }
+        numbers.set_missing(plate, 0.0);
     }
     let plates = [PlateH, PlateV].into_iter().filter_map(|plate| numbers.get(plate));
     let plated = plates.into_iter().any(|values| values.ends().1 > 0.0);
@@ -121,8 +117,8 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
         let problem = "missing; a plate's mass or an inertia means nothing without it";
         return Err(SceneError::new("mass", problem));
     }
-    if !numbers.has(Parameter::Eccentricity) && !numbers.has(Parameter::Offset) {
-        numbers.set(Parameter::Eccentricity, 0.0);
+    if !numbers.has(Parameter::Offset) {
+        numbers.set_missing(Parameter::Eccentricity, 0.0);
     }
     Ok(())
 }

@@ -1,7 +1,5 @@
 //! One cell of a scene: all of its numbers, resolved.
 
-use std::f64::consts::TAU;
-
 use super::numbers::Point;
 use super::parameters::Parameter;
 use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
@@ -77,6 +75,9 @@ pub struct Case {
     pub restitution: Option<f64>,
 }
 
+/// What the ground's horizontal peak, [`Shaking::peak_h`], depends on.
+pub const PEAK: [Parameter; 3] = [Parameter::AH, Parameter::Scale, Parameter::Pga];
+
 /// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
 const ROUNDING: f64 = 1.0e-12;
 
@@ -147,18 +148,6 @@ impl Choices {
 }
 
 impl Case {
-    /// The same under a pulse of another horizontal amplitude, to which u_y is proportional, (21).
-    pub fn with_amplitude(mut self, a_h: f64) -> Case {
-        if let Shaking::Pulse(pulse) = &mut self.shaking {
-            pulse.a_h = a_h;
-            if let Some(law) = &mut self.isolation.horizontal {
-                let omega_h = TAU / law.t_h;
-                law.u_y = law.alpha_y * a_h.abs() / (omega_h * omega_h);
-            }
-        }
-        self
-    }
-
     /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
     pub fn overturning_angle(&self, side: f64) -> f64 {
         self.block.overturning_angle(side, self.overturn)

@@ -3,7 +3,7 @@
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
-use super::parameters::{Entry, Parameter};
+use super::parameters::{BELIEVED, Entry, Parameter};
 use super::{Directions, Grid, Scene, SceneError};
 
 /// Parameters that say the same: one of each row.
@@ -52,8 +52,7 @@ fn questioned(entry: &Entry, value: f64) -> String {
     let (low, high) = entry.plausible;
     let unit = if entry.unit.is_empty() { "" } else { " " };
     format!(
-        "{value}{unit}{} is not plausible ({low} to {high}; {}); --force believes it, in a file \
-         force = true under [run]",
+        "{value}{unit}{} is not plausible ({low} to {high}; {}); {BELIEVED}",
         entry.unit, entry.perhaps
     )
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::numbers::Numbers;
-use super::parameters::Parameter;
+use super::parameters::{BELIEVED, Parameter};
 use super::record::read::{self, Told};
 use super::record::{Pair, Record, Units, component};
 use super::{SceneError, Values, positive};
@@ -50,10 +50,7 @@ pub struct RecordText {
 
 /// What makes a pair of records improbable.
 fn questioned(horizontal: &Record, vertical: Option<&Record>) -> Option<SceneError> {
-    let asked = |key, problem: String| {
-        let believed = "--force believes it, in a file force = true under [run]";
-        Some(SceneError::new(key, format!("{problem}; {believed}")))
-    };
+    let asked = |key, problem: String| Some(SceneError::new(key, format!("{problem}; {BELIEVED}")));
     let (h, v) = (&horizontal.title, vertical.map_or("", |record| &record.title));
     if component::vertical(h).is_some() {
         return asked("horizontal", format!("'{h}' is a vertical component"));
@@ -75,9 +72,7 @@ pub(super) fn complete_pulse(numbers: &mut Numbers) -> Result<(), SceneError> {
             return Err(SceneError::new(parameter.key(), problem));
         }
     }
-    if !numbers.has(Parameter::AV) {
-        numbers.set(Parameter::AV, 0.0);
-    }
+    numbers.set_missing(Parameter::AV, 0.0);
     Ok(())
 }
 

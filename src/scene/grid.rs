@@ -170,11 +170,22 @@ impl Grid {
 
     /// The numbers of the cell at a place.
     pub fn case_at(&self, place: &Place) -> Case {
+        self.choices.case(&self.point(place))
+    }
+
+    /// The same with a parameter of another value.
+    pub fn case_with(&self, place: &Place, parameter: Parameter, value: f64) -> Case {
+        let mut point = self.point(place);
+        point.set(parameter, value);
+        self.choices.case(&point)
+    }
+
+    fn point(&self, place: &Place) -> Point {
         let mut point = self.fixed;
         for (axis, at) in self.axes.iter().zip(place) {
             point.set(axis.parameter, axis.values.value(*at));
         }
-        self.choices.case(&point)
+        point
     }
 
     /// The numbers of a cell.

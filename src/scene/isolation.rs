@@ -61,6 +61,19 @@ pub enum Directions {
     None,
 }
 
+/// The numbers of the horizontal isolation.
+pub const HORIZONTAL: [Parameter; 7] = [
+    Parameter::TH,
+    Parameter::Psi,
+    Parameter::XiH,
+    Parameter::AlphaY,
+    Parameter::UY,
+    Parameter::YieldForce,
+    Parameter::BoucWenN,
+];
+/// Those of the vertical isolation.
+pub const VERTICAL: [Parameter; 2] = [Parameter::TV, Parameter::XiV];
+
 impl Directions {
     /// True where the base moves horizontally.
     pub fn moves_h(self) -> bool {
@@ -139,7 +152,6 @@ fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
 /// A period that is missing, and what means nothing where a direction is locked.
 pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<(), SceneError> {
     use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
-    let of_h = [TH, Psi, XiH, AlphaY, UY, YieldForce, BoucWenN];
     let unused = |own: &[Parameter], numbers: &Numbers, direction: &str| match own
         .iter()
         .find(|parameter| numbers.has(**parameter))
@@ -151,27 +163,22 @@ pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<
         }
         None => Ok(()),
     };
-    let default = |parameter, value: f64, numbers: &mut Numbers| {
-        if !numbers.has(parameter) {
-            numbers.set(parameter, value);
-        }
-    };
     if directions.moves_h() {
         period(TH, numbers)?;
-        default(Psi, 0.25, numbers);
-        default(XiH, 0.05, numbers);
+        numbers.set_missing(Psi, 0.25);
+        numbers.set_missing(XiH, 0.05);
         if !numbers.has(UY) && !numbers.has(YieldForce) {
-            default(AlphaY, 0.1, numbers);
+            numbers.set_missing(AlphaY, 0.1);
         }
-        default(BoucWenN, 2.0, numbers);
+        numbers.set_missing(BoucWenN, 2.0);
     } else {
-        unused(&of_h, numbers, "horizontal")?;
+        unused(&HORIZONTAL, numbers, "horizontal")?;
     }
     if directions.moves_v() {
         period(TV, numbers)?;
-        default(XiV, 0.1, numbers);
+        numbers.set_missing(XiV, 0.1);
     } else {
-        unused(&[TV, XiV], numbers, "vertical")?;
+        unused(&VERTICAL, numbers, "vertical")?;
     }
     Ok(())
 }

@@ -27,6 +27,7 @@ pub use case::{Case, Choices, Pulse, Shaking};
 pub use excitation::Excitation;
 pub use grid::Grid;
 pub use isolation::{Directions, Isolation};
+use isolation::{HORIZONTAL, VERTICAL};
 pub use numbers::Numbers;
 pub use parameters::Parameter;
 pub use range::Range;
@@ -104,19 +105,22 @@ impl Scene {
         self
     }
 
+    /// Puts it under a record, to the record's end; a pulse's numbers are taken out.
+    pub fn shake(&mut self, pair: record::Pair) {
+        for parameter in Parameter::of_section(parameters::Section::Pulse) {
+            self.numbers.remove(parameter);
+        }
+        self.set(Parameter::TMax, pair.duration());
+        self.excitation = Excitation::Record(pair);
+    }
+
     /// The same with directions locked: what of the base has no say then is taken out.
     pub fn isolated(mut self, isolation: Directions) -> Scene {
-        use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
         self.isolation = isolation;
-        let mut locked: Vec<Parameter> = Vec::new();
-        if !isolation.moves_h() {
-            locked.extend([TH, Psi, XiH, AlphaY, UY, YieldForce, BoucWenN]);
-        }
-        if !isolation.moves_v() {
-            locked.extend([TV, XiV]);
-        }
-        for parameter in locked {
-            self.numbers.remove(parameter);
+        let locked_h = HORIZONTAL.iter().filter(|_| !isolation.moves_h());
+        let locked_v = VERTICAL.iter().filter(|_| !isolation.moves_v());
+        for parameter in locked_h.chain(locked_v) {
+            self.numbers.remove(*parameter);
         }
         self
     }

@@ -30,6 +30,13 @@ impl Numbers {
         }
     }
 
+    /// Gives a parameter a value where it has none.
+    pub fn set_missing(&mut self, parameter: Parameter, value: f64) {
+        if !self.has(parameter) {
+            self.set(parameter, value);
+        }
+    }
+
     /// The same with a parameter given.
     pub fn with(mut self, parameter: Parameter, values: impl Into<Values>) -> Numbers {
         self.set(parameter, values);

@@ -188,6 +188,9 @@ pub struct Entry {
     pub source: &'static str,
 }
 
+/// How what is improbable is believed.
+pub(super) const BELIEVED: &str = "--force believes it, in a file force = true under [run]";
+
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 
 /// An entry of which nothing is questioned.

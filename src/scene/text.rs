@@ -98,12 +98,8 @@ impl SceneText {
             }
             Excitation::Record(pair) => ("Rocking map", pair.duration()),
         };
-        if !numbers.has(Parameter::TMax) {
-            numbers.set(Parameter::TMax, shortest);
-        }
-        if !numbers.has(Parameter::Tilt) {
-            numbers.set(Parameter::Tilt, 0.0);
-        }
+        numbers.set_missing(Parameter::TMax, shortest);
+        numbers.set_missing(Parameter::Tilt, 0.0);
         let scene = Scene {
             title: self.title.clone().unwrap_or_else(|| default_title.into()),
             isolation: directions,

@@ -2,15 +2,16 @@
 //! on all axes is made for each cell, of its parts.
 
 use super::body::{BODY, Body};
-use super::cells::Reader;
 use super::clock::Clock;
-use super::clock_parts::{SPAN, STRENGTH, SWING_H, SWING_V, Span, SwingH, SwingV};
+use super::clock_parts::{SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters};
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::plan::Plan;
+use super::reader::Reader;
 use super::table::{Table, Window};
 use crate::model::block::Model;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
+use crate::scene::isolation::VERTICAL;
 use crate::scene::{Case, Grid, Parameter};
 
 /// The clocks of a grid.
@@ -51,18 +52,16 @@ pub struct CellTables<'a, R> {
     pub readers: Table<Reader>,
 }
 
-/// What a clock depends on.
-pub(super) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
-    [&BODY[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
-}
-
-/// What the horizontal part of a clock depends on, beside the body.
-fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
-    let mut swing = SWING_H.to_vec();
-    if grid.gives_strength() {
-        swing.extend(STRENGTH);
-    }
-    swing
+/// The table of what depends on the body and a law, of cells with the plan's directions locked.
+fn by_body<T>(
+    (plan, grid, window): (&Plan, &Grid, &Window),
+    law: &[Parameter],
+    entry: impl Fn(&Case, &Body) -> T,
+) -> Table<T> {
+    Table::of(grid, window, &[&BODY[..], law].concat(), |case| {
+        let case = plan.locked(case);
+        entry(&case, &Body::of(&case))
+    })
 }
 
 impl<'a, R: Real> CellTables<'a, R> {
@@ -70,41 +69,31 @@ impl<'a, R: Real> CellTables<'a, R> {
     pub fn of(plan: &'a Plan, grid: &'a Grid, window: &Window) -> CellTables<'a, R> {
         let shared = plan.shared_amplitude(grid);
         let all = clock_parameters(grid);
-        let body = |case: &Case| Body::of(&plan.locked(case));
+        let of = (plan, grid, window);
         // An axis of one value counts as one that they depend on only where all do.
         let clocks = if window.entries(grid, &all) < window.cells() || window.cells() == 1 {
-            Clocks::Shared(Table::of(grid, window, &all, |case| {
+            Clocks::Shared(by_body(of, &all, |case, body| {
                 let clock = plan.clock(case);
-                (clock, Steps::of(plan.span(case).omega, &clock, body(case).fall()))
+                (clock, Steps::of(plan.span(case).omega, &clock, body.fall()))
             }))
         } else {
-            let of_h = [&BODY[..], &swing_parameters(grid)].concat();
-            let of_v = [&BODY[..], &SWING_V].concat();
-            let swing_h = |case: &Case| plan.swing_h(&plan.locked(case), &body(case));
-            let swing_v = |case: &Case| plan.swing_v(&plan.locked(case), &body(case));
+            let swing = swing_parameters(grid);
             Clocks::Own(Box::new(Parts {
-                swing_h: Table::of(grid, window, &of_h, swing_h),
-                swing_v: Table::of(grid, window, &of_v, swing_v),
+                swing_h: by_body(of, &swing, |case, body| plan.swing_h(case, body)),
+                swing_v: by_body(of, &SWING_V, |case, body| plan.swing_v(case, body)),
                 span: Table::of(grid, window, &SPAN, |case| plan.span(case)),
-                fall: Table::of(grid, window, &BODY, |case| body(case).fall()),
+                fall: by_body(of, &[], |_, body| body.fall()),
             }))
         };
-        let of_h = [&BODY[..], &Horizontal::<R>::LAW].concat();
-        let of_v = [&BODY[..], &Vertical::<R>::LAW].concat();
-        let of_reader = [&BODY[..], &Reader::LAW].concat();
-        let (horizontal, vertical) = (
-            |case: &Case| Horizontal::of(&plan.locked(case), &body(case)),
-            |case: &Case| Vertical::of(&plan.locked(case), &body(case)),
-        );
         CellTables {
             plan,
             grid,
-            bodies: Table::of(grid, window, &BODY, |case| body(case).model()),
-            horizontal: Table::of(grid, window, &of_h, horizontal),
-            vertical: Table::of(grid, window, &of_v, vertical),
+            bodies: by_body(of, &[], |_, body| body.model()),
+            horizontal: by_body(of, &Horizontal::<R>::law(), Horizontal::of),
+            vertical: by_body(of, &VERTICAL, Vertical::of),
             drive: Table::of(grid, window, &Drive::<R>::LAW, |case| Drive::of(case, shared)),
             clocks,
-            readers: Table::of(grid, window, &of_reader, Reader::of),
+            readers: by_body(of, &Reader::LAW, |case, _| Reader::of(case)),
         }
     }
 

@@ -3,10 +3,11 @@
 
 use std::f64::consts::TAU;
 
-use super::body::Body;
+use super::body::{BODY, Body};
 use super::clock::Clock;
 use super::plan::Plan;
-use crate::scene::{Case, Excitation, Parameter};
+use crate::scene::case::PEAK;
+use crate::scene::{Case, Excitation, Grid, Parameter};
 
 /// The horizontal isolation's part.
 #[derive(Debug, Clone, Copy)]
@@ -38,12 +39,22 @@ pub(super) struct Span {
     longest: f64,
 }
 
-/// What [`SwingH`] depends on, with the [`BODY`](super::body::BODY).
-pub(super) const SWING_H: [Parameter; 4] =
-    [Parameter::TH, Parameter::Psi, Parameter::AlphaY, Parameter::BoucWenN];
-/// What it depends on besides where u_y is given: the yield time then follows from the ground's peak.
-pub(super) const STRENGTH: [Parameter; 5] =
-    [Parameter::UY, Parameter::YieldForce, Parameter::AH, Parameter::Scale, Parameter::Pga];
+/// What [`SwingH`] depends on, with the [`BODY`]; where u_y is given, its yield time follows from the
+/// ground's peak.
+pub(super) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
+    let mut swing = vec![Parameter::TH, Parameter::Psi, Parameter::AlphaY, Parameter::BoucWenN];
+    if grid.gives_strength() {
+        swing.extend([Parameter::UY, Parameter::YieldForce]);
+        swing.extend(PEAK);
+    }
+    swing
+}
+
+/// What a clock depends on.
+pub(super) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
+    [&BODY[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
+}
+
 /// What [`SwingV`] depends on, with the body.
 pub(super) const SWING_V: [Parameter; 1] = [Parameter::TV];
 /// What [`Span`] depends on.

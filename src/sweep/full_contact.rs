@@ -12,7 +12,7 @@
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::cell_tables::clock_parameters;
+use super::clock_parts::clock_parameters;
 use super::plan::Plan;
 use super::shared_motion::{Direction, Track};
 use super::table::{Strides, Window, places_of, strides};
@@ -22,7 +22,8 @@ use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRON
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
-use crate::scene::{Excitation, Grid, Parameter, Shaking};
+use crate::scene::isolation::{HORIZONTAL, VERTICAL};
+use crate::scene::{Excitation, Grid, Parameter};
 
 /// Most memory for the motions, bytes; a grid that needs more goes without.
 const MOST_MEMORY: usize = 1 << 29;
@@ -39,30 +40,10 @@ pub struct Tracks<R> {
     pub(super) level: Level,
 }
 
-/// What u depends on beside the steps.
-const ACROSS: [Parameter; 10] = [
-    Parameter::TH,
-    Parameter::Psi,
-    Parameter::XiH,
-    Parameter::AlphaY,
-    Parameter::UY,
-    Parameter::YieldForce,
-    Parameter::BoucWenN,
-    Parameter::Scale,
-    Parameter::Pga,
-    Parameter::Omega,
-];
 /// What a base's strength in newtons is over.
 const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
-/// What v depends on beside the steps.
-const UP: [Parameter; 6] = [
-    Parameter::TV,
-    Parameter::XiV,
-    Parameter::AV,
-    Parameter::Scale,
-    Parameter::Pga,
-    Parameter::Omega,
-];
+/// What the ground depends on, beside a pulse's amplitudes.
+const GROUND: [Parameter; 3] = [Parameter::Scale, Parameter::Pga, Parameter::Omega];
 
 /// What the motions of each direction depend on, and whether v is at rest.
 struct Dependence {
@@ -79,19 +60,20 @@ impl Dependence {
             && grid
                 .corners()
                 .all(|case| case.shaking.pulse().is_some_and(|pulse| pulse.a_v == 0.0));
-        let (mut across, mut up) = (Vec::new(), Vec::new());
+        let (mut across, mut up) = (GROUND.to_vec(), Vec::new());
         if base.moves_h() {
-            across.extend(ACROSS);
+            across.extend(HORIZONTAL);
             if grid.gives_strength() {
                 across.extend(MASSES);
             }
-        } else {
-            across.extend([Parameter::Scale, Parameter::Pga, Parameter::Omega]);
+        }
+        if !still {
+            up.extend(GROUND);
+            up.push(Parameter::AV);
         }
         if base.moves_v() {
-            up.extend(if still { vec![Parameter::TV] } else { UP.to_vec() });
-        } else if !still {
-            up.extend(&UP[2..]);
+            // At rest it hangs by its static deflection.
+            up.extend(if still { &[Parameter::TV][..] } else { &VERTICAL });
         }
         if !recorded {
             // The steps of a pulse are those of the cells.
@@ -151,10 +133,10 @@ impl<R: Real> Tracks<R> {
             let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
             // Under a pulse the steps are those of the cells.
             let clock = if recorded { alone } else { plan };
-            let mut case = grid.case_at(place);
-            if let (Some(amplitude), Shaking::Pulse(_)) = (amplitude, case.shaking) {
-                case = case.with_amplitude(amplitude);
-            }
+            let case = match amplitude {
+                Some(amplitude) => grid.case_with(place, Parameter::AH, amplitude),
+                None => grid.case_at(place),
+            };
             Track::new(clock, alone.variant(), &case, direction, record)
         };
         let all = |direction: Direction, parameters: &[Parameter]| -> Vec<Track<R>> {

@@ -9,6 +9,8 @@ use super::body::Body;
 use super::clock::Clock;
 use crate::model::excitation::Cell;
 use crate::model::real::{Real, pod};
+use crate::scene::case::PEAK;
+use crate::scene::isolation::HORIZONTAL;
 use crate::scene::{Case, GRAVITY, Parameter, Shaking};
 
 /// A landing block comes to rest when its next flight would last less than this share of a step.
@@ -103,18 +105,9 @@ fn flag<R: Real>(sound: bool) -> R {
 
 impl<R: Real> Horizontal<R> {
     /// What it depends on, with the [`BODY`](super::body::BODY).
-    pub const LAW: [Parameter; 10] = [
-        Parameter::TH,
-        Parameter::Psi,
-        Parameter::XiH,
-        Parameter::AlphaY,
-        Parameter::UY,
-        Parameter::YieldForce,
-        Parameter::BoucWenN,
-        Parameter::AH,
-        Parameter::Scale,
-        Parameter::Pga,
-    ];
+    pub fn law() -> Vec<Parameter> {
+        [&HORIZONTAL[..], &PEAK].concat()
+    }
 
     /// The numbers of a cell; zeros where the direction is locked.
     pub fn of(case: &Case, body: &Body) -> Horizontal<R> {
@@ -142,9 +135,6 @@ impl<R: Real> Horizontal<R> {
 }
 
 impl<R: Real> Vertical<R> {
-    /// What it depends on, with the [`BODY`](super::body::BODY).
-    pub const LAW: [Parameter; 2] = [Parameter::TV, Parameter::XiV];
-
     /// The numbers of a cell; zeros where the direction is locked.
     pub fn of(case: &Case, body: &Body) -> Vertical<R> {
         let mut group = Vertical::<R>::zeroed();

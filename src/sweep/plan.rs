@@ -75,6 +75,8 @@ pub struct Plan {
     pub reductions: Reductions,
     /// What its cells have in common.
     pub(super) laws: Laws,
+    /// Its cells differ in their body.
+    bodies: bool,
     /// What its tiles share.
     pub(super) kept: Arc<Kept>,
 }
@@ -96,9 +98,10 @@ impl Plan {
         positive("step", resolution.largest_step)?;
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
         let (copy, reductions, kept) = (scene.clone(), Reductions::ALL, Arc::default());
-        let mut plan = Plan { scene: copy, resolution, reductions, laws, kept };
         let grid = Grid::of(scene);
-        plan.laws = plan.laws_of(&grid.case(0));
+        let bodies = grid.sweeps(&BODY);
+        let mut plan = Plan { scene: copy, resolution, reductions, laws, bodies, kept };
+        plan.laws = plan.laws_of(&scene.case());
         for mut case in grid.corners() {
             if let (Some(rigid), Some(law)) = (plan.rigid_period(), &mut case.isolation.vertical) {
                 // Stiffer cells run without the vertical direction.
@@ -126,7 +129,7 @@ impl Plan {
     /// The plan with nothing left out.
     pub fn full_model(&self) -> Plan {
         let mut plan = Plan { reductions: Reductions::NONE, ..self.clone() };
-        plan.laws = plan.laws_of(&Grid::of(&plan.scene).case(0));
+        plan.laws = plan.laws_of(&plan.scene.case());
         plan
     }
 
@@ -189,16 +192,14 @@ impl Plan {
         for cell in cells {
             let case = grid.case(cell);
             let vertical_locked = self.locks_vertical(&case);
-            let of = |plan: &Plan| plan.laws == plan.laws_of(&case);
-            let known = parts
-                .iter_mut()
-                .find(|part| part.vertical_locked == vertical_locked && of(&part.plan));
-            if let Some(part) = known {
+            let mut laws = self.laws_of(&case);
+            laws.moves[1] &= !vertical_locked;
+            if let Some(part) = parts.iter_mut().find(|part| part.plan.laws == laws) {
                 part.cells.push(cell);
                 continue;
             }
             let mut plan = if vertical_locked { self.without_vertical() } else { self.clone() };
-            plan.laws = plan.laws_of(&case);
+            plan.laws = laws;
             parts.push(Part { plan, cells: vec![cell], vertical_locked });
         }
         // Those that nothing is locked in first.
@@ -257,7 +258,7 @@ impl Plan {
             kinks: self.resolution.kinks && yields,
             yields,
             certificate: self.reductions.certificate,
-            bodies: Grid::of(&self.scene).sweeps(&BODY),
+            bodies: self.bodies,
             bouc_wen_n,
         }
     }

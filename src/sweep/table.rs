@@ -11,6 +11,12 @@ use crate::scene::{Case, Grid, Parameter};
 /// Entries from one value of each axis to the next.
 pub type Strides = [usize; AXES];
 
+/// Entries from the first to the one of a place.
+#[inline(always)]
+pub fn offset(strides: &Strides, place: &Place) -> usize {
+    strides.iter().zip(place).map(|(stride, at)| stride * at).sum()
+}
+
 /// A box of a grid's cells: the first value of each axis, and how many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Window {
@@ -84,7 +90,7 @@ impl<T> Table<T> {
     ) -> Table<T> {
         let (counts, strides) =
             (window.counts(grid, parameters), strides(grid, window, parameters));
-        let before = strides.iter().zip(window.first).map(|(stride, first)| stride * first).sum();
+        let before = offset(&strides, &window.first);
         let entries = places(window, counts).map(|place| entry(&grid.case_at(&place))).collect();
         Table { entries, strides, before }
     }
@@ -92,8 +98,7 @@ impl<T> Table<T> {
     /// The place of a cell's entry.
     #[inline(always)]
     pub fn index(&self, place: &Place) -> usize {
-        let offsets = self.strides.iter().zip(place).map(|(stride, at)| stride * at);
-        offsets.sum::<usize>() - self.before
+        offset(&self.strides, place) - self.before
     }
 
     /// The entry of a cell.
@@ -115,7 +120,7 @@ pub fn strides(grid: &Grid, window: &Window, parameters: &[Parameter]) -> Stride
 }
 
 /// The places of a window's entries, so many along each axis.
-pub fn places(window: &Window, counts: Place) -> impl Iterator<Item = Place> + use<> {
+fn places(window: &Window, counts: Place) -> impl Iterator<Item = Place> + use<> {
     let first = window.first;
     (0..counts.iter().product()).map(move |entry| {
         let mut rest = entry;

@@ -2,7 +2,7 @@
 //! other, in each a sample after the other. So they lie on a device too (`shaders/shared_contact.wgsl`), where
 //! neighbouring cells read along neighbouring motions.
 
-use super::table::Strides;
+use super::table::{Strides, offset};
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 
@@ -92,7 +92,7 @@ impl<R: Real> Motions<R> {
     /// The motion of a cell.
     #[inline(always)]
     pub fn at(&self, place: &Place) -> Track<'_, R> {
-        let number: usize = self.strides.iter().zip(place).map(|(stride, at)| stride * at).sum();
+        let number = offset(&self.strides, place);
         let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
         Track { values: &self.values[first..], samples: self.samples(), length: end - first }
     }

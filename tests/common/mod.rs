@@ -6,10 +6,9 @@ use std::io::Write;
 use std::sync::LazyLock;
 
 use assert_cmd::Command;
-use topple::scene::parameters::Section;
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
-use topple::scene::{Excitation, Grid, Parameter, Scene};
+use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Precision;
@@ -53,11 +52,7 @@ pub fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
 
 /// Puts a scene under a pair of records, to its end.
 pub fn under(scene: &mut Scene, pair: Pair) {
-    for parameter in Parameter::of_section(Section::Pulse) {
-        scene.numbers.remove(parameter);
-    }
-    scene.set(Parameter::TMax, pair.duration());
-    scene.excitation = Excitation::Record(pair);
+    scene.shake(pair);
 }
 
 /// The synthetic pair.

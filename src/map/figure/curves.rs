@@ -8,9 +8,10 @@ use plotters::prelude::*;
 use super::super::Map;
 use super::FigureError;
 use super::document::Place;
+use super::field::{FIELDS, Field};
 use super::frame::{
-    Area, Axes, Drawn, FINE, Named, along, at, caption, caption_size, document, extent, frame,
-    outline, stroke, text,
+    Area, Axes, Drawn, FINE, Named, along, at, document, extent, frame, heading, outline, stroke,
+    text,
 };
 use super::overturning::{hatch_labels, hatched};
 use super::palette::Kind;
@@ -32,20 +33,6 @@ const APART: i32 = 14;
 /// Height of the strip of outcomes.
 const STRIP: i32 = 26;
 
-/// A curve: its name, and the value of a cell.
-struct Curve {
-    name: &'static str,
-    value: fn(&Outcome) -> f64,
-    /// An overturned cell tells how far it came, not how far it can: it is left out.
-    standing_only: bool,
-}
-
-const CURVES: [Curve; 3] = [
-    Curve { name: "ζ = max|φ| / α", value: |cell| cell.zeta, standing_only: false },
-    Curve { name: "max|u| [m]", value: |cell| cell.max_u, standing_only: true },
-    Curve { name: "max|v| [m]", value: |cell| cell.max_v, standing_only: true },
-];
-
 /// Where the k-th plot lies.
 fn plot(k: usize) -> Place {
     Place { x: LEFT, y: TOP + k as i32 * (HEIGHT + APART), width: WIDTH, height: HEIGHT }
@@ -53,7 +40,7 @@ fn plot(k: usize) -> Place {
 
 /// Where the strip lies.
 fn strip() -> Place {
-    Place { y: TOP + CURVES.len() as i32 * (HEIGHT + APART), height: STRIP, ..plot(0) }
+    Place { y: TOP + FIELDS.len() as i32 * (HEIGHT + APART), height: STRIP, ..plot(0) }
 }
 
 /// Draws the curves along the axis of a map's cells as SVG.
@@ -71,12 +58,9 @@ pub fn draw(map: &Map, axis: &Axis) -> Result<String, FigureError> {
     let mut images = vec![(strip(), colours)];
     images.extend(hatched(&line, strip())?.map(|hatch| (strip(), hatch)));
     document(SIZE, &images, |root| {
-        root.draw(&Text::new(map.scene.title.clone(), at(LEFT, 20), text(22)))?;
-        let caption = caption(map.scene);
-        let size = caption_size(&caption);
-        root.draw(&Text::new(caption, at(LEFT, 49), text(size)))?;
-        for (k, curve) in CURVES.iter().enumerate() {
-            paint(root, (map, axis), curve, plot(k))?;
+        heading(root, LEFT, map.scene, &map.scene.title)?;
+        for (k, field) in FIELDS.iter().enumerate() {
+            paint(root, (map, axis), field, plot(k))?;
         }
         let below = Axes { size: SIZE, plot: strip(), room: (None, Some(48)), font: FONT };
         along(root, axis, &below)?;
@@ -85,24 +69,23 @@ pub fn draw(map: &Map, axis: &Axis) -> Result<String, FigureError> {
 }
 
 /// Draws a curve with its axes: points that belong together with a line between.
-fn paint(root: &Area, (map, axis): (&Map, &Axis), curve: &Curve, place: Place) -> Drawn<()> {
+fn paint(root: &Area, (map, axis): (&Map, &Axis), field: &Field, place: Place) -> Drawn<()> {
     let values = &axis.values;
-    let counts = |cell: &Outcome| {
-        cell.class != Class::Unresolved && !(curve.standing_only && cell.class.overturned())
-    };
-    let known = map.outcomes.iter().filter(|cell| counts(cell)).map(curve.value);
+    let known = map.outcomes.iter().filter(|cell| field.counts(cell)).map(field.value);
     let most = known.fold(0.0, f64::max);
     // Where no cell stands, or nothing moves, there is no scale to go by.
     let most = if most > 0.0 { most } else { 1.0 };
     let x = Named { ends: extent(values), name: String::new() };
-    let y = Named { ends: 0.0..1.06 * most, name: curve.name.into() };
+    let y = Named { ends: 0.0..1.06 * most, name: field.label.into() };
     let set = Axes { size: SIZE, plot: place, room: (Some(LEFT - 16), None), font: FONT };
     let mut plot = frame(root, &set, (&x, &y))?;
     let points: Vec<Option<(f64, f64)>> = map
         .outcomes
         .iter()
         .enumerate()
-        .map(|(i, cell)| counts(cell).then(|| (values.coordinate(i as f64), (curve.value)(cell))))
+        .map(|(i, cell)| {
+            field.counts(cell).then(|| (values.coordinate(i as f64), (field.value)(cell)))
+        })
         .collect();
     for part in points.split(Option::is_none) {
         let line = part.iter().flatten().copied();

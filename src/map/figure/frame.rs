@@ -291,7 +291,7 @@ fn frame_written<'b>(
 }
 
 /// The size of a caption's letters: smaller for a long one, so that it ends on the page.
-pub fn caption_size(caption: &str) -> i32 {
+fn caption_size(caption: &str) -> i32 {
     match caption.chars().count() {
         0..=105 => 15,
         106..=130 => 12,
@@ -307,12 +307,18 @@ pub fn titled(title: &str, at: &str) -> String {
     }
 }
 
+/// Draws a title and the caption of its scene, from `left` on.
+pub fn heading(root: &Area, left: i32, scene: &Scene, title: &str) -> Drawn<()> {
+    root.draw(&Text::new(title.to_string(), at(left, 20), text(22)))?;
+    let caption = caption(scene);
+    let size = caption_size(&caption);
+    root.draw(&Text::new(caption, at(left, 49), text(size)))?;
+    Ok(())
+}
+
 /// Draws title and caption, and the frame of a map's plot with its axes.
 pub fn map_frame<'b>(root: &Area<'b>, map: &Map, title: &str) -> Drawn<Plot<'b, 'b>> {
-    root.draw(&Text::new(title.to_string(), at(PLOT.x, 20), text(22)))?;
-    let caption = caption(map.scene);
-    let size = caption_size(&caption);
-    root.draw(&Text::new(caption, at(PLOT.x, 49), text(size)))?;
+    heading(root, PLOT.x, map.scene, title)?;
     let room = (Some(PLOT.x - EDGE), Some(SIZE.1 as i32 - PLOT.y - PLOT.height - EDGE));
     axes(root, &map.grid, &Axes { size: SIZE, plot: PLOT, room, font: 15 })
 }

@@ -1,0 +1,71 @@
+//! From the state that a cell ends in to its outcome.
+
+use super::clock::Clock;
+use crate::model::real::Real;
+use crate::scene::{Case, Parameter};
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State,
+};
+
+/// What of a cell's numbers the reading of its last state takes.
+#[derive(Debug, Clone, Copy)]
+pub struct Reader {
+    t_max: f64,
+    tilted: bool,
+    /// alpha about the left and the right corner, rad.
+    critical: [f64; 2],
+}
+
+impl Reader {
+    /// What it depends on, with the [`BODY`](super::body::BODY).
+    pub const LAW: [Parameter; 2] = [Parameter::TMax, Parameter::Tilt];
+
+    /// That of a cell.
+    pub fn of(case: &Case) -> Reader {
+        let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical }
+    }
+
+    /// What became of a cell of this clock whose run has ended in `state`.
+    #[inline]
+    pub fn outcome<R: Real>(&self, clock: &Clock, state: &State<R>) -> Outcome {
+        let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
+        let stood = state.uplifts == 0 && !self.tilted;
+        let stands = if stood { Class::FullContact } else { Class::Rocking };
+        let (mut class, mut status) = match state.status {
+            FINISHED => (stands, Status::Ok),
+            PROVED => (stands, Status::Proved),
+            OVERTURNED_LEFT => (Class::OverturnedLeft, Status::Ok),
+            OVERTURNED_RIGHT => (Class::OverturnedRight, Status::Ok),
+            EVENT_LIMIT => (Class::Unresolved, Status::EventLimit),
+            _ => (Class::Unresolved, Status::Diverged),
+        };
+        if !state.motion.reals().iter().all(|x| x.to_f64().is_finite()) {
+            (class, status) = (Class::Unresolved, Status::Diverged);
+        }
+        let mut zeta = (left / self.critical[0]).max(right / self.critical[1]);
+        if class.overturned() {
+            zeta = 1.0;
+        }
+        let reached = clock.time(state.step, state.end_fraction.to_f64());
+        let ended = matches!(state.status, FINISHED | PROVED);
+        Outcome {
+            class,
+            impacts: state.impacts,
+            uplifts: state.uplifts,
+            t_end: if ended { self.t_max } else { reached },
+            t_simulated: if state.status == FINISHED { self.t_max } else { reached },
+            t_uplift: (state.uplifts > 0)
+                .then(|| clock.time(state.uplift_step, state.uplift_fraction.to_f64())),
+            zeta,
+            max_phi_left: left,
+            max_phi_right: right,
+            max_u: state.max_u.to_f64(),
+            max_v: state.max_v.to_f64(),
+            min_contact: state.min_contact.to_f64(),
+            friction: state.friction.to_f64(),
+            status,
+        }
+    }
+}
