@@ -38,13 +38,9 @@ fn mode_of(tilt: real) -> u32 {
 }
 
 // A state at rest, the base in static equilibrium.
-fn at_rest(cell: Cell, sound: bool, tilt: real) -> State {
+fn at_rest(sound: bool, tilt: real) -> State {
     var state = State();
-    if cell.deflection > 0.0 {
-        state.motion.v = -cell.deflection;
-    }
     state.motion.phi = tilt;
-    state.max_v = cell.deflection;
     state.min_contact = model.gravity;
     state.mode = mode_of(tilt);
     if !sound {
@@ -81,14 +77,16 @@ fn make(place: Place) -> bool {
         numbers[v + 2u],
         numbers[h + 5u],
         numbers[v + 3u],
+        numbers[drive + 4u],
+        numbers[drive + 5u],
         steps.steps_forced,
         steps.steps,
         steps.substeps,
         body,
     );
-    let sound = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 4u] > 0.0
+    let sound = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 6u] > 0.0
         && steps.sound > 0u;
-    var state = at_rest(cell, sound, numbers[drive + 3u]);
+    var state = at_rest(sound, numbers[drive + 3u]);
     if tile.shared_contact == 1u && state.status == RUNNING {
         full_contact(place, numbers[drive + 2u], cell, &state);
     }

@@ -31,10 +31,11 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
         return false;
     }
     if isolated_v {
-        // A base at rest trembles by the rounding of its deflection.
+        // A base at rest trembles by the rounding of the weight that it carries. With the deflection |v|
+        // is largest below, or, of a swing of twice the deflection and more, above.
         let tremble = real(EVENT_TOLERANCE) * cell.deflection;
-        let up = state.max_v - cell.deflection + tremble;
-        return up >= 0.0 && cell.stiffness_v * up * up >= left_v;
+        let way = max(-state.least_v, state.most_v - 2.0 * cell.deflection) + tremble;
+        return cell.stiffness_v * way * way >= left_v;
     }
     return true;
 }
@@ -57,8 +58,7 @@ fn is_final(cell: Cell, state: State) -> bool {
     }
     var base_v = zero;
     if isolated_v {
-        let lift = y.v + cell.deflection;
-        base_v = y.dv * y.dv + cell.stiffness_v * lift * lift;
+        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
     }
     // What is left of them at most. A block in full contact may yet lift, and the base's energies are
     // then the least that each can be.

@@ -17,6 +17,8 @@ struct Cell {
     deflection: real,
     reach_h: real,
     reach_v: real,
+    envelope: real,
+    carrier: real,
     steps_forced: u32,
     steps: u32,
     substeps: u32,
@@ -27,11 +29,4 @@ struct Cell {
 struct Ground {
     h: real,
     v: real,
-}
-
-// sin(2 pi tau) for 0 <= tau <= 1 (in the twin: src/model/real.rs).
-fn pulse_sine(tau: real) -> real {
-    let two_pi: real = 6.283185307179586;
-    let quarter = select(select(tau, 0.5 - tau, tau > 0.25), tau - 1.0, tau > 0.75);
-    return sine(two_pi * quarter);
 }

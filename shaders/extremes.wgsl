@@ -16,6 +16,28 @@ fn peak(seen: real, x0: real, rate0: real, x1: real, rate1: real, h: real) -> re
     return max(most, abs(hermite(x0, h * rate0, x1, h * rate1, at)));
 }
 
+struct Range {
+    least: real,
+    most: real,
+}
+
+// The least and the largest that a cell has seen of a coordinate, those of a span taken in, its interior
+// extremum included.
+fn range(seen: Range, x0: real, rate0: real, x1: real, rate1: real, h: real) -> Range {
+    let low = min(x0, x1);
+    let high = max(x0, x1);
+    let least = min(seen.least, low);
+    let most = max(seen.most, high);
+    let beyond = SLOPE_SHARE * h * (abs(rate0) + abs(rate1));
+    let passes = high + beyond > most || least > low - beyond;
+    if !(crosses(rate0, rate1) && passes) {
+        return Range(least, most);
+    }
+    let at = rate0 / (rate0 - rate1);
+    let extremum = hermite(x0, h * rate0, x1, h * rate1, at);
+    return Range(min(least, extremum), max(most, extremum));
+}
+
 struct EndSlopes {
     rise: real,
     fall: real,
@@ -49,7 +71,9 @@ fn bend(start: real, mid: real, end: real) -> real {
 // Takes in the motion over a span of `h` seconds.
 fn see_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
     (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
-    (*state).max_v = peak((*state).max_v, y0.v, y0.dv, y1.v, y1.dv, h);
+    let seen_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
+    (*state).least_v = seen_v.least;
+    (*state).most_v = seen_v.most;
     let left = (*state).mode != ROCKING_RIGHT;
     let seen = select((*state).max_phi_right, (*state).max_phi_left, left);
     let angle = peak(seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);

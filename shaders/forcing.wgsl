@@ -26,9 +26,8 @@ fn step_length(cell: Cell, forcing: Forcing) -> real {
 // Samples of the record.
 @group(0) @binding(5) var<storage, read> record: array<Ground>;
 
-// The ground at a fraction of the step: the one-sine pulse (22), or the record, linear between its
-// samples.
-fn ground_at(forcing: Forcing, fraction: real) -> Ground {
+// The ground at a fraction of the step: the pulse (22), or the record, linear between its samples.
+fn ground_at(cell: Cell, forcing: Forcing, fraction: real) -> Ground {
     let zero: real = 0.0;
     if !forcing.forced {
         return Ground(zero, zero);
@@ -40,8 +39,8 @@ fn ground_at(forcing: Forcing, fraction: real) -> Ground {
             forcing.base.v + phase * forcing.rise.v,
         );
     }
-    let wave = pulse_sine(phase);
-    return Ground(forcing.base.h * wave, forcing.base.v * wave);
+    let share = wave(cell, phase);
+    return Ground(forcing.base.h * share, forcing.base.v * share);
 }
 
 // The segment that a cell is in after `step` steps, fewer than it has in all.

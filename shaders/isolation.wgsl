@@ -24,7 +24,8 @@ fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
     }
     var f_v = ground.v + model.gravity;
     if isolated_v {
-        f_v = -(cell.stiffness_v * y.v + cell.damping_v * y.dv);
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
     }
     return Support(f_h, f_v);
 }

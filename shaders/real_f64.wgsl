@@ -39,3 +39,52 @@ fn cosine(x: real) -> real {
     p = -0.5 + t * p;
     return 1.0 + t * p;
 }
+
+// e^-x for 0 <= x <= 44: x less as many ln 2 as it holds, by powers of two.
+fn exponential(x: real) -> real {
+    let ln_2: real = 0.6931471805599453;
+    var rest = x;
+    var power: real = 1.0;
+    if rest >= 32.0 * ln_2 {
+        rest -= 32.0 * ln_2;
+        power *= 2.3283064365386963e-10;
+    }
+    if rest >= 16.0 * ln_2 {
+        rest -= 16.0 * ln_2;
+        power *= 1.52587890625e-05;
+    }
+    if rest >= 8.0 * ln_2 {
+        rest -= 8.0 * ln_2;
+        power *= 0.00390625;
+    }
+    if rest >= 4.0 * ln_2 {
+        rest -= 4.0 * ln_2;
+        power *= 0.0625;
+    }
+    if rest >= 2.0 * ln_2 {
+        rest -= 2.0 * ln_2;
+        power *= 0.25;
+    }
+    if rest >= 1.0 * ln_2 {
+        rest -= 1.0 * ln_2;
+        power *= 0.5;
+    }
+    var p: real = -2.8114572543455206e-15;
+    p = 4.779477332387385e-14 + rest * p;
+    p = -7.647163731819816e-13 + rest * p;
+    p = 1.1470745597729725e-11 + rest * p;
+    p = -1.6059043836821613e-10 + rest * p;
+    p = 2.08767569878681e-09 + rest * p;
+    p = -2.505210838544172e-08 + rest * p;
+    p = 2.755731922398589e-07 + rest * p;
+    p = -2.7557319223985893e-06 + rest * p;
+    p = 2.48015873015873e-05 + rest * p;
+    p = -0.0001984126984126984 + rest * p;
+    p = 0.001388888888888889 + rest * p;
+    p = -0.008333333333333333 + rest * p;
+    p = 0.041666666666666664 + rest * p;
+    p = -0.16666666666666666 + rest * p;
+    p = 0.5 + rest * p;
+    p = -1.0 + rest * p;
+    return (1.0 + rest * p) * power;
+}

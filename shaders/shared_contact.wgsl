@@ -8,7 +8,7 @@ const DISPLACEMENT = 0u;
 const VELOCITY = 1u;
 const ACCELERATION = 2u;
 const LEAST = 3u;
-const PEAK = 4u;
+const TOP = 4u;
 const LOWEST = 5u;
 const HYSTERETIC = 5u;
 const MOST = 6u;
@@ -19,6 +19,7 @@ const TROUGH = 6u;
 const CREST = 10u;
 const EIGHTHS_V = 7u;
 const QUARTERS_H = 11u;
+const BOTTOM = 14u;
 
 // True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 // (14) is between two bounds, and Y above one.
@@ -200,8 +201,9 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         zero,
         zero,
     );
-    (*state).max_u = size * tracks[h + PEAK * all_h + sample];
-    (*state).max_v = tracks[v + PEAK * all_v + at];
+    (*state).max_u = size * tracks[h + TOP * all_h + sample];
+    (*state).least_v = tracks[v + BOTTOM * all_v + at];
+    (*state).most_v = tracks[v + TOP * all_v + at];
     let lowest = tracks[v + LOWEST * all_v + at];
     if lowest < (*state).min_contact {
         (*state).min_contact = lowest;

@@ -24,7 +24,7 @@ fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: rea
     let lively = rebound >= cell.rest_speed && landing.eta_phi > 0.0;
     var rests = false;
     if !lively {
-        let base = support(cell, come_to_rest(leaving, y), ground_at(forcing, fraction));
+        let base = support(cell, come_to_rest(leaving, y), ground_at(cell, forcing, fraction));
         let lifts = largest_uplift_moment(Contact(base.f_h, base.f_v)) > 0.0;
         rests = !(lifts && landing.eta_phi > 0.0);
     }

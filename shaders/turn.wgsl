@@ -48,7 +48,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let seeking = is_any(sought);
     let again = sought == SOUGHT_AGAIN;
     let begun = !(seeking || again);
-    let k1 = rates(cell, corner, rocking, y, ground_at((*t).forcing, start));
+    let k1 = rates(cell, corner, rocking, y, ground_at(cell, (*t).forcing, start));
 
     // The uplift that the contact force calls for at once: such a cell only changes its phase.
     var lifts = false;
@@ -69,8 +69,8 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     // The trial.
     var length = search.at * (*t).span;
     var h = length * step;
-    let ground_mid = ground_at((*t).forcing, start + 0.5 * length);
-    let ground_end = ground_at((*t).forcing, start + length);
+    let ground_mid = ground_at(cell, (*t).forcing, start + 0.5 * length);
+    let ground_end = ground_at(cell, (*t).forcing, start + length);
     let stepped = rk4(cell, corner, rocking, y, k1, h, ground_mid, ground_end);
     var y1 = stepped.y;
     var k_end = stepped.k4;

@@ -38,6 +38,15 @@ const ANY: [(Parameter, f64, f64); 15] = [
 /// Those of a pulse, of a record, and of a block that stands or is let go.
 const OF_PULSE: [(Parameter, f64, f64); 3] =
     [(Parameter::Omega, 1.0, 9.0), (Parameter::AH, -9.0, 12.0), (Parameter::AV, -2.0, 2.0)];
+/// Shapes of a pulse, and their numbers.
+const SHAPES: [(&str, &[(Parameter, f64, f64)]); 6] = [
+    ("one-sine", &[]),
+    ("one-sine", &[(Parameter::Cycles, 0.5, 3.0)]),
+    ("one-cosine", &[(Parameter::Cycles, 0.5, 3.0)]),
+    ("rectangle", &[]),
+    ("ricker", &[]),
+    ("mavroeidis-papageorgiou", &[(Parameter::Gamma, 1.0, 4.0), (Parameter::Phase, -3.0, 3.0)]),
+];
 const OF_RECORD: [(Parameter, f64, f64); 2] =
     [(Parameter::Scale, 0.4, 2.0), (Parameter::Pga, 2.0, 9.0)];
 const REST: [(Parameter, f64, f64); 2] =
@@ -92,9 +101,10 @@ fn random(dice: &mut Dice, recorded: bool, axes: usize) -> Scene {
     if kind != "vertical" {
         base += strength;
     }
+    let (shape, periods) = SHAPES[dice.below(SHAPES.len())];
     let mut scene = scene(&format!(
         "[block]\nhalf_width = 0.19\nheight = 0.95\nmass = 895.0\nplate_h = 43.3\nplate_v = 43.3\n\
-         [base]\n{base}[pulse]\nomega = 4.0\na_h = 5.0\na_v = 0.5\n[run]\nt_max = 10.0\n"
+         [base]\n{base}[pulse]\nomega = 4.0\na_h = 5.0\na_v = 0.5\nshape = \"{shape}\"\n[run]\nt_max = 10.0\n"
     ));
     if recorded {
         under(&mut scene, synthetic_pair());
@@ -104,6 +114,8 @@ fn random(dice: &mut Dice, recorded: bool, axes: usize) -> Scene {
         // The first one of the excitation's own, so that outcomes are of every kind.
         let from: Vec<_> = if chosen == 0 {
             own.to_vec()
+        } else if chosen == 1 && !recorded && !periods.is_empty() {
+            periods.to_vec()
         } else {
             ANY.iter().chain(&REST).chain(own).copied().collect()
         };

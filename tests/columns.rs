@@ -6,7 +6,7 @@
 mod common;
 
 use common::{all, judge, scene, shaken, synthetic_pair, under};
-use topple::scene::{Grid, Parameter, Range, Scene};
+use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -219,5 +219,56 @@ fn a_grazing_uplift_and_its_mirror_image() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).full_model();
         let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
         assert!(cells[0].uplifts > 0, "{sign}: {:?}", cells[0]);
+    }
+}
+
+/// v about the static position under an upward sine, in full contact and without damping: (w x' + ...) in
+/// closed form, x = -A/(w^2 - W^2) (sin W t - W/w sin w t).
+#[test]
+fn the_stroke_is_from_the_static_position() {
+    let (t_v, omega, a_v) = (0.5, 4.0, 1.0);
+    let w = std::f64::consts::TAU / t_v;
+    let end = std::f64::consts::TAU / omega;
+    let scene = scene(&format!(
+        "[block]\nobject = 1\n[base]\nisolation = \"vertical\"\nt_v = {t_v}\nxi_v = 0.0\n\
+         [pulse]\nomega = {omega}\na_h = 0.0\na_v = {a_v}\n[run]\nt_max = {end}\n"
+    ));
+    let x =
+        |t: f64| -a_v / (w * w - omega * omega) * ((omega * t).sin() - omega / w * (w * t).sin());
+    let range = (0..=200_000).map(|k| x(f64::from(k) / 2.0e5 * end));
+    let (low, high) = range.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let deflection = GRAVITY / (w * w);
+    // The larger way is up, so that max|v| and the stroke are of different instants.
+    let (stroke, max_v) = (high.max(-low), deflection - low);
+    for cells in [&swept(&scene)[..], &[vec![judge(&scene)]]].concat() {
+        let cell = cells[0];
+        // 80 steps a period: (2 pi/80)^4/120 in every radian.
+        assert!((cell.stroke_v - stroke).abs() < 1e-5 * stroke, "{cell:?} for {stroke}");
+        assert!((cell.max_v - max_v).abs() < 1e-6 * max_v, "{cell:?} for {max_v}");
+    }
+}
+
+/// A jump of the ground lifts the block at once: it never feels the force that full contact would have
+/// after the jump, whether it shares its full contact with other amplitudes or not.
+#[test]
+fn a_jump_at_the_start() {
+    for base in ["isolation = \"none\"\n", "isolation = \"horizontal\"\nt_h = 2.0\n"] {
+        for shape in ["one-cosine", "rectangle"] {
+            let scene = scene(&format!(
+                "[block]\nobject = 2\neccentricity = 0.1\n[base]\n{base}[pulse]\nshape = \"{shape}\"\n\
+                 omega = 12.0\na_h = \"8,10,12\"\na_v = -10.0\n[run]\nt_max = 3.0\n"
+            ));
+            let grid = Grid::of(&scene);
+            for cells in swept(&scene) {
+                for (index, cell) in cells.iter().enumerate() {
+                    let case = grid.case(index);
+                    let right =
+                        topple::stepping::reference::run(&scene, &case, &Default::default());
+                    let off = (cell.min_contact - right.min_contact).abs();
+                    // The step's error in the acceleration, of the weight.
+                    assert!(off < 1e-3 * GRAVITY, "{shape} {base} {index}: {cell:?} for {right:?}");
+                }
+            }
+        }
     }
 }

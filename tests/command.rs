@@ -63,7 +63,7 @@ fn a_map_leaves_the_files_of_the_contract() {
     assert_eq!(
         header.join(","),
         "omega,a_h,outcome,impacts,uplifts,t_end,t_uplift,zeta,max_phi_left,max_phi_right,max_u,\
-         max_v,min_contact,friction_demand,status"
+         max_v,stroke_v,min_contact,friction_demand,status"
     );
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 63);
@@ -76,7 +76,7 @@ fn a_map_leaves_the_files_of_the_contract() {
         assert!(
             ["full_contact", "rocking", "overturned_left", "overturned_right"].contains(&outcome)
         );
-        assert_eq!(&row[14], "ok");
+        assert_eq!(&row[15], "ok");
         assert_eq!(outcome == "full_contact", row[6].is_empty(), "{row:?}");
         if outcome.starts_with("overturned") {
             assert_eq!(&row[7], "1.0");
@@ -126,7 +126,7 @@ fn friction_asked_for_is_told() {
     let sliding = run_json(out.path())["sliding_cells"].as_u64().unwrap();
     let mut table = csv::Reader::from_path(out.path().join("map.csv")).unwrap();
     let asked =
-        table.records().filter(|row| row.as_ref().unwrap()[13].parse::<f64>().unwrap() > 0.15);
+        table.records().filter(|row| row.as_ref().unwrap()[14].parse::<f64>().unwrap() > 0.15);
     assert_eq!(sliding as usize, asked.count());
     assert!(sliding > 0 && said.contains("friction above 0.15"), "{said}");
     let (out, said) = small_map(&[]);
@@ -274,6 +274,15 @@ fn bad_input_is_refused_in_one_line() {
     refused(&with(&["--bouc-wen-n", "0"]), &["--bouc-wen-n"]);
     refused(&with(&["--half-width", "0.2"]), &["--half-width", "object"]);
     refused(&with(&["--isolation", "none"]), &["--t-h", "locked"]);
+    refused(&with(&["--pulse", "triangle"]), &["--pulse", "ricker"]);
+    refused(&with(&["--cycles", "0"]), &["--cycles", "above 0"]);
+    refused(&with(&["--pulse", "ricker", "--cycles", "2"]), &["--cycles", "one-sine"]);
+    refused(&with(&["--gamma", "2"]), &["--gamma", "mavroeidis-papageorgiou"]);
+    let modulated = |extra: &[&'static str]| {
+        with(&[&["--pulse", "mavroeidis-papageorgiou"][..], extra].concat())
+    };
+    refused(&modulated(&["--gamma", "0.5"]), &["--gamma", "between 1 and 100"]);
+    refused(&modulated(&["--phase", "90"]), &["--phase", "radians", "--force"]);
     refused(&with(&["--colour"]), &["--colour"]);
     refused(&["topple"], &["topple"]);
     let block = ["pulse", "--t-h", "1.75", "--t-v", "0.75", "--omega", "5", "--a-h", "3"];
@@ -294,6 +303,25 @@ fn bad_input_is_refused_in_one_line() {
     refused(&periods("1", "1e-9"), &["--t-v", "stiff"]);
     let history = ["history", "--object", "1", "--t-h", "1", "--t-v", "1", "--omega", "1:2:3"];
     refused(&[&history[..], &["--a-h", "3"]].concat(), &["--omega", "single"]);
+}
+
+/// A shape is a flag and a key; pulses that the run's end cuts are told of.
+#[test]
+fn a_pulse_of_another_shape() {
+    let (out, said) = small_map(&["--pulse", "ricker"]);
+    assert_eq!(run_json(out.path())["scene"]["excitation"]["pulse"], "ricker");
+    assert!(said.contains("symmetric Ricker pulse"), "{said}");
+    // Three periods of 2 pi/3 s, cut after 5 s; the one-sine loses nothing.
+    for (shape, warned) in [("ricker", true), ("one-sine", false)] {
+        let map = ["--omega", "3", "--a-h", "1", "--pulse", shape, "--quiet", "--backend", "cpu"];
+        let out = TempDir::new().unwrap();
+        let run = topple().args(PULSE).args(map).arg("--out").arg(out.path()).assert().success();
+        let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert_eq!(said.contains("lasts 6.3 s, but its run ends at 5 s"), warned, "{said}");
+    }
+    let (out, _) = small_map(&["--pulse", "mavroeidis-papageorgiou", "--gamma", "1.5,2,3"]);
+    let numbers = run_json(out.path())["scene"]["numbers"].clone();
+    assert_eq!((&numbers["gamma"], &numbers["phase"]), (&"1.5,2,3".into(), &0.0.into()));
 }
 
 #[test]

@@ -227,3 +227,74 @@ fn isolation_makes_a_frequency_dangerous() {
     assert!(lowest > 0 && lowest + 1 < dual.len(), "{dual:?}");
     assert!(dual[0] > 1.1 * dual[lowest] && dual[dual.len() - 1] > 1.1 * dual[lowest]);
 }
+
+/// A block of Zhang & Makris (2001) under a pulse of omega_p/p = 3 and a_p/(alpha g) = `a`.
+fn shaped(alpha: f64, shape: &str, w: f64, a: f64) -> Scene {
+    slender(
+        alpha,
+        &format!(
+            "[pulse]\nshape = \"{shape}\"\nomega = {}\na_h = {}\n[run]\nrestitution = 0.9\n\
+             overturn = \"quarter-turn\"\nt_max = 25.0\n",
+            w * P,
+            a * alpha * GRAVITY
+        ),
+    )
+}
+
+/// alpha = 0.25, eta = 0.9, omega_p/p = 3, by SciPy's DOP853 (tests/data/free_standing.py): where the block
+/// first overturns, where it stands again, and where it overturns once more, with the impacts before.
+#[test]
+fn one_cosine_and_ricker_overturn_where_scipy_says() {
+    for (shape, listed) in [
+        ("one-cosine", [(1.90758, Some(1)), (6.54194, None), (11.18847, Some(0))]),
+        ("ricker", [(2.76528, Some(1)), (13.21479, None), (14.31217, Some(2))]),
+        ("ricker-antisymmetric", [(1.75765, Some(1)), (2.67753, None), (4.04140, Some(3))]),
+    ] {
+        for (name, run) in [
+            ("sweep", swept as fn(&Scene) -> Outcome),
+            ("reference", judge as fn(&Scene) -> Outcome),
+        ] {
+            for (at, then) in listed {
+                let found = threshold(at - 0.02, at + 0.02, |a| {
+                    overturns(&run(&shaped(0.25, shape, 3.0, a))) == then
+                });
+                say(&format!("{shape}, {name}: {then:?} from {found:.5} ({at})"));
+                // The figures' last digit, and the sweep's step.
+                assert_abs_diff_eq!(found, at, epsilon = 2e-5 * at);
+            }
+        }
+    }
+}
+
+/// Overturning without an impact under a one-cosine pulse, of the linear equation: the growing part of the
+/// motion is not positive at the pulse's end below A = (1 + W^2)/(1 - exp(-2 pi/W)).
+#[test]
+fn a_one_cosine_pulse_in_closed_form() {
+    for w in [2.0, 3.0, 5.0] {
+        let closed = (1.0 + w * w) / (1.0 - f64::exp(-std::f64::consts::TAU / w));
+        let found = threshold(0.98 * closed, 1.02 * closed, |a| {
+            overturns(&swept(&shaped(0.001, "one-cosine", w, a))) == Some(0)
+        });
+        say(&format!("a_one_cosine_pulse_in_closed_form: W = {w}: {found:.5} ({closed:.5})"));
+        // alpha^2 and the step.
+        assert_abs_diff_eq!(found, closed, epsilon = 1e-5 * closed);
+    }
+}
+
+/// A rectangular pulse with its jumps: A = 1/(1 - exp(-p t_d)), t_d = pi/omega.
+#[test]
+fn a_rectangular_pulse_with_jumps_in_closed_form() {
+    for w in [1.0, 3.0, 8.0] {
+        let closed = 1.0 / (1.0 - f64::exp(-std::f64::consts::PI / w));
+        for (name, run) in [
+            ("sweep", swept as fn(&Scene) -> Outcome),
+            ("reference", judge as fn(&Scene) -> Outcome),
+        ] {
+            let found = threshold(0.98 * closed, 1.02 * closed, |a| {
+                overturns(&run(&shaped(0.001, "rectangle", w, a))) == Some(0)
+            });
+            say(&format!("a rectangle, {name}: W = {w}: {found:.6} ({closed:.6})"));
+            assert_abs_diff_eq!(found, closed, epsilon = 1e-5 * closed);
+        }
+    }
+}

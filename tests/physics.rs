@@ -129,7 +129,17 @@ fn before(pole: Pole, [du, dv, dphi]: [f64; 3]) -> Cell {
 }
 
 fn as_motion(y: &Cell) -> Motion<f64> {
-    Motion { u: y[U], du: y[DU], v: y[V], dv: y[DV], z: y[Z], phi: y[PHI], dphi: y[DPHI] }
+    // From the static position, for T_v = 0.5 s.
+    let deflection = GRAVITY * (0.5 / std::f64::consts::TAU).powi(2);
+    Motion {
+        u: y[U],
+        du: y[DU],
+        v: y[V] + deflection,
+        dv: y[DV],
+        z: y[Z],
+        phi: y[PHI],
+        dphi: y[DPHI],
+    }
 }
 
 proptest! {

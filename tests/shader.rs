@@ -8,6 +8,7 @@ use naga::{Module, TypeInner};
 use topple::model::block::{Corner, Model};
 use topple::model::dynamics::Motion;
 use topple::model::excitation::{Cell, Ground};
+use topple::model::pulse::Shape;
 use topple::stepping::log::Event;
 use topple::stepping::state::State;
 use topple::sweep::backend::Precision;
@@ -148,6 +149,8 @@ macro_rules! same_layouts {
                 deflection,
                 reach_h,
                 reach_v,
+                envelope,
+                carrier,
                 steps_forced,
                 steps,
                 substeps,
@@ -179,7 +182,8 @@ macro_rules! same_layouts {
                 max_phi_left,
                 max_phi_right,
                 max_u,
-                max_v,
+                least_v,
+                most_v,
                 min_contact,
                 friction,
                 uplift_fraction,
@@ -322,7 +326,15 @@ fn constants_agree_with_the_twin() {
         ("VELOCITY", tracks::VELOCITY as u32),
         ("ACCELERATION", tracks::ACCELERATION as u32),
         ("LEAST", tracks::LEAST as u32),
-        ("PEAK", tracks::PEAK as u32),
+        ("TOP", tracks::TOP as u32),
+        ("BOTTOM", tracks::BOTTOM as u32),
+        ("ONE_SINE", Shape::OneSine as u32),
+        ("ONE_COSINE", Shape::OneCosine as u32),
+        ("HALF_SINE", Shape::HalfSine as u32),
+        ("RECTANGLE", Shape::Rectangle as u32),
+        ("RICKER", Shape::Ricker as u32),
+        ("RICKER_ANTISYMMETRIC", Shape::RickerAntisymmetric as u32),
+        ("MAVROEIDIS_PAPAGEORGIOU", Shape::MavroeidisPapageorgiou as u32),
         ("LOWEST", tracks::LOWEST as u32),
         ("HYSTERETIC", tracks::HYSTERETIC as u32),
         ("MOST", tracks::MOST as u32),

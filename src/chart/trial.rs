@@ -207,7 +207,10 @@ impl Trial {
 
 /// The switches kept of a grid's cells, [`SWITCHES`] of each.
 fn seen<R: Real>(plan: &Plan, grid: &Grid, events: &[Event<R>]) -> Vec<Vec<Seen>> {
-    let of = |(index, kept): (usize, &[Event<R>])| of_events(kept, &plan.clock(&grid.case(index)));
+    let of = |(index, kept): (usize, &[Event<R>])| {
+        let case = grid.case(index);
+        of_events(kept, &plan.clock(&case), case.deflection())
+    };
     events.chunks(SWITCHES).enumerate().map(of).collect()
 }
 
@@ -222,7 +225,7 @@ const COARSEST: u32 = 4;
 fn taken(bench: &Bench, step: f64) -> f64 {
     let record = bench.scenes.iter().find_map(|scene| match &scene.excitation {
         Excitation::Record(pair) => Some(pair.dt),
-        Excitation::Pulse => None,
+        Excitation::Pulse(_) => None,
     });
     record.map_or(step, |dt| dt / (dt / step).ceil())
 }

@@ -77,8 +77,8 @@ fn in_order(y: &State) -> [f64; 7] {
     [y[U], y[DU], y[V], y[DV], y[Z], y[PHI], y[DPHI]]
 }
 
-/// A sweep's switches as seen.
-pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock) -> Vec<Seen> {
+/// A sweep's switches as seen; the static position is `deflection` below v = 0, m.
+pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock, deflection: f64) -> Vec<Seen> {
     let phase = |mode: u32| match mode {
         ROCKING_LEFT => Some(Pole::Left),
         ROCKING_RIGHT => Some(Pole::Right),
@@ -96,7 +96,11 @@ pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock) -> Vec<Seen> {
             _ => Kind::Uplift(Pole::Right),
         },
         t: clock.time(event.step, event.fraction.to_f64()),
-        motion: event.motion.reals().map(R::to_f64),
+        motion: {
+            let [u, du, v, rest @ ..] = event.motion.reals().map(R::to_f64);
+            let [dv, z, phi, dphi] = rest;
+            [u, du, v - deflection, dv, z, phi, dphi]
+        },
     })
     .collect()
 }

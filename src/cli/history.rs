@@ -3,18 +3,18 @@
 use serde::Serialize;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
-use topple::scene::Scene;
 use topple::scene::excitation::RecordText;
 use topple::scene::text::SceneText;
+use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Precision;
 use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;
 
 use super::InputError;
-use super::numbers::{PulseNumbers, RecordNumbers};
+use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
-use super::output;
+use super::{output, words};
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]
@@ -22,7 +22,7 @@ pub struct HistoryCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten)]
-    pulse: PulseNumbers,
+    pulse: PulseFlags,
     #[command(flatten, next_help_heading = "Record")]
     record: RecordText,
     #[command(flatten)]
@@ -46,9 +46,10 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let numbers = self.pulse.placed().chain(self.scale.placed());
+        let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
         let text = SceneText {
             force: options.force,
+            shape: self.pulse.shape,
             record: (self.record != RecordText::default()).then(|| self.record.clone()),
             ..self.common.text(Some("Time history"), numbers)
         };
@@ -62,7 +63,10 @@ impl HistoryCommand {
             let problem = "--backend: the shader keeps no history; use cpu or reference";
             return Err(InputError(problem.into()).into());
         }
-        let plan = options.plan(&scene).map_err(|e| flag_error(&e))?;
+        let mut plan = options.plan(&scene).map_err(|e| flag_error(&e))?;
+        // A history is the motion to its end, proved or not.
+        plan.reductions.certificate = false;
+        words::warn_of_cut_pulses(&Grid::of(&scene));
         let out = output::open(&options.out)?;
         let case = scene.case();
         let (rows, outcome) = match (options.backend, options.precision) {

@@ -42,7 +42,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Map the outcomes of one-sine pulses over (omega, a_h)
+    /// Map the outcomes of pulses over any of their numbers, (omega, a_h) for one
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record over (T_h, T_v)
     Seismic(seismic::SeismicCommand),

@@ -1,6 +1,7 @@
 //! The flags of a scene's numbers, made of the table of parameters.
 
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
+use topple::model::pulse::Shape;
 use topple::scene::parameters::{Entry, Section};
 use topple::scene::{Numbers, Parameter, Values};
 
@@ -18,6 +19,17 @@ pub type PulseNumbers = SectionNumbers<{ Section::Pulse as usize }>;
 pub type RecordNumbers = SectionNumbers<{ Section::Record as usize }>;
 /// Those of the simulation.
 pub type RunNumbers = SectionNumbers<{ Section::Run as usize }>;
+
+/// What the pulse looks like, and its numbers.
+#[derive(Debug, Clone, Args)]
+pub struct PulseFlags {
+    /// What the pulse looks like [default: one-sine]
+    #[arg(long = "pulse", value_name = "SHAPE", help_heading = Section::Pulse.heading())]
+    pub shape: Option<Shape>,
+    /// Its numbers.
+    #[command(flatten)]
+    pub numbers: PulseNumbers,
+}
 
 /// A flag's help: symbol, meaning, unit, default, source.
 fn help(entry: &Entry) -> String {

@@ -171,6 +171,7 @@ impl CommonFlags {
             object: self.object,
             isolation: self.isolation,
             overturn: self.overturn,
+            shape: None,
             record: None,
             numbers: in_order(own.chain(more)),
             force: false,

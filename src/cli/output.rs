@@ -10,7 +10,7 @@ use topple::map::manifest::Manifest;
 use topple::map::outcomes::Outcomes;
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
-use topple::scene::{Excitation, Grid};
+use topple::scene::Grid;
 
 use super::InputError;
 
@@ -41,7 +41,7 @@ pub fn write(
     out.write("map.csv", |w| map::csv::write(grid, outcomes, w))?;
     out.write("map.npz", |w| map::npz::write(grid, outcomes, w))?;
     if let [whole] = slices
-        && whole.map.scene.excitation != Excitation::Pulse
+        && whole.map.scene.excitation.record().is_some()
         && grid.axes().len() == 2
         && grid.line().is_none()
     {
@@ -68,7 +68,7 @@ fn name_of(number: usize) -> String {
 fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
     let svg = if let Some(axis) = map.grid.line() {
         curves::draw(map, axis)?
-    } else if map.scene.excitation == Excitation::Pulse {
+    } else if map.scene.excitation.record().is_none() {
         overturning::draw(map, at)?
     } else {
         field::draw(map, &field::FIELDS[0], at)?
@@ -80,7 +80,7 @@ fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
 fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
     let mut figures = vec![main_figure(map, "", "map")?];
-    if map.scene.excitation == Excitation::Pulse || map.grid.line().is_some() {
+    if map.scene.excitation.record().is_none() || map.grid.line().is_some() {
         return Ok(figures);
     }
     let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {

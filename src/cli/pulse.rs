@@ -2,18 +2,18 @@
 
 use topple::scene::text::SceneText;
 
-use super::numbers::PulseNumbers;
+use super::numbers::PulseFlags;
 use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
 use super::run;
 
-/// Map the outcomes of one-sine pulses over (omega, a_h).
+/// Map the outcomes of pulses over any of their numbers, (omega, a_h) for one.
 #[derive(clap::Args)]
 #[command(after_help = VALUES)]
 pub struct PulseCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten)]
-    pulse: PulseNumbers,
+    pulse: PulseFlags,
     #[command(flatten, next_help_heading = "Computing")]
     options: MapOptions,
 }
@@ -22,7 +22,8 @@ impl PulseCommand {
     /// Runs the map.
     pub fn run(&self) -> anyhow::Result<()> {
         let force = self.options.run.force;
-        let text = SceneText { force, ..self.common.text(None, self.pulse.placed()) };
+        let text = self.common.text(None, self.pulse.numbers.placed());
+        let text = SceneText { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         run::run_map(&scene, &self.options)
     }

@@ -49,6 +49,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     };
     let say = Say::unless(options.run.quiet);
     words::head(&say, &plan, &grid, &backends, options.run.precision);
+    words::warn_of_cut_pulses(&grid);
     for (path, reason) in &found.broken {
         say.line("again", format!("{}: {reason}", path.display()));
     }

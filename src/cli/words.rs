@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use topple::map::figure::frame;
 use topple::map::outcomes::Tally;
-use topple::scene::{Excitation, Grid, Scene, Values};
+use topple::scene::{Case, Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::{Backend, Precision};
@@ -59,6 +59,28 @@ pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
             say.line("", note);
         }
     }
+}
+
+/// Warns of pulses that end after their run.
+pub fn warn_of_cut_pulses(grid: &Grid) {
+    if let Some((longest, t_max)) = cut(grid) {
+        let whole = longest.ceil();
+        warn(format!(
+            "the longest pulse lasts {longest:.1} s, but its run ends at {t_max} s; t_max = {whole} covers it"
+        ));
+    }
+}
+
+/// Share of a pulse without which it is said to be cut.
+const TAIL: f64 = 0.1;
+
+/// The longest pulse that loses more than its tail to the end of its run, s, and that end.
+fn cut(grid: &Grid) -> Option<(f64, f64)> {
+    let longest = |case: &Case| Some((case.shaking.pulse()?.duration(), case.t_max));
+    grid.corners()
+        .filter_map(|case| longest(&case))
+        .filter(|(pulse, t_max)| *t_max < (1.0 - TAIL) * pulse)
+        .max_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
 /// What is about to be run, and on what.

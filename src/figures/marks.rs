@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::scene::{Excitation, Parameter, Scene, Values};
+use crate::scene::{Parameter, Scene, Values};
 
 /// A rectangle of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -73,7 +73,7 @@ impl Point {
 impl Path {
     /// What is wrong with it on the map of a scene.
     pub(super) fn fault(&self, map: &Scene) -> Option<String> {
-        let problem = if map.excitation != Excitation::Pulse {
+        let problem = if map.excitation.record().is_some() {
             "a record's map has no amplitudes to go along"
         } else if !(self.omega > 0.0 && self.omega.is_finite()) {
             "omega must be a positive number"
@@ -93,7 +93,7 @@ impl Path {
 impl Cell {
     /// What is wrong with it in the plane of a scene.
     pub(super) fn fault(&self, map: &Scene) -> Option<String> {
-        let problem = if map.excitation != Excitation::Pulse {
+        let problem = if map.excitation.record().is_some() {
             "a cell in motion is of a pulse; a record's is shown by topple history"
         } else if !(self.omega > 0.0 && self.omega.is_finite() && self.a_h.is_finite()) {
             "omega must be a positive number, and a_h a finite one"
@@ -113,7 +113,7 @@ impl Cell {
 
 /// A pulse map's scene of one frequency over other amplitudes; none under a record.
 pub fn along(map: &Scene, omega: f64, a_h: impl Into<Values>) -> Option<Scene> {
-    if map.excitation != Excitation::Pulse {
+    if map.excitation.record().is_some() {
         return None;
     }
     Some(map.clone().with(Parameter::Omega, omega).with(Parameter::AH, a_h))

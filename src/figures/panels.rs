@@ -29,7 +29,7 @@ const KEYS: i32 = 150;
 
 /// The field that a panel shows in greys, if it does.
 fn field_of(shows: Shows) -> Option<&'static Field> {
-    let [rocking, displacement_u, displacement_v] = &FIELDS;
+    let [rocking, displacement_u, displacement_v, _] = &FIELDS;
     match shows {
         Shows::Rocking => Some(rocking),
         Shows::DisplacementU => Some(displacement_u),

@@ -1,10 +1,18 @@
 //! Every parameter of a scene, in words, for captions and panels.
 
+use crate::model::pulse::Shape;
 use crate::scene::{Directions, Excitation, Overturn, Parameter, Scene};
 
 /// What a line of a caption holds together.
-const LINES: [&[Parameter]; 13] = [
-    &[Parameter::HalfWidth, Parameter::Height, Parameter::Mass, Parameter::Inertia],
+const LINES: [&[Parameter]; 15] = [
+    &[
+        Parameter::HalfWidth,
+        Parameter::Height,
+        Parameter::Slenderness,
+        Parameter::Size,
+        Parameter::Mass,
+        Parameter::Inertia,
+    ],
     &[Parameter::Eccentricity, Parameter::Offset],
     &[Parameter::PlateH, Parameter::PlateV],
     &[Parameter::TH],
@@ -21,6 +29,8 @@ const LINES: [&[Parameter]; 13] = [
     &[Parameter::Omega],
     &[Parameter::AH],
     &[Parameter::AV],
+    &[Parameter::Cycles],
+    &[Parameter::Gamma, Parameter::Phase],
     &[Parameter::Scale, Parameter::Pga],
     &[Parameter::Friction],
     &[Parameter::Restitution],
@@ -32,6 +42,12 @@ pub fn of(scene: &Scene) -> Vec<String> {
     let isolated = scene.isolation != Directions::None;
     let mut parts = Vec::new();
     for line in LINES {
+        if line.contains(&Parameter::Omega)
+            && let Excitation::Pulse(shape) = scene.excitation
+            && shape != Shape::default()
+        {
+            parts.push(shape.words().into());
+        }
         if line.contains(&Parameter::PlateH) && !isolated {
             parts.push("no isolation".into());
             continue;
@@ -47,7 +63,7 @@ pub fn of(scene: &Scene) -> Vec<String> {
     }
     match (&scene.excitation, scene.numbers.get(Parameter::TMax)) {
         (Excitation::Record(_), _) => parts.push("to the end of each record".into()),
-        (Excitation::Pulse, Some(t_max)) if t_max.count() == 1 => {
+        (Excitation::Pulse(_), Some(t_max)) if t_max.count() == 1 => {
             parts.push(format!("{t_max} s simulated"));
         }
         _ => {}

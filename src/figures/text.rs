@@ -188,7 +188,7 @@ fn read(
 
 /// What a panel lacks for what it shows.
 fn asked_for(shows: Shows, panel: &PanelText, scene: &Scene) -> Option<String> {
-    let pulse = scene.excitation == Excitation::Pulse;
+    let pulse = scene.excitation.record().is_none();
     let problem = match (shows, &panel.eccentricities) {
         _ if scene.swept().len() > 2 => {
             "more than two numbers have several values; give the others one"

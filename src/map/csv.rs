@@ -11,7 +11,7 @@ use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
 
 /// Columns after those of the axes.
-pub const COLUMNS: [&str; 13] = [
+pub const COLUMNS: [&str; 14] = [
     "outcome",
     "impacts",
     "uplifts",
@@ -22,6 +22,7 @@ pub const COLUMNS: [&str; 13] = [
     "max_phi_right",
     "max_u",
     "max_v",
+    "stroke_v",
     "min_contact",
     "friction_demand",
     "status",
@@ -86,6 +87,7 @@ fn rows(grid: &Grid, first: usize, cells: &[Outcome]) -> Result<Vec<u8>, csv::Er
             Number(cell.max_phi_right),
             Number(cell.max_u),
             Number(cell.max_v),
+            Number(cell.stroke_v),
             Number(cell.min_contact),
             Number(cell.friction),
             cell.status.name(),

@@ -59,6 +59,7 @@ pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) ->
     archive.column("max_phi_right", Column::MaxPhiRight, |cell| cell.max_phi_right)?;
     archive.column("max_u", Column::MaxU, |cell| cell.max_u)?;
     archive.column("max_v", Column::MaxV, |cell| cell.max_v)?;
+    archive.column("stroke_v", Column::StrokeV, |cell| cell.stroke_v)?;
     archive.column("min_contact", Column::MinContact, |cell| cell.min_contact)?;
     archive.column("friction_demand", Column::Friction, |cell| cell.friction)?;
     archive.column("status", Column::Status, |cell| status_code(cell.status))?;

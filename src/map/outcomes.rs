@@ -36,6 +36,8 @@ pub enum Column {
     MaxU,
     /// The largest |v|, m.
     MaxV,
+    /// The largest |v + g/omega_v^2|, m.
+    StrokeV,
     /// The least contact force over M, m/s^2.
     MinContact,
     /// The friction asked for.
@@ -46,7 +48,7 @@ pub enum Column {
 
 impl Column {
     /// Every column there is.
-    pub const ALL: [Column; 14] = [
+    pub const ALL: [Column; 15] = [
         Column::Outcome,
         Column::Impacts,
         Column::Uplifts,
@@ -58,6 +60,7 @@ impl Column {
         Column::MaxPhiRight,
         Column::MaxU,
         Column::MaxV,
+        Column::StrokeV,
         Column::MinContact,
         Column::Friction,
         Column::Status,

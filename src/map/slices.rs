@@ -3,6 +3,7 @@
 use std::io;
 
 use super::Map;
+use super::figure::tick;
 use super::outcomes::{DRAWN, Outcomes, thinned};
 use crate::scene::{Grid, Scene};
 
@@ -35,8 +36,10 @@ pub fn of<'a>(
         .map(|number| {
             let (slice, fixed) = grid.slice(number);
             let map = thinned(scene, (&slice, number * area), outcomes, DRAWN)?;
-            let at: Vec<String> =
-                fixed.iter().map(|(parameter, value)| parameter.entry().written(value)).collect();
+            let at: Vec<String> = fixed
+                .iter()
+                .map(|(parameter, value)| parameter.entry().written(tick(*value, value.abs())))
+                .collect();
             Ok(Slice { map, at: at.join(", ") })
         })
         .collect()

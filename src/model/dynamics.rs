@@ -17,7 +17,8 @@ pub struct Motion<R> {
     pub u: R,
     /// du/dt, m/s.
     pub du: R,
-    /// v, vertical displacement of the base, m.
+    /// v + g/omega_v^2, vertical displacement of the base from its static position, m: v itself would be
+    /// rounded by the deflection that is in it.
     pub v: R,
     /// dv/dt, m/s.
     pub dv: R,

@@ -45,6 +45,10 @@ pub struct Cell<R> {
     pub reach_h: R,
     /// The same of |f_v - g|, (10b), 1/s.
     pub reach_v: R,
+    /// 1/gamma of a modulated pulse.
+    pub envelope: R,
+    /// Where the carrier of a modulated pulse begins, periods.
+    pub carrier: R,
     /// Number of forced steps.
     pub steps_forced: u32,
     /// Number of steps in all.
@@ -55,10 +59,11 @@ pub struct Cell<R> {
     pub body: u32,
 }
 
-pod!(Cell, reals: 16, words: 4);
+pod!(Cell, reals: 18, words: 4);
 reals!(
-    Cell, 16, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
-    amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v;
+    Cell, 18, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
+    amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v
+    envelope carrier;
     steps_forced steps substeps body
 );
 

@@ -5,6 +5,7 @@ use super::CellEquations;
 use super::dynamics::Motion;
 use super::excitation::Ground;
 use super::number::Number;
+use super::pulse::Shape;
 
 /// What the scene fixes for all its cells. In the shader these are `override` constants, so that
 /// a pipeline holds only the branches it takes.
@@ -12,6 +13,10 @@ use super::number::Number;
 pub struct Variant {
     /// A record shakes the base, not a pulse.
     pub recorded: bool,
+    /// What the pulse looks like, where no record does.
+    pub pulse: Shape,
+    /// It may have more than one cycle.
+    pub cycles: bool,
     /// The base moves horizontally.
     pub isolated_h: bool,
     /// The base moves vertically.
@@ -51,7 +56,8 @@ pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<
     }
     let mut f_v = ground.v + set.model.gravity;
     if set.variant.isolated_v {
-        f_v = -cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = set.model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
     }
     Support { f_h, f_v }
 }

@@ -14,6 +14,7 @@ pub mod excitation;
 pub mod impact;
 pub mod isolation;
 pub mod number;
+pub mod pulse;
 pub mod real;
 pub mod vector;
 

@@ -2,6 +2,16 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+/// Numbers of halvings, and what is left by them.
+const HALVINGS: [(f64, f64); 6] = [
+    (32.0, 2.328_306_436_538_696_3e-10),
+    (16.0, 1.525_878_906_25e-5),
+    (8.0, 3.906_25e-3),
+    (4.0, 0.0625),
+    (2.0, 0.25),
+    (1.0, 0.5),
+];
+
 /// A number of one cell, `f32` or `f64`, or of as many cells as a vector has lanes.
 ///
 /// Sine and cosine are polynomials, the same here and in the shaders, because the built-in ones
@@ -24,6 +34,8 @@ pub trait Number:
     const SINE: &'static [f64];
     /// Those of the cosine's, down to that of x^2.
     const COSINE: &'static [f64];
+    /// Those of e^-x on 0 <= x <= ln 2, down to that of x.
+    const EXPONENTIAL: &'static [f64];
 
     /// The nearest number to `value` that is of the same kind as `self`, in all lanes.
     fn like(self, value: f64) -> Self;
@@ -34,6 +46,9 @@ pub trait Number:
 
     /// |x|.
     fn abs(self) -> Self;
+
+    /// The largest whole number that is not above.
+    fn floor(self) -> Self;
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -82,6 +97,24 @@ pub trait Number:
             p = t.mul_add(p, self.like(coefficient));
         }
         t.mul_add(p, self.like(1.0))
+    }
+
+    /// e^-x for 0 <= x <= 44, to the type's rounding: x less as many ln 2 as it holds, by powers of two.
+    #[inline(always)]
+    fn exponential(self) -> Self {
+        let mut rest = self;
+        let mut power = self.like(1.0);
+        for (halvings, share) in HALVINGS {
+            let held = self.like(halvings * std::f64::consts::LN_2);
+            let holds = rest.ge(held);
+            rest = Self::select(holds, rest - held, rest);
+            power = Self::select(holds, power * self.like(share), power);
+        }
+        let mut p = self.like(Self::EXPONENTIAL[0]);
+        for &coefficient in &Self::EXPONENTIAL[1..] {
+            p = rest.mul_add(p, self.like(coefficient));
+        }
+        rest.mul_add(p, self.like(1.0)) * power
     }
 
     /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is

@@ -4,7 +4,9 @@
 use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x16, f64x8};
 
 use super::number::Number;
-use super::real::{COSINE_F32, COSINE_F64, Real, SINE_F32, SINE_F64};
+use super::real::{
+    COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, Real, SINE_F32, SINE_F64,
+};
 
 /// A number of several cells.
 pub trait Vector: Number + std::fmt::Debug {
@@ -31,12 +33,13 @@ pub trait Vector: Number + std::fmt::Debug {
 }
 
 macro_rules! vector {
-    ($vector:ident, $element:ty, $lanes:expr, $sine:expr, $cosine:expr) => {
+    ($vector:ident, $element:ty, $lanes:expr, $sine:expr, $cosine:expr, $exponential:expr) => {
         impl<S: Simd> Number for $vector<S> {
             type Mask = <Self as SimdBase<S>>::Mask;
 
             const SINE: &'static [f64] = &$sine;
             const COSINE: &'static [f64] = &$cosine;
+            const EXPONENTIAL: &'static [f64] = &$exponential;
 
             #[inline(always)]
             fn like(self, value: f64) -> Self {
@@ -51,6 +54,11 @@ macro_rules! vector {
             #[inline(always)]
             fn abs(self) -> Self {
                 SimdBase::abs(self)
+            }
+
+            #[inline(always)]
+            fn floor(self) -> Self {
+                SimdFloat::floor(self)
             }
 
             #[inline(always)]
@@ -112,8 +120,8 @@ macro_rules! vector {
     };
 }
 
-vector!(f32x16, f32, 16, SINE_F32, COSINE_F32);
-vector!(f64x8, f64, 8, SINE_F64, COSINE_F64);
+vector!(f32x16, f32, 16, SINE_F32, COSINE_F32, EXPONENTIAL_F32);
+vector!(f64x8, f64, 8, SINE_F64, COSINE_F64, EXPONENTIAL_F64);
 
 /// A number as a vector of one lane: the same code steps a single cell.
 macro_rules! single {

@@ -40,7 +40,7 @@ impl Block {
     /// The block of these numbers; zeros stand for what is missing, which a checked scene has none of.
     pub(super) fn of(point: &Point) -> Block {
         let of = |parameter| point.get(parameter).unwrap_or(0.0);
-        let (half_width, height) = (of(Parameter::HalfWidth), of(Parameter::Height));
+        let (half_width, height) = sides(point);
         // Without plates no number of the motion depends on the mass.
         let mass = point.get(Parameter::Mass).unwrap_or(1.0);
         // A uniform rectangle of 2B by 2H about its centre.
@@ -77,6 +77,29 @@ impl Block {
     }
 }
 
+/// B and H, m, of the two of B, H, lambda = H/B and R = sqrt(B^2 + H^2) that a scene gives; not a number
+/// where R is no more than the other.
+fn sides(point: &Point) -> (f64, f64) {
+    let of = |parameter| point.get(parameter);
+    let other = |size: f64, side: f64| ((size - side) * (size + side)).sqrt();
+    match SHAPE.map(of) {
+        [Some(b), Some(h), ..] => (b, h),
+        [Some(b), _, Some(lambda), _] => (b, lambda * b),
+        [Some(b), _, _, Some(size)] => (b, other(size, b)),
+        [_, Some(h), Some(lambda), _] => (h / lambda, h),
+        [_, Some(h), _, Some(size)] => (other(size, h), h),
+        [_, _, Some(lambda), Some(size)] => {
+            let b = size / lambda.hypot(1.0);
+            (b, lambda * b)
+        }
+        _ => (0.0, 0.0),
+    }
+}
+
+/// What says how wide and how high a block is: two of them.
+const SHAPE: [Parameter; 4] =
+    [Parameter::HalfWidth, Parameter::Height, Parameter::Slenderness, Parameter::Size];
+
 /// Adds to the numbers what a block of Table 1 has, and what a block must have; `object` is its number.
 ///
 /// # Errors
@@ -84,8 +107,8 @@ impl Block {
 pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(), SceneError> {
     use Parameter::{HalfWidth, Height, Inertia, Mass, PlateH, PlateV};
     if let Some(number) = object {
-        let own = [HalfWidth, Height, Mass, Inertia];
-        if let Some(given) = own.into_iter().find(|parameter| numbers.has(*parameter)) {
+        let mut own = SHAPE.into_iter().chain([Mass, Inertia]);
+        if let Some(given) = own.find(|parameter| numbers.has(*parameter)) {
             let problem = "object already fixes this; give one or the other";
             return Err(SceneError::new(given.key(), problem));
         }
@@ -104,9 +127,22 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
             numbers.set_missing(parameter, value);
         }
     }
-    if !numbers.has(HalfWidth) || !numbers.has(Height) {
+    let given: Vec<Parameter> =
+        SHAPE.into_iter().filter(|parameter| numbers.has(*parameter)).collect();
+    if given.is_empty() {
         let problem = "no block: give object (1, 2 or 3), or half_width and height";
         return Err(SceneError::new("object", problem));
+    }
+    if let [one] = given[..] {
+        let others = SHAPE.into_iter().filter(|other| *other != one).map(Parameter::key);
+        let others: Vec<&str> = others.collect();
+        let problem = format!("one number is no block; give one of {} too", others.join(", "));
+        return Err(SceneError::new(one.key(), problem));
+    }
+    if let Some(third) = given.get(2) {
+        let (one, other) = (given[0].key(), given[1].key());
+        let problem = format!("follows from {one} and {other}; give two of the three");
+        return Err(SceneError::new(third.key(), problem));
     }
     for plate in [PlateH, PlateV] {
         numbers.set_missing(plate, 0.0);

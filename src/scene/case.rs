@@ -1,8 +1,11 @@
 //! One cell of a scene: all of its numbers, resolved.
 
+use std::f64::consts::TAU;
+
 use super::numbers::Point;
 use super::parameters::Parameter;
 use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
+use crate::model::pulse::Shape;
 
 /// What of a scene is no number.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,7 +14,9 @@ pub struct Choices {
     pub isolation: Directions,
     /// When the block counts as overturned.
     pub overturn: Overturn,
-    /// The record, where one shakes the base.
+    /// What the pulse looks like, where one shakes the base.
+    pub pulse: Shape,
+    /// The record, where one does.
     pub record: Option<Peaks>,
 }
 
@@ -42,15 +47,23 @@ pub enum Shaking {
     },
 }
 
-/// A one-sine pulse (22).
+/// A pulse (22).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pulse {
+    /// What it looks like.
+    pub shape: Shape,
     /// Omega, rad/s.
     pub omega: f64,
     /// A_h, m/s^2.
     pub a_h: f64,
     /// A_v, m/s^2.
     pub a_v: f64,
+    /// How many cycles it has, where its shape may have several.
+    pub cycles: f64,
+    /// gamma of a modulated pulse.
+    pub gamma: f64,
+    /// nu of a modulated pulse, rad.
+    pub phase: f64,
 }
 
 /// The numbers of a cell, SI.
@@ -99,24 +112,49 @@ impl Shaking {
     }
 }
 
+impl Pulse {
+    /// T_p = 2 pi/Omega, s.
+    pub fn period(&self) -> f64 {
+        TAU / self.omega
+    }
+
+    /// How long it lasts, s.
+    pub fn duration(&self) -> f64 {
+        self.shape.periods(self.cycles, self.gamma) * self.period()
+    }
+
+    /// The shortest period in it, s.
+    pub fn shortest_period(&self) -> f64 {
+        self.period() / self.shape.highest(self.gamma)
+    }
+}
+
 impl Choices {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Choices {
-        let record = match &scene.excitation {
-            Excitation::Pulse => None,
+        let (pulse, record) = match &scene.excitation {
+            Excitation::Pulse(shape) => (*shape, None),
             Excitation::Record(pair) => {
-                Some(Peaks { h: pair.pga_h, v: pair.pga_v, factor: pair.factor })
+                let peaks = Peaks { h: pair.pga_h, v: pair.pga_v, factor: pair.factor };
+                (Shape::default(), Some(peaks))
             }
         };
-        Choices { isolation: scene.isolation, overturn: scene.overturn, record }
+        Choices { isolation: scene.isolation, overturn: scene.overturn, pulse, record }
     }
 
     /// What shakes a cell of these numbers.
     fn shaking(&self, point: &Point) -> Shaking {
         let of = |parameter| point.get(parameter).unwrap_or(0.0);
         let Some(peaks) = self.record else {
-            let (omega, a_h) = (of(Parameter::Omega), of(Parameter::AH));
-            return Shaking::Pulse(Pulse { omega, a_h, a_v: of(Parameter::AV) });
+            return Shaking::Pulse(Pulse {
+                shape: self.pulse,
+                omega: of(Parameter::Omega),
+                a_h: of(Parameter::AH),
+                a_v: of(Parameter::AV),
+                cycles: point.get(Parameter::Cycles).unwrap_or(1.0),
+                gamma: point.get(Parameter::Gamma).unwrap_or(1.0),
+                phase: of(Parameter::Phase),
+            });
         };
         let mut factor = match (point.get(Parameter::Scale), point.get(Parameter::Pga)) {
             (Some(scale), _) => scale / peaks.factor,
@@ -148,6 +186,11 @@ impl Choices {
 }
 
 impl Case {
+    /// g/omega_v^2, by which the base hangs below its unloaded spring, m; zero where it is locked.
+    pub fn deflection(&self) -> f64 {
+        self.isolation.vertical.map_or(0.0, |law| law.deflection())
+    }
+
     /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.
     pub fn overturning_angle(&self, side: f64) -> f64 {
         self.block.overturning_angle(side, self.overturn)

@@ -51,6 +51,8 @@ fn is_plausible(entry: &Entry, value: f64) -> bool {
 fn questioned(entry: &Entry, value: f64) -> String {
     let (low, high) = entry.plausible;
     let unit = if entry.unit.is_empty() { "" } else { " " };
+    // Magnitudes are meant.
+    let low = if low == 0.0 && entry.legal.holds(-high) { -high } else { low };
     format!(
         "{value}{unit}{} is not plausible ({low} to {high}; {}); {BELIEVED}",
         entry.unit, entry.perhaps
@@ -101,11 +103,15 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
         return Err(SceneError::new("mass", "missing; a yield force means nothing without it"));
     }
     let duration = match &scene.excitation {
-        Excitation::Pulse => 0.0,
+        Excitation::Pulse(_) => 0.0,
         Excitation::Record(pair) => pair.duration(),
     };
     for case in grid.corners() {
         let (e, b) = (case.block.offset(), case.block.half_width);
+        if !(b > 0.0 && case.block.height > 0.0) {
+            let problem = "half the diagonal must be larger than half_width and height";
+            return Err(SceneError::new("size", problem));
+        }
         if !(e.abs() < b) {
             let problem = format!("{e} m lies outside the base, whose half is {b} m");
             return Err(SceneError::new("offset", problem));

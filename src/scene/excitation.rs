@@ -9,13 +9,14 @@ use super::parameters::{BELIEVED, Parameter};
 use super::record::read::{self, Told};
 use super::record::{Pair, Record, Units, component};
 use super::{SceneError, Values, positive};
+use crate::model::pulse::Shape;
 
 /// What shakes the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {
-    /// A one-sine pulse in both directions, (22).
-    Pulse,
+    /// A pulse of a shape in both directions, (22).
+    Pulse(Shape),
     /// A ground-motion record.
     Record(Pair),
 }
@@ -24,7 +25,7 @@ impl Excitation {
     /// The record, where there is one.
     pub fn record(&self) -> Option<&Pair> {
         match self {
-            Excitation::Pulse => None,
+            Excitation::Pulse(_) => None,
             Excitation::Record(pair) => Some(pair),
         }
     }
@@ -64,8 +65,8 @@ fn questioned(horizontal: &Record, vertical: Option<&Record>) -> Option<SceneErr
     None
 }
 
-/// Checks that a pulse has its numbers.
-pub(super) fn complete_pulse(numbers: &mut Numbers) -> Result<(), SceneError> {
+/// Checks that a pulse has its numbers, and no other's.
+pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), SceneError> {
     for parameter in [Parameter::Omega, Parameter::AH] {
         if !numbers.has(parameter) {
             let problem = "missing; give a number or start:stop:count";
@@ -73,6 +74,21 @@ pub(super) fn complete_pulse(numbers: &mut Numbers) -> Result<(), SceneError> {
         }
     }
     numbers.set_missing(Parameter::AV, 0.0);
+    let modulated = "mavroeidis-papageorgiou has it";
+    for (parameter, has, whose) in [
+        (Parameter::Cycles, shape.has_cycles(), "one-sine and one-cosine have it"),
+        (Parameter::Gamma, shape.is_modulated(), modulated),
+        (Parameter::Phase, shape.is_modulated(), modulated),
+    ] {
+        if !has && numbers.has(parameter) {
+            let problem = format!("a {} has none; {whose}", shape.words());
+            return Err(SceneError::new(parameter.key(), problem));
+        }
+    }
+    if shape.is_modulated() {
+        numbers.set_missing(Parameter::Gamma, 2.0);
+        numbers.set_missing(Parameter::Phase, 0.0);
+    }
     Ok(())
 }
 

@@ -49,7 +49,7 @@ pub struct Grid {
 /// The axes that a scene has where nothing else is swept, in the order that they come in.
 fn usual(scene: &Scene) -> [Parameter; 2] {
     match scene.excitation {
-        Excitation::Pulse => [Parameter::Omega, Parameter::AH],
+        Excitation::Pulse(_) => [Parameter::Omega, Parameter::AH],
         Excitation::Record(_) => [Parameter::TH, Parameter::TV],
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
-use super::{Block, SceneError};
+use super::{Block, GRAVITY, SceneError};
 
 /// The base: what isolates it in each direction, and the masses of its plates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -93,6 +93,14 @@ impl Directions {
     /// The same with the vertical direction locked.
     pub fn without_vertical(self) -> Directions {
         if self.moves_h() { Directions::Horizontal } else { Directions::None }
+    }
+}
+
+impl KelvinVoigt {
+    /// The static deflection g/omega_v^2, m.
+    pub fn deflection(&self) -> f64 {
+        let omega_v = TAU / self.t_v;
+        GRAVITY / (omega_v * omega_v)
     }
 }
 

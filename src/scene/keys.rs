@@ -23,7 +23,7 @@ fn words(section: Section) -> &'static [&'static str] {
     match section {
         Section::Block => &["object"],
         Section::Base => &["isolation"],
-        Section::Pulse => &[],
+        Section::Pulse => &["shape"],
         Section::Record => &["horizontal", "vertical", "dt", "units"],
         Section::Run => &["overturn", "force", "x", "y"],
     }
@@ -94,6 +94,7 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 Key::Word("object") => scene.object = Some(map.next_value()?),
                 Key::Word("isolation") => scene.isolation = Some(map.next_value()?),
                 Key::Word("overturn") => scene.overturn = Some(map.next_value()?),
+                Key::Word("shape") => scene.shape = Some(map.next_value()?),
                 Key::Word("horizontal") => files(scene).horizontal = Some(map.next_value()?),
                 Key::Word("vertical") => files(scene).vertical = Some(map.next_value()?),
                 Key::Word("dt") => files(scene).dt = Some(map.next_value()?),

@@ -2,7 +2,10 @@
 
 use std::fmt::Write;
 
+use clap::ValueEnum;
+
 use super::parameters::{PARAMETERS, Section};
+use crate::model::pulse::Shape;
 
 const HEAD: &str = "# Every number of a scene
 
@@ -22,6 +25,14 @@ A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashe
 Numbers of several values are the axes of the sweep, six at most. `--x KEY` and `--y KEY` choose those of the picture;
 else omega, a_h, t_h and t_v come first, then the others as given. A magnitude outside of the plausible ones is
 questioned; `--force` (in a file `force = true` under `[run]`) believes it.
+";
+
+const SHAPES: &str = "
+`shape` in a file, `--pulse` as a flag, says what it looks like; its largest acceleration is A_h across and A_v up,
+whatever its shape.
+
+| shape | acceleration |
+|---|---|
 ";
 
 /// The page.
@@ -51,6 +62,15 @@ pub fn page() -> String {
                 entry.default,
                 entry.source
             );
+        }
+        if section == Section::Pulse {
+            page.push_str(SHAPES);
+            for shape in Shape::value_variants() {
+                if let Some(value) = shape.to_possible_value() {
+                    let help = value.get_help().map(ToString::to_string).unwrap_or_default();
+                    let _ = writeln!(page, "| `{}` | {help} |", value.get_name());
+                }
+            }
         }
     }
     page

@@ -13,6 +13,10 @@ pub enum Parameter {
     HalfWidth,
     /// H.
     Height,
+    /// lambda = H/B.
+    Slenderness,
+    /// R.
+    Size,
     /// M.
     Mass,
     /// J_C.
@@ -49,6 +53,12 @@ pub enum Parameter {
     AH,
     /// A_v.
     AV,
+    /// Cycles of a pulse.
+    Cycles,
+    /// gamma.
+    Gamma,
+    /// nu.
+    Phase,
     /// Factor on a record.
     Scale,
     /// A record's horizontal peak.
@@ -186,6 +196,19 @@ pub struct Entry {
     pub default: &'static str,
     /// Where it is defined.
     pub source: &'static str,
+    /// When a caption shows it, where it has one value.
+    pub caption: Caption,
+}
+
+/// When a caption shows a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Caption {
+    /// Always.
+    Always,
+    /// Where it is not what it is by default.
+    Unusual,
+    /// Never.
+    Never,
 }
 
 /// How what is improbable is believed.
@@ -203,7 +226,7 @@ const fn entry(
     default: &'static str,
     source: &'static str,
 ) -> Entry {
-    let (plausible, perhaps) = (ANY, "");
+    let (plausible, perhaps, caption) = (ANY, "", Caption::Unusual);
     Entry {
         parameter,
         key,
@@ -216,6 +239,7 @@ const fn entry(
         perhaps,
         default,
         source,
+        caption,
     }
 }
 
@@ -223,6 +247,16 @@ impl Entry {
     /// The same, magnitudes beyond two ends questioned.
     const fn plausible(self, low: f64, high: f64, perhaps: &'static str) -> Entry {
         Entry { plausible: (low, high), perhaps, ..self }
+    }
+
+    /// The same, shown by every caption.
+    const fn always(self) -> Entry {
+        Entry { caption: Caption::Always, ..self }
+    }
+
+    /// The same, shown by none.
+    const fn never(self) -> Entry {
+        Entry { caption: Caption::Never, ..self }
     }
 }
 
@@ -234,35 +268,41 @@ use Section::{Base, Block, Pulse, Record, Run};
 #[rustfmt::skip]
 pub const PARAMETERS: [Entry; Parameter::COUNT] = [
     entry(P::HalfWidth, ("half_width", "B", "m"), Block, Positive,
-        "half the width of the base",
-        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres"),
+        "half the width of the base; a block has two of half_width, height, slenderness and size",
+        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres").always(),
     entry(P::Height, ("height", "H", "m"), Block, Positive,
         "height of the centre of mass",
-        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres"),
+        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres").always(),
+    entry(P::Slenderness, ("slenderness", "λ", ""), Block, Positive,
+        "H/B, the height of the centre of mass over half the width",
+        "", "section 2").plausible(0.05, 100.0, "a ratio is meant, not an angle").always(),
+    entry(P::Size, ("size", "R", "m"), Block, Positive,
+        "half the diagonal, the root of B² + H²",
+        "", "").plausible(0.005, 100.0, "metres are meant, not millimetres").always(),
     entry(P::Mass, ("mass", "M", "kg"), Block, Positive,
         "mass; needed only with plates",
-        "1, without plates", "section 2.1"),
+        "1, without plates", "section 2.1").never(),
     entry(P::Inertia, ("inertia", "J_C", "kg m²"), Block, Positive,
         "moment of inertia about the centre of mass",
-        "the uniform rectangle's, M (B² + H²)/3", "section 2.1"),
+        "the uniform rectangle's, M (B² + H²)/3", "section 2.1").never(),
     entry(P::Eccentricity, ("eccentricity", "ε", ""), Block, InBase,
         "e/B: offset of the centre of mass to the right, over B",
-        "0", "section 3.3"),
+        "0", "section 3.3").always(),
     entry(P::Offset, ("offset", "e", "m"), Block, Finite,
         "offset of the centre of mass to the right, in place of eccentricity; less than B",
-        "", "Fig. 1").plausible(0.0, 20.0, "metres are meant, not millimetres"),
+        "", "Fig. 1").plausible(0.0, 20.0, "metres are meant, not millimetres").always(),
     entry(P::PlateH, ("plate_h", "m_h", "kg"), Block, NotNegative,
         "mass of the plate that moves horizontally",
-        "0", "Fig. 1"),
+        "0", "Fig. 1").never(),
     entry(P::PlateV, ("plate_v", "m_v", "kg"), Block, NotNegative,
         "mass of the plate that moves vertically",
-        "0", "Fig. 1"),
+        "0", "Fig. 1").never(),
     entry(P::TH, ("t_h", "T_h", "s"), Base, Positive,
         "period of the horizontal isolation",
-        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant"),
+        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant").always(),
     entry(P::TV, ("t_v", "T_v", "s"), Base, Positive,
         "period of the vertical isolation",
-        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant"),
+        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant").always(),
     entry(P::Psi, ("psi", "ψ", ""), Base, Within(0.0, 1.0),
         "post-yield over initial stiffness",
         "0.25", "(10a)"),
@@ -285,23 +325,32 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "exponent of the Bouc-Wen law",
         "2", "(11)"),
     entry(P::Omega, ("omega", "Ω", "rad/s"), Pulse, Positive,
-        "circular frequency of the pulse",
-        "", "(22)"),
+        "circular frequency of the pulse: its period is 2π/Ω",
+        "", "(22)").always(),
     entry(P::AH, ("a_h", "A_h", "m/s²"), Pulse, Finite,
-        "horizontal amplitude of the pulse",
-        "", "(22a)"),
+        "horizontal amplitude of the pulse: its largest acceleration",
+        "", "(22a)").always(),
     entry(P::AV, ("a_v", "A_v", "m/s²"), Pulse, Finite,
         "vertical amplitude of the pulse",
-        "0", "(22b)"),
-    entry(P::Scale, ("scale", "λ", ""), Record, NotZero,
-        "factor on both components",
+        "0", "(22b)").always(),
+    entry(P::Cycles, ("cycles", "N", ""), Pulse, AboveUpTo(0.0, 1000.0),
+        "cycles of a one-sine or one-cosine pulse",
         "1", ""),
+    entry(P::Gamma, ("gamma", "γ", ""), Pulse, Within(1.0, 100.0),
+        "cycles of a pulse of Mavroeidis & Papageorgiou: oscillations under its bell",
+        "2", "").plausible(1.0, 20.0, "a number of cycles is meant").always(),
+    entry(P::Phase, ("phase", "ν", "rad"), Pulse, Finite,
+        "phase of its cosine: 0 for the largest velocity in the middle of the pulse, π/2 for none there",
+        "0", "").plausible(0.0, 6.3, "radians are meant, not degrees"),
+    entry(P::Scale, ("scale", "SF", ""), Record, NotZero,
+        "factor on both components",
+        "1", "").always(),
     entry(P::Pga, ("pga", "PGA_h", "m/s²"), Record, Positive,
         "scale both components so that the horizontal peak is this",
-        "", "").plausible(0.5, 100.0, "m/s² are meant, not g"),
+        "", "").plausible(0.5, 100.0, "m/s² are meant, not g").never(),
     entry(P::TMax, ("t_max", "t_max", "s"), Run, AboveUpTo(0.0, 1.0e5),
         "simulated time",
-        "30, or a record's duration", "section 3"),
+        "30, or a record's duration", "section 3").never(),
     entry(P::Tilt, ("tilt", "φ_0", "rad"), Run, Finite,
         "rotation of the block at the start, positive about the left corner",
         "0", "Fig. 1"),

@@ -7,6 +7,7 @@ use super::numbers::Numbers;
 use super::parameters::{Parameter, Section};
 use super::{Directions, Overturn, Scene, SceneError};
 use super::{block, check, isolation};
+use crate::model::pulse::Shape;
 
 /// A scene as written. Keys and units are those of the command line.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -19,6 +20,8 @@ pub struct SceneText {
     pub isolation: Option<Directions>,
     /// When a block counts as overturned.
     pub overturn: Option<Overturn>,
+    /// What the pulse looks like, where there is one.
+    pub shape: Option<Shape>,
     /// The record's files, where there is one; either a record or a pulse.
     pub record: Option<RecordText>,
     /// All numbers.
@@ -58,13 +61,13 @@ impl SceneText {
             own.any(|parameter| self.numbers.has(parameter))
         };
         let recorded = self.record.is_some() || given(Section::Record);
-        if recorded && given(Section::Pulse) {
+        if recorded && (self.shape.is_some() || given(Section::Pulse)) {
             let problem = "a scene has a pulse or a record; leave one out";
-            return Err(SceneError::new("record", problem));
+            return Err(SceneError::new("horizontal", problem));
         }
         self.check_shaken_by(|| {
             if !recorded {
-                return Ok(Excitation::Pulse);
+                return Ok(Excitation::Pulse(self.shape.unwrap_or_default()));
             }
             let none = RecordText::default();
             let files = self.record.as_ref().unwrap_or(&none);
@@ -92,8 +95,8 @@ impl SceneText {
         isolation::complete(directions, &mut numbers)?;
         let excitation = excitation()?;
         let (default_title, shortest) = match &excitation {
-            Excitation::Pulse => {
-                excitation::complete_pulse(&mut numbers)?;
+            Excitation::Pulse(shape) => {
+                excitation::complete_pulse(*shape, &mut numbers)?;
                 ("Overturning spectral map", 30.0)
             }
             Excitation::Record(pair) => ("Rocking map", pair.duration()),

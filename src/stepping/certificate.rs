@@ -77,8 +77,7 @@ pub fn is_final<V: Vector>(
     }
     let mut base_v = zero;
     if variant.isolated_v {
-        let lift = y.v + cell.deflection;
-        base_v = y.dv * y.dv + cell.stiffness_v * lift * lift;
+        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
     }
     // Energies that do not reach beyond the largest |u| and |v|.
     let within = |left_h: V, left_v: V| {
@@ -87,10 +86,11 @@ pub fn is_final<V: Vector>(
             within = within & (cell.post_yield * seen.max_u * seen.max_u).ge(left_h);
         }
         if variant.isolated_v {
-            // A base at rest trembles by the rounding of its deflection.
+            // A base at rest trembles by the rounding of the weight that it carries. With the deflection
+            // |v| is largest below, or, of a swing of twice the deflection and more, above.
             let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-            let up = seen.max_v - cell.deflection + tremble;
-            within = within & up.ge(zero) & (cell.stiffness_v * up * up).ge(left_v);
+            let way = (-seen.least_v).max(seen.most_v - two * cell.deflection) + tremble;
+            within = within & (cell.stiffness_v * way * way).ge(left_v);
         }
         within
     };

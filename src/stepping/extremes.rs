@@ -16,15 +16,17 @@ pub struct Extremes<R> {
     pub max_phi_right: R,
     /// Largest |u|, m.
     pub max_u: R,
-    /// Largest |v|, m.
-    pub max_v: R,
+    /// Least v from the static position, m: zero or below.
+    pub least_v: R,
+    /// Largest v from the static position, m: zero or above.
+    pub most_v: R,
     /// Least normal contact force over M, m/s^2.
     pub min_contact: R,
     /// Largest |horizontal| / normal contact force while the latter is positive.
     pub friction: R,
 }
 
-reals!(Extremes, 6, max_phi_left max_phi_right max_u max_v min_contact friction);
+reals!(Extremes, 7, max_phi_left max_phi_right max_u least_v most_v min_contact friction);
 
 /// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE: f64 = 4.0 / 27.0;
@@ -43,6 +45,32 @@ pub fn peak<N: Number>(lanes: N::Mask, seen: N, x0: N, rate0: N, x1: N, rate1: N
     let at = rate0 / (rate0 - rate1);
     let extremum = hermite(x0, h * rate0, x1, h * rate1, at).abs();
     N::select(turns, most.max(extremum), most)
+}
+
+/// The least and the largest that some lanes have seen of a coordinate, those of a span taken in, its
+/// interior extremum included.
+#[inline(always)]
+pub fn range<N: Number>(
+    lanes: N::Mask,
+    [least, most]: [N; 2],
+    x0: N,
+    rate0: N,
+    x1: N,
+    rate1: N,
+    h: N,
+) -> [N; 2] {
+    let (low, high) = (x0.min(x1), x0.max(x1));
+    let least = N::select(lanes, least.min(low), least);
+    let most = N::select(lanes, most.max(high), most);
+    let beyond = h.like(SLOPE_SHARE) * h * (rate0.abs() + rate1.abs());
+    let passes = (high + beyond).gt(most) | least.gt(low - beyond);
+    let turns = lanes & crosses(rate0, rate1) & passes;
+    if !N::any(turns) {
+        return [least, most];
+    }
+    let at = rate0 / (rate0 - rate1);
+    let extremum = hermite(x0, h * rate0, x1, h * rate1, at);
+    [N::select(turns, least.min(extremum), least), N::select(turns, most.max(extremum), most)]
 }
 
 /// The slopes at both ends, over the whole span, of the parabola through its start, middle and end.
@@ -81,7 +109,8 @@ impl<N: Number> Extremes<N> {
     #[inline(always)]
     pub fn motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
         self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
-        self.max_v = peak(lanes, self.max_v, y0.v, y0.dv, y1.v, y1.dv, h);
+        let seen_v = [self.least_v, self.most_v];
+        [self.least_v, self.most_v] = range(lanes, seen_v, y0.v, y0.dv, y1.v, y1.dv, h);
         let left = side.gt(h.like(0.0));
         let seen = N::select(left, self.max_phi_left, self.max_phi_right);
         let angle = peak(lanes, seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);

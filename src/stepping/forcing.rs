@@ -2,7 +2,9 @@
 //! form (the pulse, a gap between two samples of a record, or rest). Twin of `shaders/forcing.wgsl`.
 
 use crate::model::CellEquations;
-use crate::model::excitation::Ground;
+use crate::model::excitation::{Cell, Ground};
+use crate::model::isolation::Variant;
+use crate::model::pulse::wave;
 use crate::model::real::Real;
 use crate::model::vector::Vector;
 
@@ -48,22 +50,22 @@ impl<V: Vector> Forcing<V> {
         }
     }
 
-    /// The ground at a fraction of each lane's step: the one-sine pulse (22), or the record, linear
-    /// between its samples.
+    /// The ground at a fraction of each lane's step: the pulse (22), or the record, linear between its
+    /// samples.
     #[inline(always)]
-    pub fn ground(&self, recorded: bool, fraction: V) -> Ground<V> {
+    pub fn ground(&self, variant: Variant, cell: &Cell<V>, fraction: V) -> Ground<V> {
         let zero = fraction.like(0.0);
         if self.forced == 0 {
             return Ground { h: zero, v: zero };
         }
         let phase = self.phase_start + (self.done + fraction) * self.phase_step;
-        if recorded {
+        if variant.recorded {
             return Ground {
                 h: self.base.h + phase * self.rise.h,
                 v: self.base.v + phase * self.rise.v,
             };
         }
-        let wave = V::pulse_sine(phase);
+        let wave = wave(variant, cell, phase);
         Ground { h: self.base.h * wave, v: self.base.v * wave }
     }
 
@@ -134,5 +136,5 @@ pub fn ground_at<R: Real>(set: &CellEquations<R>, step: u32, fraction: R) -> Gro
     if step < set.cell.steps_forced {
         forcing.begin(0, set, step, false);
     }
-    forcing.ground(set.variant.recorded, fraction)
+    forcing.ground(set.variant, set.cell, fraction)
 }

@@ -13,7 +13,9 @@ use crate::model::dynamics::{Motion, rates};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::number::Number;
-use crate::model::real::{COSINE_F32, COSINE_F64, SINE_F32, SINE_F64};
+use crate::model::real::{
+    COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
+};
 
 /// Numbers of operations; changes of sign are free.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -85,6 +87,8 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
     const SINE: &'static [f64] = if DOUBLE { &SINE_F64 } else { &SINE_F32 };
     const COSINE: &'static [f64] = if DOUBLE { &COSINE_F64 } else { &COSINE_F32 };
 
+    const EXPONENTIAL: &'static [f64] = if DOUBLE { &EXPONENTIAL_F64 } else { &EXPONENTIAL_F32 };
+
     fn like(self, value: f64) -> Self {
         Counted(value)
     }
@@ -96,6 +100,11 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
 
     fn abs(self) -> Self {
         Counted(self.0.abs())
+    }
+
+    fn floor(self) -> Self {
+        count(|operations| operations.choices += 1);
+        Counted(self.0.floor())
     }
 
     fn sqrt(self) -> Self {
@@ -151,6 +160,7 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::pulse::Shape;
 
     /// By hand: in full contact, unisolated, a step is four evaluations of two sums (f_v = g plus
     /// the ground) and the shifts and the sum of seven coordinates.
@@ -158,6 +168,8 @@ mod tests {
     fn a_step_on_the_ground_counted_by_hand() {
         let variant = Variant {
             recorded: false,
+            pulse: Shape::OneSine,
+            cycles: false,
             isolated_h: false,
             isolated_v: false,
             kinks: false,

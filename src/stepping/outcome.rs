@@ -106,11 +106,14 @@ pub struct Outcome {
     pub max_u: f64,
     /// Largest |v|, m; the static deflection g/omega_v^2 included.
     pub max_v: f64,
+    /// Largest |v + g/omega_v^2|, m: from the static position.
+    pub stroke_v: f64,
     /// Least normal contact force over M, m/s^2; below zero the model does not hold, for it knows
     /// no loss of contact.
     pub min_contact: f64,
     /// Largest |horizontal| / normal contact force, while the latter is positive: the friction
     /// coefficient that the motion asks for.
+    #[serde(rename = "friction_demand")]
     pub friction: f64,
     /// How the integration ended.
     pub status: Status,
@@ -130,6 +133,7 @@ impl Outcome {
         max_phi_right: 0.0,
         max_u: 0.0,
         max_v: 0.0,
+        stroke_v: 0.0,
         min_contact: 0.0,
         friction: 0.0,
         status: Status::Undecided,

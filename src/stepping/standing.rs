@@ -1,7 +1,7 @@
 //! A block that stands, on a base that does not yield: steps in which no guard can happen, so that there
 //! is nothing to look for. What [`turn`](super::turn) makes of them, without the rest.
 
-use super::extremes::peak;
+use super::extremes::{peak, range};
 use super::forcing::Forcing;
 use super::rk4::rk4;
 use super::state::State;
@@ -20,8 +20,10 @@ pub struct Standing<'a, R: Real> {
     pub step: u32,
     /// Its motion there.
     pub motion: Motion<R>,
-    /// Largest |u| and |v| so far, m.
-    pub max: [R; 2],
+    /// Largest |u| so far, m.
+    pub max_u: R,
+    /// Least and largest v so far, m.
+    pub range_v: [R; 2],
 }
 
 impl<'a, R: Real> Standing<'a, R> {
@@ -35,28 +37,27 @@ impl<'a, R: Real> Standing<'a, R> {
             forcing,
             step: state.step,
             motion: state.motion,
-            max: [state.max_u, state.max_v],
+            max_u: state.max_u,
+            range_v: [state.least_v, state.most_v],
         }
     }
 
     /// Takes the next step, which must be one under excitation: the contact forces at its start, in its
     /// middle and at its end.
     pub fn step(&mut self) -> [Contact<R>; 3] {
-        let (set, recorded) = (self.set, self.set.variant.recorded);
+        let set = self.set;
         if self.forcing.done >= self.forcing.steps {
             self.forcing.begin(0, set, self.step, true);
         }
-        let at = |fraction: f64| self.forcing.ground(recorded, R::of(fraction));
+        let at = |fraction: f64| self.forcing.ground(set.variant, set.cell, R::of(fraction));
         let (start, mid, end) = (at(0.0), at(0.5), at(1.0));
         let (y, h) = (self.motion, self.forcing.step);
         let k1 = rates(set, &self.corner, false, &y, start);
         let stepped = rk4(set, &self.corner, false, &y, &k1, h, [mid, end]);
         let y1 = stepped.y;
         let base = support(set, &y1, end);
-        self.max = [
-            peak(true, self.max[0], y.u, y.du, y1.u, y1.du, h),
-            peak(true, self.max[1], y.v, y.dv, y1.v, y1.dv, h),
-        ];
+        self.max_u = peak(true, self.max_u, y.u, y.du, y1.u, y1.du, h);
+        self.range_v = range(true, self.range_v, y.v, y.dv, y1.v, y1.dv, h);
         self.motion = y1;
         self.step += 1;
         self.forcing.done = self.forcing.done + R::of(1.0);

@@ -36,8 +36,10 @@ pub struct State<R> {
     pub max_phi_right: R,
     /// Largest |u|, m.
     pub max_u: R,
-    /// Largest |v|, m.
-    pub max_v: R,
+    /// Least v from the static position, m: zero or below.
+    pub least_v: R,
+    /// Largest v from the static position, m: zero or above.
+    pub most_v: R,
     /// Least normal contact force over M, m/s^2.
     pub min_contact: R,
     /// Largest |horizontal| / normal contact force while the latter is positive.
@@ -60,13 +62,20 @@ pub struct State<R> {
     pub status: u32,
 }
 
-pod!(State, reals: 15, words: 6);
+pod!(State, reals: 16, words: 6);
 
 impl<R: Real> State<R> {
     /// The largest and least values so far.
     pub fn extremes(&self) -> Extremes<R> {
-        let State { max_phi_left, max_phi_right, max_u, max_v, min_contact, friction, .. } = *self;
-        Extremes { max_phi_left, max_phi_right, max_u, max_v, min_contact, friction }
+        Extremes {
+            max_phi_left: self.max_phi_left,
+            max_phi_right: self.max_phi_right,
+            max_u: self.max_u,
+            least_v: self.least_v,
+            most_v: self.most_v,
+            min_contact: self.min_contact,
+            friction: self.friction,
+        }
     }
 
     /// Takes over the largest and least values.
@@ -75,7 +84,8 @@ impl<R: Real> State<R> {
         self.max_phi_left = seen.max_phi_left;
         self.max_phi_right = seen.max_phi_right;
         self.max_u = seen.max_u;
-        self.max_v = seen.max_v;
+        self.least_v = seen.least_v;
+        self.most_v = seen.most_v;
         self.min_contact = seen.min_contact;
         self.friction = seen.friction;
     }

@@ -111,8 +111,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
     #[inline(always)]
     fn land(&mut self, lane: usize) {
         let zero = V::Element::of(0.0);
-        let recorded = self.shared.variant.recorded;
-        let ground = self.forcing.ground(recorded, self.start).map(|number| number.lane(lane));
+        let ground = self.forcing.ground(self.shared.variant, &self.cell, self.start);
+        let ground = ground.map(|number| number.lane(lane));
         let job = &mut self.lanes[lane].job;
         let set = self.shared.equations(&job.cell);
         let state = &mut job.state;

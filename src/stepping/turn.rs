@@ -39,7 +39,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let again = self.search.again;
         let fresh = if L::COUNTS { V::bits(zero.ge(self.start)) } else { 0 };
         let begun = zero.mask(self.running) & !(seeking | again);
-        let ground = self.forcing.ground(variant.recorded, self.start);
+        let ground = self.forcing.ground(variant, &self.cell, self.start);
         let set = self.equations();
         let k1 = rates(&set, &self.corner, self.rocking, &self.y, ground);
 
@@ -59,8 +59,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         // The trial.
         let mut length = self.search.at * self.span;
         let mut h = length * self.forcing.step;
-        let ground_mid = self.forcing.ground(variant.recorded, self.start + half * length);
-        let ground_end = self.forcing.ground(variant.recorded, self.start + length);
+        let ground_mid = self.forcing.ground(variant, &self.cell, self.start + half * length);
+        let ground_end = self.forcing.ground(variant, &self.cell, self.start + length);
         let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
         let rocked = if L::COUNTS { V::bits(rocking) } else { 0 };

@@ -74,7 +74,7 @@ impl Identity {
         part: Option<Part>,
     ) -> serde_json::Result<Identity> {
         let samples = match &scene.excitation {
-            Excitation::Pulse => None,
+            Excitation::Pulse(_) => None,
             Excitation::Record(pair) => Some(Samples {
                 horizontal: pair.horizontal.to_vec(),
                 vertical: pair.vertical.to_vec(),

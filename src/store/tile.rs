@@ -15,12 +15,12 @@ use crate::stepping::outcome::{Class, Outcome, Status};
 /// Ending of a tile's name.
 pub const EXTENSION: &str = "tile";
 
-const LETTERS: &[u8; 8] = b"topple02";
+const LETTERS: &[u8; 8] = b"topple03";
 /// Bytes before the checked part, and before the cells.
 const HEAD: usize = 16;
 const START: usize = HEAD + 16;
 /// Bytes of a cell.
-pub const CELL: usize = 90;
+pub const CELL: usize = 98;
 
 const CLASSES: [Class; 5] = Class::ALL;
 const STATUSES: [Status; 7] = [
@@ -174,6 +174,7 @@ fn put(column: Column, outcomes: &[Outcome], bytes: &mut [u8]) {
         Column::MaxPhiRight => each(outcomes, bytes, |cell| cell.max_phi_right.to_le_bytes()),
         Column::MaxU => each(outcomes, bytes, |cell| cell.max_u.to_le_bytes()),
         Column::MaxV => each(outcomes, bytes, |cell| cell.max_v.to_le_bytes()),
+        Column::StrokeV => each(outcomes, bytes, |cell| cell.stroke_v.to_le_bytes()),
         Column::MinContact => each(outcomes, bytes, |cell| cell.min_contact.to_le_bytes()),
         Column::Friction => each(outcomes, bytes, |cell| cell.friction.to_le_bytes()),
     }
@@ -224,6 +225,7 @@ fn take(column: Column, bytes: &[u8], outcomes: &mut [Outcome]) -> Option<()> {
         Column::MaxPhiRight => each(bytes, outcomes, number(|cell| &mut cell.max_phi_right)),
         Column::MaxU => each(bytes, outcomes, number(|cell| &mut cell.max_u)),
         Column::MaxV => each(bytes, outcomes, number(|cell| &mut cell.max_v)),
+        Column::StrokeV => each(bytes, outcomes, number(|cell| &mut cell.stroke_v)),
         Column::MinContact => each(bytes, outcomes, number(|cell| &mut cell.min_contact)),
         Column::Friction => each(bytes, outcomes, number(|cell| &mut cell.friction)),
     }

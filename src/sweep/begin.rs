@@ -42,7 +42,7 @@ impl Plan {
             body: 0,
         };
         let cell = groups.cell();
-        let state = at_rest(&cell, groups.sound(), groups.drive.tilt);
+        let state = at_rest(groups.sound(), groups.drive.tilt);
         (cell, state)
     }
 }
@@ -56,7 +56,7 @@ pub fn begin<R: Real>(
 ) -> (Cell<R>, State<R>) {
     let groups = tables.groups(place);
     let cell = groups.cell();
-    let mut state = at_rest(&cell, groups.sound(), groups.drive.tilt);
+    let mut state = at_rest(groups.sound(), groups.drive.tilt);
     if let Some(tracks) = tracks
         && state.status == RUNNING
     {
@@ -68,13 +68,9 @@ pub fn begin<R: Real>(
 
 /// A state at rest, the base in static equilibrium.
 #[inline(always)]
-fn at_rest<R: Real>(cell: &Cell<R>, sound: bool, tilt: R) -> State<R> {
+fn at_rest<R: Real>(sound: bool, tilt: R) -> State<R> {
     let mut state = State::<R>::zeroed();
-    if cell.deflection > R::of(0.0) {
-        state.motion.v = -cell.deflection;
-    }
     state.motion.phi = tilt;
-    state.max_v = cell.deflection;
     state.min_contact = R::of(GRAVITY);
     state.mode = mode_of(tilt);
     if !sound {

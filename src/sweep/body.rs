@@ -1,19 +1,12 @@
 //! A block on its base: what depends on the block, the masses and the restitution alone.
 
+use crate::scene::parameters::Section;
 use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
 
-/// What a body depends on.
-pub const BODY: [Parameter; 9] = [
-    Parameter::HalfWidth,
-    Parameter::Height,
-    Parameter::Mass,
-    Parameter::Inertia,
-    Parameter::Eccentricity,
-    Parameter::Offset,
-    Parameter::PlateH,
-    Parameter::PlateV,
-    Parameter::Restitution,
-];
+/// What a body depends on: the numbers of a scene's block, and the restitution.
+pub fn body_parameters() -> Vec<Parameter> {
+    Parameter::of_section(Section::Block).chain([Parameter::Restitution]).collect()
+}
 
 /// A block on its base.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! The numbers of a grid's cells in tables, each by the parameters that it depends on. A clock that depends
 //! on all axes is made for each cell, of its parts.
 
-use super::body::{BODY, Body};
+use super::body::{Body, body_parameters};
 use super::clock::Clock;
 use super::clock_parts::{SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters};
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
@@ -58,7 +58,7 @@ fn by_body<T>(
     law: &[Parameter],
     entry: impl Fn(&Case, &Body) -> T,
 ) -> Table<T> {
-    Table::of(grid, window, &[&BODY[..], law].concat(), |case| {
+    Table::of(grid, window, &[&body_parameters()[..], law].concat(), |case| {
         let case = plan.locked(case);
         entry(&case, &Body::of(&case))
     })

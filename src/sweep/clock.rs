@@ -15,7 +15,7 @@ pub const SHORT_PERIOD: f64 = 1.0 / 16.0;
 /// Below this period, s, the vertical isolation acts as if it were rigid, nothing is chaotic, and
 /// steps a period fall again.
 pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
-/// Steps that a pulse holds at least: so many that the contact forces between its steps, which come from
+/// Steps that a period of a pulse holds at least: so many that the contact forces between its steps, which come from
 /// the stages of RK4 and err by the step's cube, are right to a thousandth of the weight.
 pub const STEPS_A_PULSE: f64 = 64.0;
 
@@ -28,7 +28,7 @@ pub struct Resolution {
     steps_a_period: f64,
     /// The same for periods around [`SHORT_PERIOD`].
     finest_steps_a_period: f64,
-    /// Steps that a pulse holds at least.
+    /// Steps that a period of a pulse holds at least.
     steps_a_pulse: f64,
     /// Steps that the yield time alpha_y/(n omega_h) of a Bouc-Wen base holds at least.
     steps_a_yield: f64,
@@ -98,9 +98,9 @@ impl Resolution {
         yield_time / self.steps_a_yield / self.divide
     }
 
-    /// Longest step of a pulse of this duration, s.
-    pub fn longest_in_pulse(&self, pulse: f64) -> f64 {
-        pulse / self.steps_a_pulse / self.divide
+    /// Longest step of a pulse of this shortest period, s.
+    pub fn longest_in_pulse(&self, period: f64) -> f64 {
+        period / self.steps_a_pulse / self.divide
     }
 }
 

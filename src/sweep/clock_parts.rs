@@ -3,11 +3,11 @@
 
 use std::f64::consts::TAU;
 
-use super::body::{BODY, Body};
+use super::body::{Body, body_parameters};
 use super::clock::Clock;
 use super::plan::Plan;
 use crate::scene::case::PEAK;
-use crate::scene::{Case, Excitation, Grid, Parameter};
+use crate::scene::{Case, Excitation, Grid, Parameter, Shaking};
 
 /// The horizontal isolation's part.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +39,7 @@ pub(super) struct Span {
     longest: f64,
 }
 
-/// What [`SwingH`] depends on, with the [`BODY`]; where u_y is given, its yield time follows from the
+/// What [`SwingH`] depends on, with the [body](body_parameters); where u_y is given, its yield time follows from the
 /// ground's peak.
 pub(super) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
     let mut swing = vec![Parameter::TH, Parameter::Psi, Parameter::AlphaY, Parameter::BoucWenN];
@@ -52,13 +52,14 @@ pub(super) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
 
 /// What a clock depends on.
 pub(super) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
-    [&BODY[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
+    [&body_parameters()[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
 }
 
 /// What [`SwingV`] depends on, with the body.
 pub(super) const SWING_V: [Parameter; 1] = [Parameter::TV];
 /// What [`Span`] depends on.
-pub(super) const SPAN: [Parameter; 2] = [Parameter::Omega, Parameter::TMax];
+pub(super) const SPAN: [Parameter; 4] =
+    [Parameter::Omega, Parameter::Cycles, Parameter::Gamma, Parameter::TMax];
 
 impl Plan {
     /// The horizontal part of a cell's clock.
@@ -89,15 +90,18 @@ impl Plan {
     /// The part of the excitation and the run.
     pub(super) fn span(&self, case: &Case) -> Span {
         let t_max = case.t_max;
-        match (&self.scene.excitation, case.shaking.pulse()) {
+        match (&self.scene.excitation, case.shaking) {
+            (_, Shaking::Pulse(pulse)) => {
+                let longest = self.resolution.longest_in_pulse(pulse.shortest_period());
+                let forced = pulse.duration().min(t_max);
+                Span { omega: Some(pulse.omega), forced, t_max, longest }
+            }
             (Excitation::Record(pair), _) => {
                 Span { omega: None, forced: pair.duration(), t_max, longest: f64::INFINITY }
             }
-            (Excitation::Pulse, pulse) => {
-                let omega = pulse.map_or(1.0, |pulse| pulse.omega);
-                let pulse = TAU / omega;
-                let longest = self.resolution.longest_in_pulse(pulse);
-                Span { omega: Some(omega), forced: pulse.min(t_max), t_max, longest }
+            // A scene under a pulse has no cell under a record.
+            (Excitation::Pulse(_), _) => {
+                Span { omega: None, forced: 0.0, t_max, longest: f64::INFINITY }
             }
         }
     }
@@ -118,7 +122,9 @@ impl Plan {
         // oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
         let (steps_forced, substeps) = match &self.scene.excitation {
-            Excitation::Pulse => ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0),
+            Excitation::Pulse(_) => {
+                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
+            }
             Excitation::Record(pair) => {
                 let substeps = (pair.dt / longest).ceil().max(1.0);
                 (substeps * (pair.len() - 1) as f64, substeps)

@@ -16,8 +16,8 @@ use super::clock_parts::clock_parameters;
 use super::plan::Plan;
 use super::shared_motion::{Direction, Track};
 use super::table::{Strides, Window, places_of, strides};
-use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, PEAK, VELOCITY};
-use super::tracks::{CREST, EIGHTHS_V, LOWEST, QUARTERS_H, TROUGH, VERTICAL_FIELDS};
+use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, TOP, VELOCITY};
+use super::tracks::{BOTTOM, CREST, EIGHTHS_V, LOWEST, QUARTERS_H, TROUGH, VERTICAL_FIELDS};
 use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
@@ -43,7 +43,14 @@ pub struct Tracks<R> {
 /// What a base's strength in newtons is over.
 const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
 /// What the ground depends on, beside a pulse's amplitudes.
-const GROUND: [Parameter; 3] = [Parameter::Scale, Parameter::Pga, Parameter::Omega];
+const GROUND: [Parameter; 6] = [
+    Parameter::Scale,
+    Parameter::Pga,
+    Parameter::Omega,
+    Parameter::Cycles,
+    Parameter::Gamma,
+    Parameter::Phase,
+];
 
 /// What the motions of each direction depend on, and whether v is at rest.
 struct Dependence {
@@ -117,7 +124,7 @@ impl<R: Real> Tracks<R> {
         }
         let samples = |parameters: &[Parameter], motions: usize| match &plan.scene.excitation {
             Excitation::Record(pair) => motions * pair.len(),
-            Excitation::Pulse => {
+            Excitation::Pulse(_) => {
                 let steps = |place| plan.clock(&grid.case_at(&place)).steps_forced as usize;
                 places_of(grid, parameters).map(|place| steps(place) + 1).sum()
             }
@@ -163,7 +170,7 @@ fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
         motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.du));
         motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
         motions.fill(LEAST, number, track.least.iter().copied());
-        motions.fill(PEAK, number, track.peak.iter().copied());
+        motions.fill(TOP, number, track.top.iter().copied());
         motions.fill(HYSTERETIC, number, track.motion.iter().map(|motion| motion.z));
         motions.fill(MOST, number, track.most.iter().copied());
         motions.fill(HIGHEST, number, track.highest.iter().copied());
@@ -186,7 +193,8 @@ fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
         motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.dv));
         motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
         motions.fill(LEAST, number, track.least.iter().copied());
-        motions.fill(PEAK, number, track.peak.iter().copied());
+        motions.fill(TOP, number, track.top.iter().copied());
+        motions.fill(BOTTOM, number, track.bottom.iter().copied());
         motions.fill(LOWEST, number, track.lowest.iter().copied());
         motions.fill(TROUGH, number, track.crest.iter().copied());
         for (eighth, values) in track.inside.iter().enumerate() {

@@ -8,10 +8,11 @@ use bytemuck::Zeroable;
 use super::body::Body;
 use super::clock::Clock;
 use crate::model::excitation::Cell;
+use crate::model::pulse::Modulation;
 use crate::model::real::{Real, pod};
 use crate::scene::case::PEAK;
 use crate::scene::isolation::HORIZONTAL;
-use crate::scene::{Case, GRAVITY, Parameter, Shaking};
+use crate::scene::{Case, Parameter, Pulse, Shaking};
 
 /// A landing block comes to rest when its next flight would last less than this share of a step.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
@@ -64,6 +65,10 @@ pub struct Drive<R> {
     pub scale: R,
     /// phi at the start, rad.
     pub tilt: R,
+    /// See [`Cell::envelope`].
+    pub envelope: R,
+    /// See [`Cell::carrier`].
+    pub carrier: R,
     /// 1 where these numbers are finite, 0 where the number type does not hold one.
     pub sound: R,
 }
@@ -92,7 +97,7 @@ pub struct Steps<R> {
 
 pod!(Horizontal, reals: 7, words: 0);
 pod!(Vertical, reals: 5, words: 0);
-pod!(Drive, reals: 5, words: 0);
+pod!(Drive, reals: 7, words: 0);
 pod!(Steps, reals: 4, words: 4);
 
 fn finite<R: Real, const N: usize>(numbers: [R; N]) -> bool {
@@ -104,7 +109,7 @@ fn flag<R: Real>(sound: bool) -> R {
 }
 
 impl<R: Real> Horizontal<R> {
-    /// What it depends on, with the [`BODY`](super::body::BODY).
+    /// What it depends on, with the [body](super::body::body_parameters).
     pub fn law() -> Vec<Parameter> {
         [&HORIZONTAL[..], &PEAK].concat()
     }
@@ -142,7 +147,7 @@ impl<R: Real> Vertical<R> {
             let omega_v = TAU / base.t_v;
             group.stiffness_v = R::of(omega_v * omega_v);
             group.damping_v = R::of(2.0 * base.xi_v * omega_v);
-            group.deflection = R::of(GRAVITY / (omega_v * omega_v));
+            group.deflection = R::of(base.deflection());
             group.reach_v =
                 R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / body.free_share_v()).sqrt());
         }
@@ -154,20 +159,34 @@ impl<R: Real> Vertical<R> {
 
 impl<R: Real> Drive<R> {
     /// What it depends on.
-    pub const LAW: [Parameter; 5] =
-        [Parameter::AH, Parameter::AV, Parameter::Scale, Parameter::Pga, Parameter::Tilt];
+    pub const LAW: [Parameter; 7] = [
+        Parameter::AH,
+        Parameter::AV,
+        Parameter::Gamma,
+        Parameter::Phase,
+        Parameter::Scale,
+        Parameter::Pga,
+        Parameter::Tilt,
+    ];
 
     /// The numbers of a cell; `shared` is the A_h of the shared full contact, where it has one.
     pub fn of(case: &Case, shared: Option<f64>) -> Drive<R> {
-        let (a_h, a_v) = match case.shaking {
-            Shaking::Pulse(pulse) => (pulse.a_h, pulse.a_v),
-            Shaking::Record { factor, .. } => (factor, factor),
+        let none = Modulation { envelope: 0.0, carrier: 0.0 };
+        let (a_h, a_v, peak, modulation) = match case.shaking {
+            Shaking::Pulse(pulse) => {
+                let Pulse { shape, gamma, phase, a_h, a_v, .. } = pulse;
+                let modulated = shape.is_modulated();
+                let modulation = if modulated { Modulation::of(gamma, phase) } else { none };
+                (a_h, a_v, shape.peak(gamma, phase), modulation)
+            }
+            Shaking::Record { factor, .. } => (factor, factor, 1.0, none),
         };
-        let (amplitude_h, amplitude_v) = (R::of(a_h), R::of(a_v));
+        let (amplitude_h, amplitude_v) = (R::of(a_h / peak), R::of(a_v / peak));
         let (scale, tilt) =
             (R::of(shared.map_or(1.0, |amplitude| a_h / amplitude)), R::of(case.tilt));
+        let (envelope, carrier) = (R::of(modulation.envelope), R::of(modulation.carrier));
         let sound = flag(finite([amplitude_h, amplitude_v, tilt]));
-        Drive { amplitude_h, amplitude_v, scale, tilt, sound }
+        Drive { amplitude_h, amplitude_v, scale, tilt, envelope, carrier, sound }
     }
 }
 
@@ -234,6 +253,8 @@ impl<R: Real> Groups<R> {
             deflection: vertical.deflection,
             reach_h: horizontal.reach_h,
             reach_v: vertical.reach_v,
+            envelope: drive.envelope,
+            carrier: drive.carrier,
             steps_forced: steps.steps_forced,
             steps: steps.steps,
             substeps: steps.substeps,

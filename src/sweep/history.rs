@@ -42,23 +42,26 @@ pub struct Row {
 /// Rows at the switches of a cell.
 struct Switches<'a> {
     clock: &'a Clock,
+    /// By which v lies below the static position, m.
+    deflection: f64,
     rows: &'a RefCell<Vec<Row>>,
 }
 
 impl<R: Real> Log<R> for Switches<'_> {
     fn switched(&mut self, _: u32, fraction: R, state: &State<R>) {
         let t = self.clock.time(state.step, fraction.to_f64());
-        self.rows.borrow_mut().push(row(t, state));
+        self.rows.borrow_mut().push(row(t, self.deflection, state));
     }
 }
 
-fn row<R: Real>(t: f64, state: &State<R>) -> Row {
+fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
     let mode = match state.mode {
         ROCKING_LEFT => "rocking_left",
         ROCKING_RIGHT => "rocking_right",
         _ => "full_contact",
     };
     let [u, du, v, dv, z, phi, dphi] = state.motion.reals().map(R::to_f64);
+    let v = R::of(v - deflection).to_f64();
     Row { t, mode, u, du, v, dv, z, phi, dphi }
 }
 
@@ -70,14 +73,15 @@ pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
     let record = plan.record::<R>();
     let set =
         CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
-    let rows = RefCell::new(vec![row(0.0, &state)]);
-    let mut switches = Switches { clock: &clock, rows: &rows };
+    let deflection = plan.locked(case).deflection();
+    let rows = RefCell::new(vec![row(0.0, deflection, &state)]);
+    let mut switches = Switches { clock: &clock, deflection, rows: &rows };
     let mut single = Single::new(&set, &state, &mut switches);
     loop {
         let goes_on = single.step();
         state = single.state();
         if goes_on || state.step == cell.steps {
-            rows.borrow_mut().push(row(clock.time(state.step, 0.0), &state));
+            rows.borrow_mut().push(row(clock.time(state.step, 0.0), deflection, &state));
         }
         if !goes_on {
             break;

@@ -7,12 +7,13 @@ use bytemuck::Zeroable;
 use serde::Serialize;
 
 use super::backend::Precision;
-use super::body::{BODY, Body};
+use super::body::{Body, body_parameters};
 use super::clock::Resolution;
 use super::shared::Kept;
 use crate::model::block::Model;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
+use crate::model::pulse::Shape;
 use crate::model::real::Real;
 use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positive};
 
@@ -77,6 +78,8 @@ pub struct Plan {
     pub(super) laws: Laws,
     /// Its cells differ in their body.
     bodies: bool,
+    /// A pulse of some cell has more than one cycle.
+    cycles: bool,
     /// What its tiles share.
     pub(super) kept: Arc<Kept>,
 }
@@ -99,8 +102,10 @@ impl Plan {
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
         let (copy, reductions, kept) = (scene.clone(), Reductions::ALL, Arc::default());
         let grid = Grid::of(scene);
-        let bodies = grid.sweeps(&BODY);
-        let mut plan = Plan { scene: copy, resolution, reductions, laws, bodies, kept };
+        let bodies = grid.sweeps(&body_parameters());
+        let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
+        let cycles = most > 1.0;
+        let mut plan = Plan { scene: copy, resolution, reductions, laws, bodies, cycles, kept };
         plan.laws = plan.laws_of(&scene.case());
         for mut case in grid.corners() {
             if let (Some(rigid), Some(law)) = (plan.rigid_period(), &mut case.isolation.vertical) {
@@ -108,8 +113,7 @@ impl Plan {
                 law.t_v = law.t_v.max(rigid);
             }
             let clock = plan.clock(&case);
-            let steps = case.t_max / clock.step_forced.max(f64::MIN_POSITIVE);
-            if steps > MOST_STEPS {
+            if f64::from(clock.steps) > MOST_STEPS {
                 let problem = format!(
                     "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, \
                      or lock a direction as stiff as that",
@@ -233,7 +237,7 @@ impl Plan {
                 .zip(pair.vertical.iter())
                 .map(|(h, v)| Ground { h: R::of(*h), v: R::of(*v) })
                 .collect(),
-            Excitation::Pulse => vec![Ground::zeroed(); 2],
+            Excitation::Pulse(_) => vec![Ground::zeroed(); 2],
         }
     }
 
@@ -251,8 +255,14 @@ impl Plan {
     /// What the scene switches on; of a part, what its cells have in common.
     pub fn variant(&self) -> Variant {
         let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n } = self.laws;
+        let (recorded, pulse) = match self.scene.excitation {
+            Excitation::Record(_) => (true, Shape::OneSine),
+            Excitation::Pulse(shape) => (false, shape),
+        };
         Variant {
-            recorded: matches!(self.scene.excitation, Excitation::Record(_)),
+            recorded,
+            pulse,
+            cycles: self.cycles,
             isolated_h,
             isolated_v,
             kinks: self.resolution.kinks && yields,

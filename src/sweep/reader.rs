@@ -15,16 +15,19 @@ pub struct Reader {
     tilted: bool,
     /// alpha about the left and the right corner, rad.
     critical: [f64; 2],
+    /// The static deflection, m.
+    deflection: f64,
 }
 
 impl Reader {
-    /// What it depends on, with the [`BODY`](super::body::BODY).
-    pub const LAW: [Parameter; 2] = [Parameter::TMax, Parameter::Tilt];
+    /// What it depends on, with the [body](super::body::body_parameters).
+    pub const LAW: [Parameter; 3] = [Parameter::TMax, Parameter::Tilt, Parameter::TV];
 
     /// That of a cell.
     pub fn of(case: &Case) -> Reader {
         let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
-        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical }
+        let deflection = case.deflection();
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection }
     }
 
     /// What became of a cell of this clock whose run has ended in `state`.
@@ -48,6 +51,8 @@ impl Reader {
         if class.overturned() {
             zeta = 1.0;
         }
+        let (least_v, most_v) = (state.least_v.to_f64(), state.most_v.to_f64());
+        let max_v = (least_v - self.deflection).abs().max((most_v - self.deflection).abs());
         let reached = clock.time(state.step, state.end_fraction.to_f64());
         let ended = matches!(state.status, FINISHED | PROVED);
         Outcome {
@@ -62,7 +67,9 @@ impl Reader {
             max_phi_left: left,
             max_phi_right: right,
             max_u: state.max_u.to_f64(),
-            max_v: state.max_v.to_f64(),
+            // As many digits as the number type has.
+            max_v: R::of(max_v).to_f64(),
+            stroke_v: most_v.max(-least_v),
             min_contact: state.min_contact.to_f64(),
             friction: state.friction.to_f64(),
             status,

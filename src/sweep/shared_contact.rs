@@ -5,8 +5,8 @@ use fearless_simd::dispatch;
 
 use super::full_contact::Tracks;
 use super::tracks::{
-    ACCELERATION, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST, LOWEST,
-    MOST, PEAK, QUARTERS_H, STRONGEST, TROUGH, VELOCITY,
+    ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST,
+    LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
 };
 use crate::model::block::Model;
 use crate::model::dynamics::Motion;
@@ -83,8 +83,9 @@ pub(super) fn full_contact<R: Real>(
         phi: zero,
         dphi: zero,
     };
-    state.max_u = scale.abs() * h.field(PEAK)[sample];
-    state.max_v = v.field(PEAK)[at];
+    state.max_u = scale.abs() * h.field(TOP)[sample];
+    state.least_v = v.field(BOTTOM)[at];
+    state.most_v = v.field(TOP)[at];
     let lowest = v.field(LOWEST)[at];
     if lowest < state.min_contact {
         state.min_contact = lowest;

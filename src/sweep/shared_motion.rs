@@ -41,8 +41,10 @@ pub struct Track<R> {
     pub inside: Vec<Vec<R>>,
     /// Its largest magnitude (of v its least) in each gap, crests between steps included.
     pub crest: Vec<R>,
-    /// Largest |u| or |v| up to each sample, m.
-    pub peak: Vec<R>,
+    /// Least v up to each sample, m; of u zeros.
+    pub bottom: Vec<R>,
+    /// Largest |u|, or largest v, up to each sample, m.
+    pub top: Vec<R>,
     /// Least of the acceleration up to each sample.
     pub lowest: Vec<R>,
     /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
@@ -130,8 +132,8 @@ struct Felt<R> {
 trait Walk<R> {
     /// Takes a step: what the steps came to since the last gap began.
     fn step(&mut self) -> Felt<R>;
-    /// The motion, and the largest |u| or |v| so far.
-    fn place(&mut self) -> (Motion<R>, R);
+    /// The motion; of v the least and the largest so far, of u zero and the largest magnitude.
+    fn place(&mut self) -> (Motion<R>, [R; 2]);
     /// A gap begins.
     fn begin_gap(&mut self);
 }
@@ -163,10 +165,10 @@ impl<R: Real> Walk<R> for Smooth<'_, R> {
         self.felt
     }
 
-    fn place(&mut self) -> (Motion<R>, R) {
-        let [max_u, max_v] = self.standing.max;
-        let max = if self.direction == Direction::Horizontal { max_u } else { max_v };
-        (self.standing.motion, max)
+    fn place(&mut self) -> (Motion<R>, [R; 2]) {
+        let Standing { motion, max_u, range_v, .. } = self.standing;
+        let range_u = [R::of(0.0), max_u];
+        (motion, if self.direction == Direction::Horizontal { range_u } else { range_v })
     }
 
     fn begin_gap(&mut self) {
@@ -198,9 +200,9 @@ impl<R: Real> Walk<R> for Yielding<'_, R> {
         self.felt.get()
     }
 
-    fn place(&mut self) -> (Motion<R>, R) {
+    fn place(&mut self) -> (Motion<R>, [R; 2]) {
         let state = self.single.state();
-        (state.motion, state.max_u)
+        (state.motion, [R::of(0.0), state.max_u])
     }
 
     fn begin_gap(&mut self) {
@@ -280,7 +282,8 @@ impl<R: Real> Track<R> {
             acceleration: Vec::with_capacity(count),
             least: Vec::with_capacity(count),
             most: Vec::with_capacity(count),
-            peak: Vec::with_capacity(count),
+            bottom: Vec::with_capacity(count),
+            top: Vec::with_capacity(count),
             lowest: Vec::with_capacity(count),
             inside: (1..direction.parts()).map(|_| Vec::with_capacity(count)).collect(),
             crest: Vec::with_capacity(count),
@@ -292,12 +295,14 @@ impl<R: Real> Track<R> {
         // With few steps to a gap every other part is told by those beside it.
         let apart = if cell.substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 };
         let mut values = vec![R::of(0.0); parts as usize + 1];
-        let (mut lowest, mut missed) = (now, R::of(0.0));
+        // A block that lifts at once, at a jump, has felt nothing.
+        let (mut lowest, mut missed) = (Direction::Vertical.no_crest(), R::of(0.0));
         for sample in 0..count {
-            let (mut motion, peak) = walk.place();
+            let (mut motion, [bottom, top]) = walk.place();
             track.motion.push(motion);
             track.acceleration.push(now);
-            track.peak.push(peak);
+            track.bottom.push(bottom);
+            track.top.push(top);
             track.lowest.push(lowest);
             if sample + 1 == count {
                 break;

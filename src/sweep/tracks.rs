@@ -14,8 +14,8 @@ pub const VELOCITY: usize = 1;
 pub const ACCELERATION: usize = 2;
 /// Lower bound of the acceleration from each sample to the next.
 pub const LEAST: usize = 3;
-/// Largest |u| or |v| up to each sample, m.
-pub const PEAK: usize = 4;
+/// Largest |u|, or largest v, up to each sample, m.
+pub const TOP: usize = 4;
 /// Of v: least of the acceleration up to each sample.
 pub const LOWEST: usize = 5;
 /// Of v: least of the acceleration from each sample to the next, crests between steps included.
@@ -35,10 +35,12 @@ pub const STRONGEST: usize = 9;
 pub const CREST: usize = 10;
 /// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
 pub const EIGHTHS_V: usize = 7;
+/// Of v: least v up to each sample, m.
+pub const BOTTOM: usize = 14;
 /// Of u: the same after the first quarter of each gap; two quarters more follow.
 pub const QUARTERS_H: usize = 11;
 /// Quantities of a motion of v.
-pub const VERTICAL_FIELDS: usize = 14;
+pub const VERTICAL_FIELDS: usize = 15;
 /// Quantities of a motion of u.
 pub const HORIZONTAL_FIELDS: usize = 14;
 

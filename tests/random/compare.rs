@@ -62,6 +62,7 @@ fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
         share(want.max_phi_right, 1.0e-6),
         share(want.max_u, 1.0e-6),
         share(want.max_v, 1.0e-6),
+        share(want.stroke_v, 1.0e-6),
         share(want.min_contact, weight),
         share(want.friction, 1.0e-6) + want.friction * of_normal,
     ]
@@ -122,7 +123,16 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision) -> Comparison
         return of;
     }
     let spread = truth.spread(Disturbance::OneStep);
-    of.faults = of_numbers(got, want, &spread.numbers.map(|moves| spreads(precision) * moves));
+    let mut moves = spread.numbers.map(|moves| spreads(precision) * moves);
+    of.faults = of_numbers(got, want, &moves);
+    if !of.faults.is_empty() {
+        // Where motions part, they do not do so in proportion: by as much as an outcome may.
+        let most = truth.spread(Disturbance::most(precision)).numbers;
+        for (moves, most) in moves.iter_mut().zip(most) {
+            *moves = moves.max(most);
+        }
+        of.faults = of_numbers(got, want, &moves);
+    }
     let counts = of_counts(got, want);
     if !spread.counts && truth.shortest_flight() > CHATTER {
         of.faults.extend(counts);

@@ -151,10 +151,29 @@ fn pulse(dice: &mut Dice, body: &Body, points: u32) -> (String, f64) {
     };
     let (low, high) = (weakest.min(strongest), weakest.max(strongest));
     let a_v = if dice.chance(0.4) { 0.0 } else { dice.sign() * dice.over(0.5, 12.0) };
-    let text = format!(
+    let mut text = format!(
         "[pulse]\nomega = \"{omega:?}:{fastest:?}:{points}\"\na_h = \"{low:?}:{high:?}:{points}\"\na_v = {a_v:?}\n"
     );
-    (text, TAU / omega)
+    let (name, mut periods) = dice.one_of(&[
+        ("one-sine", 1.0),
+        ("one-sine", 1.0),
+        ("one-sine", 1.0),
+        ("one-cosine", 1.0),
+        ("half-sine", 0.5),
+        ("rectangle", 0.5),
+        ("ricker", 3.0),
+        ("ricker-antisymmetric", 4.0),
+        ("mavroeidis-papageorgiou", 1.0),
+    ]);
+    text += &format!("shape = \"{name}\"\n");
+    if name == "mavroeidis-papageorgiou" {
+        periods = dice.within(1.0, 4.0);
+        text += &format!("gamma = {periods:?}\nphase = {:?}\n", dice.within(-3.0, 3.0));
+    } else if periods == 1.0 && dice.chance(0.3) {
+        periods = dice.one_of(&[0.5, 1.25, 2.0, 3.0]);
+        text += &format!("cycles = {periods:?}\n");
+    }
+    (text, periods * TAU / omega)
 }
 
 /// The rest of a scene, of which a forced part takes `forced` s.

@@ -9,7 +9,7 @@ use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 
 /// Columns that are numbers: names, and values.
-pub const NUMBERS: [&str; 9] = [
+pub const NUMBERS: [&str; 10] = [
     "t_end",
     "t_uplift",
     "zeta",
@@ -17,6 +17,7 @@ pub const NUMBERS: [&str; 9] = [
     "max_phi_right",
     "max_u",
     "max_v",
+    "stroke_v",
     "min_contact",
     "friction",
 ];
@@ -31,6 +32,7 @@ pub fn numbers(cell: &Outcome) -> [f64; NUMBERS.len()] {
         cell.max_phi_right,
         cell.max_u,
         cell.max_v,
+        cell.stroke_v,
         cell.min_contact,
         cell.friction,
     ]

@@ -20,7 +20,8 @@ fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
     let plan = Plan::resolved(scene, resolution).unwrap();
     let grid = Grid::of(scene);
     let (_, events) = cpu::sweep_keeping::<f64>(&plan, &grid, &[0], SWITCHES);
-    of_events(&events, &plan.clock(&grid.case(0)))
+    let case = grid.case(0);
+    of_events(&events, &plan.clock(&case), case.deflection())
 }
 
 fn true_switches(scene: &Scene) -> Vec<Seen> {
@@ -94,7 +95,8 @@ fn many_crossings_in_one_step() {
     let plan = Plan::resolved(&scene, Resolution::exactly(h).across_kinks()).unwrap();
     let grid = Grid::of(&scene);
     let (_, events) = topple::chart::naive::sweep(&plan, &grid, &[0], SWITCHES);
-    let naive = of_events(&events, &plan.clock(&grid.case(0)));
+    let case = grid.case(0);
+    let naive = of_events(&events, &plan.clock(&case), case.deflection());
     let late = naive[1].t - right[1].t;
     say(&format!(
         "many_crossings_in_one_step: {} in {:.2} s with steps of 1/16 s: within {in_step:.0e} s; naive {late:.2} s late",

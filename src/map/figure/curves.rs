@@ -33,6 +33,9 @@ const APART: i32 = 14;
 /// Height of the strip of outcomes.
 const STRIP: i32 = 26;
 
+/// What is drawn: max|v|, which holds the static deflection, tells less than the stroke.
+const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
+
 /// Where the k-th plot lies.
 fn plot(k: usize) -> Place {
     Place { x: LEFT, y: TOP + k as i32 * (HEIGHT + APART), width: WIDTH, height: HEIGHT }
@@ -40,7 +43,7 @@ fn plot(k: usize) -> Place {
 
 /// Where the strip lies.
 fn strip() -> Place {
-    Place { y: TOP + FIELDS.len() as i32 * (HEIGHT + APART), height: STRIP, ..plot(0) }
+    Place { y: TOP + SHOWN.len() as i32 * (HEIGHT + APART), height: STRIP, ..plot(0) }
 }
 
 /// Draws the curves along the axis of a map's cells as SVG.
@@ -59,7 +62,7 @@ pub fn draw(map: &Map, axis: &Axis) -> Result<String, FigureError> {
     images.extend(hatched(&line, strip())?.map(|hatch| (strip(), hatch)));
     document(SIZE, &images, |root| {
         heading(root, LEFT, map.scene, &map.scene.title)?;
-        for (k, field) in FIELDS.iter().enumerate() {
+        for (k, field) in SHOWN.iter().enumerate() {
             paint(root, (map, axis), field, plot(k))?;
         }
         let below = Axes { size: SIZE, plot: strip(), room: (None, Some(48)), font: FONT };

@@ -31,8 +31,8 @@ pub struct Field {
     pub standing_only: bool,
 }
 
-/// The rocking index and the displacements, a figure each.
-pub const FIELDS: [Field; 3] = [
+/// The rocking index, the displacements and the vertical stroke, a figure each.
+pub const FIELDS: [Field; 4] = [
     Field {
         name: "map",
         title: "rocking index",
@@ -54,6 +54,14 @@ pub const FIELDS: [Field; 3] = [
         title: "vertical displacement of the base",
         label: "max|v| [m]",
         value: |cell| cell.max_v,
+        ends: None,
+        standing_only: true,
+    },
+    Field {
+        name: "stroke_v",
+        title: "vertical stroke of the base about its static position",
+        label: "max|v + g/ω_v²| [m]",
+        value: |cell| cell.stroke_v,
         ends: None,
         standing_only: true,
     },

@@ -8,8 +8,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::super::Map;
 use super::document::{Place, compose};
 use super::{FigureError, tick};
+use crate::model::pulse::Shape;
 use crate::scene::grid::Axis;
-use crate::scene::{Directions, GRAVITY, Grid, Overturn, Parameter, Scene, Values};
+use crate::scene::parameters::{Caption, PARAMETERS};
+use crate::scene::{Directions, Excitation, GRAVITY, Grid, Overturn, Parameter, Scene, Values};
 
 /// Size of a map figure.
 pub const SIZE: (u32, u32) = (960, 758);
@@ -85,40 +87,13 @@ pub fn extent(values: &Values) -> std::ops::Range<f64> {
     values.coordinate(-0.5)..values.coordinate(last + 0.5)
 }
 
-/// Parameters that a caption shows where they have one value.
-const CAPTION: [Parameter; 10] = [
-    Parameter::HalfWidth,
-    Parameter::Height,
-    Parameter::Eccentricity,
-    Parameter::Offset,
-    Parameter::TH,
-    Parameter::TV,
-    Parameter::Scale,
-    Parameter::Omega,
-    Parameter::AH,
-    Parameter::AV,
-];
-
-/// Those that it shows where they are not what they are by default.
-const UNUSUAL: [Parameter; 10] = [
-    Parameter::Psi,
-    Parameter::XiH,
-    Parameter::XiV,
-    Parameter::AlphaY,
-    Parameter::UY,
-    Parameter::YieldForce,
-    Parameter::BoucWenN,
-    Parameter::Tilt,
-    Parameter::Friction,
-    Parameter::Restitution,
-];
-
 /// The parameters of a scene that its axes do not show, in one line.
 pub fn caption(scene: &Scene) -> String {
     let single = |parameter: Parameter| scene.numbers.get(parameter)?.single();
     let mut parts = Vec::new();
-    for parameter in CAPTION {
-        if parameter == Parameter::TH {
+    let shown = |when| PARAMETERS.iter().filter(move |entry| entry.caption == when);
+    for entry in shown(Caption::Always) {
+        if entry.parameter == Parameter::TH {
             match scene.isolation {
                 Directions::Dual => {}
                 Directions::Horizontal => parts.push("horizontal isolation alone".into()),
@@ -126,12 +101,17 @@ pub fn caption(scene: &Scene) -> String {
                 Directions::None => parts.push("no isolation".into()),
             }
         }
-        parts.extend(single(parameter).map(|value| parameter.entry().written(value)));
+        if entry.parameter == Parameter::Omega
+            && let Excitation::Pulse(shape) = scene.excitation
+            && shape != Shape::default()
+        {
+            parts.push(shape.words().into());
+        }
+        parts.extend(single(entry.parameter).map(|value| entry.written(value)));
     }
-    for parameter in UNUSUAL {
-        let entry = parameter.entry();
+    for entry in shown(Caption::Unusual) {
         let usual = |value: f64| entry.default.parse() == Ok(value);
-        let unusual = single(parameter).filter(|value| !usual(*value));
+        let unusual = single(entry.parameter).filter(|value| !usual(*value));
         parts.extend(unusual.map(|value| entry.written(value)));
     }
     if scene.overturn == Overturn::QuarterTurn {

@@ -48,10 +48,10 @@ fn strips(
     let root = area(drawing, SIZE);
     let cell = match (&scene.excitation, case.shaking) {
         (Excitation::Record(pair), _) => pair.title.clone(),
-        (Excitation::Pulse, Shaking::Pulse(pulse)) => {
+        (_, Shaking::Pulse(pulse)) => {
             format!("Ω = {} rad/s,  A_h = {} m/s²", pulse.omega, pulse.a_h)
         }
-        (Excitation::Pulse, Shaking::Record { .. }) => String::new(),
+        (Excitation::Pulse(_), Shaking::Record { .. }) => String::new(),
     };
     let what = format!(
         "{cell}:  {}, {} impacts, ζ = {:.4}",

@@ -12,7 +12,7 @@ pub mod palette;
 pub mod raster;
 
 /// A tick's label on an axis that is `width` wide: no more digits than tell ticks apart.
-fn tick(value: f64, width: f64) -> String {
+pub(super) fn tick(value: f64, width: f64) -> String {
     if value.abs() < 1.0e-9 * width {
         return "0".into();
     }

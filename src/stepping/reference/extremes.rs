@@ -18,6 +18,10 @@ pub struct Extremes {
     pub u: f64,
     /// |v|, m.
     pub v: f64,
+    /// |v| from the static position, m.
+    pub stroke: f64,
+    /// v in the static position, m.
+    rest: f64,
     /// Least normal force over M, m/s^2.
     pub normal: f64,
     /// Largest |shear| over normal force, while the latter is positive. Where the normal force
@@ -38,27 +42,40 @@ fn may_pass([start, middle, end]: [f64; 3], so_far: f64) -> bool {
     bend > 1.0e-7 * middle.abs() && start.max(middle).max(end) + bend > so_far
 }
 
-/// A coordinate's largest magnitude inside a step, if it may be over `so_far`.
-fn within(coordinate: usize, so_far: f64, cubic: &Cubic, redo: impl Fn(f64) -> State) -> f64 {
+/// A coordinate's largest distance from a place inside a step, if it may be over `so_far`.
+fn within(
+    (coordinate, from): (usize, f64),
+    so_far: f64,
+    cubic: &Cubic,
+    redo: impl Fn(f64) -> State,
+) -> f64 {
     let (rate0, rate1) = (cubic.d0[coordinate], cubic.d1[coordinate]);
     // Where it begins at rest, as the angle does after an uplift, its acceleration says whither.
     let leaves = if rate0 == 0.0 { cubic.d0[DU + coordinate] } else { rate0 };
     if leaves * rate1 >= 0.0 {
         return so_far;
     }
-    let sampled = SAMPLED.map(|x| cubic.at(x)[coordinate].abs());
+    let sampled = SAMPLED.map(|x| (cubic.at(x)[coordinate] - from).abs());
     (1..SAMPLES - 1)
         .filter_map(|middle| crest(&sampled, middle))
         .filter(|crest| crest.most > so_far)
-        .map(|crest| climb(crest.at, |x| redo(x)[coordinate].abs()).1)
+        .map(|crest| climb(crest.at, |x| (redo(x)[coordinate] - from).abs()).1)
         .fold(so_far, f64::max)
 }
 
 impl Extremes {
     /// Before a run.
     pub fn new(system: &System) -> Extremes {
-        let v = system.at_rest()[V].abs();
-        Extremes { phi: [0.0; 2], u: 0.0, v, normal: crate::scene::GRAVITY, friction: 0.0 }
+        let rest = system.at_rest()[V];
+        Extremes {
+            phi: [0.0; 2],
+            u: 0.0,
+            v: rest.abs(),
+            stroke: 0.0,
+            rest,
+            normal: crate::scene::GRAVITY,
+            friction: 0.0,
+        }
     }
 
     /// Takes in a step. Its ends belong to its phase and to its drive: at a switch or a jump of the
@@ -69,11 +86,12 @@ impl Extremes {
         self.see_motion(trial.phase, trial.y);
         self.see_motion(trial.phase, y1);
         let redo = |x: f64| trial.step(x * h).0;
-        self.u = within(U, self.u, &cubic, redo);
-        self.v = within(V, self.v, &cubic, redo);
+        self.u = within((U, 0.0), self.u, &cubic, redo);
+        self.v = within((V, 0.0), self.v, &cubic, redo);
+        self.stroke = within((V, self.rest), self.stroke, &cubic, redo);
         if let Some(pole) = trial.phase {
             let largest = &mut self.phi[pole as usize];
-            *largest = within(PHI, *largest, &cubic, redo);
+            *largest = within((PHI, 0.0), *largest, &cubic, redo);
         }
         self.see_contact(trial, &cubic);
     }
@@ -81,6 +99,7 @@ impl Extremes {
     fn see_motion(&mut self, phase: Phase, y: &State) {
         self.u = self.u.max(y[U].abs());
         self.v = self.v.max(y[V].abs());
+        self.stroke = self.stroke.max((y[V] - self.rest).abs());
         if let Some(pole) = phase {
             let largest = &mut self.phi[pole as usize];
             *largest = largest.max(y[PHI].abs());

@@ -9,6 +9,7 @@ pub mod cubic;
 pub mod extremes;
 pub mod guards;
 mod momenta;
+mod pulse;
 pub mod step;
 pub mod system;
 pub mod tableau;
@@ -226,7 +227,7 @@ impl<'a> Cell<'a> {
         let stood = self.uplifts == 0 && self.system.first_phase().is_none();
         let rest = if stood { Class::FullContact } else { Class::Rocking };
         let class = self.class.unwrap_or(rest);
-        let Extremes { phi: [left, right], u, v, normal, friction } = self.extremes;
+        let Extremes { phi: [left, right], u, v, stroke, normal, friction, .. } = self.extremes;
         let mut zeta = (left / self.system.critical_angle(Pole::Left))
             .max(right / self.system.critical_angle(Pole::Right));
         if class.overturned() {
@@ -244,6 +245,7 @@ impl<'a> Cell<'a> {
             max_phi_right: right,
             max_u: u,
             max_v: v,
+            stroke_v: stroke,
             min_contact: normal,
             friction,
             status: self.status,

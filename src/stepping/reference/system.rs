@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
 
+use super::pulse::Pulse;
 use crate::scene::record::Pair;
 use crate::scene::{Case, Excitation, GRAVITY, Overturn, Scene, Shaking};
 
@@ -92,7 +93,8 @@ pub struct System {
     pub(super) restitution: Option<f64>,
     pub(super) tilt: f64,
     pub(super) overturn: Overturn,
-    pub(super) omega: f64,
+    /// The pulse, where no record shakes the base.
+    pub(super) pulse: Option<Pulse>,
     /// A_h, and A_v; the factor on a record's samples.
     pub(super) a_h: f64,
     pub(super) a_v: f64,
@@ -103,9 +105,9 @@ impl System {
     /// The system of a cell of a scene.
     pub fn new(scene: &Scene, case: &Case) -> System {
         let (block, base) = (&case.block, &case.isolation);
-        let (omega, a_h, a_v) = match case.shaking {
-            Shaking::Pulse(pulse) => (pulse.omega, pulse.a_h, pulse.a_v),
-            Shaking::Record { factor, .. } => (0.0, factor, factor),
+        let (pulse, a_h, a_v) = match case.shaking {
+            Shaking::Pulse(case) => (Some(Pulse::new(&case)), case.a_h, case.a_v),
+            Shaking::Record { factor, .. } => (None, factor, factor),
         };
         let total_v = block.mass + base.plate_v;
         let total_h = total_v + base.plate_h;
@@ -129,12 +131,12 @@ impl System {
             restitution: case.restitution,
             tilt: case.tilt,
             overturn: case.overturn,
-            omega,
+            pulse,
             a_h,
             a_v,
             record: match &scene.excitation {
                 Excitation::Record(pair) => Some(pair.clone()),
-                Excitation::Pulse => None,
+                Excitation::Pulse(_) => None,
             },
         };
         if let Some(law) = &base.horizontal {
@@ -155,7 +157,7 @@ impl System {
 
     /// T_S, end of the pulse, s.
     pub fn pulse_end(&self) -> f64 {
-        TAU / self.omega
+        self.pulse.map_or(0.0, |pulse| pulse.end())
     }
 
     /// The stretches of a run up to `t_max` in which the ground's motion is smooth: their ends,
@@ -219,7 +221,7 @@ impl System {
     fn ground(&self, t: f64, drive: Drive) -> (f64, f64) {
         match (drive, &self.record) {
             (Drive::Pulse, _) => {
-                let wave = (self.omega * t).sin();
+                let wave = self.pulse.map_or(0.0, |pulse| pulse.wave(t));
                 (self.a_h * wave, self.a_v * wave)
             }
             (Drive::Between(i), Some(pair)) => {

@@ -75,7 +75,7 @@ impl<R: Real> Inputs<R> {
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.horizontal.entries));
         tile.vertical = table(&tables.vertical, numbers.len(), 5);
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.vertical.entries));
-        tile.drive = table(&tables.drive, numbers.len(), 5);
+        tile.drive = table(&tables.drive, numbers.len(), 7);
         numbers.extend_from_slice(bytemuck::cast_slice(&tables.drive.entries));
         // Of the bodies the kernel that makes cells takes no more than these.
         tile.levers = numbers.len() as u32;

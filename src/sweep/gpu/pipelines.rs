@@ -25,6 +25,8 @@ pub struct Pipelines {
 pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64)> {
     let mut constants = vec![
         ("recorded", f64::from(u8::from(variant.recorded))),
+        ("pulse_shape", f64::from(variant.pulse as u8)),
+        ("cycles", f64::from(u8::from(variant.cycles))),
         ("isolated_h", f64::from(u8::from(variant.isolated_h))),
         ("isolated_v", f64::from(u8::from(variant.isolated_v))),
         ("kinks", f64::from(u8::from(variant.kinks))),
