@@ -9,6 +9,7 @@ use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use topple::map::figure::{document, overturning};
+use topple::map::npz::Source;
 use topple::map::{self, Map};
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, pivot};
@@ -18,6 +19,7 @@ use topple::scene::{Grid, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::Class;
 use topple::stepping::single::Single;
+use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 use topple::sweep::{cpu, lanes};
@@ -90,9 +92,11 @@ fn writers(c: &mut Criterion) {
     c.bench_function("writer, csv, 128 x 128", |b| {
         b.iter(|| map::csv::write(&map.grid, &map, Vec::with_capacity(1 << 22)).unwrap());
     });
+    let source = Source { scene: &scene, precision: Precision::F32 };
     c.bench_function("writer, npz, 128 x 128", |b| {
         b.iter(|| {
-            map::npz::write(&map.grid, &map, Cursor::new(Vec::with_capacity(1 << 22))).unwrap()
+            let into = Cursor::new(Vec::with_capacity(1 << 22));
+            map::npz::write(&map.grid, &map, source, into).unwrap()
         });
     });
     c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));

@@ -38,8 +38,10 @@ const ANY: [(Parameter, f64, f64); 15] = [
 /// Those of a pulse, of a record, and of a block that stands or is let go.
 const OF_PULSE: [(Parameter, f64, f64); 3] =
     [(Parameter::Omega, 1.0, 9.0), (Parameter::AH, -9.0, 12.0), (Parameter::AV, -2.0, 2.0)];
+/// A number, and from where to where.
+type Swept = (Parameter, f64, f64);
 /// Shapes of a pulse, and their numbers.
-const SHAPES: [(&str, &[(Parameter, f64, f64)]); 6] = [
+const SHAPES: [(&str, &[Swept]); 6] = [
     ("one-sine", &[]),
     ("one-sine", &[(Parameter::Cycles, 0.5, 3.0)]),
     ("one-cosine", &[(Parameter::Cycles, 0.5, 3.0)]),

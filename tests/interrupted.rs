@@ -11,7 +11,8 @@ use std::time::Duration;
 
 use common::{object, say};
 use tempfile::TempDir;
-use topple::map::outcomes::{Column, Outcomes};
+use topple::map::columns::Column;
+use topple::map::outcomes::Outcomes;
 use topple::scene::Scene;
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::store::identity::{Identity, Manner};

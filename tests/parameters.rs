@@ -4,24 +4,25 @@
 
 use assert_cmd::Command;
 use tempfile::TempDir;
+use topple::map::columns::{self, TABLE};
 use topple::scene::manual;
 use topple::scene::parameters::{PARAMETERS, Section};
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Parameter};
 
 #[test]
-fn the_page_is_made_of_the_table() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/parameters.md");
-    let page = manual::page();
-    if std::env::var_os("TOPPLE_WRITE_DOCS").is_some() {
-        std::fs::write(path, &page).unwrap();
+fn the_pages_are_made_of_the_tables() {
+    for (name, page) in [("parameters", manual::page()), ("columns", columns::page())] {
+        let path = format!("{}/docs/{name}.md", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("TOPPLE_WRITE_DOCS").is_some() {
+            std::fs::write(&path, &page).unwrap();
+        }
+        let written = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+        assert!(
+            written == page,
+            "{path} is not what the table says: TOPPLE_WRITE_DOCS=1 cargo test --test parameters"
+        );
     }
-    let written = std::fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
-    assert!(
-        written == page,
-        "docs/parameters.md is not what the table says: \
-         TOPPLE_WRITE_DOCS=1 cargo test --test parameters"
-    );
 }
 
 /// Every number is a flag of the commands that have use for it, with its help, and a key of its section.
@@ -169,7 +170,7 @@ fn the_pictures_axes_are_those_that_were_chosen() {
 #[test]
 fn no_number_has_the_name_of_a_column() {
     for entry in &PARAMETERS {
-        assert!(!topple::map::csv::COLUMNS.contains(&entry.key), "{}", entry.key);
+        assert!(TABLE.iter().all(|column| column.name != entry.key), "{}", entry.key);
     }
     assert_eq!(
         head(&["--t-h", "1", "--omega", "3", "--a-h", "5", "--friction", "0.1,0.3"]),

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use topple::map::npz::Source;
 use topple::map::outcomes::Outcomes;
 use topple::map::{csv, npz};
 use topple::scene::Grid;
@@ -38,11 +39,16 @@ impl Write for Count {
 
 impl Files {
     /// Of a map of so many cells, from a coarser grid of the same scene.
-    pub fn of(sample: &Grid, outcomes: &dyn Outcomes, cells: usize) -> anyhow::Result<Files> {
+    pub fn of(
+        sample: &Grid,
+        outcomes: &dyn Outcomes,
+        source: Source,
+        cells: usize,
+    ) -> anyhow::Result<Files> {
         let mut table = Count::default();
         csv::write(sample, outcomes, &mut table)?;
         let mut archive = io::Cursor::new(Vec::new());
-        npz::write(sample, outcomes, &mut archive)?;
+        npz::write(sample, outcomes, source, &mut archive)?;
         let scaled = |bytes: u64| bytes as f64 * cells as f64 / sample.len() as f64;
         Ok(Files { table: scaled(table.0), archive: scaled(archive.into_inner().len() as u64) })
     }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use topple::map::npz::Source;
 use topple::scene::{Grid, Parameter};
 use topple::store::tile;
 use topple::sweep::backend::Backend;
@@ -59,7 +60,8 @@ impl Estimate {
         let all = 0..sample.len();
         let swept = backend.sweep_range(&sample_plan, &sample, all, precision, resolve, &|_| ())?;
         let outcomes = swept.outcomes;
-        let files = Files::of(&sample, &outcomes, grid.len())?;
+        let files =
+            Files::of(&sample, &outcomes, Source { scene: &plan.scene, precision }, grid.len())?;
         // A part leaves tiles and no more.
         let written = if options.tile.is_some() { 0.0 } else { files.all() };
         let rate = sample.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use topple::map::csv::COLUMNS;
+use topple::map::columns::Column;
 use topple::map::files::Directory;
 use topple::map::manifest::{Manifest, Origin, Reduced, Steps, Timings};
-use topple::map::outcomes::{Column, DRAWN, Outcomes, Tally};
+use topple::map::outcomes::{DRAWN, Outcomes, Tally};
 use topple::map::slices;
 use topple::scene::{Grid, Parameter};
 use topple::store::identity::Manner;
@@ -36,7 +36,7 @@ pub struct Finished<'a> {
 /// Columns that are read to count cells and to choose the reference's sample.
 const COUNTED: usize = 5 + 2;
 /// Columns that are read for map.csv and map.npz.
-const WRITTEN: usize = Column::ALL.len() + COLUMNS.len();
+const WRITTEN: usize = 2 * Column::ALL.len();
 
 /// Judges a map by the reference and writes its files.
 pub fn write(out: &Directory, finished: &Finished, say: &Say) -> anyhow::Result<()> {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use topple::map::npz::Source;
 use topple::map::outcomes::thinned;
 use topple::scene::Grid;
 use topple::store::parts::{Parts, Report};
@@ -45,7 +46,12 @@ impl MergeCommand {
         let grid = Grid::of(&scene);
         let (slice, _) = grid.slice(0);
         let sample = thinned(&scene, (&slice, 0), &shelf, SAMPLE)?;
-        let files = Files::of(&sample.grid, &sample, grid.len())?;
+        let files = Files::of(
+            &sample.grid,
+            &sample,
+            Source { scene: &scene, precision: manner.precision },
+            grid.len(),
+        )?;
         disk::fits(files.all(), &self.out)?;
         // Nobody else is to write there, and a run that was interrupted there is not to be lost.
         let (store, _) = run::open_store(&self.out, identity, false)?;

@@ -7,10 +7,12 @@ use topple::map::figure::FigureError;
 use topple::map::figure::{curves, document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::Manifest;
+use topple::map::npz::Source;
 use topple::map::outcomes::Outcomes;
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::scene::Grid;
+use topple::sweep::backend::{Backend, Precision};
 
 use super::InputError;
 
@@ -38,8 +40,12 @@ pub fn write(
             .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number)))
             .collect::<Result<_, _>>()?,
     };
+    // The reference computes in f64 whatever a sweep would.
+    let by_reference = manifest.backend.contains(Backend::Reference.name());
+    let precision = if by_reference { Precision::F64 } else { manifest.precision };
+    let source = Source { scene: manifest.scene, precision };
     out.write("map.csv", |w| map::csv::write(grid, outcomes, w))?;
-    out.write("map.npz", |w| map::npz::write(grid, outcomes, w))?;
+    out.write("map.npz", |w| map::npz::write(grid, outcomes, source, w))?;
     if let [whole] = slices
         && whole.map.scene.excitation.record().is_some()
         && grid.axes().len() == 2

@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use topple::map::outcomes::{Column, Outcomes};
+use topple::map::columns::Column;
+use topple::map::outcomes::Outcomes;
 use topple::stepping::outcome::Outcome;
 
 /// A run that is over sooner shows no bar.

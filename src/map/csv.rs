@@ -5,28 +5,11 @@ use std::io::{self, Write};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-use super::outcomes::{Column, Outcomes, each_block};
+use super::columns::{Column, Holds};
+use super::outcomes::{Outcomes, each_block};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
-
-/// Columns after those of the axes.
-pub const COLUMNS: [&str; 14] = [
-    "outcome",
-    "impacts",
-    "uplifts",
-    "t_end",
-    "t_uplift",
-    "zeta",
-    "max_phi_left",
-    "max_phi_right",
-    "max_u",
-    "max_v",
-    "stroke_v",
-    "min_contact",
-    "friction_demand",
-    "status",
-];
 
 /// A number in as few digits as tell it from its neighbours: those of f32 where it came from one.
 pub struct Number(pub f64);
@@ -54,7 +37,9 @@ pub fn write(
     mut writer: impl Write,
 ) -> Result<(), csv::Error> {
     let mut head = csv::Writer::from_writer(&mut writer);
-    head.write_record(grid.axes().iter().map(Axis::key).chain(COLUMNS))?;
+    head.write_record(
+        grid.axes().iter().map(Axis::key).chain(Column::of_table().map(|entry| entry.name)),
+    )?;
     head.flush()?;
     drop(head);
     each_block(grid, outcomes, &Column::ALL, |first, block| {
@@ -69,29 +54,47 @@ pub fn write(
     Ok(())
 }
 
+/// A field of a row.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Field {
+    Name(&'static str),
+    Count(u32),
+    Number(Number),
+    Time(Option<Number>),
+}
+
+impl Field {
+    /// That of a cell in a column.
+    fn of(holds: Holds, cell: &Outcome) -> Field {
+        match holds {
+            Holds::Class => Field::Name(cell.class.name()),
+            Holds::Status => Field::Name(cell.status.name()),
+            Holds::Count { get, .. } => Field::Count(get(cell)),
+            Holds::Number { get, .. } => Field::Number(Number(get(cell))),
+            Holds::Time { get, .. } => Field::Time(get(cell).map(Number)),
+        }
+    }
+}
+
+/// A cell with its place in the grid.
+struct Row<'a>(&'a Grid, usize, &'a Outcome);
+
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Row(grid, index, cell) = *self;
+        let at = grid.coordinates(index).map(|value| Field::Number(Number(value)));
+        serializer
+            .collect_seq(at.chain(Column::of_table().map(|entry| Field::of(entry.holds, cell))))
+    }
+}
+
 /// The rows of some cells.
 fn rows(grid: &Grid, first: usize, cells: &[Outcome]) -> Result<Vec<u8>, csv::Error> {
     let mut table =
         csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
     for (index, cell) in (first..).zip(cells) {
-        let at: Vec<Number> = grid.coordinates(index).map(Number).collect();
-        table.serialize((
-            at,
-            cell.class.name(),
-            cell.impacts,
-            cell.uplifts,
-            Number(cell.t_end),
-            cell.t_uplift.map(Number),
-            Number(cell.zeta),
-            Number(cell.max_phi_left),
-            Number(cell.max_phi_right),
-            Number(cell.max_u),
-            Number(cell.max_v),
-            Number(cell.stroke_v),
-            Number(cell.min_contact),
-            Number(cell.friction),
-            cell.status.name(),
-        ))?;
+        table.serialize(Row(grid, index, cell))?;
     }
     table.into_inner().map_err(|error| io::Error::other(error.to_string()).into())
 }

@@ -6,7 +6,7 @@ use super::csv::Number;
 use crate::sweep::history::Row;
 
 /// Names of the columns.
-pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "u̇", "v", "v̇", "z", "φ", "φ̇"];
+pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "dphi"];
 
 /// Writes the table.
 ///

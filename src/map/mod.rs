@@ -1,6 +1,7 @@
 //! Outcomes over a grid, and the files that hold them.
 
 pub mod boundaries;
+pub mod columns;
 pub mod csv;
 pub mod figure;
 pub mod files;

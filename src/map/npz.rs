@@ -1,70 +1,82 @@
 //! map.npz: the columns of map.csv as arrays with an index for each axis, the last one fastest: (y, x) for
-//! two; with the axes.
+//! two; with the axes, and with what they are in `about`.
 
 use std::io::{self, Seek, Write};
 
 use bytemuck::NoUninit;
-use npyz::{AutoSerialize, WriterBuilder};
+use npyz::{AutoSerialize, DType, WriterBuilder};
 use rayon::prelude::*;
+use serde_json::json;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use super::outcomes::{Column, Outcomes, each_block};
-use crate::scene::Grid;
+use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE, class_code, status_code};
+use super::outcomes::{Outcomes, each_block};
 use crate::scene::grid::Axis;
+use crate::scene::{Grid, Scene};
 use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::sweep::backend::Precision;
 
-/// Code of a class in the array `outcome`.
-pub fn class_code(class: Class) -> u8 {
-    match class {
-        Class::FullContact => 0,
-        Class::Rocking => 1,
-        Class::OverturnedLeft => 2,
-        Class::OverturnedRight => 3,
-        Class::Unresolved => 4,
-    }
+/// Level of compression: of more, files are hardly smaller and take several times as long.
+const LEVEL: i64 = 2;
+
+/// What the arrays are of.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The sweep's numbers: those of the columns are of the same type.
+    pub precision: Precision,
 }
 
-/// Code of a status in the array `status`.
-pub fn status_code(status: Status) -> u8 {
-    match status {
-        Status::Ok | Status::Proved => 0,
-        Status::EventLimit => 1,
-        Status::Diverged => 2,
-        Status::StepLimit => 3,
-        Status::VerticalLocked => 4,
-        Status::Undecided => 5,
-    }
-}
-
-/// Writes the archive, column by column, never a whole one in memory. `outcome` is 0 full contact,
-/// 1 rocking, 2 overturned left, 3 overturned right, 4 unresolved; `status` is 0 ok, 1 event limit,
-/// 2 diverged, 3 step limit, 4 ok with the vertical direction locked, 5 undecided; `t_uplift` is not
-/// a number where there is no uplift.
+/// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
+/// tells with units, meanings, scene and version, as JSON. `proved` is true for cells whose impacts are
+/// counted up to `t_simulated`.
 ///
 /// # Errors
 /// Those of the writer, and of reading the outcomes.
-pub fn write(grid: &Grid, outcomes: &dyn Outcomes, writer: impl Write + Seek) -> io::Result<()> {
+pub fn write(
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    source: Source,
+    writer: impl Write + Seek,
+) -> io::Result<()> {
     let mut archive = Archive { zip: ZipWriter::new(writer), grid, outcomes };
     for axis in grid.axes() {
         archive.axis(axis)?;
     }
-    archive.column("outcome", Column::Outcome, |cell| class_code(cell.class))?;
-    archive.column("impacts", Column::Impacts, |cell| cell.impacts)?;
-    archive.column("uplifts", Column::Uplifts, |cell| cell.uplifts)?;
-    archive.column("t_end", Column::TEnd, |cell| cell.t_end)?;
-    archive.column("t_uplift", Column::TUplift, |cell| cell.t_uplift.unwrap_or(f64::NAN))?;
-    archive.column("zeta", Column::Zeta, |cell| cell.zeta)?;
-    archive.column("max_phi_left", Column::MaxPhiLeft, |cell| cell.max_phi_left)?;
-    archive.column("max_phi_right", Column::MaxPhiRight, |cell| cell.max_phi_right)?;
-    archive.column("max_u", Column::MaxU, |cell| cell.max_u)?;
-    archive.column("max_v", Column::MaxV, |cell| cell.max_v)?;
-    archive.column("stroke_v", Column::StrokeV, |cell| cell.stroke_v)?;
-    archive.column("min_contact", Column::MinContact, |cell| cell.min_contact)?;
-    archive.column("friction_demand", Column::Friction, |cell| cell.friction)?;
-    archive.column("status", Column::Status, |cell| status_code(cell.status))?;
+    for entry in &TABLE {
+        match source.precision {
+            Precision::F32 => archive.entry(entry, |value| value as f32)?,
+            Precision::F64 => archive.entry(entry, |value| value)?,
+        }
+    }
+    archive.column("proved", Column::Status, |cell| cell.status == Status::Proved)?;
+    archive.text("about", &about(grid, source))?;
     archive.zip.finish()?;
     Ok(())
+}
+
+/// What the arrays are, as JSON.
+fn about(grid: &Grid, source: Source) -> String {
+    let units = |unit: &str, meaning: &str| json!({ "unit": unit, "meaning": meaning });
+    let axes = grid.axes().iter().map(|axis| {
+        let entry = axis.entry();
+        (entry.key.to_string(), units(entry.unit, entry.meaning))
+    });
+    let columns = TABLE.iter().map(|e| (e.name.to_string(), units(e.unit, e.meaning)));
+    let index: Vec<&str> = grid.axes().iter().rev().map(Axis::key).collect();
+    json!({
+        "program": "topple",
+        "version": env!("CARGO_PKG_VERSION"),
+        "index": index,
+        "outcome": Class::ALL.map(Class::name),
+        "status": STATUS_NAMES,
+        "axes": axes.collect::<serde_json::Map<_, _>>(),
+        "columns": columns.collect::<serde_json::Map<_, _>>(),
+        "scene": source.scene,
+    })
+    .to_string()
 }
 
 /// An archive while it is written.
@@ -75,29 +87,65 @@ struct Archive<'a, W: Write + Seek> {
 }
 
 impl<W: Write + Seek> Archive<'_, W> {
-    /// Begins an array of a shape, the last index fastest: its values are to follow.
-    fn begin<T: AutoSerialize>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
-        let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
+    /// Begins an array of a type and a shape, the last index fastest: its values are to follow, so many
+    /// bytes.
+    fn begin(&mut self, name: &str, dtype: DType, shape: &[u64], bytes: u64) -> io::Result<()> {
         // Beyond 4 GiB with its head the archive needs longer numbers.
         let large = bytes >= u64::from(u32::MAX) - (1 << 10);
         let options = SimpleFileOptions::default()
-            .compression_method(zip::CompressionMethod::Stored)
+            .compression_method(zip::CompressionMethod::Deflated)
+            .compression_level(Some(LEVEL))
             .large_file(large);
         self.zip.start_file(format!("{name}.npy"), options)?;
-        // The type is that of numbers as they lie in memory.
         npyz::WriteOptions::new_header_only()
-            .dtype(T::default_dtype())
+            .dtype(dtype)
             .shape(shape)
             .writer(&mut self.zip)
             .write_header_only()?;
         Ok(())
     }
 
+    /// Begins an array of numbers as they lie in memory.
+    fn begin_numbers<T: AutoSerialize>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
+        let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
+        self.begin(name, T::default_dtype(), shape, bytes)
+    }
+
+    /// Adds a text as an array of no index.
+    fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
+        let letters: Vec<u32> = text.chars().map(u32::from).collect();
+        // In the order of this machine, as the numbers are.
+        let order = if cfg!(target_endian = "little") { '<' } else { '>' };
+        let dtype = format!("{order}U{}", letters.len()).parse();
+        let dtype = DType::Plain(dtype.map_err(|error| io::Error::other(format!("{error}")))?);
+        let bytes: &[u8] = bytemuck::cast_slice(&letters);
+        self.begin(name, dtype, &[], bytes.len() as u64)?;
+        self.zip.write_all(bytes)
+    }
+
     /// Adds the values of an axis.
     fn axis(&mut self, axis: &Axis) -> io::Result<()> {
         let values: Vec<f64> = axis.values.iter().collect();
-        self.begin::<f64>(axis.key(), &[values.len() as u64])?;
+        self.begin_numbers::<f64>(axis.key(), &[values.len() as u64])?;
         self.zip.write_all(bytemuck::cast_slice(&values))
+    }
+
+    /// Adds a column, its numbers rounded.
+    fn entry<T: AutoSerialize + NoUninit + Send>(
+        &mut self,
+        entry: &Entry,
+        round: impl Fn(f64) -> T + Sync,
+    ) -> io::Result<()> {
+        let Entry { name, column, .. } = *entry;
+        match entry.holds {
+            Holds::Class => self.column(name, column, |cell| class_code(cell.class)),
+            Holds::Status => self.column(name, column, |cell| status_code(cell.status)),
+            Holds::Count { get, .. } => self.column(name, column, get),
+            Holds::Number { get, .. } => self.column(name, column, |cell| round(get(cell))),
+            Holds::Time { get, .. } => {
+                self.column(name, column, |cell| round(get(cell).unwrap_or(f64::NAN)))
+            }
+        }
     }
 
     /// Adds a column as an array with an index for each axis, its values made on all cores.
@@ -109,7 +157,7 @@ impl<W: Write + Seek> Archive<'_, W> {
     ) -> io::Result<()> {
         let shape: Vec<u64> =
             self.grid.axes().iter().rev().map(|axis| axis.count() as u64).collect();
-        self.begin::<T>(name, &shape)?;
+        self.begin_numbers::<T>(name, &shape)?;
         let mut values = Vec::new();
         each_block(self.grid, self.outcomes, &[column], |_, block| {
             block.par_iter().map(&value).collect_into_vec(&mut values);

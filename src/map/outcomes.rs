@@ -9,63 +9,8 @@ use crate::scene::values::spread;
 use crate::scene::{Grid, Parameter, Scene};
 use crate::stepping::outcome::{Class, Outcome, Status};
 
+use super::columns::Column;
 use super::{Map, slides};
-
-/// What is known of a cell, a name each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
-    /// The class.
-    Outcome,
-    /// The impacts.
-    Impacts,
-    /// The uplifts.
-    Uplifts,
-    /// The end, s.
-    TEnd,
-    /// The time simulated, s.
-    TSimulated,
-    /// The first uplift, s.
-    TUplift,
-    /// The rocking index.
-    Zeta,
-    /// The largest phi about the left corner, rad.
-    MaxPhiLeft,
-    /// The largest -phi about the right corner, rad.
-    MaxPhiRight,
-    /// The largest |u|, m.
-    MaxU,
-    /// The largest |v|, m.
-    MaxV,
-    /// The largest |v + g/omega_v^2|, m.
-    StrokeV,
-    /// The least contact force over M, m/s^2.
-    MinContact,
-    /// The friction asked for.
-    Friction,
-    /// How the integration ended.
-    Status,
-}
-
-impl Column {
-    /// Every column there is.
-    pub const ALL: [Column; 15] = [
-        Column::Outcome,
-        Column::Impacts,
-        Column::Uplifts,
-        Column::TEnd,
-        Column::TSimulated,
-        Column::TUplift,
-        Column::Zeta,
-        Column::MaxPhiLeft,
-        Column::MaxPhiRight,
-        Column::MaxU,
-        Column::MaxV,
-        Column::StrokeV,
-        Column::MinContact,
-        Column::Friction,
-        Column::Status,
-    ];
-}
 
 /// Cells that are read at once by what goes through all of them.
 pub const BLOCK: usize = 1 << 16;

@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use super::shelf::Shelf;
 use super::tile::{self, Tile};
 use super::{Store, StoreError};
-use crate::map::outcomes::{Column, Outcomes};
+use crate::map::columns::Column;
+use crate::map::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 
 /// Collects the outcomes of a run.

@@ -5,7 +5,8 @@ use std::io;
 use std::ops::Range;
 
 use super::tile::{self, Tile};
-use crate::map::outcomes::{Column, Outcomes};
+use crate::map::columns::Column;
+use crate::map::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 
 /// Tiles that hold every cell of a grid once.

@@ -9,18 +9,25 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::map::outcomes::Column;
+use crate::map::columns::{Column, Holds, TABLE};
 use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// Ending of a tile's name.
 pub const EXTENSION: &str = "tile";
 
-const LETTERS: &[u8; 8] = b"topple03";
+const LETTERS: &[u8; 8] = b"topple04";
 /// Bytes before the checked part, and before the cells.
 const HEAD: usize = 16;
 const START: usize = HEAD + 16;
 /// Bytes of a cell.
-pub const CELL: usize = 98;
+pub const CELL: usize = {
+    let (mut bytes, mut index) = (0, 0);
+    while index < TABLE.len() {
+        bytes += width(TABLE[index].column);
+        index += 1;
+    }
+    bytes
+};
 
 const CLASSES: [Class; 5] = Class::ALL;
 const STATUSES: [Status; 7] = [
@@ -127,11 +134,11 @@ pub fn find(path: &Path, tag: u32) -> io::Result<Result<Tile, &'static str>> {
 }
 
 /// Bytes of a cell's value.
-fn width(column: Column) -> usize {
-    match column {
-        Column::Outcome | Column::Status => 1,
-        Column::Impacts | Column::Uplifts => 4,
-        _ => 8,
+const fn width(column: Column) -> usize {
+    match TABLE[column as usize].holds {
+        Holds::Class | Holds::Status => 1,
+        Holds::Count { .. } => 4,
+        Holds::Number { .. } | Holds::Time { .. } => 8,
     }
 }
 
@@ -154,29 +161,19 @@ fn put(column: Column, outcomes: &[Outcome], bytes: &mut [u8]) {
         }
     }
     let place = |found: Option<usize>| [found.map_or(u8::MAX, |place| place as u8)];
-    match column {
-        Column::Outcome => {
+    match column.entry().holds {
+        Holds::Class => {
             each(outcomes, bytes, |cell| place(CLASSES.iter().position(|c| *c == cell.class)));
         }
-        Column::Status => {
+        Holds::Status => {
             each(outcomes, bytes, |cell| place(STATUSES.iter().position(|s| *s == cell.status)));
         }
-        Column::Impacts => each(outcomes, bytes, |cell| cell.impacts.to_le_bytes()),
-        Column::Uplifts => each(outcomes, bytes, |cell| cell.uplifts.to_le_bytes()),
-        Column::TEnd => each(outcomes, bytes, |cell| cell.t_end.to_le_bytes()),
-        Column::TSimulated => each(outcomes, bytes, |cell| cell.t_simulated.to_le_bytes()),
-        // No uplift has no time.
-        Column::TUplift => {
-            each(outcomes, bytes, |cell| cell.t_uplift.unwrap_or(f64::NAN).to_le_bytes());
+        Holds::Count { get, .. } => each(outcomes, bytes, |cell| get(cell).to_le_bytes()),
+        Holds::Number { get, .. } => each(outcomes, bytes, |cell| get(cell).to_le_bytes()),
+        // What has no time is not a number.
+        Holds::Time { get, .. } => {
+            each(outcomes, bytes, |cell| get(cell).unwrap_or(f64::NAN).to_le_bytes());
         }
-        Column::Zeta => each(outcomes, bytes, |cell| cell.zeta.to_le_bytes()),
-        Column::MaxPhiLeft => each(outcomes, bytes, |cell| cell.max_phi_left.to_le_bytes()),
-        Column::MaxPhiRight => each(outcomes, bytes, |cell| cell.max_phi_right.to_le_bytes()),
-        Column::MaxU => each(outcomes, bytes, |cell| cell.max_u.to_le_bytes()),
-        Column::MaxV => each(outcomes, bytes, |cell| cell.max_v.to_le_bytes()),
-        Column::StrokeV => each(outcomes, bytes, |cell| cell.stroke_v.to_le_bytes()),
-        Column::MinContact => each(outcomes, bytes, |cell| cell.min_contact.to_le_bytes()),
-        Column::Friction => each(outcomes, bytes, |cell| cell.friction.to_le_bytes()),
     }
 }
 
@@ -190,43 +187,27 @@ fn take(column: Column, bytes: &[u8], outcomes: &mut [Outcome]) -> Option<()> {
         let mut values = outcomes.iter_mut().zip(bytes.chunks_exact(N));
         values.try_for_each(|(cell, value)| set(cell, array(value)))
     }
-    let number = |place: fn(&mut Outcome) -> &mut f64| {
-        move |cell: &mut Outcome, value: [u8; 8]| {
-            *place(cell) = f64::from_le_bytes(value);
-            Some(())
-        }
-    };
-    match column {
-        Column::Outcome => each(bytes, outcomes, |cell, [code]| {
+    match column.entry().holds {
+        Holds::Class => each(bytes, outcomes, |cell, [code]| {
             cell.class = *CLASSES.get(usize::from(code))?;
             Some(())
         }),
-        Column::Status => each(bytes, outcomes, |cell, [code]| {
+        Holds::Status => each(bytes, outcomes, |cell, [code]| {
             cell.status = *STATUSES.get(usize::from(code))?;
             Some(())
         }),
-        Column::Impacts => each(bytes, outcomes, |cell, value| {
-            cell.impacts = u32::from_le_bytes(value);
+        Holds::Count { place, .. } => each(bytes, outcomes, |cell, value| {
+            *place(cell) = u32::from_le_bytes(value);
             Some(())
         }),
-        Column::Uplifts => each(bytes, outcomes, |cell, value| {
-            cell.uplifts = u32::from_le_bytes(value);
+        Holds::Number { place, .. } => each(bytes, outcomes, |cell, value| {
+            *place(cell) = f64::from_le_bytes(value);
             Some(())
         }),
-        Column::TUplift => each(bytes, outcomes, |cell, value| {
+        Holds::Time { place, .. } => each(bytes, outcomes, |cell, value| {
             let time = f64::from_le_bytes(value);
-            cell.t_uplift = (!time.is_nan()).then_some(time);
+            *place(cell) = (!time.is_nan()).then_some(time);
             Some(())
         }),
-        Column::TEnd => each(bytes, outcomes, number(|cell| &mut cell.t_end)),
-        Column::TSimulated => each(bytes, outcomes, number(|cell| &mut cell.t_simulated)),
-        Column::Zeta => each(bytes, outcomes, number(|cell| &mut cell.zeta)),
-        Column::MaxPhiLeft => each(bytes, outcomes, number(|cell| &mut cell.max_phi_left)),
-        Column::MaxPhiRight => each(bytes, outcomes, number(|cell| &mut cell.max_phi_right)),
-        Column::MaxU => each(bytes, outcomes, number(|cell| &mut cell.max_u)),
-        Column::MaxV => each(bytes, outcomes, number(|cell| &mut cell.max_v)),
-        Column::StrokeV => each(bytes, outcomes, number(|cell| &mut cell.stroke_v)),
-        Column::MinContact => each(bytes, outcomes, number(|cell| &mut cell.min_contact)),
-        Column::Friction => each(bytes, outcomes, number(|cell| &mut cell.friction)),
     }
 }

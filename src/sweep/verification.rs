@@ -5,7 +5,8 @@ use std::io;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::map::outcomes::{BLOCK, Column, Outcomes};
+use crate::map::columns::Column;
+use crate::map::outcomes::{BLOCK, Outcomes};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome};

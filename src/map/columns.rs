@@ -1,0 +1,288 @@
+//! Every column of a map, defined once: map.csv, map.npz, tiles and docs/columns.md are made of this
+//! table.
+
+use crate::stepping::outcome::{Class, Outcome, Status};
+
+/// What is known of a cell, a name each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// The class.
+    Outcome,
+    /// The impacts.
+    Impacts,
+    /// The uplifts.
+    Uplifts,
+    /// The end, s.
+    TEnd,
+    /// The first uplift, s.
+    TUplift,
+    /// The rocking index.
+    Zeta,
+    /// The largest phi about the left corner, rad.
+    MaxPhiLeft,
+    /// The largest -phi about the right corner, rad.
+    MaxPhiRight,
+    /// The largest |u|, m.
+    MaxU,
+    /// The largest |v|, m.
+    MaxV,
+    /// The largest |v + g/omega_v^2|, m.
+    StrokeV,
+    /// The least contact force over M, m/s^2.
+    MinContact,
+    /// The friction asked for.
+    Friction,
+    /// How the integration ended.
+    Status,
+    /// The time simulated, s.
+    TSimulated,
+}
+
+/// What a column holds.
+#[derive(Clone, Copy)]
+pub enum Holds {
+    /// A class by its name, as a number its place in [`Class::ALL`].
+    Class,
+    /// A status by its name, as a number its place in [`STATUS_NAMES`].
+    Status,
+    /// A number of events.
+    Count {
+        /// Of a cell.
+        get: fn(&Outcome) -> u32,
+        /// Its place.
+        place: fn(&mut Outcome) -> &mut u32,
+    },
+    /// A number.
+    Number {
+        /// Of a cell.
+        get: fn(&Outcome) -> f64,
+        /// Its place.
+        place: fn(&mut Outcome) -> &mut f64,
+    },
+    /// A time that not every cell has.
+    Time {
+        /// Of a cell.
+        get: fn(&Outcome) -> Option<f64>,
+        /// Its place.
+        place: fn(&mut Outcome) -> &mut Option<f64>,
+    },
+}
+
+/// What is known of a column.
+pub struct Entry {
+    /// Which one.
+    pub column: Column,
+    /// Name in files.
+    pub name: &'static str,
+    /// Unit; empty for a ratio, a number of events, a name.
+    pub unit: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    /// What it holds.
+    pub holds: Holds,
+}
+
+/// The names of statuses in files, by their codes.
+pub const STATUS_NAMES: [&str; 6] =
+    ["ok", "event_limit", "diverged", "step_limit", "vertical_locked", "undecided"];
+
+macro_rules! number {
+    ($field:ident) => {
+        Holds::Number { get: |cell| cell.$field, place: |cell| &mut cell.$field }
+    };
+}
+
+macro_rules! count {
+    ($field:ident) => {
+        Holds::Count { get: |cell| cell.$field, place: |cell| &mut cell.$field }
+    };
+}
+
+const fn entry(
+    column: Column,
+    (name, unit): (&'static str, &'static str),
+    holds: Holds,
+    meaning: &'static str,
+) -> Entry {
+    Entry { column, name, unit, meaning, holds }
+}
+
+/// The table, in the order of [`Column`].
+pub const TABLE: [Entry; 15] = [
+    entry(
+        Column::Outcome,
+        ("outcome", ""),
+        Holds::Class,
+        "what became of the block: full_contact, rocking, overturned_left, overturned_right, unresolved",
+    ),
+    entry(
+        Column::Impacts,
+        ("impacts", ""),
+        count!(impacts),
+        "impacts up to t_end; of a cell that was proved final, up to t_simulated",
+    ),
+    entry(Column::Uplifts, ("uplifts", ""), count!(uplifts), "uplifts from full contact"),
+    entry(Column::TEnd, ("t_end", "s"), number!(t_end), "time of overturning, or the run's end"),
+    entry(
+        Column::TUplift,
+        ("t_uplift", "s"),
+        Holds::Time { get: |cell| cell.t_uplift, place: |cell| &mut cell.t_uplift },
+        "time of the first uplift; empty, or not a number, where there is none",
+    ),
+    entry(
+        Column::Zeta,
+        ("zeta", ""),
+        number!(zeta),
+        "largest |φ| over the critical angle of its side; 1 when overturned",
+    ),
+    entry(
+        Column::MaxPhiLeft,
+        ("max_phi_left", "rad"),
+        number!(max_phi_left),
+        "largest rotation about the left corner",
+    ),
+    entry(
+        Column::MaxPhiRight,
+        ("max_phi_right", "rad"),
+        number!(max_phi_right),
+        "largest rotation about the right corner",
+    ),
+    entry(Column::MaxU, ("max_u", "m"), number!(max_u), "largest |u|"),
+    entry(Column::MaxV, ("max_v", "m"), number!(max_v), "largest |v|, with the static deflection"),
+    entry(
+        Column::StrokeV,
+        ("stroke_v", "m"),
+        number!(stroke_v),
+        "largest |v + g/ω_v²|: from the static position",
+    ),
+    entry(
+        Column::MinContact,
+        ("min_contact", "m/s²"),
+        number!(min_contact),
+        "least normal force between block and base over M; below zero the model does not hold",
+    ),
+    entry(
+        Column::Friction,
+        ("friction_demand", ""),
+        number!(friction),
+        "largest |horizontal| over normal force while the latter is positive; without a bound where it passes \
+         zero",
+    ),
+    entry(
+        Column::Status,
+        ("status", ""),
+        Holds::Status,
+        "how the integration ended: ok, event_limit, diverged, step_limit, vertical_locked, undecided",
+    ),
+    entry(
+        Column::TSimulated,
+        ("t_simulated", "s"),
+        number!(t_simulated),
+        "time up to which the cell was simulated: t_end, or before it the time at which all that it tells \
+         was proved final",
+    ),
+];
+
+impl Column {
+    /// Every column there is.
+    pub const ALL: [Column; TABLE.len()] = {
+        let mut all = [Column::Outcome; TABLE.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = TABLE[index].column;
+            index += 1;
+        }
+        all
+    };
+
+    /// What is known of it.
+    pub fn entry(self) -> &'static Entry {
+        &TABLE[self as usize]
+    }
+
+    /// Those of map.csv.
+    pub fn of_table() -> impl Iterator<Item = &'static Entry> {
+        TABLE.iter().filter(|entry| entry.column != Column::TSimulated)
+    }
+}
+
+/// The code of a class.
+pub fn class_code(class: Class) -> u8 {
+    class as u8
+}
+
+/// The code of a status; one that was proved is as good as one that ran to its end.
+pub fn status_code(status: Status) -> u8 {
+    let name = status.name();
+    // A status has one of the names; a test goes through all.
+    STATUS_NAMES.iter().position(|known| *known == name).unwrap_or(0) as u8
+}
+
+const HEAD: &str = "# Columns
+
+Made of the table in `src/map/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
+
+`map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
+the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
+first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
+axes f64. Besides it holds `proved`, true for a cell that ended early because energy proved all that it tells final (its
+impacts are counted up to `t_simulated`), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
+the version.
+
+```python
+import json, numpy
+z = numpy.load(\"map.npz\")
+about = json.loads(str(z[\"about\"]))
+left = z[\"outcome\"] == about[\"outcome\"].index(\"overturned_left\")
+```
+
+| column | unit | in map.npz | meaning |
+|---|---|---|---|
+";
+
+/// The page docs/columns.md.
+pub fn page() -> String {
+    let mut page = String::from(HEAD);
+    for entry in &TABLE {
+        let kind = match entry.holds {
+            Holds::Class | Holds::Status => "code, u8",
+            Holds::Count { .. } => "u32",
+            Holds::Number { .. } | Holds::Time { .. } => "f32 or f64",
+        };
+        let unit = if entry.unit.is_empty() { "–" } else { entry.unit };
+        let meaning = entry.meaning.replace('|', "\\|");
+        page.push_str(&format!("| `{}` | {unit} | {kind} | {meaning} |\n", entry.name));
+    }
+    page
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_in_the_order_of_its_columns() {
+        for (index, entry) in TABLE.iter().enumerate() {
+            assert_eq!(entry.column as usize, index, "{}", entry.name);
+        }
+    }
+
+    #[test]
+    fn every_class_and_status_has_a_code() {
+        for (index, class) in Class::ALL.into_iter().enumerate() {
+            assert_eq!(usize::from(class_code(class)), index);
+        }
+        let statuses = [
+            Status::Ok,
+            Status::Proved,
+            Status::EventLimit,
+            Status::Diverged,
+            Status::StepLimit,
+            Status::VerticalLocked,
+            Status::Undecided,
+        ];
+        for status in statuses {
+            assert_eq!(STATUS_NAMES[usize::from(status_code(status))], status.name());
+        }
+    }
+}
