@@ -24,6 +24,35 @@ fn sine_of(x: real) -> real {
     return pulse_sine(x - floor(x));
 }
 
+// What is left of a number by halvings, and what they came to.
+struct Halved {
+    rest: real,
+    power: real,
+}
+
+// Takes so many ln 2 off, which leave a share, where the number holds them.
+fn halve(x: Halved, halvings: real, share: real) -> Halved {
+    let ln_2: real = 0.6931471805599453;
+    let held = halvings * ln_2;
+    if x.rest >= held {
+        return Halved(x.rest - held, x.power * share);
+    }
+    return x;
+}
+
+// e^-x for 0 <= x <= 44: x less as many ln 2 as it holds, by powers of two (in the twin:
+// src/model/number.rs).
+fn exponential(x: real) -> real {
+    var halved = Halved(x, 1.0);
+    halved = halve(halved, 32.0, 2.3283064365386963e-10);
+    halved = halve(halved, 16.0, 1.52587890625e-5);
+    halved = halve(halved, 8.0, 0.00390625);
+    halved = halve(halved, 4.0, 0.0625);
+    halved = halve(halved, 2.0, 0.25);
+    halved = halve(halved, 1.0, 0.5);
+    return series(halved.rest) * halved.power;
+}
+
 // Ricker's wavelet, x periods from its peak.
 fn ricker(x: real) -> real {
     let pi: real = 3.141592653589793;

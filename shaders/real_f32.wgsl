@@ -30,43 +30,16 @@ fn cosine(x: real) -> real {
     return 1.0 + t * p;
 }
 
-// e^-x for 0 <= x <= 44: x less as many ln 2 as it holds, by powers of two.
-fn exponential(x: real) -> real {
-    let ln_2: real = 0.6931471805599453;
-    var rest = x;
-    var power: real = 1.0;
-    if rest >= 32.0 * ln_2 {
-        rest -= 32.0 * ln_2;
-        power *= 2.3283064365386963e-10;
-    }
-    if rest >= 16.0 * ln_2 {
-        rest -= 16.0 * ln_2;
-        power *= 1.52587890625e-05;
-    }
-    if rest >= 8.0 * ln_2 {
-        rest -= 8.0 * ln_2;
-        power *= 0.00390625;
-    }
-    if rest >= 4.0 * ln_2 {
-        rest -= 4.0 * ln_2;
-        power *= 0.0625;
-    }
-    if rest >= 2.0 * ln_2 {
-        rest -= 2.0 * ln_2;
-        power *= 0.25;
-    }
-    if rest >= 1.0 * ln_2 {
-        rest -= 1.0 * ln_2;
-        power *= 0.5;
-    }
+// e^-x for 0 <= x <= ln 2.
+fn series(x: real) -> real {
     var p: real = -2.7557319e-06;
-    p = 2.4801587e-05 + rest * p;
-    p = -0.0001984127 + rest * p;
-    p = 0.0013888889 + rest * p;
-    p = -0.0083333333 + rest * p;
-    p = 0.041666667 + rest * p;
-    p = -0.16666667 + rest * p;
-    p = 0.5 + rest * p;
-    p = -1 + rest * p;
-    return (1.0 + rest * p) * power;
+    p = 2.4801587e-05 + x * p;
+    p = -0.0001984127 + x * p;
+    p = 0.0013888889 + x * p;
+    p = -0.0083333333 + x * p;
+    p = 0.041666667 + x * p;
+    p = -0.16666667 + x * p;
+    p = 0.5 + x * p;
+    p = -1.0 + x * p;
+    return 1.0 + x * p;
 }

@@ -10,7 +10,6 @@ use std::f64::consts::{PI, TAU};
 use bytemuck::Zeroable;
 use common::{judge, say, scene};
 use topple::model::excitation::Cell;
-use topple::model::isolation::Variant;
 use topple::model::pulse::{Modulation, Shape, wave};
 use topple::model::real::Real;
 use topple::scene::{GRAVITY, Grid, Scene};
@@ -18,20 +17,6 @@ use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
-
-/// What is switched on, but for the pulse.
-const PULSE: Variant = Variant {
-    recorded: false,
-    pulse: Shape::OneSine,
-    cycles: false,
-    isolated_h: false,
-    isolated_v: false,
-    kinks: false,
-    yields: false,
-    certificate: false,
-    bodies: false,
-    bouc_wen_n: 2,
-};
 
 /// A pulse, its numbers, and its length in periods by its authors.
 #[derive(Debug, Clone, Copy)]
@@ -77,8 +62,7 @@ impl Sample {
             cell.carrier = R::of(modulation.carrier);
             scale = self.shape.peak(self.gamma, self.nu);
         }
-        let variant = Variant { pulse: self.shape, cycles: self.cycles > 1.0, ..PULSE };
-        wave(variant, &cell, R::of(phase)).to_f64() / scale
+        wave((self.shape, self.cycles > 1.0), &cell, R::of(phase)).to_f64() / scale
     }
 
     /// |F| at a frequency in cycles a period, by the formula's own integral.

@@ -9,7 +9,6 @@ use naga::AddressSpace;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use serde_json::{Value, json};
 use topple::model::isolation::Variant;
-use topple::model::pulse::Shape;
 use topple::sweep::backend::Precision;
 use topple::sweep::gpu::pipelines::{WORKGROUP, constants};
 use topple::sweep::gpu::shader::{self, Switches};
@@ -19,16 +18,12 @@ const EVENTS_KEPT: usize = 8;
 
 /// A pulse on dual isolation, as in the default map.
 const PULSE: Variant = Variant {
-    recorded: false,
-    pulse: Shape::OneSine,
-    cycles: false,
     isolated_h: true,
     isolated_v: true,
     kinks: true,
     yields: true,
     certificate: true,
-    bodies: false,
-    bouc_wen_n: 2,
+    ..Variant::PLAIN
 };
 
 /// What the most demanding kernel needs, by the names of WebGPU's limits.

@@ -272,16 +272,7 @@ mod tests {
         for (index, class) in Class::ALL.into_iter().enumerate() {
             assert_eq!(usize::from(class_code(class)), index);
         }
-        let statuses = [
-            Status::Ok,
-            Status::Proved,
-            Status::EventLimit,
-            Status::Diverged,
-            Status::StepLimit,
-            Status::VerticalLocked,
-            Status::Undecided,
-        ];
-        for status in statuses {
+        for status in Status::ALL {
             assert_eq!(STATUS_NAMES[usize::from(status_code(status))], status.name());
         }
     }

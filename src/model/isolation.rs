@@ -33,6 +33,22 @@ pub struct Variant {
     pub bouc_wen_n: u32,
 }
 
+impl Variant {
+    /// A block on the ground under a pulse, without anything that a scene may ask for.
+    pub const PLAIN: Variant = Variant {
+        recorded: false,
+        pulse: Shape::OneSine,
+        cycles: false,
+        isolated_h: false,
+        isolated_v: false,
+        kinks: false,
+        yields: false,
+        certificate: false,
+        bodies: false,
+        bouc_wen_n: 2,
+    };
+}
+
 /// The accelerations that the base passes on to what stands on it.
 #[derive(Debug, Clone, Copy)]
 pub struct Support<R> {

@@ -6,7 +6,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::excitation::Cell;
-use super::isolation::Variant;
 use super::number::Number;
 use super::vector::Vector;
 
@@ -172,13 +171,14 @@ fn modulated<N: Number>(envelope: N, carrier: N, phase: N) -> N {
     -(sine_of(turn) + sides)
 }
 
-/// The ground's acceleration over the amplitude, `phase` periods after the pulse's begin. That of a
+/// The ground's acceleration over the amplitude, `phase` periods after the pulse's begin; `cycles`: it may
+/// have more than one. That of a
 /// modulated pulse is over its [`peak`](Shape::peak), which its amplitude is divided by.
 #[inline(always)]
-pub fn wave<V: Vector>(variant: Variant, cell: &Cell<V>, phase: V) -> V {
-    match variant.pulse {
-        Shape::OneSine | Shape::HalfSine if !variant.cycles => V::pulse_sine(phase),
-        shape => other_wave(shape, (cell.envelope, cell.carrier), phase),
+pub fn wave<V: Vector>((shape, cycles): (Shape, bool), cell: &Cell<V>, phase: V) -> V {
+    match shape {
+        Shape::OneSine | Shape::HalfSine if !cycles => V::pulse_sine(phase),
+        _ => other_wave(shape, (cell.envelope, cell.carrier), phase),
     }
 }
 

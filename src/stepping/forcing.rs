@@ -65,7 +65,7 @@ impl<V: Vector> Forcing<V> {
                 v: self.base.v + phase * self.rise.v,
             };
         }
-        let wave = wave(variant, cell, phase);
+        let wave = wave((variant.pulse, variant.cycles), cell, phase);
         Ground { h: self.base.h * wave, v: self.base.v * wave }
     }
 

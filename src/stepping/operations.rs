@@ -160,24 +160,12 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::pulse::Shape;
 
     /// By hand: in full contact, unisolated, a step is four evaluations of two sums (f_v = g plus
     /// the ground) and the shifts and the sum of seven coordinates.
     #[test]
     fn a_step_on_the_ground_counted_by_hand() {
-        let variant = Variant {
-            recorded: false,
-            pulse: Shape::OneSine,
-            cycles: false,
-            isolated_h: false,
-            isolated_v: false,
-            kinks: false,
-            yields: false,
-            certificate: false,
-            bodies: false,
-            bouc_wen_n: 2,
-        };
+        let variant = Variant::PLAIN;
         let counted = of_step(variant, false, false);
         // Three shifts of seven, and seven sums of two fused each; h/2 and h/6, and the two contact
         // forces halfway.

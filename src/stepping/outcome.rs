@@ -67,6 +67,17 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status there is.
+    pub const ALL: [Status; 7] = [
+        Status::Ok,
+        Status::Proved,
+        Status::EventLimit,
+        Status::Diverged,
+        Status::StepLimit,
+        Status::VerticalLocked,
+        Status::Undecided,
+    ];
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {

@@ -29,17 +29,6 @@ pub const CELL: usize = {
     bytes
 };
 
-const CLASSES: [Class; 5] = Class::ALL;
-const STATUSES: [Status; 7] = [
-    Status::Ok,
-    Status::Proved,
-    Status::EventLimit,
-    Status::Diverged,
-    Status::StepLimit,
-    Status::VerticalLocked,
-    Status::Undecided,
-];
-
 /// A tile on disk, found whole.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Tile {
@@ -163,10 +152,10 @@ fn put(column: Column, outcomes: &[Outcome], bytes: &mut [u8]) {
     let place = |found: Option<usize>| [found.map_or(u8::MAX, |place| place as u8)];
     match column.entry().holds {
         Holds::Class => {
-            each(outcomes, bytes, |cell| place(CLASSES.iter().position(|c| *c == cell.class)));
+            each(outcomes, bytes, |cell| place(Class::ALL.iter().position(|c| *c == cell.class)));
         }
         Holds::Status => {
-            each(outcomes, bytes, |cell| place(STATUSES.iter().position(|s| *s == cell.status)));
+            each(outcomes, bytes, |cell| place(Status::ALL.iter().position(|s| *s == cell.status)));
         }
         Holds::Count { get, .. } => each(outcomes, bytes, |cell| get(cell).to_le_bytes()),
         Holds::Number { get, .. } => each(outcomes, bytes, |cell| get(cell).to_le_bytes()),
@@ -189,11 +178,11 @@ fn take(column: Column, bytes: &[u8], outcomes: &mut [Outcome]) -> Option<()> {
     }
     match column.entry().holds {
         Holds::Class => each(bytes, outcomes, |cell, [code]| {
-            cell.class = *CLASSES.get(usize::from(code))?;
+            cell.class = *Class::ALL.get(usize::from(code))?;
             Some(())
         }),
         Holds::Status => each(bytes, outcomes, |cell, [code]| {
-            cell.status = *STATUSES.get(usize::from(code))?;
+            cell.status = *Status::ALL.get(usize::from(code))?;
             Some(())
         }),
         Holds::Count { place, .. } => each(bytes, outcomes, |cell, value| {

@@ -1,0 +1,37 @@
+//! The manifest: it asks for a compiler that all locked dependencies can be built with.
+
+#![allow(missing_docs, clippy::unwrap_used)] // tests
+
+use std::process::Command;
+
+use serde_json::Value;
+
+/// Parts of a version: `1.95` and `1.95.0` are the same.
+fn version(text: &str) -> [u32; 3] {
+    let mut parts = text.split('.').map(|part| part.parse().unwrap());
+    [(); 3].map(|()| parts.next().unwrap_or(0))
+}
+
+#[test]
+fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+    let told = Command::new("rustc").arg("-vV").output().unwrap().stdout;
+    let told = String::from_utf8(told).unwrap();
+    let host = told.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
+    // What other platforms need may not be here.
+    let run = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--locked", "--offline"])
+        .args(["--filter-platform", host, "--manifest-path", manifest])
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let metadata: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let packages = metadata["packages"].as_array().unwrap();
+    let asked = version(env!("CARGO_PKG_RUST_VERSION"));
+    assert!(packages.len() > 50, "{} packages", packages.len());
+    for package in packages {
+        if let Some(needs) = package["rust_version"].as_str() {
+            assert!(version(needs) <= asked, "{} needs Rust {needs}", package["name"]);
+        }
+    }
+}
