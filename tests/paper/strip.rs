@@ -94,7 +94,8 @@ fn a_start_in_free_fall_paints_no_strip() {
             .map(|index| {
                 let point = grid.case(index);
                 let (cell, mut state) = plan.cell::<f64>(&point);
-                state.motion.v = 0.0;
+                // v = 0: the spring unloaded.
+                state.motion.v = point.deflection();
                 let variant = plan.variant();
                 let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
                 let state = single::run(&set, &state, &mut ());
