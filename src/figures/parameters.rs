@@ -1,6 +1,5 @@
 //! Every parameter of a scene, in words, for captions and panels.
 
-use crate::model::pulse::Shape;
 use crate::scene::{Directions, Excitation, Overturn, Parameter, Scene};
 
 /// What a line of a caption holds together.
@@ -43,10 +42,9 @@ pub fn of(scene: &Scene) -> Vec<String> {
     let mut parts = Vec::new();
     for line in LINES {
         if line.contains(&Parameter::Omega)
-            && let Excitation::Pulse(shape) = scene.excitation
-            && shape != Shape::default()
+            && let Some(pulse) = scene.excitation.other_pulse()
         {
-            parts.push(shape.words().into());
+            parts.push(pulse.into());
         }
         if line.contains(&Parameter::PlateH) && !isolated {
             parts.push("no isolation".into());

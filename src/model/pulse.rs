@@ -36,17 +36,6 @@ pub enum Shape {
 const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
 
 impl Shape {
-    /// Every shape there is, by its number in the shaders.
-    pub const ALL: [Shape; 7] = [
-        Shape::OneSine,
-        Shape::OneCosine,
-        Shape::HalfSine,
-        Shape::Rectangle,
-        Shape::Ricker,
-        Shape::RickerAntisymmetric,
-        Shape::MavroeidisPapageorgiou,
-    ];
-
     /// What it is called in captions and messages.
     pub fn words(self) -> &'static str {
         match self {
@@ -172,8 +161,8 @@ fn modulated<N: Number>(envelope: N, carrier: N, phase: N) -> N {
 }
 
 /// The ground's acceleration over the amplitude, `phase` periods after the pulse's begin; `cycles`: it may
-/// have more than one. That of a
-/// modulated pulse is over its [`peak`](Shape::peak), which its amplitude is divided by.
+/// have more than one. That of a modulated pulse is over its [`peak`](Shape::peak), which its amplitude is
+/// divided by.
 #[inline(always)]
 pub fn wave<V: Vector>((shape, cycles): (Shape, bool), cell: &Cell<V>, phase: V) -> V {
     match shape {

@@ -22,6 +22,14 @@ pub enum Excitation {
 }
 
 impl Excitation {
+    /// What the pulse is called, where it is no one-sine.
+    pub fn other_pulse(&self) -> Option<&'static str> {
+        match self {
+            Excitation::Pulse(shape) if *shape != Shape::default() => Some(shape.words()),
+            _ => None,
+        }
+    }
+
     /// The record, where there is one.
     pub fn record(&self) -> Option<&Pair> {
         match self {

@@ -8,10 +8,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::super::Map;
 use super::document::{Place, compose};
 use super::{FigureError, tick};
-use crate::model::pulse::Shape;
 use crate::scene::grid::Axis;
 use crate::scene::parameters::{Caption, PARAMETERS};
-use crate::scene::{Directions, Excitation, GRAVITY, Grid, Overturn, Parameter, Scene, Values};
+use crate::scene::{Directions, GRAVITY, Grid, Overturn, Parameter, Scene, Values};
 
 /// Size of a map figure.
 pub const SIZE: (u32, u32) = (960, 758);
@@ -102,10 +101,9 @@ pub fn caption(scene: &Scene) -> String {
             }
         }
         if entry.parameter == Parameter::Omega
-            && let Excitation::Pulse(shape) = scene.excitation
-            && shape != Shape::default()
+            && let Some(pulse) = scene.excitation.other_pulse()
         {
-            parts.push(shape.words().into());
+            parts.push(pulse.into());
         }
         parts.extend(single(entry.parameter).map(|value| entry.written(value)));
     }
