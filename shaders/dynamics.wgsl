@@ -1,16 +1,5 @@
 // The equations of motion. Twin: src/model/dynamics.rs.
 
-struct Motion {
-    u: real,
-    du: real,
-    // From the static position: v + g/omega_v^2.
-    v: real,
-    dv: real,
-    z: real,
-    phi: real,
-    dphi: real,
-}
-
 struct Rates {
     du: real,
     ddu: real,

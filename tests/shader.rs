@@ -6,8 +6,8 @@
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
 use topple::model::block::{Corner, Model};
-use topple::model::dynamics::Motion;
 use topple::model::excitation::{Cell, Ground};
+use topple::model::motion::Motion;
 use topple::model::pulse::Shape;
 use topple::stepping::log::Event;
 use topple::stepping::state::State;

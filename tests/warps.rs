@@ -12,8 +12,7 @@ mod traces;
 
 use card::{Card, Choice, Tally, WARP};
 use common::{all, object};
-use topple::model::real::Real;
-use topple::model::vector::Vector;
+use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Scene};
 use topple::stepping::trials::{Purpose, Trial};
 use topple::sweep::cells::Cells;

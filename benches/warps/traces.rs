@@ -4,8 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use topple::model::real::Real;
-use topple::model::vector::Vector;
+use topple::model::real::{Real, Vector};
 use topple::scene::Grid;
 use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::log::Listener;

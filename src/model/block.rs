@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::real::{pod, reals};
+use super::layout::{pod, reals};
 
 /// The block stands on both corners.
 pub const FULL_CONTACT: u32 = 0;

@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::real::{pod, reals};
+use super::layout::{pod, reals};
 
 /// What one cell of the grid has of its own.
 ///

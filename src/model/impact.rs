@@ -2,7 +2,7 @@
 
 use super::CellEquations;
 use super::block::Corner;
-use super::dynamics::Motion;
+use super::motion::Motion;
 use super::number::Number;
 
 /// The block goes on about the other corner, `landing`: (16) with the coefficients (17).

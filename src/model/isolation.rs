@@ -2,8 +2,8 @@
 //! `shaders/isolation.wgsl`.
 
 use super::CellEquations;
-use super::dynamics::Motion;
 use super::excitation::Ground;
+use super::motion::Motion;
 use super::number::Number;
 use super::pulse::Shape;
 

@@ -1,6 +1,6 @@
 //! The physics, generic over the number type: the Rust twins of `shaders/*.wgsl`.
 //!
-//! Each file here has a shader of the same name; both carry the same functions, the same names
+//! Each file of equations has a shader of the same name; both carry the same functions, the same names
 //! and the same order of statements, so that they can be read side by side. The adaptive
 //! [reference](crate::stepping::reference) shares nothing with them.
 //!
@@ -13,7 +13,10 @@ pub mod dynamics;
 pub mod excitation;
 pub mod impact;
 pub mod isolation;
+pub(crate) mod layout;
+pub mod motion;
 pub mod number;
+pub mod polynomials;
 pub mod pulse;
 pub mod real;
 pub mod vector;

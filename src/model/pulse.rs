@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::excitation::Cell;
 use super::number::Number;
-use super::vector::Vector;
+use super::real::Vector;
 
 /// What a pulse looks like.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

@@ -4,33 +4,10 @@
 use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x16, f64x8};
 
 use super::number::Number;
-use super::real::{
-    COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, Real, SINE_F32, SINE_F64,
+use super::polynomials::{
+    COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
 };
-
-/// A number of several cells.
-pub trait Vector: Number + std::fmt::Debug {
-    /// What a lane holds.
-    type Element: Real;
-
-    /// Number of lanes, 64 at most.
-    const LANES: usize;
-
-    /// The number in a lane.
-    fn lane(&self, lane: usize) -> Self::Element;
-
-    /// Changes the number in a lane.
-    fn put(&mut self, lane: usize, value: Self::Element);
-
-    /// A mask as a bit a lane, the first lane the lowest.
-    fn bits(mask: Self::Mask) -> u64;
-
-    /// The mask of such bits, for numbers of the same kind as `self`.
-    fn mask(self, bits: u64) -> Self::Mask;
-
-    /// Runs something with the instructions that this kind of vector is made of.
-    fn with<T>(self, run: impl FnOnce() -> T) -> T;
-}
+use super::real::Vector;
 
 macro_rules! vector {
     ($vector:ident, $element:ty, $lanes:expr, $sine:expr, $cosine:expr, $exponential:expr) => {
@@ -122,42 +99,3 @@ macro_rules! vector {
 
 vector!(f32x16, f32, 16, SINE_F32, COSINE_F32, EXPONENTIAL_F32);
 vector!(f64x8, f64, 8, SINE_F64, COSINE_F64, EXPONENTIAL_F64);
-
-/// A number as a vector of one lane: the same code steps a single cell.
-macro_rules! single {
-    ($element:ty) => {
-        impl Vector for $element {
-            type Element = $element;
-
-            const LANES: usize = 1;
-
-            #[inline(always)]
-            fn lane(&self, _: usize) -> $element {
-                *self
-            }
-
-            #[inline(always)]
-            fn put(&mut self, _: usize, value: $element) {
-                *self = value;
-            }
-
-            #[inline(always)]
-            fn bits(mask: bool) -> u64 {
-                u64::from(mask)
-            }
-
-            #[inline(always)]
-            fn mask(self, bits: u64) -> bool {
-                bits & 1 == 1
-            }
-
-            #[inline(always)]
-            fn with<T>(self, run: impl FnOnce() -> T) -> T {
-                run()
-            }
-        }
-    };
-}
-
-single!(f32);
-single!(f64);

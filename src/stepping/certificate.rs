@@ -17,10 +17,10 @@
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
-use crate::model::dynamics::{Lever, Motion, lever_at};
+use crate::model::dynamics::{Lever, lever_at};
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::real::{Real, Vector};
 
 use super::extremes::Extremes;
 

@@ -1,10 +1,10 @@
 //! The first guard that has happened in a span just taken. Twin of `shaders/crossing.wgsl`.
 
 use crate::model::CellEquations;
-use crate::model::dynamics::{Contact, Motion, Rates, largest_uplift_moment, uplift_moment};
+use crate::model::dynamics::{Contact, Rates, largest_uplift_moment, uplift_moment};
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::real::{Real, Vector};
 
 use super::cubic::Cubic;
 use super::extremes::end_slopes;

@@ -1,8 +1,9 @@
 //! The largest and least values of each lane's cell so far. Twin of `shaders/extremes.wgsl`.
 
-use crate::model::dynamics::{Contact, Motion};
+use crate::model::dynamics::Contact;
+use crate::model::layout::reals;
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::reals;
 
 use super::guards::crosses;
 use super::rk4::hermite;

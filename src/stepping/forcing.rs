@@ -5,8 +5,7 @@ use crate::model::CellEquations;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::pulse::wave;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::real::{Real, Vector};
 
 /// Most steps of a segment: numbers of steps that the number type holds without loss, with room for
 /// a fraction.

@@ -14,10 +14,10 @@
 //! ([`span`](super::span)). A step ends at the end of its forcing segment by construction
 //! ([`forcing`](super::forcing)).
 
-use crate::model::dynamics::{Motion, Rates};
+use crate::model::dynamics::Rates;
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::real::{Real, Vector};
 
 /// No switch.
 pub const NOTHING: u32 = 0;

@@ -9,11 +9,10 @@ use super::search::Search;
 use super::state::State;
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
-use crate::model::dynamics::Motion;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::motion::Motion;
+use crate::model::real::{Real, Vector};
 
 /// A cell that a lane is on.
 #[derive(Debug, Clone, Copy)]

@@ -5,8 +5,10 @@ use bytemuck::Zeroable;
 use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
 use super::trials::Trial;
-use crate::model::dynamics::{Contact, Motion};
-use crate::model::real::{Real, pod};
+use crate::model::dynamics::Contact;
+use crate::model::layout::pod;
+use crate::model::motion::Motion;
+use crate::model::real::Real;
 
 /// What an observer of a cell's switches is told.
 pub trait Log<R> {

@@ -9,11 +9,12 @@ use bytemuck::Zeroable;
 use super::rk4::rk4;
 use crate::model::CellEquations;
 use crate::model::block::Model;
-use crate::model::dynamics::{Motion, rates};
+use crate::model::dynamics::rates;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::{
+use crate::model::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
 };
 

@@ -2,8 +2,9 @@
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
-use crate::model::dynamics::{Contact, Motion, Rates, rates};
+use crate::model::dynamics::{Contact, Rates, rates};
 use crate::model::excitation::Ground;
+use crate::model::motion::Motion;
 use crate::model::number::Number;
 
 /// Where a trial ends.

@@ -2,7 +2,7 @@
 //! bracket, from the cubic through the span's ends. Twin of `shaders/search.wgsl`.
 
 use crate::model::number::Number;
-use crate::model::vector::Vector;
+use crate::model::real::Vector;
 
 use super::cubic::Cubic;
 use super::guards::{GuardSample, LOCATE_BOUND, Sought};

@@ -1,7 +1,7 @@
 //! Where a span ends before anything is searched for. Twin of `shaders/span.wgsl`.
 
 use crate::model::dynamics::Rates;
-use crate::model::vector::Vector;
+use crate::model::real::Vector;
 
 use super::lanes::Lanes;
 use super::log::Listener;

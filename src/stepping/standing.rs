@@ -7,8 +7,9 @@ use super::rk4::rk4;
 use super::state::State;
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, pivot};
-use crate::model::dynamics::{Contact, Motion, rates};
+use crate::model::dynamics::{Contact, rates};
 use crate::model::isolation::support;
+use crate::model::motion::Motion;
 use crate::model::real::Real;
 
 /// A cell in full contact on its way through the excitation.

@@ -2,10 +2,11 @@
 
 use bytemuck::Zeroable;
 
-use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
+use crate::model::layout::pod;
+use crate::model::motion::Motion;
 use crate::model::number::Number;
-use crate::model::real::{Real, pod};
+use crate::model::real::Real;
 
 use super::extremes::Extremes;
 

@@ -6,8 +6,7 @@ use crate::model::block::{Corner, FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, piv
 use crate::model::dynamics::{Contact, largest_uplift_moment};
 use crate::model::impact::{change_corner, come_to_rest};
 use crate::model::isolation::support;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::real::{Real, Vector};
 
 use super::certificate;
 use super::guards::{IMPACT, KINK, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};

@@ -5,10 +5,10 @@
 //! which it was, so that no lane waits for another's switch. The rates at the start are made anew in
 //! every turn: a switch, which changes them, needs nothing of its own.
 
-use crate::model::dynamics::{Motion, rates, uplift_moment};
+use crate::model::dynamics::{rates, uplift_moment};
 use crate::model::isolation::support;
-use crate::model::real::Real;
-use crate::model::vector::Vector;
+use crate::model::motion::Motion;
+use crate::model::real::{Real, Vector};
 
 use super::certificate::STEPS_A_TRY;
 use super::guards::{EVENT_BOUND, GuardSample};

@@ -9,8 +9,8 @@ use super::tracks::{
     LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
 };
 use crate::model::block::Model;
-use crate::model::dynamics::Motion;
 use crate::model::excitation::Cell;
+use crate::model::motion::Motion;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 use crate::stepping::extremes::{self, end_slopes, parabola};

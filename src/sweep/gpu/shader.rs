@@ -12,7 +12,7 @@ pub enum Switches {
 }
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 24] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 25] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -25,6 +25,7 @@ pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'stat
         real,
         ("block.wgsl", include_str!("../../../shaders/block.wgsl")),
         ("excitation.wgsl", include_str!("../../../shaders/excitation.wgsl")),
+        ("motion.wgsl", include_str!("../../../shaders/motion.wgsl")),
         ("pulse.wgsl", include_str!("../../../shaders/pulse.wgsl")),
         ("isolation.wgsl", include_str!("../../../shaders/isolation.wgsl")),
         ("dynamics.wgsl", include_str!("../../../shaders/dynamics.wgsl")),

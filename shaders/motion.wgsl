@@ -1,0 +1,12 @@
+// The state of a cell's motion. Twin: src/model/motion.rs.
+
+struct Motion {
+    u: real,
+    du: real,
+    // From the static position: v + g/omega_v^2.
+    v: real,
+    dv: real,
+    z: real,
+    phi: real,
+    dphi: real,
+}
