@@ -12,19 +12,18 @@ use std::time::{Duration, Instant};
 
 use common::pulse;
 use rayon::prelude::*;
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::state::{FINISHED, State};
-use topple::sweep::backend::Precision;
 use topple::sweep::cell_tables::CellTables;
 use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
-use topple::sweep::gpu::outcomes;
 use topple::sweep::gpu::tile::{OwnClocks, Tile};
+use topple::sweep::gpu::{adapter, outcomes};
 use topple::sweep::plan::Plan;
 use topple::sweep::table::Window;
 

@@ -6,9 +6,9 @@
 mod common;
 
 use common::{all, judge, scene, shaken, synthetic_pair, under};
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;

@@ -13,13 +13,14 @@ use common::{object, say};
 use tempfile::TempDir;
 use topple::map::columns::Column;
 use topple::map::outcomes::Outcomes;
+use topple::model::precision::Precision;
 use topple::scene::Scene;
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::store::identity::{Identity, Manner};
 use topple::store::shelf::{Shelf, missing};
 use topple::store::tile::{self, Tile, check, to_bytes};
 use topple::store::{Found, Store, StoreError};
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 
 /// Outcomes of every class, and of numbers that are easily mistaken.
 fn outcomes() -> Vec<Outcome> {

@@ -6,12 +6,12 @@
 mod common;
 
 use common::{all, object, say, scene, synthetic_pair, under};
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 use topple::sweep::{cpu, lanes};

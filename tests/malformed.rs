@@ -10,9 +10,10 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
+use topple::model::precision::Precision;
 use topple::scene::Grid;
 use topple::scene::text::SceneText;
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
 
 /// How many of each there are.

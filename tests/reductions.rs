@@ -11,6 +11,7 @@ use common::{all, gpu, object, say, scene, synthetic_pair, under};
 use proptest::prelude::*;
 use topple::model::CellEquations;
 use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::{Class, Outcome, Status};
@@ -18,7 +19,6 @@ use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Pole, System, U, V,
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::{PROVED, RUNNING, State};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;

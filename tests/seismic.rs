@@ -8,10 +8,11 @@ use std::path::Path;
 
 use common::{all, gpu, record, say, scene};
 use rayon::prelude::*;
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;

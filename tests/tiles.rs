@@ -7,9 +7,9 @@ mod common;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{all, gpu, object, synthetic_pair, under};
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::device::Gpu;
 use topple::sweep::gpu::run::{Ran, Sweeper};

@@ -9,7 +9,7 @@ use naga::AddressSpace;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use serde_json::{Value, json};
 use topple::model::isolation::Variant;
-use topple::sweep::backend::Precision;
+use topple::model::precision::Precision;
 use topple::sweep::gpu::pipelines::{WORKGROUP, constants};
 use topple::sweep::gpu::shader::{self, Switches};
 

@@ -12,10 +12,10 @@ use std::time::Instant;
 
 use perturb::{Device, Fusing, Rounding};
 use topple::chart::bench::MAPS;
+use topple::model::precision::Precision;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;

@@ -2,16 +2,15 @@
 
 use std::time::{Duration, Instant};
 
-use super::SWITCHES;
 use super::bench::Bench;
-use super::naive;
 use super::truth::{Seen, Told, of_bench, of_events};
+use super::{SWITCHES, naive};
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::{Excitation, Grid, Scene, SceneError};
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::Settings;
-use crate::sweep::backend::Precision;
 use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
 use crate::sweep::gpu::GpuError;

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
 use topple::sweep::gpu::run::Sweeper;

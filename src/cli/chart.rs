@@ -11,17 +11,16 @@ use topple::chart::trial::{self, Method, Trial};
 use topple::chart::truth::{self, Told};
 use topple::chart::{figure, peers};
 use topple::map::figure::document;
+use topple::model::precision::Precision;
 use topple::scene::excitation::RecordText;
-use topple::sweep::backend::Precision;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
 
-use super::InputError;
 use super::options::flag_error;
 use super::output::{self, PNG_SCALE, write_figure};
 use super::progress::Progress;
 use super::seismic::write_synthetic;
-use super::words;
+use super::{InputError, words};
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.
 #[derive(clap::Args)]

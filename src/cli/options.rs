@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use topple::model::precision::Precision;
 use topple::scene::parameters::PARAMETERS;
 use topple::scene::text::SceneText;
 use topple::scene::{Directions, Overturn, Parameter, Scene, SceneError, Values};
 use topple::store::identity::Manner;
 use topple::store::part::Part;
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::choice::{Choice, Opened};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::GpuError;

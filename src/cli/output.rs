@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use topple::map::figure::FigureError;
-use topple::map::figure::{curves, document, field, frame, overturning};
+use topple::map::figure::{FigureError, curves, document, field, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::Manifest;
 use topple::map::npz::Source;
 use topple::map::outcomes::Outcomes;
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
+use topple::model::precision::Precision;
 use topple::scene::Grid;
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 
 use super::InputError;
 

@@ -4,10 +4,11 @@ use std::fmt::Display;
 
 use topple::map::figure::frame;
 use topple::map::outcomes::Tally;
+use topple::model::precision::Precision;
 use topple::scene::{Case, Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::plan::{Plan, Reductions};
 use topple::sweep::verification::Verification;
 

@@ -6,9 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::outcomes::Tally;
+use crate::model::precision::Precision;
 use crate::scene::Scene;
 use crate::store::parts::Report;
-use crate::sweep::backend::Precision;
 use crate::sweep::gpu::adapter::Description;
 use crate::sweep::plan::{Plan, Reductions};
 use crate::sweep::verification::Verification;

@@ -12,10 +12,10 @@ use zip::write::SimpleFileOptions;
 
 use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE, class_code, status_code};
 use super::outcomes::{Outcomes, each_block};
+use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
 use crate::scene::{Grid, Scene};
 use crate::stepping::outcome::{Class, Outcome, Status};
-use crate::sweep::backend::Precision;
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 const LEVEL: i64 = 2;

@@ -17,6 +17,7 @@ pub(crate) mod layout;
 pub mod motion;
 pub mod number;
 pub mod polynomials;
+pub mod precision;
 pub mod pulse;
 pub mod real;
 pub mod vector;

@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::part::Part;
+use crate::model::precision::Precision;
 use crate::scene::{Excitation, Scene, SceneError};
-use crate::sweep::backend::{Backend, Precision};
+use crate::sweep::backend::Backend;
 use crate::sweep::plan::Plan;
 
 /// Everything that a map depends on.

@@ -4,7 +4,6 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use super::cpu;
 use super::gpu::GpuError;
@@ -12,29 +11,10 @@ use super::gpu::adapter::Description;
 use super::gpu::device::Gpu;
 use super::gpu::run::Sweeper;
 use super::plan::{Part, Plan};
+use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::reference;
-
-/// Number type of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "lowercase")]
-pub enum Precision {
-    /// 32 bits.
-    F32,
-    /// 64 bits.
-    F64,
-}
-
-impl Precision {
-    /// Name in files: f32 or f64.
-    pub fn name(self) -> &'static str {
-        match self {
-            Precision::F32 => "f32",
-            Precision::F64 => "f64",
-        }
-    }
-}
 
 /// A backend ready to run.
 pub enum Backend {

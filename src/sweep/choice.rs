@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::backend::{Backend, Precision};
-use super::gpu::GpuError;
-use super::gpu::adapter;
+use super::backend::Backend;
 use super::gpu::device::Gpu;
+use super::gpu::{GpuError, adapter};
+use crate::model::precision::Precision;
 
 /// The backend that a user asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

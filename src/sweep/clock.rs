@@ -1,6 +1,6 @@
 //! How finely a motion is stepped, and the lengths and numbers of a cell's steps.
 
-use super::backend::Precision;
+use crate::model::precision::Precision;
 
 /// Largest step by default, s: the chart's choice (README, "Speed against accuracy").
 pub const DEFAULT_STEP: f64 = 1.0 / 128.0;

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use bytemuck::Zeroable;
 use serde::Serialize;
 
-use super::backend::Precision;
 use super::body::{Body, body_parameters};
 use super::clock::Resolution;
 use super::shared::Kept;
 use crate::model::block::Model;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
+use crate::model::precision::Precision;
 use crate::model::pulse::Shape;
 use crate::model::real::Real;
 use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positive};

@@ -6,15 +6,14 @@ use std::io::Write;
 use std::sync::LazyLock;
 
 use assert_cmd::Command;
+use topple::model::precision::Precision;
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend::Precision;
-use topple::sweep::gpu::GpuError;
-use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::{GpuError, adapter};
 
 /// The scene of a TOML text.
 pub fn scene(text: &str) -> Scene {

@@ -23,9 +23,10 @@ use topple::figures::motions::{self, Motion};
 use topple::figures::shares::Shares;
 use topple::figures::text::Setting;
 use topple::figures::{Figure, Panel};
+use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 

@@ -1,8 +1,8 @@
 //! What a sweep must have in common with the reference, column by column.
 
+use topple::model::precision::Precision;
 use topple::scene::GRAVITY;
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::backend::Precision;
 
 use super::truth::{Disturbance, NUMBERS, Truth, numbers};
 

@@ -2,10 +2,10 @@
 
 use std::sync::OnceLock;
 
+use topple::model::precision::Precision;
 use topple::scene::{Case, GRAVITY, Grid, Scene, Shaking};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings, Switch};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 
 /// Columns that are numbers: names, and values.

@@ -1,11 +1,12 @@
 //! Beside the boundaries between outcomes, where no method is right for ever.
 
 use rayon::prelude::*;
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend::{Backend, Precision};
+use topple::sweep::backend::Backend;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 

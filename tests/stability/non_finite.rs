@@ -1,10 +1,10 @@
 //! Numbers that are none, at each stage of the way.
 
+use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;

@@ -1,8 +1,8 @@
 //! What 32 bits hold, and what they do not.
 
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
-use topple::sweep::backend::Precision;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;

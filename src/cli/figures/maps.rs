@@ -7,8 +7,8 @@ use topple::figures::motions::Motion;
 use topple::figures::shares::Shares;
 use topple::figures::{Figure, Panel, letter, panels, path};
 use topple::map::{self, Map};
+use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
-use topple::sweep::backend::Precision;
 use topple::sweep::verification::{self, Verification};
 
 use super::super::progress::Progress;

@@ -5,8 +5,8 @@ use std::ffi::CStr;
 
 use wgpu::{Adapter, Backends, DeviceType, Features, Instance};
 
-use super::super::backend::Precision;
 use super::GpuError;
+use crate::model::precision::Precision;
 
 /// The interfaces that the shader is compiled for.
 const BACKENDS: Backends = Backends::VULKAN.union(Backends::METAL).union(Backends::DX12);

@@ -6,9 +6,9 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource,
 };
 
-use super::super::backend::Precision;
 use super::GpuError;
 use super::device::Gpu;
+use crate::model::precision::Precision;
 
 /// Numbers that the pass makes, one a thread.
 const COUNT: u32 = 64;

@@ -8,12 +8,12 @@ use wgpu::{
     Features, MemoryHints, PollType, Queue, SubmissionIndex, Trace,
 };
 
-use super::super::backend::Precision;
 use super::GpuError;
 use super::adapter::Description;
 use super::pipelines::Pipelines;
 use super::slots::Slots;
 use crate::model::isolation::Variant;
+use crate::model::precision::Precision;
 
 /// An open device.
 pub struct Gpu {

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use super::super::backend::Precision;
 use super::super::cells::Cells;
 use super::super::plan::Plan;
 use super::GpuError;
@@ -12,6 +11,7 @@ use super::shader::{self, Switches};
 use super::slots::{SIDES, Slots};
 use super::tiles::Tiles;
 use crate::model::isolation::Variant;
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::log::Event;

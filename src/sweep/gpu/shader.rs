@@ -1,6 +1,6 @@
 //! The shader's text, put together from `shaders/`.
 
-use super::super::backend::Precision;
+use crate::model::precision::Precision;
 
 /// Whether a shader keeps the first switches of each cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
