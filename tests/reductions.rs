@@ -22,7 +22,8 @@ use topple::stepping::state::{PROVED, RUNNING, State};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::{Plan, Reductions};
+use topple::sweep::plan::Plan;
+use topple::sweep::shortcuts::Reductions;
 
 /// A pulse map of Object 1 whose base moves in some directions.
 fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use topple::map::figure::{document, history as figure};
-use topple::map::history as table;
+use topple::map::history::{self as table};
 use topple::model::precision::Precision;
 use topple::scene::excitation::RecordText;
 use topple::scene::text::SceneText;
@@ -11,9 +11,10 @@ use topple::stepping::outcome::Outcome;
 use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;
 
+use super::InputError;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
-use super::{InputError, output, words};
+use super::{output, words};
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]

@@ -9,7 +9,8 @@ use topple::scene::{Case, Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::Backend;
-use topple::sweep::plan::{Plan, Reductions};
+use topple::sweep::plan::Plan;
+use topple::sweep::shortcuts::Reductions;
 use topple::sweep::verification::Verification;
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.

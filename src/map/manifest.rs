@@ -10,7 +10,8 @@ use crate::model::precision::Precision;
 use crate::scene::Scene;
 use crate::store::parts::Report;
 use crate::sweep::gpu::adapter::Description;
-use crate::sweep::plan::{Plan, Reductions};
+use crate::sweep::plan::Plan;
+use crate::sweep::shortcuts::Reductions;
 use crate::sweep::verification::Verification;
 
 /// Everything about a run that its data do not hold.

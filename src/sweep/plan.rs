@@ -4,11 +4,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
-use serde::Serialize;
 
 use super::body::{Body, body_parameters};
 use super::clock::Resolution;
-use super::shared::Kept;
+use super::laws::Laws;
+use super::motion_cache::Kept;
+use super::shortcuts::Reductions;
 use crate::model::block::Model;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
@@ -24,25 +25,6 @@ pub const RIGID_SHARE: f64 = 0.2;
 /// Most steps that a cell may take: some minutes of one core.
 pub const MOST_STEPS: f64 = 1.0e9;
 
-/// What a sweep leaves out where it has no say in the result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Reductions {
-    /// No hysteretic variable where the base is linear (psi = 1).
-    pub linear: bool,
-    /// No time after energy has proved all results final.
-    pub certificate: bool,
-    /// No motion in full contact by each cell: it is integrated once for all cells that share it.
-    pub full_contact: bool,
-}
-
-impl Reductions {
-    /// Everything that has no say is left out.
-    pub const ALL: Reductions = Reductions { linear: true, certificate: true, full_contact: true };
-    /// Nothing is: the full model.
-    pub const NONE: Reductions =
-        Reductions { linear: false, certificate: false, full_contact: false };
-}
-
 /// Cells that run one model.
 #[derive(Debug, Clone)]
 pub struct Part {
@@ -52,17 +34,6 @@ pub struct Part {
     pub cells: Vec<usize>,
     /// Their vertical isolation is rigid for the record, and is locked.
     pub vertical_locked: bool,
-}
-
-/// What decides which model a cell runs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Laws {
-    /// The base moves in each direction.
-    moves: [bool; 2],
-    /// The base yields.
-    yields: bool,
-    /// n of (11).
-    bouc_wen_n: u32,
 }
 
 /// A scene made ready for its cells.

@@ -1,0 +1,53 @@
+//! A cache of the motions in full contact: made for the first tile of a sweep, used again by the others.
+
+use std::any::Any;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::clock::Resolution;
+use super::laws::Laws;
+use super::shortcuts::Reductions;
+use crate::scene::{Grid, Scene};
+
+/// All that motions in full contact depend on, but the number type.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Key {
+    pub(super) scene: Scene,
+    pub(super) grid: Grid,
+    pub(super) resolution: Resolution,
+    pub(super) reductions: Reductions,
+    pub(super) laws: Laws,
+}
+
+/// The motions of one key, in one number type.
+type Entry = Arc<dyn Any + Send + Sync>;
+
+/// Motions by their keys; a plan and those made from it share one cache. It does not know the motions'
+/// type, which stands above it.
+#[derive(Debug, Default)]
+pub struct Kept(Mutex<Vec<(Key, Entry)>>);
+
+impl Kept {
+    fn entries(&self) -> MutexGuard<'_, Vec<(Key, Entry)>> {
+        // What a thread that broke off leaves is whole: an entry is made before it is added.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The motions of a key, if they are there in this number type.
+    pub(super) fn find<T: Any + Send + Sync>(&self, key: &Key) -> Option<Arc<T>> {
+        let alike = |(known, motions): &(Key, Entry)| {
+            let motions = (known == key).then(|| Arc::clone(motions));
+            motions.and_then(|motions| motions.downcast().ok())
+        };
+        self.entries().iter().find_map(alike)
+    }
+
+    /// Adds the motions of a key.
+    pub(super) fn add(&self, key: Key, motions: Entry) {
+        self.entries().push((key, motions));
+    }
+
+    /// Lets go of all motions.
+    pub(super) fn clear(&self) {
+        self.entries().clear();
+    }
+}
