@@ -21,7 +21,7 @@ use topple::stepping::state::{FINISHED, State};
 use topple::sweep::cell_tables::CellTables;
 use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::tile::{OwnClocks, Tile};
 use topple::sweep::gpu::{adapter, outcomes};
 use topple::sweep::plan::Plan;

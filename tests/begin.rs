@@ -14,7 +14,7 @@ use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
 use topple::stepping::state::{RUNNING, State};
 use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;

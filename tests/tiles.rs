@@ -11,8 +11,9 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::device::Gpu;
-use topple::sweep::gpu::run::{Ran, Sweeper};
+use topple::sweep::gpu::opened::Gpu;
+use topple::sweep::gpu::outcomes::Ran;
+use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
 
 /// Cells that overturn at once beside some that rock to the end.

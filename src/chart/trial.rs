@@ -14,8 +14,9 @@ use crate::stepping::reference::Settings;
 use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
 use crate::sweep::gpu::GpuError;
-use crate::sweep::gpu::device::Gpu;
-use crate::sweep::gpu::run::{Ran, Sweeper};
+use crate::sweep::gpu::opened::Gpu;
+use crate::sweep::gpu::outcomes::Ran;
+use crate::sweep::gpu::run::Sweeper;
 use crate::sweep::plan::Plan;
 
 /// A way to integrate.

@@ -12,7 +12,7 @@ use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
 use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
 use topple::sweep::{clock, cpu, lanes};

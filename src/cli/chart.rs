@@ -14,7 +14,7 @@ use topple::map::figure::document;
 use topple::model::precision::Precision;
 use topple::scene::excitation::RecordText;
 use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::opened::Gpu;
 
 use super::options::flag_error;
 use super::output::{self, PNG_SCALE, write_figure};

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::cpu;
 use super::gpu::GpuError;
 use super::gpu::adapter::Description;
-use super::gpu::device::Gpu;
+use super::gpu::opened::Gpu;
 use super::gpu::run::Sweeper;
 use super::plan::{Part, Plan};
 use crate::model::precision::Precision;

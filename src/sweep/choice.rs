@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::backend::Backend;
-use super::gpu::device::Gpu;
+use super::gpu::opened::Gpu;
 use super::gpu::{GpuError, adapter};
 use crate::model::precision::Precision;
 

@@ -12,7 +12,7 @@ use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::gpu::device::Gpu;
+use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::{GpuError, adapter};
 
 /// The scene of a TOML text.

@@ -7,7 +7,7 @@ use wgpu::{
 };
 
 use super::GpuError;
-use super::device::Gpu;
+use super::device::OpenDevice;
 use crate::model::precision::Precision;
 
 /// Numbers that the pass makes, one a thread.
@@ -26,7 +26,7 @@ pub fn source(precision: Precision) -> String {
     )
 }
 
-impl Gpu {
+impl OpenDevice {
     /// Runs a shader of a few lines and compares its numbers with the host's: some milliseconds.
     ///
     /// # Errors

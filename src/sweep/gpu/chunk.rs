@@ -8,7 +8,7 @@ use wgpu::{
 };
 
 use super::GpuError;
-use super::device::Gpu;
+use super::device::OpenDevice;
 use super::pipelines::{Pipelines, WORKGROUP};
 use super::slots::{CHUNK_STRIDE, RING, SIDES, Slots, TALLY};
 
@@ -77,7 +77,7 @@ pub struct Report {
 
 /// Hands a submission to the device.
 pub fn submit(
-    gpu: &Gpu,
+    gpu: &OpenDevice,
     pipelines: &Pipelines,
     slots: &Slots,
     place: usize,
@@ -180,7 +180,7 @@ fn run(
 
 /// Waits for a submission, since the one before it ended. The states that it copied are mapped then.
 pub fn receive(
-    gpu: &Gpu,
+    gpu: &OpenDevice,
     slots: &Slots,
     flight: &Flight,
     since: Instant,

@@ -1,7 +1,7 @@
 //! A device, and every way in which it can fail.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use wgpu::{
     Adapter, Buffer, BufferView, Device, DeviceDescriptor, ErrorFilter, ExperimentalFeatures,
@@ -10,13 +10,9 @@ use wgpu::{
 
 use super::GpuError;
 use super::adapter::Description;
-use super::pipelines::Pipelines;
-use super::slots::Slots;
-use crate::model::isolation::Variant;
-use crate::model::precision::Precision;
 
 /// An open device.
-pub struct Gpu {
+pub struct OpenDevice {
     /// The device.
     pub device: Device,
     /// Its queue.
@@ -25,22 +21,15 @@ pub struct Gpu {
     pub description: Description,
     /// The first failure that came outside of a call.
     failure: Arc<Mutex<Option<GpuError>>>,
-    /// The sweeps compiled so far: tiles after the first need not wait for the compiler.
-    pipelines: Mutex<Vec<(Key, Pipelines)>>,
-    /// Places for cells, used again by the next sweep.
-    slots: Mutex<Option<Slots>>,
 }
 
-/// What a compiled sweep is for.
-type Key = (Precision, Variant);
-
-impl Gpu {
+impl OpenDevice {
     /// Opens a device with all that its adapter allows in sizes, and with `f64` and time stamps
     /// where it has them.
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
-    pub fn open(adapter: &Adapter) -> Result<Gpu, GpuError> {
+    pub fn open(adapter: &Adapter) -> Result<OpenDevice, GpuError> {
         let description = Description::of(adapter);
         let wanted = Features::SHADER_F64 | Features::TIMESTAMP_QUERY;
         let descriptor = DeviceDescriptor {
@@ -62,50 +51,12 @@ impl Gpu {
         });
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
-        Ok(Gpu {
-            device,
-            queue,
-            description,
-            failure,
-            pipelines: Mutex::default(),
-            slots: Mutex::default(),
-        })
+        Ok(OpenDevice { device, queue, description, failure })
     }
 
     /// True where the device can tell the time that a pass took.
     pub fn has_clock(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
-    }
-
-    /// The compiled sweep for a number type and a variant, compiled by `compile` the first time.
-    ///
-    /// # Errors
-    /// Those of `compile`.
-    pub fn pipelines(
-        &self,
-        key: Key,
-        compile: impl FnOnce() -> Result<Pipelines, GpuError>,
-    ) -> Result<Pipelines, GpuError> {
-        // Where a thread broke off there is no half-made entry: the list is as it was.
-        let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, known)) = pipelines.iter().find(|(known, _)| *known == key) {
-            return Ok(known.clone());
-        }
-        let compiled = compile()?;
-        pipelines.push((key, compiled.clone()));
-        Ok(compiled)
-    }
-
-    /// The places for cells that the last sweep left, where they suit.
-    pub fn slots(&self, suit: impl FnOnce(&Slots) -> bool) -> Option<Slots> {
-        let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
-        // Others are let go of, before new ones take memory.
-        slots.take().filter(suit)
-    }
-
-    /// Keeps places for the cells of the next sweep.
-    pub fn keep(&self, slots: Slots) {
-        *self.slots.lock().unwrap_or_else(PoisonError::into_inner) = Some(slots);
     }
 
     /// Runs `commands` and reports what the device refused of them.
@@ -150,7 +101,7 @@ impl Gpu {
     /// Maps buffers, once the device has done a submission, or all.
     ///
     /// # Errors
-    /// As [`Gpu::wait`], and [`GpuError::Lost`] where a buffer cannot be mapped.
+    /// As [`OpenDevice::wait`], and [`GpuError::Lost`] where a buffer cannot be mapped.
     pub fn map(
         &self,
         buffers: &[&Buffer],

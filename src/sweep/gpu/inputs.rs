@@ -15,7 +15,7 @@ use super::super::full_contact::Tracks;
 use super::super::groups::Steps;
 use super::super::table::Table;
 use super::super::tracks::Motions;
-use super::device::Gpu;
+use super::device::OpenDevice;
 use super::pipelines::Pipelines;
 use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
 use super::tile::{Layout, OwnClocks, Tile};
@@ -42,7 +42,7 @@ pub struct Inputs<R> {
 }
 
 /// A buffer with these contents, one number at least.
-fn filled<R: Real>(gpu: &Gpu, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
+fn filled<R: Real>(gpu: &OpenDevice, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
     let nothing = [R::of(0.0)];
     let contents = if contents.is_empty() { bytemuck::cast_slice(&nothing) } else { contents };
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
@@ -61,7 +61,7 @@ fn motions<R: Real>(motions: &Motions<R>, first: usize) -> Layout {
 impl<R: Real> Inputs<R> {
     /// Puts on the device what the cells of a plan share.
     pub fn new(
-        gpu: &Gpu,
+        gpu: &OpenDevice,
         pipelines: &Pipelines,
         slots: &mut Slots,
         cells: &Cells<R>,
@@ -125,7 +125,7 @@ impl<R: Real> Inputs<R> {
     /// that make its cells, and their buffers.
     pub fn begin(
         &self,
-        gpu: &Gpu,
+        gpu: &OpenDevice,
         pipelines: &Pipelines,
         slots: &mut Slots,
         (side, number): (usize, u32),
@@ -179,7 +179,7 @@ fn fits<R: Real>(tracks: &Tracks<R>, limit: u64) -> bool {
 
 /// The buffer of motions that may be on the device already, from a sweep before.
 fn resident<R: Real>(
-    gpu: &Gpu,
+    gpu: &OpenDevice,
     slots: &mut Slots,
     whose: &Arc<Option<Tracks<R>>>,
     tracks: &Tracks<R>,
@@ -202,7 +202,11 @@ fn resident<R: Real>(
     buffer
 }
 
-fn bind(gpu: &Gpu, pipeline: &ComputePipeline, bound: &[(u32, BindingResource)]) -> BindGroup {
+fn bind(
+    gpu: &OpenDevice,
+    pipeline: &ComputePipeline,
+    bound: &[(u32, BindingResource)],
+) -> BindGroup {
     let entries: Vec<BindGroupEntry> = bound
         .iter()
         .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
@@ -215,7 +219,7 @@ fn bind(gpu: &Gpu, pipeline: &ComputePipeline, bound: &[(u32, BindingResource)])
 }
 
 fn chunk_groups(
-    gpu: &Gpu,
+    gpu: &OpenDevice,
     pipeline: &ComputePipeline,
     slots: &Slots,
     [model, bodies]: [&Buffer; 2],

@@ -1,12 +1,11 @@
 //! A tile on the device, from the submission that makes its cells to their outcomes.
 
 use super::super::cells::Cells;
-use super::GpuError;
-use super::device::Gpu;
-use super::outcomes;
-use super::run::Ran;
+use super::device::OpenDevice;
+use super::outcomes::Ran;
 use super::slots::Slots;
 use super::tile::OwnClocks;
+use super::{GpuError, outcomes};
 use crate::model::real::Real;
 
 /// Cells on the device.
@@ -41,7 +40,7 @@ impl<R: Real> Loaded<'_, R> {
     /// Adds what became of its cells, whose last states are mapped, to that of the tiles before it.
     pub fn read(
         &self,
-        gpu: &Gpu,
+        gpu: &OpenDevice,
         slots: &Slots,
         side: usize,
         all: &Cells<R>,

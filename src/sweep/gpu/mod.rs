@@ -7,6 +7,7 @@ pub mod device;
 pub mod inputs;
 mod loaded;
 mod made;
+pub mod opened;
 pub mod outcomes;
 pub mod pace;
 pub mod pipelines;

@@ -1,6 +1,7 @@
 //! Outcomes made of last states where a device has put them.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 use rayon::prelude::*;
 
@@ -8,11 +9,22 @@ use super::super::cells::Cells;
 use super::GpuError;
 use super::tile::OwnClocks;
 use crate::model::real::Real;
+use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
 
 /// Cells that a thread reads at once.
 const CHUNK: usize = 1 << 12;
+
+/// What a device made of cells.
+pub struct Ran<R> {
+    /// One a cell, in their order.
+    pub outcomes: Vec<Outcome>,
+    /// The first switches of each cell, as many for each as were asked for.
+    pub events: Vec<Event<R>>,
+    /// Time in the shader, by the device's clock; none on a device that has no such clock.
+    pub device: Option<Duration>,
+}
 
 /// Adds the outcomes of a tile's cells, by all cores, to those of the tiles before it. `bytes` are
 /// the cells' states.

@@ -6,7 +6,7 @@ use wgpu::{
 };
 
 use super::GpuError;
-use super::device::Gpu;
+use super::device::OpenDevice;
 use crate::model::isolation::Variant;
 
 /// Threads of a workgroup.
@@ -47,7 +47,7 @@ pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64
 /// # Errors
 /// [`GpuError::Refused`].
 pub fn compile(
-    gpu: &Gpu,
+    gpu: &OpenDevice,
     source: &str,
     variant: Variant,
     events_kept: usize,

@@ -1,11 +1,10 @@
 //! A sweep on a device.
 
-use std::time::Duration;
-
 use super::super::cells::Cells;
 use super::super::plan::Plan;
 use super::GpuError;
-use super::device::Gpu;
+use super::opened::Gpu;
+use super::outcomes::Ran;
 use super::pipelines::{Pipelines, compile};
 use super::shader::{self, Switches};
 use super::slots::{SIDES, Slots};
@@ -15,7 +14,6 @@ use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::log::Event;
-use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
 
 /// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
@@ -29,16 +27,6 @@ pub struct Sweeper<'a> {
     pub(super) pipelines: Pipelines,
     pub(super) events_kept: usize,
     most_cells: usize,
-}
-
-/// What a device made of cells.
-pub struct Ran<R> {
-    /// One a cell, in their order.
-    pub outcomes: Vec<Outcome>,
-    /// The first switches of each cell, as many for each as were asked for.
-    pub events: Vec<Event<R>>,
-    /// Time in the shader, by the device's clock; none on a device that has no such clock.
-    pub device: Option<Duration>,
 }
 
 impl<'a> Sweeper<'a> {

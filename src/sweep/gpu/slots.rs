@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, QuerySet, QuerySetDescriptor, QueryType};
 
-use super::device::Gpu;
+use super::device::OpenDevice;
 use super::pace::Pace;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
@@ -78,7 +78,7 @@ pub struct Flight {
 }
 
 /// A buffer of so many bytes, four at least.
-pub fn buffer(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Buffer {
+pub fn buffer(gpu: &OpenDevice, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer(&BufferDescriptor {
         label: Some(label),
         // Whole 16 bytes, as a uniform buffer's size is on some devices.
@@ -89,7 +89,7 @@ pub fn buffer(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Buffer 
 }
 
 /// Writes the contents of a buffer; makes it anew, with room to spare, where it is too small.
-pub fn refill(gpu: &Gpu, place: &mut Buffer, contents: &[u8]) {
+pub fn refill(gpu: &OpenDevice, place: &mut Buffer, contents: &[u8]) {
     let size = contents.len() as u64;
     if place.size() < size {
         *place = buffer(gpu, "refilled", size.next_power_of_two(), place.usage());
@@ -104,7 +104,7 @@ const BACK: BufferUsages = BufferUsages::MAP_READ.union(BufferUsages::COPY_DST);
 
 impl Slots {
     /// Slots for two tiles of so many cells, with place for `events_kept` switches of each.
-    pub fn new<R: Real>(gpu: &Gpu, tile: usize, events_kept: usize) -> Slots {
+    pub fn new<R: Real>(gpu: &OpenDevice, tile: usize, events_kept: usize) -> Slots {
         let slots = (SIDES * tile) as u64;
         let state_size = size_of::<State<R>>() as u64;
         let events_size = (events_kept * size_of::<Event<R>>()) as u64;

@@ -13,11 +13,11 @@ use std::time::{Duration, Instant};
 use super::super::cells::Cells;
 use super::GpuError;
 use super::chunk::{Begin, Flight, Order, Report, receive, submit};
-use super::device::Gpu;
+use super::device::OpenDevice;
 use super::inputs::Inputs;
 use super::loaded::Loaded;
+use super::outcomes::Ran;
 use super::pipelines::Pipelines;
-use super::run::Ran;
 use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
 use super::tile::OwnClocks;
 use crate::model::excitation::Ground;
@@ -25,7 +25,7 @@ use crate::model::real::Real;
 
 /// A sweep's tiles.
 pub struct Tiles<'a, R> {
-    gpu: &'a Gpu,
+    gpu: &'a OpenDevice,
     pipelines: &'a Pipelines,
     slots: &'a mut Slots,
     all: &'a Cells<'a, R>,
@@ -57,7 +57,7 @@ pub struct Tiles<'a, R> {
 impl<'a, R: Real> Tiles<'a, R> {
     /// The tiles of some cells of a plan.
     pub fn new(
-        gpu: &'a Gpu,
+        gpu: &'a OpenDevice,
         pipelines: &'a Pipelines,
         slots: &'a mut Slots,
         (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
