@@ -6,8 +6,8 @@ use plotters::prelude::*;
 use super::fit::slope;
 use super::table::Row;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::compose;
-use crate::map::figure::frame::{Area, Drawn, FINE, area, at, stroke, text};
+use crate::map::figure::document::{FINE, compose};
+use crate::map::figure::frame::{Area, Drawn, area, at, stroke, text};
 
 const WIDTH: i32 = 1080;
 const PANEL: (i32, i32) = (390, 344);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use topple::map::figure::{FigureError, curves, document, field, frame, overturning};
+use topple::map::figure::{FigureError, curves, document, field, fields, frame, overturning};
 use topple::map::files::{Directory, WriteError};
 use topple::map::manifest::Manifest;
 use topple::map::npz::Source;
@@ -77,7 +77,7 @@ fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
     } else if map.scene.excitation.record().is_none() {
         overturning::draw(map, at)?
     } else {
-        field::draw(map, &field::FIELDS[0], at)?
+        field::draw(map, &fields::FIELDS[0], at)?
     };
     let png = document::render(&svg, PNG_SCALE)?;
     Ok((name.into(), svg, png))
@@ -93,12 +93,12 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         let png = document::render(&svg, PNG_SCALE)?;
         Ok((name.into(), svg, png))
     };
-    let others: Vec<Figure> = field::FIELDS[1..]
+    let others: Vec<Figure> = fields::FIELDS[1..]
         .par_iter()
         .map(|field| finish(field.name, field::draw(map, field, "")?))
         .collect::<Result<_, _>>()?;
     figures.extend(others);
-    let [normal, friction] = &field::CONTACT;
+    let [normal, friction] = &fields::CONTACT;
     let (left, right) = (field::draw(map, normal, "")?, field::draw(map, friction, "")?);
     figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
     Ok(figures)

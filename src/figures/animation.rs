@@ -5,10 +5,8 @@ use plotters::prelude::*;
 
 use super::marks;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::{Place, pixels};
-use crate::map::figure::frame::{
-    Area, Axes, Drawn, FINE, Named, at, document, frame, stroke, text,
-};
+use crate::map::figure::document::{FINE, Place, pixels};
+use crate::map::figure::frame::{Area, Axes, Drawn, Named, at, document, frame, stroke, text};
 use crate::map::figure::palette::Kind;
 use crate::scene::{Case, GRAVITY, Scene};
 use crate::stepping::outcome::Outcome;

@@ -6,6 +6,7 @@
 pub mod animation;
 pub mod boundary;
 pub mod curves;
+pub mod error;
 pub mod layout;
 pub mod marks;
 pub mod motions;

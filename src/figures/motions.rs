@@ -8,7 +8,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::text::ReadError;
+use super::error::ReadError;
 use crate::scene::GRAVITY;
 use crate::scene::record::read::{self, Told};
 use crate::scene::record::synthetic::{self, HORIZONTAL, Parameters, VERTICAL};

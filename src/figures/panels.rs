@@ -9,10 +9,11 @@ use super::layout::{ABOVE, LINE, Layout, Written};
 use super::{Figure, Panel, Shows, letter, parameters};
 use crate::map::Map;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::Place;
-use crate::map::figure::field::{self, FIELDS, Field};
+use crate::map::figure::document::{FINE, Place};
+use crate::map::figure::field;
+use crate::map::figure::fields::{FIELDS, Field};
 use crate::map::figure::frame::{
-    Area, Axes, Drawn, FINE, Plot, at, axes, document, outline, stroke, text,
+    Area, Axes, Drawn, Plot, at, axes, document, outline, stroke, text,
 };
 use crate::map::figure::greys::{Greys, keys};
 use crate::map::figure::overturning::{self, hatched};

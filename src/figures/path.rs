@@ -6,10 +6,8 @@ use plotters::prelude::*;
 
 use crate::map::Map;
 use crate::map::figure::FigureError;
-use crate::map::figure::document::Place;
-use crate::map::figure::frame::{
-    Axes, FINE, Named, at, document, frame, frame_with, outline, text,
-};
+use crate::map::figure::document::{FINE, Place};
+use crate::map::figure::frame::{Axes, Named, at, document, frame, frame_with, outline, text};
 use crate::map::figure::palette::{Kind, Parity};
 use crate::map::figure::raster::png;
 use crate::scene::Values;

@@ -8,28 +8,12 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::{Table, Value};
 
+use super::error::ReadError;
 use super::marks::{self, Point, Window};
 use super::motions::{Motion, Motions};
 use super::{Figure, Panel, Shows, letter};
 use crate::scene::text::{SceneText, located};
 use crate::scene::{Excitation, Range, Scene, SceneError, Values};
-
-/// What is wrong with a figure or a motion, and where.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{place}: {problem}")]
-pub struct ReadError {
-    /// File, and panel if it is one's.
-    pub place: String,
-    /// What is wrong and what to do.
-    pub problem: String,
-}
-
-impl ReadError {
-    /// An error at a place.
-    pub fn new(place: impl Into<String>, problem: impl Into<String>) -> ReadError {
-        ReadError { place: place.into(), problem: problem.into() }
-    }
-}
 
 /// A figure as written.
 #[derive(Debug, Clone, Deserialize)]

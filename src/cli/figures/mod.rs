@@ -6,8 +6,9 @@ mod maps;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use topple::figures::error::ReadError;
 use topple::figures::motions::{self, Motion, Motions};
-use topple::figures::text::{ReadError, Setting};
+use topple::figures::text::Setting;
 use topple::figures::{Figure, Shows, letter};
 use topple::map::figure::document;
 use topple::map::files::Directory;

@@ -7,11 +7,10 @@ use plotters::prelude::*;
 
 use super::super::Map;
 use super::FigureError;
-use super::document::Place;
-use super::field::{FIELDS, Field};
+use super::document::{FINE, Place};
+use super::fields::{FIELDS, Field};
 use super::frame::{
-    Area, Axes, Drawn, FINE, Named, along, at, document, extent, frame, heading, outline, stroke,
-    text,
+    Area, Axes, Drawn, Named, along, at, document, extent, frame, heading, outline, stroke, text,
 };
 use super::overturning::{hatch_labels, hatched};
 use super::palette::Kind;

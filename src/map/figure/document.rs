@@ -6,8 +6,10 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 
 use super::FigureError;
-use super::frame::FINE;
 use super::raster::data_url;
+
+/// Units of a drawing for each of the document's: the plotting library knows whole ones only.
+pub const FINE: i32 = 8;
 
 /// A rectangle of the document, px.
 #[derive(Debug, Clone, Copy, PartialEq)]

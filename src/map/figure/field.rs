@@ -4,98 +4,15 @@ use plotters::prelude::*;
 
 use super::super::Map;
 use super::super::boundaries::{Boundary, levels};
-use super::document::{Place, compose};
-use super::frame::{Drawn, FINE, PLOT, Plot, SIZE, area, map_frame, stroke, titled};
+use super::document::{FINE, Place, compose};
+use super::fields::Field;
+use super::frame::{Drawn, PLOT, Plot, SIZE, area, map_frame, stroke, titled};
 use super::greys::{FALLEN, Greys, keys};
 use super::labels::Labels;
 use super::overturning::hatched;
 use super::raster::png;
 use super::{FigureError, tick};
 use crate::stepping::outcome::{Class, Outcome};
-
-/// A value that is drawn over the grid.
-#[derive(Debug, Clone, Copy)]
-pub struct Field {
-    /// Name of the files.
-    pub name: &'static str,
-    /// Title of the figure.
-    pub title: &'static str,
-    /// Symbol and unit at the scale.
-    pub label: &'static str,
-    /// The value of a cell.
-    pub value: fn(&Outcome) -> f64,
-    /// Fixed ends of the scale; those of the values where there are none.
-    pub ends: Option<(f64, f64)>,
-    /// The value of an overturned cell tells how far it came, not how far it can: it is left out
-    /// of the scale and of the levels.
-    pub standing_only: bool,
-}
-
-/// The rocking index, the displacements and the vertical stroke, a figure each.
-pub const FIELDS: [Field; 4] = [
-    Field {
-        name: "map",
-        title: "rocking index",
-        label: "ζ = max|φ| / α",
-        value: |cell| cell.zeta,
-        ends: Some((0.0, 1.0)),
-        standing_only: false,
-    },
-    Field {
-        name: "displacement_u",
-        title: "horizontal displacement of the base",
-        label: "max|u| [m]",
-        value: |cell| cell.max_u,
-        ends: None,
-        standing_only: true,
-    },
-    Field {
-        name: "displacement_v",
-        title: "vertical displacement of the base",
-        label: "max|v| [m]",
-        value: |cell| cell.max_v,
-        ends: None,
-        standing_only: true,
-    },
-    Field {
-        name: "stroke_v",
-        title: "vertical stroke of the base about its static position",
-        label: "max|v + g/ω_v²| [m]",
-        value: |cell| cell.stroke_v,
-        ends: None,
-        standing_only: true,
-    },
-];
-
-/// The contact forces, the two halves of a figure.
-pub const CONTACT: [Field; 2] = [
-    Field {
-        name: "contact",
-        title: "least contact force",
-        label: "min N/M [m/s²]",
-        value: |cell| cell.min_contact,
-        ends: Some((0.0, 10.0)),
-        standing_only: true,
-    },
-    Field {
-        name: "friction",
-        title: "friction coefficient asked for",
-        label: "max |T| / N (up to 1)",
-        value: |cell| cell.friction.min(FRICTION),
-        ends: None,
-        standing_only: true,
-    },
-];
-
-/// Friction above which all values are alike: nothing holds there.
-const FRICTION: f64 = 1.0;
-
-impl Field {
-    /// True where a cell's value has a place on the scale.
-    pub fn counts(&self, cell: &Outcome) -> bool {
-        cell.class != Class::Unresolved && !(self.standing_only && cell.class.overturned())
-    }
-}
 
 /// Draws a field as SVG; `at` tells what the map is a slice at.
 ///

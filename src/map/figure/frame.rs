@@ -6,7 +6,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::super::Map;
-use super::document::{Place, compose};
+use super::document::{FINE, Place, compose};
 use super::{FigureError, tick};
 use crate::scene::grid::Axis;
 use crate::scene::parameters::{Caption, PARAMETERS};
@@ -16,8 +16,6 @@ use crate::scene::{Directions, GRAVITY, Grid, Overturn, Parameter, Scene, Values
 pub const SIZE: (u32, u32) = (960, 758);
 /// Place of its plot.
 pub const PLOT: Place = Place { x: 90, y: 76, width: 610, height: 610 };
-/// Units of a drawing for each of the document's: the plotting library knows whole ones only.
-pub const FINE: i32 = 8;
 /// White margin outside the axes' names.
 const EDGE: i32 = 16;
 /// Length of a tick.

@@ -5,7 +5,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::super::Map;
 use super::document::Place;
-use super::field::Field;
+use super::fields::Field;
 use super::frame::{Area, Drawn, at, outline, stroke, text};
 use super::overturning::hatch_labels;
 use super::raster::png;

@@ -2,10 +2,9 @@
 
 use plotters::prelude::*;
 
-use super::FigureError;
-use super::document::compose;
-use super::frame::{Drawn, FINE, area, at, caption, stroke, text};
-use super::tick;
+use super::document::{FINE, compose};
+use super::frame::{Drawn, area, at, caption, stroke, text};
+use super::{FigureError, tick};
 use crate::scene::{Case, Excitation, Scene, Shaking};
 use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;

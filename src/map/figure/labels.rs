@@ -5,8 +5,9 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::super::Map;
 use super::super::boundaries::Line;
-use super::field::Field;
-use super::frame::{Drawn, FINE, Plot, text};
+use super::document::FINE;
+use super::fields::Field;
+use super::frame::{Drawn, Plot, text};
 use crate::scene::Values;
 
 /// Values written on their lines: none on top of another, none near a cell without a value.

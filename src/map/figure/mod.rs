@@ -3,6 +3,7 @@
 pub mod curves;
 pub mod document;
 pub mod field;
+pub mod fields;
 pub mod frame;
 pub mod greys;
 pub mod history;
