@@ -15,9 +15,9 @@ use serde_json::Value;
 use tempfile::TempDir;
 use topple::model::precision::Precision;
 use topple::sweep::backend::Backend;
-use topple::sweep::choice::{Opened, first_that_opens};
 use topple::sweep::gpu::adapter::{self, Description};
 use topple::sweep::gpu::{GpuError, check};
+use topple::sweep::request::{Opened, first_that_opens};
 
 /// The command, on a small map.
 fn pulse(out: &Path, more: &[&str]) -> Command {

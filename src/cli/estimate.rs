@@ -78,7 +78,7 @@ pub fn tell(
     wanted: &Range<usize>,
 ) -> anyhow::Result<()> {
     let backends = options.run.open_backends()?;
-    // A choice has one backend at least.
+    // A request opens one backend at least.
     let backend = &backends[0];
     let takes = Estimate::of(plan, grid, options, backend, wanted.len())?;
     let part = match options.tile {

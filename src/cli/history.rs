@@ -8,8 +8,8 @@ use topple::scene::excitation::RecordText;
 use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::choice::Choice;
 use topple::sweep::history as motion;
+use topple::sweep::request::BackendRequest;
 
 use super::InputError;
 use super::numbers::{PulseFlags, RecordNumbers};
@@ -59,7 +59,7 @@ impl HistoryCommand {
             let problem = format!("{flag}: a history is of one cell; give a single number");
             return Err(InputError(problem).into());
         }
-        if options.backend == Choice::Gpu {
+        if options.backend == BackendRequest::Gpu {
             let problem = "--backend: the shader keeps no history; use cpu or reference";
             return Err(InputError(problem.into()).into());
         }
@@ -70,7 +70,7 @@ impl HistoryCommand {
         let out = output::open(&options.out)?;
         let case = scene.case();
         let (rows, outcome) = match (options.backend, options.precision) {
-            (Choice::Reference, _) => motion::by_reference(&scene, &case),
+            (BackendRequest::Reference, _) => motion::by_reference(&scene, &case),
             (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
             (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
         };
@@ -78,7 +78,8 @@ impl HistoryCommand {
         let png = document::render(&svg, output::PNG_SCALE)?;
         out.write("history.csv", |w| table::write(&rows, w))?;
         output::write_figure(&out, "history", &svg, &png)?;
-        let backend = if options.backend == Choice::Reference { "reference" } else { "cpu" };
+        let backend =
+            if options.backend == BackendRequest::Reference { "reference" } else { "cpu" };
         let manifest = Manifest {
             version: env!("CARGO_PKG_VERSION"),
             scene: &scene,

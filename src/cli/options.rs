@@ -10,10 +10,10 @@ use topple::scene::{Directions, Overturn, Parameter, Scene, SceneError, Values};
 use topple::store::identity::Manner;
 use topple::store::part::Part;
 use topple::sweep::backend::Backend;
-use topple::sweep::choice::{Choice, Opened};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
+use topple::sweep::request::{BackendRequest, Opened};
 
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
 use super::{InputError, words};
@@ -26,7 +26,7 @@ pub struct RunOptions {
     pub out: PathBuf,
     /// What to compute on; auto takes a real GPU, else the CPU
     #[arg(long, default_value = "auto")]
-    pub backend: Choice,
+    pub backend: BackendRequest,
     /// GPUs to compute on, by their numbers in topple adapters [default: all that are like the best]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
@@ -105,9 +105,11 @@ impl RunOptions {
     /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.
     ///
     /// # Errors
-    /// Those of [`Choice::open`].
+    /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
-        if !self.adapter.is_empty() && matches!(self.backend, Choice::Cpu | Choice::Reference) {
+        if !self.adapter.is_empty()
+            && matches!(self.backend, BackendRequest::Cpu | BackendRequest::Reference)
+        {
             let problem = "--adapter: the CPU has none; give --backend gpu, or leave it out";
             return Err(InputError(problem.into()).into());
         }

@@ -34,7 +34,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let opening = Instant::now();
     let backends = options.run.open_backends()?;
     let opened = opening.elapsed();
-    // A choice has one backend at least.
+    // A request opens one backend at least.
     let backend = &backends[0];
     let (store, found) = unfinished(scene, backend, options)?;
     let left = missing(&found.tiles, &wanted);

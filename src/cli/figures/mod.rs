@@ -104,7 +104,7 @@ impl FiguresCommand {
         let work = Work {
             options: &self.options,
             out: output::open(&self.options.out)?,
-            // A choice has one backend at least.
+            // A request opens one backend at least.
             backend: self.options.open_backends()?.swap_remove(0),
         };
         work.say_missing(&figures);

@@ -1,4 +1,4 @@
-//! What a user asks a sweep to run on, and what there is of it.
+//! The backend that a user asks for, and the backends that this machine gives for it.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use crate::model::precision::Precision;
 /// The backend that a user asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
-pub enum Choice {
+pub enum BackendRequest {
     /// A real GPU, else the CPU.
     Auto,
     /// A GPU, a software adapter if there is no other.
@@ -21,7 +21,7 @@ pub enum Choice {
     Reference,
 }
 
-/// What a choice opened.
+/// The backends that a request opened.
 pub struct Opened {
     /// One backend, or several that are alike.
     pub backends: Vec<Backend>,
@@ -29,8 +29,8 @@ pub struct Opened {
     pub passed_over: Vec<GpuError>,
 }
 
-impl Choice {
-    /// The backends for the choice, all alike: as many as there are GPUs of the kind chosen, or as
+impl BackendRequest {
+    /// The backends for the request, all alike: as many as there are GPUs of the kind chosen, or as
     /// `adapters` have numbers; one otherwise. Of a GPU, `auto` asks that it pass a small check.
     ///
     /// # Errors
@@ -38,10 +38,12 @@ impl Choice {
     /// gives no device.
     pub fn open(self, precision: Precision, adapters: &[usize]) -> Result<Opened, GpuError> {
         let backends = match self {
-            Choice::Cpu => vec![Backend::Cpu],
-            Choice::Reference => vec![Backend::Reference],
-            Choice::Auto if adapters.is_empty() => return Ok(a_real_gpu_or_the_cpu(precision)),
-            Choice::Gpu | Choice::Auto => {
+            BackendRequest::Cpu => vec![Backend::Cpu],
+            BackendRequest::Reference => vec![Backend::Reference],
+            BackendRequest::Auto if adapters.is_empty() => {
+                return Ok(a_real_gpu_or_the_cpu(precision));
+            }
+            BackendRequest::Gpu | BackendRequest::Auto => {
                 let chosen = adapter::choose(precision, adapters)?;
                 chosen
                     .iter()
