@@ -23,7 +23,7 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
-use topple::sweep::shortcuts::Reductions;
+use topple::sweep::shortcuts::Shortcuts;
 
 /// A pulse map of Object 1 whose base moves in some directions.
 fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {
@@ -80,7 +80,7 @@ fn compare(full: &[Outcome], less: &[Outcome], seconds: [f64; 2]) -> Compared {
 
 /// A scene with all of the model and with `reductions`, in f64; the accuracy of the step on zeta
 /// and the displacements is a median of 1e-6, some hundred times that at the 99th percentile.
-fn hold(name: &str, scene: &Scene, reductions: Reductions) -> Vec<Outcome> {
+fn hold(name: &str, scene: &Scene, reductions: Shortcuts) -> Vec<Outcome> {
     let grid = Grid::of(scene);
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let mut less = plan.clone();
@@ -116,9 +116,9 @@ fn hold(name: &str, scene: &Scene, reductions: Reductions) -> Vec<Outcome> {
     cells
 }
 
-const CERTIFICATE: Reductions = Reductions { certificate: true, ..Reductions::NONE };
-const FULL_CONTACT: Reductions = Reductions { full_contact: true, ..Reductions::NONE };
-const LINEAR: Reductions = Reductions { linear: true, ..Reductions::NONE };
+const CERTIFICATE: Shortcuts = Shortcuts { certificate: true, ..Shortcuts::NONE };
+const FULL_CONTACT: Shortcuts = Shortcuts { full_contact: true, ..Shortcuts::NONE };
+const LINEAR: Shortcuts = Shortcuts { linear: true, ..Shortcuts::NONE };
 
 #[test]
 fn the_certificate() {
@@ -228,10 +228,10 @@ fn a_linear_base_has_no_hysteretic_variable() {
 
 #[test]
 fn all_of_them_together() {
-    hold("all, dual, A_v = 0.5", &map("dual", None, 0.5, 60), Reductions::ALL);
-    hold("all, dual, psi = 1", &map("dual", Some(1.0), 0.0, 60), Reductions::ALL);
-    hold("all, none", &map("none", None, 0.5, 60), Reductions::ALL);
-    hold("all, record, Object 3", &record_map(3, 0.0, 24, Some(40.0)), Reductions::ALL);
+    hold("all, dual, A_v = 0.5", &map("dual", None, 0.5, 60), Shortcuts::ALL);
+    hold("all, dual, psi = 1", &map("dual", Some(1.0), 0.0, 60), Shortcuts::ALL);
+    hold("all, none", &map("none", None, 0.5, 60), Shortcuts::ALL);
+    hold("all, record, Object 3", &record_map(3, 0.0, 24, Some(40.0)), Shortcuts::ALL);
 }
 
 /// The shader leaves out the same.

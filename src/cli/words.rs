@@ -10,7 +10,7 @@ use topple::stepping::outcome::Class;
 use topple::store::parts::Report;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
-use topple::sweep::shortcuts::Reductions;
+use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::Verification;
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
@@ -121,7 +121,7 @@ fn model(plan: &Plan) -> String {
     state.push("φ");
     let reductions = plan.reductions;
     let mut parts = vec![state.join(" ")];
-    if reductions == Reductions::NONE {
+    if reductions == Shortcuts::NONE {
         parts.push("nothing left out".into());
     }
     if reductions.certificate {

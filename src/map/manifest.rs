@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::store::parts::Report;
 use crate::sweep::gpu::adapter::Description;
 use crate::sweep::plan::Plan;
-use crate::sweep::shortcuts::Reductions;
+use crate::sweep::shortcuts::Shortcuts;
 use crate::sweep::verification::Verification;
 
 /// Everything about a run that its data do not hold.
@@ -85,7 +85,7 @@ pub struct Reduced {
     /// Coordinates that are integrated.
     pub state: Vec<&'static str>,
     /// What is left out where it has no say in the result; all false with --full-model.
-    pub reductions: Reductions,
+    pub reductions: Shortcuts,
     /// Cells that ended early, all that they tell proved final.
     pub proved_cells: usize,
     /// Mean time simulated by a cell that stands, s.

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::clock::Resolution;
 use super::laws::Laws;
-use super::shortcuts::Reductions;
+use super::shortcuts::Shortcuts;
 use crate::scene::{Grid, Scene};
 
 /// All that motions in full contact depend on, but the number type.
@@ -14,7 +14,7 @@ pub(super) struct Key {
     pub(super) scene: Scene,
     pub(super) grid: Grid,
     pub(super) resolution: Resolution,
-    pub(super) reductions: Reductions,
+    pub(super) reductions: Shortcuts,
     pub(super) laws: Laws,
 }
 

@@ -1,4 +1,4 @@
-//! A scene made ready: its resolution, what is left out, and the parts that run one model each.
+//! A scene made ready to run: its step lengths, its shortcuts, and its parts that run one model each.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use super::body::{Body, body_parameters};
 use super::clock::Resolution;
 use super::laws::Laws;
 use super::motion_cache::Kept;
-use super::shortcuts::Reductions;
+use super::shortcuts::Shortcuts;
 use crate::model::block::Model;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
@@ -43,8 +43,8 @@ pub struct Plan {
     pub scene: Scene,
     /// How finely its cells are stepped.
     pub resolution: Resolution,
-    /// What of the model is left out where it has no say.
-    pub reductions: Reductions,
+    /// Shortcuts that cannot change the result.
+    pub reductions: Shortcuts,
     /// What its cells have in common.
     pub(super) laws: Laws,
     /// Its cells differ in their body.
@@ -71,7 +71,7 @@ impl Plan {
     pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
         positive("step", resolution.largest_step)?;
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
-        let (copy, reductions, kept) = (scene.clone(), Reductions::ALL, Arc::default());
+        let (copy, reductions, kept) = (scene.clone(), Shortcuts::ALL, Arc::default());
         let grid = Grid::of(scene);
         let bodies = grid.sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
@@ -101,9 +101,9 @@ impl Plan {
         Plan { resolution: self.resolution.at(precision), ..self.clone() }
     }
 
-    /// The plan with nothing left out.
+    /// The plan without shortcuts.
     pub fn full_model(&self) -> Plan {
-        let mut plan = Plan { reductions: Reductions::NONE, ..self.clone() };
+        let mut plan = Plan { reductions: Shortcuts::NONE, ..self.clone() };
         plan.laws = plan.laws_of(&plan.scene.case());
         plan
     }

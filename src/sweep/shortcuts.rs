@@ -2,21 +2,21 @@
 
 use serde::Serialize;
 
-/// What a sweep leaves out where it has no say in the result.
+/// Shortcuts that cannot change the result. Each is on where its field is true.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Reductions {
-    /// No hysteretic variable where the base is linear (psi = 1).
+pub struct Shortcuts {
+    /// z is not integrated where the base is linear (psi = 1): no force depends on it there.
     pub linear: bool,
-    /// No time after energy has proved all results final.
+    /// A cell ends as soon as its energy proves that none of its results can change.
     pub certificate: bool,
-    /// No motion in full contact by each cell: it is integrated once for all cells that share it.
+    /// Motions in full contact are integrated once for all cells that share them, not in each cell.
     pub full_contact: bool,
 }
 
-impl Reductions {
-    /// Everything that has no say is left out.
-    pub const ALL: Reductions = Reductions { linear: true, certificate: true, full_contact: true };
-    /// Nothing is: the full model.
-    pub const NONE: Reductions =
-        Reductions { linear: false, certificate: false, full_contact: false };
+impl Shortcuts {
+    /// All shortcuts.
+    pub const ALL: Shortcuts = Shortcuts { linear: true, certificate: true, full_contact: true };
+    /// No shortcut: the full model.
+    pub const NONE: Shortcuts =
+        Shortcuts { linear: false, certificate: false, full_contact: false };
 }
