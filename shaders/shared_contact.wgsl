@@ -1,8 +1,8 @@
 // The full contact that cells share: where it takes a cell before the cell lifts.
 // Twin: src/sweep/shared_contact.rs.
 
-// The shared motions. Twin: src/sweep/tracks.rs.
-@group(0) @binding(12) var<storage, read> tracks: array<real>;
+// The shared motions. Twin: src/sweep/motions.rs.
+@group(0) @binding(12) var<storage, read> motions: array<real>;
 
 const DISPLACEMENT = 0u;
 const VELOCITY = 1u;
@@ -38,7 +38,7 @@ fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
     var high = gaps;
     while low < high {
         let middle = (low + high) / 2u;
-        if size * tracks[bounds + middle] > limit {
+        if size * motions[bounds + middle] > limit {
             high = middle;
         } else {
             low = middle + 1u;
@@ -81,8 +81,8 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> r
     for (var gap = 0u; gap < sample; gap++) {
         let at = h + gap;
         let at_v = v + min(gap, last_v - 1u);
-        let most_x = tracks[at + CREST * all_h];
-        let trough = tracks[at_v + TROUGH * all_v];
+        let most_x = motions[at + CREST * all_h];
+        let trough = motions[at_v + TROUGH * all_v];
         if !(size * most_x > over * friction * trough) {
             continue;
         }
@@ -93,24 +93,24 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> r
         // Of spans of two eighths each: the largest share, and |X| where Y is least.
         var ends = zero;
         var top = zero;
-        var least = tracks[next_v - 1u];
-        var x_there = tracks[next - 1u];
+        var least = motions[next_v - 1u];
+        var x_there = motions[next - 1u];
         var x0 = x_there;
         var y0 = least;
         for (var span = 0u; span < 4u; span++) {
             // The parabola of X through the half of the gap that the span is in.
-            let middle = tracks[quarter + all_h];
+            let middle = motions[quarter + all_h];
             let first_half = span < 2u;
-            let start_h = select(middle, tracks[next - 1u], first_half);
-            let mid_h = tracks[quarter + select(2u, 0u, first_half) * all_h];
-            let end_h = select(tracks[next], middle, first_half);
+            let start_h = select(middle, motions[next - 1u], first_half);
+            let mid_h = motions[quarter + select(2u, 0u, first_half) * all_h];
+            let end_h = select(motions[next], middle, first_half);
             let at_h = select(late, early, span % 2u == 0u);
             let x1 = parabola(start_h, mid_h, end_h, at_h);
             let x2 = select(end_h, mid_h, span % 2u == 0u);
-            let y1 = tracks[eighth + 2u * span * all_v];
-            var y2 = tracks[next_v];
+            let y1 = motions[eighth + 2u * span * all_v];
+            var y2 = motions[next_v];
             if span < 3u {
-                y2 = tracks[eighth + (2u * span + 1u) * all_v];
+                y2 = motions[eighth + (2u * span + 1u) * all_v];
             }
             let start = size * share(abs(x0), y0);
             let mid = size * share(abs(x1), y1);
@@ -156,8 +156,8 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     var friction = zero;
     if tile.still == 1u {
         // Nothing but u changes from gap to gap: the first that lifts is searched for.
-        let y = tracks[v + ACCELERATION * all_v];
-        let least_y = tracks[v + LEAST * all_v];
+        let y = motions[v + ACCELERATION * all_v];
+        let least_y = motions[v + LEAST * all_v];
         var rising = model.left.arm;
         var falling = model.right.arm;
         if lever < 0.0 {
@@ -168,19 +168,19 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         let deepest = first_beyond(h + DEEPEST * all_h, last, abs(lever), falling * least_y);
         sample = min(highest, deepest);
         if sample > 0u && y > 0.0 {
-            friction = size * tracks[h + STRONGEST * all_h + sample - 1u] / y;
+            friction = size * motions[h + STRONGEST * all_h + sample - 1u] / y;
         }
     } else {
         while sample < last {
             let gap = min(sample, last_v - 1u);
-            let most = tracks[h + MOST * all_h + sample];
-            let least = tracks[h + LEAST * all_h + sample];
-            if lifts(lever, most, least, tracks[v + LEAST * all_v + gap]) {
+            let most = motions[h + MOST * all_h + sample];
+            let least = motions[h + LEAST * all_h + sample];
+            if lifts(lever, most, least, motions[v + LEAST * all_v + gap]) {
                 break;
             }
-            let y = tracks[v + ACCELERATION * all_v + gap];
+            let y = motions[v + ACCELERATION * all_v + gap];
             if y > 0.0 {
-                let x = abs(tracks[h + ACCELERATION * all_h + sample]);
+                let x = abs(motions[h + ACCELERATION * all_h + sample]);
                 friction = max(friction, size * x / y);
             }
             sample += 1u;
@@ -188,23 +188,23 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         friction = crests(h, v, last_v, size, sample, friction);
     }
     let at = min(sample, last_v);
-    var z = tracks[h + HYSTERETIC * all_h + sample];
+    var z = motions[h + HYSTERETIC * all_h + sample];
     if scale < 0.0 {
         z = -z;
     }
     (*state).motion = Motion(
-        scale * tracks[h + DISPLACEMENT * all_h + sample],
-        scale * tracks[h + VELOCITY * all_h + sample],
-        tracks[v + DISPLACEMENT * all_v + at],
-        tracks[v + VELOCITY * all_v + at],
+        scale * motions[h + DISPLACEMENT * all_h + sample],
+        scale * motions[h + VELOCITY * all_h + sample],
+        motions[v + DISPLACEMENT * all_v + at],
+        motions[v + VELOCITY * all_v + at],
         z,
         zero,
         zero,
     );
-    (*state).max_u = size * tracks[h + TOP * all_h + sample];
-    (*state).least_v = tracks[v + BOTTOM * all_v + at];
-    (*state).most_v = tracks[v + TOP * all_v + at];
-    let lowest = tracks[v + LOWEST * all_v + at];
+    (*state).max_u = size * motions[h + TOP * all_h + sample];
+    (*state).least_v = motions[v + BOTTOM * all_v + at];
+    (*state).most_v = motions[v + TOP * all_v + at];
+    let lowest = motions[v + LOWEST * all_v + at];
     if lowest < (*state).min_contact {
         (*state).min_contact = lowest;
     }

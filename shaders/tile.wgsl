@@ -33,7 +33,7 @@ struct Tile {
     counts: vec4<u32>,
     // Place in `numbers` of the first body's height and lever arms.
     levers: u32,
-    // Place of the vertical motions in `tracks`.
+    // Place of the vertical motions in `motions`.
     up_values: u32,
     // 1 where there are shared motions.
     shared_contact: u32,

@@ -141,7 +141,7 @@ fn device_makes<R: Real>(
             .collect();
         assert_eq!(running, expected, "the list of running cells");
     }
-    usize::from(host.tracks.is_some())
+    usize::from(host.motions.is_some())
 }
 
 fn hold<R: Real>(precision: Precision) {
@@ -204,7 +204,7 @@ fn a_mistake_in_making_cells_shows() {
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),
-        ("tracks[h + VELOCITY * all_h + sample]", "tracks[h + VELOCITY * all_h + sample + 1u]"),
+        ("motions[h + VELOCITY * all_h + sample]", "motions[h + VELOCITY * all_h + sample + 1u]"),
         ("max(-one, -other) > model.right.arm", "max(one, other) > model.right.arm"),
         ("block / tile.blocks * BLOCK_HEIGHT", "block / tile.blocks * BLOCK_WIDTH"),
     ] {

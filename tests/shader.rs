@@ -282,7 +282,7 @@ fn constants_agree_with_the_twin() {
     use topple::model::block;
     use topple::stepping::{certificate, forcing, guards, state};
     use topple::sweep::gpu::tile;
-    use topple::sweep::tracks;
+    use topple::sweep::motions;
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module
@@ -322,12 +322,12 @@ fn constants_agree_with_the_twin() {
         ("BLOCK_WIDTH", tile::BLOCK_WIDTH as u32),
         ("BLOCK_HEIGHT", tile::BLOCK_HEIGHT as u32),
         ("BLOCK_CELLS", (tile::BLOCK_WIDTH * tile::BLOCK_HEIGHT) as u32),
-        ("DISPLACEMENT", tracks::DISPLACEMENT as u32),
-        ("VELOCITY", tracks::VELOCITY as u32),
-        ("ACCELERATION", tracks::ACCELERATION as u32),
-        ("LEAST", tracks::LEAST as u32),
-        ("TOP", tracks::TOP as u32),
-        ("BOTTOM", tracks::BOTTOM as u32),
+        ("DISPLACEMENT", motions::DISPLACEMENT as u32),
+        ("VELOCITY", motions::VELOCITY as u32),
+        ("ACCELERATION", motions::ACCELERATION as u32),
+        ("LEAST", motions::LEAST as u32),
+        ("TOP", motions::TOP as u32),
+        ("BOTTOM", motions::BOTTOM as u32),
         ("ONE_SINE", Shape::OneSine as u32),
         ("ONE_COSINE", Shape::OneCosine as u32),
         ("HALF_SINE", Shape::HalfSine as u32),
@@ -335,16 +335,16 @@ fn constants_agree_with_the_twin() {
         ("RICKER", Shape::Ricker as u32),
         ("RICKER_ANTISYMMETRIC", Shape::RickerAntisymmetric as u32),
         ("MAVROEIDIS_PAPAGEORGIOU", Shape::MavroeidisPapageorgiou as u32),
-        ("LOWEST", tracks::LOWEST as u32),
-        ("HYSTERETIC", tracks::HYSTERETIC as u32),
-        ("MOST", tracks::MOST as u32),
-        ("HIGHEST", tracks::HIGHEST as u32),
-        ("DEEPEST", tracks::DEEPEST as u32),
-        ("STRONGEST", tracks::STRONGEST as u32),
-        ("TROUGH", tracks::TROUGH as u32),
-        ("CREST", tracks::CREST as u32),
-        ("EIGHTHS_V", tracks::EIGHTHS_V as u32),
-        ("QUARTERS_H", tracks::QUARTERS_H as u32),
+        ("LOWEST", motions::LOWEST as u32),
+        ("HYSTERETIC", motions::HYSTERETIC as u32),
+        ("MOST", motions::MOST as u32),
+        ("HIGHEST", motions::HIGHEST as u32),
+        ("DEEPEST", motions::DEEPEST as u32),
+        ("STRONGEST", motions::STRONGEST as u32),
+        ("TROUGH", motions::TROUGH as u32),
+        ("CREST", motions::CREST as u32),
+        ("EIGHTHS_V", motions::EIGHTHS_V as u32),
+        ("QUARTERS_H", motions::QUARTERS_H as u32),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 
 use super::body::Body;
 use super::cell_tables::CellTables;
-use super::full_contact::Tracks;
+use super::full_contact::FullContactMotions;
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::plan::Plan;
 use super::shared_contact::full_contact;
@@ -51,17 +51,17 @@ impl Plan {
 #[inline(always)]
 pub fn begin<R: Real>(
     tables: &CellTables<R>,
-    tracks: Option<&Tracks<R>>,
+    motions: Option<&FullContactMotions<R>>,
     place: &Place,
 ) -> (Cell<R>, State<R>) {
     let groups = tables.groups(place);
     let cell = groups.cell();
     let mut state = at_rest(groups.sound(), groups.drive.tilt);
-    if let Some(tracks) = tracks
+    if let Some(motions) = motions
         && state.status == RUNNING
     {
         let model = &tables.bodies.entries[cell.body as usize];
-        full_contact(tracks, model, place, groups.drive.scale, &cell, &mut state);
+        full_contact(motions, model, place, groups.drive.scale, &cell, &mut state);
     }
     (cell, state)
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::begin::begin;
 use super::cell_tables::CellTables;
 use super::clock::Clock;
-use super::full_contact::Tracks;
+use super::full_contact::FullContactMotions;
 use super::plan::Plan;
 use super::reader::Reader;
 use super::table::Window;
@@ -22,7 +22,7 @@ pub struct Cells<'a, R> {
     /// Their numbers.
     pub tables: CellTables<'a, R>,
     /// The full contact that they share, if they do.
-    pub tracks: Arc<Option<Tracks<R>>>,
+    pub motions: Arc<Option<FullContactMotions<R>>>,
 }
 
 impl<'a, R: Real> Cells<'a, R> {
@@ -34,7 +34,10 @@ impl<'a, R: Real> Cells<'a, R> {
         record: &[Ground<R>],
     ) -> Cells<'a, R> {
         let window = Window::around(grid, cells);
-        Cells { tables: CellTables::of(plan, grid, &window), tracks: plan.tracks(grid, record) }
+        Cells {
+            tables: CellTables::of(plan, grid, &window),
+            motions: plan.full_contact_motions(grid, record),
+        }
     }
 
     /// The bodies, by the cells' numbers of them.
@@ -45,8 +48,8 @@ impl<'a, R: Real> Cells<'a, R> {
     /// A cell as its integration begins. Compiled once, not for every kind of vector.
     #[inline(never)]
     pub fn begin(&self, index: usize) -> (Cell<R>, State<R>) {
-        let tracks = self.tracks.as_ref().as_ref();
-        begin(&self.tables, tracks, &self.tables.place(index))
+        let motions = self.motions.as_ref().as_ref();
+        begin(&self.tables, motions, &self.tables.place(index))
     }
 
     /// What became of a cell whose run has ended in `state`.

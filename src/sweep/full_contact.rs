@@ -13,12 +13,14 @@ use fearless_simd::Level;
 use rayon::prelude::*;
 
 use super::clock_parts::clock_parameters;
+use super::motions::{
+    ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
+    HYSTERETIC, LEAST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
+    VERTICAL_FIELDS,
+};
 use super::plan::Plan;
-use super::shared_motion::{Direction, Track};
+use super::shared_motion::{Direction, SampledMotion};
 use super::table::{Strides, Window, places_of, strides};
-use super::tracks::{ACCELERATION, DISPLACEMENT, LEAST, Motions, TOP, VELOCITY};
-use super::tracks::{BOTTOM, CREST, EIGHTHS_V, LOWEST, QUARTERS_H, TROUGH, VERTICAL_FIELDS};
-use super::tracks::{DEEPEST, HIGHEST, HORIZONTAL_FIELDS, HYSTERETIC, MOST, STRONGEST};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
@@ -29,7 +31,7 @@ use crate::scene::{Excitation, Grid, Parameter};
 const MOST_MEMORY: usize = 1 << 29;
 /// The full-contact motions of a plan's grid.
 #[derive(Debug)]
-pub struct Tracks<R> {
+pub struct FullContactMotions<R> {
     /// Of u: one for each combination of what it depends on.
     pub(super) across: Motions<R>,
     /// Of v: the same.
@@ -108,10 +110,10 @@ impl Plan {
     }
 }
 
-impl<R: Real> Tracks<R> {
+impl<R: Real> FullContactMotions<R> {
     /// The motions of a grid, under the plan's record; none where cells do not share them (a block that starts tilted), where
     /// the plan leaves nothing out, or where they take too much memory.
-    pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<Tracks<R>> {
+    pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<FullContactMotions<R>> {
         let amplitude = plan.shared_amplitude(grid);
         let of = Dependence::of(plan, grid);
         let window = Window::whole(grid);
@@ -144,15 +146,15 @@ impl<R: Real> Tracks<R> {
                 Some(amplitude) => grid.case_with(place, Parameter::AH, amplitude),
                 None => grid.case_at(place),
             };
-            Track::new(clock, alone.variant(), &case, direction, record)
+            SampledMotion::new(clock, alone.variant(), &case, direction, record)
         };
-        let all = |direction: Direction, parameters: &[Parameter]| -> Vec<Track<R>> {
+        let all = |direction: Direction, parameters: &[Parameter]| -> Vec<SampledMotion<R>> {
             let places: Vec<Place> = places_of(grid, parameters).collect();
             places.par_iter().map(|place| motion(direction, place)).collect()
         };
         let along_x = all(Direction::Horizontal, &of.across);
         let along_y = all(Direction::Vertical, &of.up);
-        Some(Tracks {
+        Some(FullContactMotions {
             across: horizontal(along_x, strides(grid, &window, &of.across)),
             up: vertical(along_y, strides(grid, &window, &of.up)),
             still: of.still,
@@ -162,22 +164,22 @@ impl<R: Real> Tracks<R> {
 }
 
 /// Motions of u, as they are kept.
-fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
-    let lengths = tracks.iter().map(|track| track.motion.len());
+fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
+    let lengths = sampled.iter().map(|each| each.motion.len());
     let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
-    for (number, track) in tracks.iter().enumerate() {
-        motions.fill(DISPLACEMENT, number, track.motion.iter().map(|motion| motion.u));
-        motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.du));
-        motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
-        motions.fill(LEAST, number, track.least.iter().copied());
-        motions.fill(TOP, number, track.top.iter().copied());
-        motions.fill(HYSTERETIC, number, track.motion.iter().map(|motion| motion.z));
-        motions.fill(MOST, number, track.most.iter().copied());
-        motions.fill(HIGHEST, number, track.highest.iter().copied());
-        motions.fill(DEEPEST, number, track.deepest.iter().copied());
-        motions.fill(STRONGEST, number, track.strongest.iter().copied());
-        motions.fill(CREST, number, track.crest.iter().copied());
-        for (quarter, values) in track.inside.iter().enumerate() {
+    for (number, each) in sampled.iter().enumerate() {
+        motions.fill(DISPLACEMENT, number, each.motion.iter().map(|motion| motion.u));
+        motions.fill(VELOCITY, number, each.motion.iter().map(|motion| motion.du));
+        motions.fill(ACCELERATION, number, each.acceleration.iter().copied());
+        motions.fill(LEAST, number, each.least.iter().copied());
+        motions.fill(TOP, number, each.top.iter().copied());
+        motions.fill(HYSTERETIC, number, each.motion.iter().map(|motion| motion.z));
+        motions.fill(MOST, number, each.most.iter().copied());
+        motions.fill(HIGHEST, number, each.highest.iter().copied());
+        motions.fill(DEEPEST, number, each.deepest.iter().copied());
+        motions.fill(STRONGEST, number, each.strongest.iter().copied());
+        motions.fill(CREST, number, each.crest.iter().copied());
+        for (quarter, values) in each.inside.iter().enumerate() {
             motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
         }
     }
@@ -185,19 +187,19 @@ fn horizontal<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
 }
 
 /// Motions of v, as they are kept.
-fn vertical<R: Real>(tracks: Vec<Track<R>>, strides: Strides) -> Motions<R> {
-    let lengths = tracks.iter().map(|track| track.motion.len());
+fn vertical<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
+    let lengths = sampled.iter().map(|each| each.motion.len());
     let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);
-    for (number, track) in tracks.iter().enumerate() {
-        motions.fill(DISPLACEMENT, number, track.motion.iter().map(|motion| motion.v));
-        motions.fill(VELOCITY, number, track.motion.iter().map(|motion| motion.dv));
-        motions.fill(ACCELERATION, number, track.acceleration.iter().copied());
-        motions.fill(LEAST, number, track.least.iter().copied());
-        motions.fill(TOP, number, track.top.iter().copied());
-        motions.fill(BOTTOM, number, track.bottom.iter().copied());
-        motions.fill(LOWEST, number, track.lowest.iter().copied());
-        motions.fill(TROUGH, number, track.crest.iter().copied());
-        for (eighth, values) in track.inside.iter().enumerate() {
+    for (number, each) in sampled.iter().enumerate() {
+        motions.fill(DISPLACEMENT, number, each.motion.iter().map(|motion| motion.v));
+        motions.fill(VELOCITY, number, each.motion.iter().map(|motion| motion.dv));
+        motions.fill(ACCELERATION, number, each.acceleration.iter().copied());
+        motions.fill(LEAST, number, each.least.iter().copied());
+        motions.fill(TOP, number, each.top.iter().copied());
+        motions.fill(BOTTOM, number, each.bottom.iter().copied());
+        motions.fill(LOWEST, number, each.lowest.iter().copied());
+        motions.fill(TROUGH, number, each.crest.iter().copied());
+        for (eighth, values) in each.inside.iter().enumerate() {
             motions.fill(EIGHTHS_V + eighth, number, values.iter().copied());
         }
     }

@@ -24,9 +24,9 @@ type Entry = Arc<dyn Any + Send + Sync>;
 /// Motions by their keys; a plan and those made from it share one cache. It does not know the motions'
 /// type, which stands above it.
 #[derive(Debug, Default)]
-pub struct Kept(Mutex<Vec<(Key, Entry)>>);
+pub struct MotionCache(Mutex<Vec<(Key, Entry)>>);
 
-impl Kept {
+impl MotionCache {
     fn entries(&self) -> MutexGuard<'_, Vec<(Key, Entry)>> {
         // What a thread that broke off leaves is whole: an entry is made before it is added.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)

@@ -8,7 +8,7 @@ use bytemuck::Zeroable;
 use super::body::{Body, body_parameters};
 use super::clock::Resolution;
 use super::laws::Laws;
-use super::motion_cache::Kept;
+use super::motion_cache::MotionCache;
 use super::shortcuts::Shortcuts;
 use crate::model::block::Model;
 use crate::model::excitation::Ground;
@@ -52,7 +52,7 @@ pub struct Plan {
     /// A pulse of some cell has more than one cycle.
     cycles: bool,
     /// What its tiles share.
-    pub(super) kept: Arc<Kept>,
+    pub(super) motion_cache: Arc<MotionCache>,
 }
 
 impl Plan {
@@ -71,12 +71,13 @@ impl Plan {
     pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
         positive("step", resolution.largest_step)?;
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
-        let (copy, reductions, kept) = (scene.clone(), Shortcuts::ALL, Arc::default());
+        let (copy, reductions, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
         let grid = Grid::of(scene);
         let bodies = grid.sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
         let cycles = most > 1.0;
-        let mut plan = Plan { scene: copy, resolution, reductions, laws, bodies, cycles, kept };
+        let mut plan =
+            Plan { scene: copy, resolution, reductions, laws, bodies, cycles, motion_cache };
         plan.laws = plan.laws_of(&scene.case());
         for mut case in grid.corners() {
             if let (Some(rigid), Some(law)) = (plan.rigid_period(), &mut case.isolation.vertical) {

@@ -3,8 +3,8 @@
 
 use fearless_simd::dispatch;
 
-use super::full_contact::Tracks;
-use super::tracks::{
+use super::full_contact::FullContactMotions;
+use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST,
     LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
 };
@@ -39,7 +39,7 @@ fn first_beyond<R: Real>(bounds: &[R], size: R, limit: R) -> usize {
 /// excitation.
 #[inline(always)]
 pub(super) fn full_contact<R: Real>(
-    tracks: &Tracks<R>,
+    motions: &FullContactMotions<R>,
     model: &Model<R>,
     place: &Place,
     scale: R,
@@ -47,13 +47,13 @@ pub(super) fn full_contact<R: Real>(
     state: &mut State<R>,
 ) {
     let zero = R::of(0.0);
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
     // u is A_h times what it is for A_h = 1.
     let lever = model.height * scale;
     let arms = [model.left.arm, model.right.arm];
     // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
     let (last, last_v) = (h.length - 1, v.length - 1);
-    let (sample, friction) = if tracks.still {
+    let (sample, friction) = if motions.still {
         // Nothing but u changes from gap to gap: the first that lifts is searched for.
         let (y, least_y) = (v.field(ACCELERATION)[0], v.field(LEAST)[0]);
         let [left, right] = arms;
@@ -67,9 +67,9 @@ pub(super) fn full_contact<R: Real>(
         (sample, if pressed { scale.abs() * strongest / y } else { zero })
     } else {
         // A scan along rows of numbers, with the widest vectors that this machine has.
-        dispatch!(tracks.level, _simd => {
-            let (sample, friction) = gap_by_gap(tracks, arms, place, scale, lever);
-            (sample, crests(tracks, place, scale.abs(), sample, friction))
+        dispatch!(motions.level, _simd => {
+            let (sample, friction) = gap_by_gap(motions, arms, place, scale, lever);
+            (sample, crests(motions, place, scale.abs(), sample, friction))
         })
     };
     let at = sample.min(last_v);
@@ -101,14 +101,14 @@ pub(super) fn full_contact<R: Real>(
 /// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it.
 #[inline(always)]
 fn gap_by_gap<R: Real>(
-    tracks: &Tracks<R>,
+    motions: &FullContactMotions<R>,
     arms: [R; 2],
     place: &Place,
     scale: R,
     lever: R,
 ) -> (usize, R) {
     let zero = R::of(0.0);
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (last, last_v) = (h.length - 1, v.length - 1);
     let (most, least, x) = (h.field(MOST), h.field(LEAST), h.field(ACCELERATION));
     let (least_y, y) = (&v.field(LEAST)[..last_v], v.field(ACCELERATION));
@@ -172,9 +172,15 @@ fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
 /// |X| over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them,
 /// and where Y is least. How small Y is there is known; the parabolas tell when.
 #[inline(always)]
-fn crests<R: Real>(tracks: &Tracks<R>, place: &Place, size: R, sample: usize, friction: R) -> R {
+fn crests<R: Real>(
+    motions: &FullContactMotions<R>,
+    place: &Place,
+    size: R,
+    sample: usize,
+    friction: R,
+) -> R {
     let (zero, over) = (R::of(0.0), R::of(1.0 + OVER));
-    let (h, v) = (tracks.across.at(place), tracks.up.at(place));
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));
     let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
     let last_v = v.length - 1;

@@ -30,7 +30,7 @@ const MISSED: f64 = 5.0e-4;
 const STEPS_FOR_EIGHTHS: u32 = 8;
 
 /// A motion in one direction, sample by sample.
-pub struct Track<R> {
+pub struct SampledMotion<R> {
     /// At each sample.
     pub motion: Vec<Motion<R>>,
     /// X or Y of (14) at each sample, m/s^2.
@@ -55,7 +55,7 @@ pub struct Track<R> {
     pub strongest: Vec<R>,
 }
 
-/// Which of the two directions a track is of.
+/// Which of the two directions a motion is in.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Direction {
     Horizontal,
@@ -80,11 +80,11 @@ impl Direction {
     }
 
     /// What parabolas through parts of gaps may miss, m/s^2.
-    fn allowed<R: Real>(self, track: &Track<R>, gravity: R) -> R {
+    fn allowed<R: Real>(self, sampled: &SampledMotion<R>, gravity: R) -> R {
         R::of(MISSED)
             * match self {
                 Direction::Horizontal => {
-                    track.crest.iter().fold(R::of(0.0), |most, &x| most.max(x))
+                    sampled.crest.iter().fold(R::of(0.0), |most, &x| most.max(x))
                 }
                 Direction::Vertical => gravity,
             }
@@ -236,7 +236,7 @@ fn between<R: Real>(
     of(&motion, fraction).contact()
 }
 
-impl<R: Real> Track<R> {
+impl<R: Real> SampledMotion<R> {
     /// The motion of a point in the steps of a plan, by the `variant` that has this direction alone.
     pub fn new(
         plan: &Plan,
@@ -244,7 +244,7 @@ impl<R: Real> Track<R> {
         case: &Case,
         direction: Direction,
         record: &[Ground<R>],
-    ) -> Track<R> {
+    ) -> SampledMotion<R> {
         let mut model = plan.model::<R>(case);
         // No lever arm lifts: the uplift moments (14) are zero.
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
@@ -261,11 +261,11 @@ impl<R: Real> Track<R> {
             let felt = Cell::new(nothing(direction));
             let mut ear = Ear(&felt);
             let single = Single::new(&set, &state, &mut ear);
-            Track::walk(&set, direction, now, &mut Yielding { single, felt: &felt })
+            SampledMotion::walk(&set, direction, now, &mut Yielding { single, felt: &felt })
         } else {
             let standing = Standing::new(&set, &state);
             let felt = nothing(direction);
-            Track::walk(&set, direction, now, &mut Smooth { standing, direction, felt })
+            SampledMotion::walk(&set, direction, now, &mut Smooth { standing, direction, felt })
         }
     }
 
@@ -275,10 +275,10 @@ impl<R: Real> Track<R> {
         direction: Direction,
         mut now: R,
         walk: &mut dyn Walk<R>,
-    ) -> Track<R> {
+    ) -> SampledMotion<R> {
         let cell = set.cell;
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
-        let mut track = Track {
+        let mut sampled = SampledMotion {
             motion: Vec::with_capacity(count),
             acceleration: Vec::with_capacity(count),
             least: Vec::with_capacity(count),
@@ -300,11 +300,11 @@ impl<R: Real> Track<R> {
         let (mut lowest, mut missed) = (Direction::Vertical.no_crest(), R::of(0.0));
         for sample in 0..count {
             let (mut motion, [bottom, top]) = walk.place();
-            track.motion.push(motion);
-            track.acceleration.push(now);
-            track.bottom.push(bottom);
-            track.top.push(top);
-            track.lowest.push(lowest);
+            sampled.motion.push(motion);
+            sampled.acceleration.push(now);
+            sampled.bottom.push(bottom);
+            sampled.top.push(top);
+            sampled.lowest.push(lowest);
             if sample + 1 == count {
                 break;
             }
@@ -346,24 +346,24 @@ impl<R: Real> Track<R> {
                     values[half + 3] = parabola(start, mid, end, R::of(0.75));
                 }
             }
-            for (kept, value) in track.inside.iter_mut().zip(&values[1..]) {
+            for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
                 kept.push(*value);
             }
-            track.crest.push(crest);
+            sampled.crest.push(crest);
             missed = missed.max((direction.extremum(&values) - crest).abs());
             if crest < lowest {
                 lowest = crest;
             }
             let slack = change + R::of(SLACK) * most.abs().max(least.abs());
-            track.least.push(least - slack);
-            track.most.push(most + slack);
+            sampled.least.push(least - slack);
+            sampled.most.push(most + slack);
         }
-        let missed = missed > direction.allowed(&track, set.model.gravity);
-        track.finish(missed)
+        let missed = missed > direction.allowed(&sampled, set.model.gravity);
+        sampled.finish(missed)
     }
 
     /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
-    fn finish(mut self, missed: bool) -> Track<R> {
+    fn finish(mut self, missed: bool) -> SampledMotion<R> {
         if missed {
             // Every cell may lift in every gap, and looks for itself.
             let beyond = R::of(f64::from(f32::MAX));

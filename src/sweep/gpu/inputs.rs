@@ -11,10 +11,10 @@ use wgpu::{
 
 use super::super::cell_tables::Clocks;
 use super::super::cells::Cells;
-use super::super::full_contact::Tracks;
+use super::super::full_contact::FullContactMotions;
 use super::super::groups::Steps;
+use super::super::motions::Motions;
 use super::super::table::Table;
-use super::super::tracks::Motions;
 use super::device::OpenDevice;
 use super::pipelines::Pipelines;
 use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
@@ -30,7 +30,7 @@ const MOST_GAPS: usize = 30_000;
 pub struct Inputs<R> {
     model: Buffer,
     numbers: Buffer,
-    tracks: Buffer,
+    motions: Buffer,
     /// Where a tile finds its numbers.
     tile: Tile,
     /// Where motions begin.
@@ -54,7 +54,7 @@ fn table<T>(table: &Table<T>, first: usize, size: usize) -> Layout {
 }
 
 /// Where motions lie whose beginnings are listed from a place on.
-fn motions<R: Real>(motions: &Motions<R>, first: usize) -> Layout {
+fn layout_of<R: Real>(motions: &Motions<R>, first: usize) -> Layout {
     Layout { more: motions.samples() as u32, ..Layout::of(motions.strides, 0, first, 1) }
 }
 
@@ -91,20 +91,20 @@ impl<R: Real> Inputs<R> {
         };
         let mut words = Vec::new();
         let limit = gpu.device.limits().max_storage_buffer_binding_size;
-        let shared = cells.tracks.as_ref().as_ref().filter(|tracks| fits(tracks, limit));
-        if let Some(tracks) = shared {
+        let shared = cells.motions.as_ref().as_ref().filter(|motions| fits(motions, limit));
+        if let Some(shared) = shared {
             tile.shared_contact = 1;
-            tile.still = u32::from(tracks.still);
-            tile.up_values = tracks.across.values.len() as u32;
-            for (motion, place) in [(&tracks.across, &mut tile.across), (&tracks.up, &mut tile.up)]
+            tile.still = u32::from(shared.still);
+            tile.up_values = shared.across.values.len() as u32;
+            for (motion, place) in [(&shared.across, &mut tile.across), (&shared.up, &mut tile.up)]
             {
-                *place = motions(motion, words.len());
+                *place = layout_of(motion, words.len());
                 words.extend_from_slice(&motion.first);
             }
         }
-        let tracks = match shared {
-            Some(shared) => resident(gpu, slots, &cells.tracks, shared),
-            None => filled::<R>(gpu, "no tracks", &[], BufferUsages::STORAGE),
+        let motions = match shared {
+            Some(shared) => resident(gpu, slots, &cells.motions, shared),
+            None => filled::<R>(gpu, "no motions", &[], BufferUsages::STORAGE),
         };
         // A table has an entry at least.
         let mut model = bytemuck::bytes_of(&cells.bodies()[0]).to_vec();
@@ -118,7 +118,7 @@ impl<R: Real> Inputs<R> {
         let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
         let models = [&model, &bodies];
         let chunks = chunk_groups(gpu, &pipelines.sweep, slots, models, &record);
-        Inputs { model, numbers, tracks, tile, words, steps, chunks }
+        Inputs { model, numbers, motions, tile, words, steps, chunks }
     }
 
     /// Puts on the device what a tile has of its own, on a side, for the chunk of a number; the threads
@@ -163,7 +163,7 @@ impl<R: Real> Inputs<R> {
                 (9, self.numbers.as_entire_binding()),
                 (10, place.clocks.as_entire_binding()),
                 (11, place.words.as_entire_binding()),
-                (12, self.tracks.as_entire_binding()),
+                (12, self.motions.as_entire_binding()),
             ],
         );
         (threads, group)
@@ -171,34 +171,34 @@ impl<R: Real> Inputs<R> {
 }
 
 /// True for motions that a shader can be given; cells begin from rest where they are not.
-fn fits<R: Real>(tracks: &Tracks<R>, limit: u64) -> bool {
-    let values = tracks.across.values.len() + tracks.up.values.len();
+fn fits<R: Real>(motions: &FullContactMotions<R>, limit: u64) -> bool {
+    let values = motions.across.values.len() + motions.up.values.len();
     let bytes = (values * size_of::<R>()) as u64;
-    bytes <= limit && tracks.across.longest().max(tracks.up.longest()) <= MOST_GAPS
+    bytes <= limit && motions.across.longest().max(motions.up.longest()) <= MOST_GAPS
 }
 
 /// The buffer of motions that may be on the device already, from a sweep before.
 fn resident<R: Real>(
     gpu: &OpenDevice,
     slots: &mut Slots,
-    whose: &Arc<Option<Tracks<R>>>,
-    tracks: &Tracks<R>,
+    whose: &Arc<Option<FullContactMotions<R>>>,
+    motions: &FullContactMotions<R>,
 ) -> Buffer {
     let whose = Arc::clone(whose) as Arc<dyn Any + Send + Sync>;
-    if let Some((known, buffer)) = &slots.tracks
+    if let Some((known, buffer)) = &slots.motions
         && Arc::ptr_eq(known, &whose)
     {
         return buffer.clone();
     }
     // Two sweeps' motions need not be on the device at once.
-    slots.tracks = None;
-    let size = size_of_val(&tracks.across.values[..]) + size_of_val(&tracks.up.values[..]);
+    slots.motions = None;
+    let size = size_of_val(&motions.across.values[..]) + size_of_val(&motions.up.values[..]);
     let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
-    let buffer = super::slots::buffer(gpu, "tracks", size as u64, usage);
-    gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&tracks.across.values));
-    let first = size_of_val(&tracks.across.values[..]) as u64;
-    gpu.queue.write_buffer(&buffer, first, bytemuck::cast_slice(&tracks.up.values));
-    slots.tracks = Some((whose, buffer.clone()));
+    let buffer = super::slots::buffer(gpu, "motions", size as u64, usage);
+    gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&motions.across.values));
+    let first = size_of_val(&motions.across.values[..]) as u64;
+    gpu.queue.write_buffer(&buffer, first, bytemuck::cast_slice(&motions.up.values));
+    slots.motions = Some((whose, buffer.clone()));
     buffer
 }
 

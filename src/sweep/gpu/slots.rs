@@ -50,7 +50,7 @@ pub struct Slots {
     /// What each submission on the way has of its own.
     pub flights: [Flight; FLIGHTS],
     /// Motions in full contact that are on the device, and whose they are.
-    pub tracks: Option<(Arc<dyn Any + Send + Sync>, Buffer)>,
+    pub motions: Option<(Arc<dyn Any + Send + Sync>, Buffer)>,
     /// How fast the device was.
     pub pace: Pace,
 }
@@ -144,7 +144,7 @@ impl Slots {
             events: kept(slots, BOTH_WAYS),
             sides: from_fn(side),
             flights: from_fn(flight),
-            tracks: None,
+            motions: None,
             pace: Pace::default(),
         }
     }

@@ -33,7 +33,7 @@ pub struct Tile {
     pub counts: [u32; 4],
     /// Place in `numbers` of the first body's height and lever arms.
     pub levers: u32,
-    /// Place of the vertical motions in `tracks`.
+    /// Place of the vertical motions in `motions`.
     pub up_values: u32,
     /// 1 where there are shared motions.
     pub shared_contact: u32,

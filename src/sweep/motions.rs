@@ -93,16 +93,16 @@ impl<R: Real> Motions<R> {
 
     /// The motion of a cell.
     #[inline(always)]
-    pub fn at(&self, place: &Place) -> Track<'_, R> {
+    pub fn at(&self, place: &Place) -> MotionSlice<'_, R> {
         let number = offset(&self.strides, place);
         let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
-        Track { values: &self.values[first..], samples: self.samples(), length: end - first }
+        MotionSlice { values: &self.values[first..], samples: self.samples(), length: end - first }
     }
 }
 
 /// One motion.
 #[derive(Clone, Copy)]
-pub struct Track<'a, R> {
+pub struct MotionSlice<'a, R> {
     /// From its first sample on.
     values: &'a [R],
     /// Samples of all motions.
@@ -111,7 +111,7 @@ pub struct Track<'a, R> {
     pub length: usize,
 }
 
-impl<'a, R> Track<'a, R> {
+impl<'a, R> MotionSlice<'a, R> {
     /// A quantity at its samples.
     #[inline(always)]
     pub fn field(&self, field: usize) -> &'a [R] {
