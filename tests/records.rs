@@ -8,16 +8,16 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use common::record;
 use proptest::prelude::*;
 use topple::scene::GRAVITY;
-use topple::scene::record::read::{self, Told};
+use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
 use topple::scene::text::SceneText;
 
-fn told(dt: Option<f64>, units: Option<Units>) -> Told {
-    Told { dt, units, scaled: false }
+fn hints(dt: Option<f64>, units: Option<Units>) -> RecordHints {
+    RecordHints { dt, units, scaled: false }
 }
 
 fn read(text: &str) -> Result<Record, RecordError> {
-    read::bytes(text.as_bytes(), &Told::default())
+    read::bytes(text.as_bytes(), &RecordHints::default())
 }
 
 const AT2: &str = "PEER NGA STRONG MOTION DATABASE RECORD\nA STATION, 90\n\
@@ -127,10 +127,10 @@ fn every_other_format() {
     let cosmos = read(&cosmos()).unwrap();
     assert_eq!((cosmos.dt, cosmos.samples.as_slice()), (0.005, &[0.1, -0.2, -0.3, 0.04][..]));
 
-    let dt = told(Some(0.02), Some(Units::G));
+    let dt = hints(Some(0.02), Some(Units::G));
     let one = read::bytes(b"# heading\n0.1\n\n-0.2\n0.3\n", &dt).unwrap();
     assert_eq!((one.dt, one.samples[1]), (0.02, -0.2 * GRAVITY));
-    let units = told(None, Some(Units::MetresPerSecondSquared));
+    let units = hints(None, Some(Units::MetresPerSecondSquared));
     for text in
         ["0 1\n0.01 2\n0.02 3\n", "time,acc\n0,1\n0.01,2\n0.02,3\n", "0\t1\r\n0.01\t2\r\n0.02\t3"]
     {
@@ -142,17 +142,17 @@ fn every_other_format() {
 
 #[test]
 fn what_is_no_record_is_refused_with_its_line() {
-    let refused = |text: &str, told: &Told, said: &str| {
-        let error = read::bytes(text.as_bytes(), told).unwrap_err().to_string();
+    let refused = |text: &str, hints: &RecordHints, said: &str| {
+        let error = read::bytes(text.as_bytes(), hints).unwrap_err().to_string();
         assert!(error.contains(said), "{said}: {error}");
     };
-    let nothing = Told::default();
+    let nothing = RecordHints::default();
     refused("", &nothing, "fewer than two");
     refused("1\n2\n3\n", &nothing, "dt");
-    refused("1\n2\n3\n", &told(Some(0.01), None), "units");
-    refused("1\nx\n3\n", &told(Some(0.01), Some(Units::G)), "line 2");
-    refused("0 1\n1 2\n5 3\n", &told(None, Some(Units::G)), "sample 2");
-    refused(",\t\n;\n", &told(Some(0.01), Some(Units::G)), "fewer than two");
+    refused("1\n2\n3\n", &hints(Some(0.01), None), "units");
+    refused("1\nx\n3\n", &hints(Some(0.01), Some(Units::G)), "line 2");
+    refused("0 1\n1 2\n5 3\n", &hints(None, Some(Units::G)), "sample 2");
+    refused(",\t\n;\n", &hints(Some(0.01), Some(Units::G)), "fewer than two");
     refused("1 2 3\n", &nothing, "line 1");
     refused(&AT2.replace(".3000000E-01", ".3x"), &nothing, "line 5");
     refused(&AT2.replace("      7", "     70"), &nothing, "ends after 7 of its 70");
@@ -161,12 +161,12 @@ fn what_is_no_record_is_refused_with_its_line() {
     refused(&AT2.replace("ACCELERATION", "VELOCITY"), &nothing, "line 3");
     refused(&esm().replace("DATA_TYPE: ACC", "DATA_TYPE: VEL"), &nothing, "line 64");
     refused(&KNET.replace("(gal)/", " per "), &nothing, "line 14");
-    refused(AT2, &told(Some(0.02), None), "leave dt out");
+    refused(AT2, &hints(Some(0.02), None), "leave dt out");
     // Numbers in the wrong units are questioned, not believed.
-    refused("100\n-150\n20\n", &told(Some(0.01), Some(Units::G)), "not plausible");
+    refused("100\n-150\n20\n", &hints(Some(0.01), Some(Units::G)), "not plausible");
     refused(
         "1e-4\n-2e-5\n",
-        &told(Some(0.01), Some(Units::CentimetresPerSecondSquared)),
+        &hints(Some(0.01), Some(Units::CentimetresPerSecondSquared)),
         "not plausible",
     );
 }
@@ -215,42 +215,42 @@ const FIRST: f64 = 4.093306683591208;
 #[test]
 fn real_files_of_each_format() {
     let cm = Some(Units::CentimetresPerSecondSquared);
-    let cases: [(&str, Told, usize, f64, f64); 13] = [
+    let cases: [(&str, RecordHints, usize, f64, f64); 13] = [
         (
             "at2-oldnga-kobe-1995-nishiakashi-090.at2",
-            told(None, None),
+            hints(None, None),
             4096,
             0.01,
             0.5027 * GRAVITY,
         ),
-        ("at2-peer1999-borrego-1968-elcentro9-180.at2", told(None, None), 4000, 0.01, f64::NAN),
-        ("knet-AOM0011801241951.EW", told(None, None), 10200, 0.01, 0.04078),
-        ("knet-AOM0011801241951.NS", told(None, None), 10200, 0.01, 0.04954),
-        ("knet-AOM0011801241951.UD", told(None, None), 10200, 0.01, 0.0224),
-        ("esm-HI.ARS1..HNE.ASC", told(None, None), 19128, 0.005, 0.00300022),
-        ("esm-HI.ARS1..HNZ.ASC", told(None, None), 19128, 0.005, f64::NAN),
-        ("smc-lomaprieta-1989-0111a.smc", told(None, None), 6001, 0.005, 1.044078),
-        ("csmip-v2-coalinga-1983-CE36456.V2", told(None, None), 3251, 0.02, 2.67957),
-        ("cosmos-v2c-anchorage-2018-AKBMR-BNZ.V2c", told(None, None), 42000, 0.005, 0.06852),
+        ("at2-peer1999-borrego-1968-elcentro9-180.at2", hints(None, None), 4000, 0.01, f64::NAN),
+        ("knet-AOM0011801241951.EW", hints(None, None), 10200, 0.01, 0.04078),
+        ("knet-AOM0011801241951.NS", hints(None, None), 10200, 0.01, 0.04954),
+        ("knet-AOM0011801241951.UD", hints(None, None), 10200, 0.01, 0.0224),
+        ("esm-HI.ARS1..HNE.ASC", hints(None, None), 19128, 0.005, 0.00300022),
+        ("esm-HI.ARS1..HNZ.ASC", hints(None, None), 19128, 0.005, f64::NAN),
+        ("smc-lomaprieta-1989-0111a.smc", hints(None, None), 6001, 0.005, 1.044078),
+        ("csmip-v2-coalinga-1983-CE36456.V2", hints(None, None), 3251, 0.02, 2.67957),
+        ("cosmos-v2c-anchorage-2018-AKBMR-BNZ.V2c", hints(None, None), 42000, 0.005, 0.06852),
         (
             "twocol-tab-christchurch-2011-hvps-up.dat",
-            told(None, Some(Units::MetresPerSecondSquared)),
+            hints(None, Some(Units::MetresPerSecondSquared)),
             5401,
             0.005,
             21.40,
         ),
-        ("twocol-space-northridge-1994-rinaldi-228.txt", told(None, cm), 1991, 0.01, 1.479),
+        ("twocol-space-northridge-1994-rinaldi-228.txt", hints(None, cm), 1991, 0.01, 1.479),
         (
             "../kobe-1995-takarazuka-000.slammer.txt",
-            told(Some(0.01), Some(Units::G)),
+            hints(Some(0.01), Some(Units::G)),
             3930,
             0.01,
             0.6934 * GRAVITY,
         ),
     ];
-    for (name, told, count, dt, peak) in cases {
+    for (name, hints, count, dt, peak) in cases {
         let Some(path) = record("real files", &format!("formats/{name}")) else { return };
-        let record = read::file(&path, &told).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let record = read::file(&path, &hints).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert_eq!(record.samples.len(), count, "{name}");
         assert_abs_diff_eq!(record.dt, dt, epsilon = 1e-9);
         if !peak.is_nan() {
@@ -264,7 +264,7 @@ fn real_files_of_each_format() {
         return;
     };
     for units in [Units::G, Units::MetresPerSecondSquared] {
-        let error = read::file(&path, &told(None, Some(units))).unwrap_err().to_string();
+        let error = read::file(&path, &hints(None, Some(units))).unwrap_err().to_string();
         assert!(error.contains("not plausible"), "{error}");
     }
 }
@@ -317,13 +317,13 @@ proptest! {
 
     #[test]
     fn any_bytes_are_a_record_or_an_error(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        sane(read::bytes(&bytes, &told(Some(0.01), Some(Units::G))))?;
+        sane(read::bytes(&bytes, &hints(Some(0.01), Some(Units::G))))?;
     }
 
     #[test]
     fn any_mangled_file_is_a_record_or_an_error(bytes in mangled()) {
-        sane(read::bytes(&bytes, &Told::default()))?;
-        sane(read::bytes(&bytes, &told(Some(0.01), Some(Units::G))))?;
+        sane(read::bytes(&bytes, &RecordHints::default()))?;
+        sane(read::bytes(&bytes, &hints(Some(0.01), Some(Units::G))))?;
     }
 
     #[test]

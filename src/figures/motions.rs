@@ -10,7 +10,7 @@ use serde::Deserialize;
 
 use super::error::ReadError;
 use crate::scene::GRAVITY;
-use crate::scene::record::read::{self, Told};
+use crate::scene::record::read::{self, RecordHints};
 use crate::scene::record::synthetic::{self, HORIZONTAL, Parameters, VERTICAL};
 use crate::scene::record::{Pair, Record, Units};
 use crate::scene::text::located;
@@ -114,8 +114,8 @@ impl ComponentText {
         if !path.exists() {
             return Ok(None);
         }
-        let told = Told { dt: self.dt, units: self.units, scaled: false };
-        let record = read::file(&path, &told)
+        let hints = RecordHints { dt: self.dt, units: self.units, scaled: false };
+        let record = read::file(&path, &hints)
             .map_err(|error| ReadError::new(path.display().to_string(), error.to_string()))?;
         Ok(Some(record))
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::numbers::Numbers;
 use super::parameters::{BELIEVED, Parameter};
-use super::record::read::{self, Told};
+use super::record::read::{self, RecordHints};
 use super::record::{Pair, Record, Units, component};
 use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
@@ -111,10 +111,10 @@ pub(super) fn check_record(
         positive("dt", dt)?;
     }
     let pga = numbers.get(Parameter::Pga);
-    let told = Told { dt: text.dt, units: text.units, scaled: pga.is_some() };
+    let hints = RecordHints { dt: text.dt, units: text.units, scaled: pga.is_some() };
     let read = |key, path: &Path| {
         let path = directory.join(path);
-        let mut record = read::file(&path, &told)
+        let mut record = read::file(&path, &hints)
             .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))?;
         if record.title.is_empty() {
             // A file of columns has no title.

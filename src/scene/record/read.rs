@@ -6,9 +6,9 @@ use super::{Raw, Record, RecordError, Units};
 use super::{at2, columns, cosmos, csmip, esm, knet, smc};
 use crate::scene::GRAVITY;
 
-/// What the user says of a file.
+/// What the user says of a record file, where the file itself does not say it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Told {
+pub struct RecordHints {
     /// Time between samples, s.
     pub dt: Option<f64>,
     /// Units of the values.
@@ -27,21 +27,21 @@ const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 ///
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
-pub fn file(path: &Path, told: &Told) -> Result<Record, RecordError> {
+pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
     let refused =
         |e: std::io::Error| RecordError::whole(format!("{e}; give a file that can be read"));
     let size = std::fs::metadata(path).map_err(refused)?.len();
     if size > LARGEST {
         return Err(RecordError::whole("larger than 256 MiB; this is no record"));
     }
-    bytes(&std::fs::read(path).map_err(refused)?, told)
+    bytes(&std::fs::read(path).map_err(refused)?, hints)
 }
 
 /// Reads the bytes of a file.
 ///
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
-pub fn bytes(bytes: &[u8], told: &Told) -> Result<Record, RecordError> {
+pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let raw = if knet::matches(text) {
@@ -59,15 +59,15 @@ pub fn bytes(bytes: &[u8], told: &Told) -> Result<Record, RecordError> {
     } else {
         columns::read(text)?
     };
-    check(raw, told)
+    check(raw, hints)
 }
 
-fn check(raw: Raw, told: &Told) -> Result<Record, RecordError> {
+fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
     let Raw { title, dt, units, values, mut notes } = raw;
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }
-    let dt = match (dt, told.dt) {
+    let dt = match (dt, hints.dt) {
         (Some(read), Some(given)) if (read - given).abs() > 1.0e-6 * read.abs() => {
             let problem = format!("the file's step is {read} s, dt says {given} s; leave dt out");
             return Err(RecordError::whole(problem));
@@ -81,7 +81,7 @@ fn check(raw: Raw, told: &Told) -> Result<Record, RecordError> {
     if !(dt.is_finite() && dt > 0.0 && dt <= 1.0) {
         return Err(RecordError::whole(format!("a time step of {dt} s is no record's")));
     }
-    let units = match (units, told.units) {
+    let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {
             notes.push(format!("read as {given:?}, though the file says {read:?}"));
             given
@@ -98,7 +98,7 @@ fn check(raw: Raw, told: &Told) -> Result<Record, RecordError> {
     if !(peak > 0.0 && peak.is_finite()) {
         return Err(RecordError::whole("every sample is zero; this is no record"));
     }
-    if !told.scaled && !PLAUSIBLE.contains(&peak) {
+    if !hints.scaled && !PLAUSIBLE.contains(&peak) {
         let problem = format!(
             "a peak of {peak:.3e} g is not plausible for an acceleration in these units; give the \
              right units (or another file, if this is velocity or displacement), or scale it to a \
