@@ -1,7 +1,7 @@
 //! How far a method is from the truth: four errors, for one number says too little where a system
 //! switches.
 
-use super::truth::Told;
+use super::truth::Solution;
 use crate::stepping::outcome::Class;
 
 /// A number over cells: where half of them are below, and where 99 of 100 are.
@@ -42,12 +42,12 @@ fn spread(mut values: Vec<f64>) -> Option<Spread> {
 }
 
 /// Largest error of the first switches' times and motions; none where their kinds differ.
-fn of_switches(truth: &Told, told: &Told) -> Option<(f64, f64)> {
-    if truth.switches.len() != told.switches.len() {
+fn of_switches(truth: &Solution, solution: &Solution) -> Option<(f64, f64)> {
+    if truth.switches.len() != solution.switches.len() {
         return None;
     }
     let mut worst = (0.0_f64, 0.0_f64);
-    for (a, b) in truth.switches.iter().zip(&told.switches) {
+    for (a, b) in truth.switches.iter().zip(&solution.switches) {
         if a.kind != b.kind {
             return None;
         }
@@ -59,8 +59,8 @@ fn of_switches(truth: &Told, told: &Told) -> Option<(f64, f64)> {
     Some(worst)
 }
 
-/// Compares what a method told of cells with the truth; `switches` says whether it told of those.
-pub fn compare(truth: &[Told], told: &[Told], switches: bool) -> Errors {
+/// Compares the solutions of a method with the truth; `switches`: compare their switches too.
+pub fn compare(truth: &[Solution], solutions: &[Solution], switches: bool) -> Errors {
     let mut errors = Errors {
         cells: truth.len(),
         failed: 0,
@@ -71,7 +71,7 @@ pub fn compare(truth: &[Told], told: &[Told], switches: bool) -> Errors {
         zeta: None,
     };
     let (mut times, mut motions, mut zetas) = (Vec::new(), Vec::new(), Vec::new());
-    for (a, b) in truth.iter().zip(told) {
+    for (a, b) in truth.iter().zip(solutions) {
         if b.outcome.class == Class::Unresolved {
             errors.failed += 1;
             continue;

@@ -13,7 +13,7 @@ use super::SWITCHES;
 use super::bench::Bench;
 use super::errors::compare;
 use super::table::Row;
-use super::truth::{Kind, Seen, Told};
+use super::truth::{Kind, Solution, TimedSwitch};
 use crate::scene::{Excitation, Grid, Shaking};
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::reference::system::Pole;
@@ -180,7 +180,7 @@ fn class(word: &str) -> Result<Class, PeerError> {
         .ok_or_else(|| PeerError::Word(word.to_string()))
 }
 
-fn switch(text: &str) -> Result<Seen, PeerError> {
+fn switch(text: &str) -> Result<TimedSwitch, PeerError> {
     let refused = || PeerError::Word(text.to_string());
     let mut words = text.split_whitespace();
     let kind = match words.next() {
@@ -194,16 +194,16 @@ fn switch(text: &str) -> Result<Seen, PeerError> {
     };
     let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
     let [t, motion @ ..] = <[f64; 8]>::try_from(numbers).map_err(|_| refused())?;
-    Ok(Seen { kind, t, motion })
+    Ok(TimedSwitch { kind, t, motion })
 }
 
-fn told(result: &Solved) -> Result<Told, PeerError> {
+fn solution(result: &Solved) -> Result<Solution, PeerError> {
     let class = class(&result.outcome)?;
     let texts = result.switches.split(';').filter(|text| !text.trim().is_empty());
     let switches = texts.take(SWITCHES).map(switch).collect::<Result<_, _>>()?;
     // Nothing but class and zeta is compared.
     let outcome = Outcome { class, zeta: result.zeta, status: Status::Ok, ..Outcome::PENDING };
-    Ok(Told { outcome, switches })
+    Ok(Solution { outcome, switches })
 }
 
 /// What another program did with a bench at one setting.
@@ -214,7 +214,7 @@ pub struct Peer {
     /// Its first row, for what all have in common.
     first: Solved,
     /// Its cells.
-    told: Vec<Told>,
+    solutions: Vec<Solution>,
 }
 
 /// Another program's results on the cells of the benches.
@@ -237,7 +237,7 @@ pub fn read(reader: impl Read, benches: &[Bench]) -> Result<Vec<Peer>, PeerError
         results.sort_by_key(|result| result.cell);
         let cells = benches[bench].len();
         let complete = results.iter().map(|result| result.cell).eq(0..cells);
-        let told = results.iter().map(told).collect::<Result<Vec<_>, _>>()?;
+        let solutions = results.iter().map(solution).collect::<Result<Vec<_>, _>>()?;
         let found = results.len();
         // A trial has the row that it was made for.
         let first = results.swap_remove(0);
@@ -245,14 +245,14 @@ pub fn read(reader: impl Read, benches: &[Bench]) -> Result<Vec<Peer>, PeerError
             let (scene, method) = (first.scene, first.method);
             return Err(PeerError::Cells { scene, method, found, cells });
         }
-        peers.push(Peer { bench, first, told });
+        peers.push(Peer { bench, first, solutions });
     }
     Ok(peers)
 }
 
 impl Peer {
     /// The row of the chart; `truths` are those of the benches.
-    pub fn row(&self, benches: &[Bench], truths: &[Vec<Told>]) -> Row {
+    pub fn row(&self, benches: &[Bench], truths: &[Vec<Solution>]) -> Row {
         let first = &self.first;
         Row {
             bench: benches[self.bench].name,
@@ -265,7 +265,7 @@ impl Peer {
             device: None,
             start: first.start_seconds,
             runs: first.runs,
-            errors: compare(&truths[self.bench], &self.told, true),
+            errors: compare(&truths[self.bench], &self.solutions, true),
         }
     }
 }

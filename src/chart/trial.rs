@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::bench::Bench;
-use super::truth::{Seen, Told, of_bench, of_events};
+use super::truth::{Solution, TimedSwitch, of_bench, of_events};
 use super::{SWITCHES, naive};
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -112,12 +112,16 @@ impl Trial {
         Ok(Plan::resolved(scene, resolution)?.full_model())
     }
 
-    /// Runs a bench's cells: what they told, and the time that it took. The runs that are timed keep
+    /// Runs a bench's cells: their solutions, and the time that it took. The runs that are timed keep
     /// no switches.
     ///
     /// # Errors
     /// Any [`TrialError`].
-    pub fn run(&self, bench: &Bench, gpu: Option<&Gpu>) -> Result<(Vec<Told>, Time), TrialError> {
+    pub fn run(
+        &self,
+        bench: &Bench,
+        gpu: Option<&Gpu>,
+    ) -> Result<(Vec<Solution>, Time), TrialError> {
         match self.precision {
             Precision::F32 => self.run_in::<f32>(bench, gpu),
             Precision::F64 => self.run_in::<f64>(bench, gpu),
@@ -128,16 +132,16 @@ impl Trial {
         &self,
         bench: &Bench,
         gpu: Option<&Gpu>,
-    ) -> Result<(Vec<Told>, Time), TrialError> {
+    ) -> Result<(Vec<Solution>, Time), TrialError> {
         if self.method == Method::Reference {
             let tolerance = self.setting;
             let settings = Settings { tolerance, longest: LONGEST, ..Settings::default() };
-            let mut told = Vec::new();
+            let mut solutions = Vec::new();
             let time = timed(|| {
-                told = of_bench(bench, &settings, &|_| ());
+                solutions = of_bench(bench, &settings, &|_| ());
                 Ok(None)
             })?;
-            return Ok((told, time));
+            return Ok((solutions, time));
         }
         let mut plans = Vec::with_capacity(bench.scenes.len());
         for scene in &bench.scenes {
@@ -171,7 +175,7 @@ impl Trial {
             Ok(device)
         })?;
         time.start = start;
-        let mut told = Vec::with_capacity(bench.len());
+        let mut solutions = Vec::with_capacity(bench.len());
         for ((plan, grid), outcomes) in plans.iter().zip(outcomes) {
             let mut switches = if bench.whole {
                 self.switches::<R>(plan, grid, gpu)?
@@ -179,10 +183,10 @@ impl Trial {
                 vec![Vec::new(); outcomes.len()]
             };
             for (outcome, switches) in outcomes.into_iter().zip(switches.drain(..)) {
-                told.push(Told { outcome, switches });
+                solutions.push(Solution { outcome, switches });
             }
         }
-        Ok((told, time))
+        Ok((solutions, time))
     }
 
     /// The first switches of each cell, from a run of their own.
@@ -191,22 +195,22 @@ impl Trial {
         plan: &Plan,
         grid: &Grid,
         gpu: Option<&Gpu>,
-    ) -> Result<Vec<Vec<Seen>>, TrialError> {
+    ) -> Result<Vec<Vec<TimedSwitch>>, TrialError> {
         let cells: Vec<usize> = (0..grid.len()).collect();
         if self.method == Method::Naive {
-            return Ok(seen(plan, grid, &naive::sweep(plan, grid, &cells, SWITCHES).1));
+            return Ok(timed_switches(plan, grid, &naive::sweep(plan, grid, &cells, SWITCHES).1));
         }
         if let Some(gpu) = gpu {
             let sweeper = Sweeper::keeping(gpu, self.precision, plan.variant(), SWITCHES)?;
             let events = sweeper.sweep::<R>(plan, grid, &cells, &|_| ())?.events;
-            return Ok(seen(plan, grid, &events));
+            return Ok(timed_switches(plan, grid, &events));
         }
-        Ok(seen(plan, grid, &cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1))
+        Ok(timed_switches(plan, grid, &cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1))
     }
 }
 
 /// The switches kept of a grid's cells, [`SWITCHES`] of each.
-fn seen<R: Real>(plan: &Plan, grid: &Grid, events: &[Event<R>]) -> Vec<Vec<Seen>> {
+fn timed_switches<R: Real>(plan: &Plan, grid: &Grid, events: &[Event<R>]) -> Vec<Vec<TimedSwitch>> {
     let of = |(index, kept): (usize, &[Event<R>])| {
         let case = grid.case(index);
         of_events(kept, &plan.clock(&case), case.deflection())

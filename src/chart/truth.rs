@@ -35,9 +35,9 @@ pub enum Kind {
     Overturn,
 }
 
-/// A switch as any method saw it.
+/// A switch, its time and the motion after it, as a method computed them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen {
+pub struct TimedSwitch {
     /// What switched.
     pub kind: Kind,
     /// When, s.
@@ -46,17 +46,17 @@ pub struct Seen {
     pub motion: [f64; 7],
 }
 
-/// What became of a cell, and its first switches.
+/// The solution of a cell by some method: its outcome and its first switches.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Told {
+pub struct Solution {
     /// The outcome.
     pub outcome: Outcome,
     /// At most [`SWITCHES`] switches.
-    pub switches: Vec<Seen>,
+    pub switches: Vec<TimedSwitch>,
 }
 
 /// A cell by the reference.
-pub fn by_reference(scene: &Scene, case: &Case, settings: &Settings) -> Told {
+pub fn by_reference(scene: &Scene, case: &Case, settings: &Settings) -> Solution {
     let mut switches = Vec::new();
     let outcome = reference::observe(scene, case, settings, &mut |instant| {
         let kind = match instant.switch {
@@ -67,18 +67,18 @@ pub fn by_reference(scene: &Scene, case: &Case, settings: &Settings) -> Told {
         };
         if switches.len() < SWITCHES {
             let motion = in_order(instant.y);
-            switches.push(Seen { kind, t: instant.t, motion });
+            switches.push(TimedSwitch { kind, t: instant.t, motion });
         }
     });
-    Told { outcome, switches }
+    Solution { outcome, switches }
 }
 
 fn in_order(y: &State) -> [f64; 7] {
     [y[U], y[DU], y[V], y[DV], y[Z], y[PHI], y[DPHI]]
 }
 
-/// A sweep's switches as seen; the static position is `deflection` below v = 0, m.
-pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock, deflection: f64) -> Vec<Seen> {
+/// The switches that a sweep kept; the static position is `deflection` below v = 0, m.
+pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock, deflection: f64) -> Vec<TimedSwitch> {
     let phase = |mode: u32| match mode {
         ROCKING_LEFT => Some(Pole::Left),
         ROCKING_RIGHT => Some(Pole::Right),
@@ -88,7 +88,7 @@ pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock, deflection: f64) -
         }
     };
     let kept = events.iter().take_while(|event| event.kind != 0);
-    kept.map(|event| Seen {
+    kept.map(|event| TimedSwitch {
         kind: match event.kind {
             OVERTURN => Kind::Overturn,
             IMPACT => Kind::Impact(phase(event.mode)),
@@ -106,8 +106,12 @@ pub fn of_events<R: Real>(events: &[Event<R>], clock: &Clock, deflection: f64) -
 }
 
 /// Every cell of a bench by the reference.
-pub fn of_bench(bench: &Bench, settings: &Settings, done: &(dyn Fn(usize) + Sync)) -> Vec<Told> {
-    let mut told = Vec::with_capacity(bench.len());
+pub fn of_bench(
+    bench: &Bench,
+    settings: &Settings,
+    done: &(dyn Fn(usize) + Sync),
+) -> Vec<Solution> {
+    let mut solutions = Vec::with_capacity(bench.len());
     for scene in &bench.scenes {
         let grid = Grid::of(scene);
         let cells = (0..grid.len()).into_par_iter().map(|index| {
@@ -115,7 +119,7 @@ pub fn of_bench(bench: &Bench, settings: &Settings, done: &(dyn Fn(usize) + Sync
             done(1);
             cell
         });
-        told.par_extend(cells);
+        solutions.par_extend(cells);
     }
-    told
+    solutions
 }

@@ -8,7 +8,7 @@ use topple::chart::bench::{self, Bench, FULL, QUICK};
 use topple::chart::errors::compare;
 use topple::chart::table::{self, Row};
 use topple::chart::trial::{self, Method, Trial};
-use topple::chart::truth::{self, Told};
+use topple::chart::truth::{self, Solution};
 use topple::chart::{figure, peers};
 use topple::map::figure::document;
 use topple::model::precision::Precision;
@@ -119,7 +119,7 @@ impl ChartCommand {
         &self,
         benches: &[Bench],
         gpu: Option<&Gpu>,
-    ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Told>>)> {
+    ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Solution>>)> {
         let threads = words::threads();
         let (mut rows, mut truths) = (Vec::new(), Vec::new());
         for bench in benches {
@@ -129,7 +129,7 @@ impl ChartCommand {
                 truth::of_bench(bench, &truth::settings(bench), &|cells| progress.advance(cells));
             progress.finish();
             for trial in trial::of(bench, gpu) {
-                let (told, time) = trial.run(bench, gpu)?;
+                let (solutions, time) = trial.run(bench, gpu)?;
                 let cells = bench.len() as f64;
                 let row = Row {
                     bench: bench.name,
@@ -142,7 +142,7 @@ impl ChartCommand {
                     device: time.device.map(|device| device / cells),
                     start: time.start,
                     runs: time.runs,
-                    errors: compare(&truth, &told, bench.whole),
+                    errors: compare(&truth, &solutions, bench.whole),
                 };
                 self.say(line(&trial, &row));
                 rows.push(row);

@@ -1,7 +1,7 @@
 //! Switches where they are hard to see, to tell apart, or to count.
 
 use topple::chart::SWITCHES;
-use topple::chart::truth::{Kind, Seen, by_reference, of_events};
+use topple::chart::truth::{Kind, TimedSwitch, by_reference, of_events};
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::guards::IMPACT;
 use topple::stepping::log::Log;
@@ -16,7 +16,7 @@ use super::common::{object, say, scene, shaken};
 use super::{altered, limit, on_the_ground, swept, tight, truth};
 
 /// The first switches of a scene's first cell.
-fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
+fn switches(scene: &Scene, resolution: Resolution) -> Vec<TimedSwitch> {
     let plan = Plan::resolved(scene, resolution).unwrap();
     let grid = Grid::of(scene);
     let (_, events) = cpu::sweep_keeping::<f64>(&plan, &grid, &[0], SWITCHES);
@@ -24,13 +24,13 @@ fn switches(scene: &Scene, resolution: Resolution) -> Vec<Seen> {
     of_events(&events, &plan.clock(&case), case.deflection())
 }
 
-fn true_switches(scene: &Scene) -> Vec<Seen> {
+fn true_switches(scene: &Scene) -> Vec<TimedSwitch> {
     by_reference(scene, &Grid::of(scene).case(0), &tight()).switches
 }
 
 /// Kinds agree; the largest error of a time.
-fn worst_time(found: &[Seen], right: &[Seen]) -> f64 {
-    let kinds = |list: &[Seen]| list.iter().map(|s| s.kind).collect::<Vec<_>>();
+fn worst_time(found: &[TimedSwitch], right: &[TimedSwitch]) -> f64 {
+    let kinds = |list: &[TimedSwitch]| list.iter().map(|s| s.kind).collect::<Vec<_>>();
     assert_eq!(kinds(found), kinds(right));
     found.iter().zip(right).fold(0.0, |worst, (a, b)| worst.max((a.t - b.t).abs()))
 }
