@@ -5,7 +5,7 @@
 //! step's cubic; where it may be a new extreme, the step is redone up to it.
 
 use super::cubic::{Cubic, SAMPLED, SAMPLES, climb, crest};
-use super::step::Taken;
+use super::step::AcceptedStep;
 use super::system::{DU, PHI, Phase, State, System, U, V};
 use super::trial::Trial;
 
@@ -80,8 +80,8 @@ impl Extremes {
 
     /// Takes in a step. Its ends belong to its phase and to its drive: at a switch or a jump of the
     /// ground the step before and the one after each bring a value.
-    pub fn see(&mut self, trial: &Trial, taken: &Taken) {
-        let Taken { h, y: y1, rate: d1, .. } = taken;
+    pub fn see(&mut self, trial: &Trial, accepted: &AcceptedStep) {
+        let AcceptedStep { h, y: y1, rate: d1, .. } = accepted;
         let cubic = Cubic::new((trial.y, trial.rate), (y1, d1), *h);
         self.see_motion(trial.phase, trial.y);
         self.see_motion(trial.phase, y1);

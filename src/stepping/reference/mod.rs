@@ -155,20 +155,20 @@ impl<'a> Cell<'a> {
                 y: &y,
                 rate: &rate,
             };
-            let taken = self.stepper.step(&trial, stop);
+            let accepted = self.stepper.step(&trial, stop);
             self.steps += 1;
-            if self.steps > self.settings.most_steps || !taken.y.iter().all(|x| x.is_finite()) {
+            if self.steps > self.settings.most_steps || !accepted.y.iter().all(|x| x.is_finite()) {
                 let diverged = self.steps <= self.settings.most_steps;
                 self.status = if diverged { Status::Diverged } else { Status::StepLimit };
                 self.class = Some(Class::Unresolved);
                 self.t_end = Some(t);
                 break;
             }
-            self.extremes.see(&trial, &taken);
-            t = taken.t;
-            y = taken.y;
+            self.extremes.see(&trial, &accepted);
+            t = accepted.t;
+            y = accepted.y;
             let mut switch = None;
-            match (taken.guard, self.phase) {
+            match (accepted.guard, self.phase) {
                 (Some(Guard::Uplift), _) => {
                     // Where both corners lift at the same instant, the larger moment decides.
                     let (_, pole) = self.system.lift(t, drive, &y);

@@ -7,9 +7,9 @@ use super::trial::Trial;
 use super::{EVENT_TIME, Settings};
 use crate::scene::Case;
 
-/// A step that was taken.
+/// A step whose error is within the tolerance.
 #[derive(Debug, Clone)]
-pub struct Taken {
+pub struct AcceptedStep {
     /// Time at its end, s.
     pub t: f64,
     /// Its length, s.
@@ -41,7 +41,7 @@ impl Stepper {
     }
 
     /// Takes a step towards the time `stop`, up to the first guard that happens.
-    pub fn step(&mut self, trial: &Trial, stop: f64) -> Taken {
+    pub fn step(&mut self, trial: &Trial, stop: f64) -> AcceptedStep {
         loop {
             let left = stop - trial.t;
             let mut h = self.next.min(self.longest).min(left);
@@ -81,7 +81,7 @@ impl Stepper {
             // A step cut at a guard says little of how long the next one may be.
             self.next = if guard.is_some() { self.next.max(grown) } else { grown };
             let end = if last && guard.is_none() { stop } else { trial.t + cut };
-            return Taken { t: end, h: cut, y: y1, rate: d1, guard };
+            return AcceptedStep { t: end, h: cut, y: y1, rate: d1, guard };
         }
     }
 }
