@@ -12,7 +12,7 @@ use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::outcomes::Ran;
+use topple::sweep::gpu::outcomes::DeviceOutcomes;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
 
@@ -38,7 +38,7 @@ fn swept<R: Real>(
     scene: &Scene,
     (tile, events): (usize, usize),
     cells: impl Fn(&Grid) -> Vec<usize>,
-) -> Ran<R> {
+) -> DeviceOutcomes<R> {
     let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
     let cells = cells(&grid);
     let sweeper = match events {

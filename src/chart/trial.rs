@@ -15,7 +15,7 @@ use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
 use crate::sweep::gpu::GpuError;
 use crate::sweep::gpu::opened::Gpu;
-use crate::sweep::gpu::outcomes::Ran;
+use crate::sweep::gpu::outcomes::DeviceOutcomes;
 use crate::sweep::gpu::run::Sweeper;
 use crate::sweep::plan::Plan;
 
@@ -163,9 +163,9 @@ impl Trial {
             for (index, (plan, grid)) in plans.iter().enumerate() {
                 let cells: Vec<usize> = (0..grid.len()).collect();
                 if let Some(sweeper) = sweepers.get(index) {
-                    let ran: Ran<R> = sweeper.sweep(plan, grid, &cells, &|_| ())?;
-                    device = ran.device.map(|time| time + device.unwrap_or_default());
-                    outcomes.push(ran.outcomes);
+                    let results: DeviceOutcomes<R> = sweeper.sweep(plan, grid, &cells, &|_| ())?;
+                    device = results.device.map(|time| time + device.unwrap_or_default());
+                    outcomes.push(results.outcomes);
                 } else if self.method == Method::Naive {
                     outcomes.push(naive::sweep(plan, grid, &cells, 0).0);
                 } else {

@@ -2,7 +2,7 @@
 
 use super::super::cells::Cells;
 use super::device::OpenDevice;
-use super::outcomes::Ran;
+use super::outcomes::DeviceOutcomes;
 use super::slots::Slots;
 use super::tile::OwnClocks;
 use super::{GpuError, outcomes};
@@ -44,17 +44,17 @@ impl<R: Real> Loaded<'_, R> {
         slots: &Slots,
         side: usize,
         all: &Cells<R>,
-        ran: &mut Ran<R>,
+        results: &mut DeviceOutcomes<R>,
     ) -> Result<(), GpuError> {
         let back = &slots.sides[side];
         let view = gpu.view(&back.states_back)?;
-        outcomes::read(all, self.cells, self.own.as_ref(), &view, &mut ran.outcomes)?;
+        outcomes::read(all, self.cells, self.own.as_ref(), &view, &mut results.outcomes)?;
         drop(view);
         back.states_back.unmap();
         if let Some(events) = &back.events_back {
             let size = self.cells.len() * slots.events_size as usize;
             let view = gpu.view(events)?;
-            ran.events.extend_from_slice(bytemuck::cast_slice(&view[..size]));
+            results.events.extend_from_slice(bytemuck::cast_slice(&view[..size]));
             drop(view);
             events.unmap();
         }

@@ -16,8 +16,8 @@ use crate::stepping::state::{PROVED, RUNNING, State};
 /// Cells that a thread reads at once.
 const CHUNK: usize = 1 << 12;
 
-/// What a device made of cells.
-pub struct Ran<R> {
+/// The outcomes of cells that a device computed, and the time that it took.
+pub struct DeviceOutcomes<R> {
     /// One a cell, in their order.
     pub outcomes: Vec<Outcome>,
     /// The first switches of each cell, as many for each as were asked for.

@@ -4,7 +4,7 @@ use super::super::cells::Cells;
 use super::super::plan::Plan;
 use super::GpuError;
 use super::opened::Gpu;
-use super::outcomes::Ran;
+use super::outcomes::DeviceOutcomes;
 use super::pipelines::{Pipelines, compile};
 use super::shader::{self, Switches};
 use super::slots::{SIDES, Slots};
@@ -95,7 +95,7 @@ impl<'a> Sweeper<'a> {
         grid: &Grid,
         cells: &[usize],
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Ran<R>, GpuError> {
+    ) -> Result<DeviceOutcomes<R>, GpuError> {
         let record = plan.record::<R>();
         let all = Cells::of(plan, grid, cells, &record);
         let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
@@ -106,10 +106,10 @@ impl<'a> Sweeper<'a> {
         };
         let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, (cells, tile))?;
-        let ran = tiles.run(progress)?;
+        let results = tiles.run(progress)?;
         // What a failure leaves behind is not used again.
         self.gpu.keep(slots);
-        Ok(ran)
+        Ok(results)
     }
 
     /// Cells of a tile at most.

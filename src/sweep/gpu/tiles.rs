@@ -16,7 +16,7 @@ use super::chunk::{Begin, Flight, Order, Report, receive, submit};
 use super::device::OpenDevice;
 use super::inputs::Inputs;
 use super::loaded::Loaded;
-use super::outcomes::Ran;
+use super::outcomes::DeviceOutcomes;
 use super::pipelines::Pipelines;
 use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
 use super::tile::OwnClocks;
@@ -51,7 +51,7 @@ pub struct Tiles<'a, R> {
     steps: u32,
     all_steps: u64,
     most_steps: u64,
-    ran: Ran<R>,
+    results: DeviceOutcomes<R>,
 }
 
 impl<'a, R: Real> Tiles<'a, R> {
@@ -67,7 +67,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
             Inputs::new(gpu, pipelines, slots, all, record)
         })?;
-        let ran = Ran {
+        let results = DeviceOutcomes {
             outcomes: Vec::with_capacity(cells.len()),
             events: Vec::new(),
             device: gpu.has_clock().then_some(Duration::ZERO),
@@ -92,12 +92,12 @@ impl<'a, R: Real> Tiles<'a, R> {
             steps: 0,
             all_steps: 0,
             most_steps: 0,
-            ran,
+            results,
         })
     }
 
     /// Runs them all to their cells' ends.
-    pub fn run(mut self, progress: &(dyn Fn(usize) + Sync)) -> Result<Ran<R>, GpuError> {
+    pub fn run(mut self, progress: &(dyn Fn(usize) + Sync)) -> Result<DeviceOutcomes<R>, GpuError> {
         let count = self.rest.len();
         let (mut told, mut ended) = (0, Instant::now());
         loop {
@@ -115,11 +115,11 @@ impl<'a, R: Real> Tiles<'a, R> {
                 break;
             }
         }
-        if self.ran.outcomes.len() < count {
-            return Err(GpuError::Unfinished(count - self.ran.outcomes.len()));
+        if self.results.outcomes.len() < count {
+            return Err(GpuError::Unfinished(count - self.results.outcomes.len()));
         }
         progress(count.saturating_sub(told));
-        Ok(self.ran)
+        Ok(self.results)
     }
 
     /// Cells that may run in the next submission.
@@ -202,7 +202,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         }
         self.heard += 1;
         self.running = report.running;
-        self.ran.device = self.ran.device.zip(report.device).map(|(sum, pass)| sum + pass);
+        self.results.device = self.results.device.zip(report.device).map(|(sum, pass)| sum + pass);
         if flight.work > 0 {
             let steps = report.steps.wrapping_sub(self.steps);
             self.steps = report.steps;
@@ -224,7 +224,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)
         }) && let Some(tile) = self.copied[side].take()
         {
-            tile.read(self.gpu, self.slots, side, self.all, &mut self.ran)?;
+            tile.read(self.gpu, self.slots, side, self.all, &mut self.results)?;
             self.read += 1;
             any = true;
         }
@@ -235,6 +235,6 @@ impl<'a, R: Real> Tiles<'a, R> {
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
         let running = self.sides.iter().flatten().map(Loaded::done).sum::<usize>();
-        self.ran.outcomes.len() + ended + running
+        self.results.outcomes.len() + ended + running
     }
 }
