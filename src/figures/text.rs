@@ -48,9 +48,9 @@ struct PanelText {
     scene: Table,
 }
 
-/// What a figure is read with.
+/// The motions and the directory of records that a figure is read with.
 #[derive(Debug, Clone, Copy)]
-pub struct Setting<'a> {
+pub struct FigureInputs<'a> {
     /// The motions there are.
     pub motions: &'a Motions,
     /// Where their files are.
@@ -67,7 +67,7 @@ impl Figure {
     pub fn from_toml(
         name: &str,
         text: &str,
-        setting: &Setting,
+        inputs: &FigureInputs,
     ) -> Result<(Figure, Vec<Motion>), ReadError> {
         let written: FigureText =
             toml::from_str(text).map_err(|error| ReadError::new(name, located(text, &error)))?;
@@ -79,7 +79,7 @@ impl Figure {
         for (index, panel) in written.panel.into_iter().enumerate() {
             let place = format!("{name}, panel {}", letter(index));
             let shows = panel.shows.unwrap_or(written.shows);
-            panels.push(read(&place, shows, &written.scene, panel, setting, &mut motions)?);
+            panels.push(read(&place, shows, &written.scene, panel, inputs, &mut motions)?);
         }
         if panels.is_empty() {
             return Err(ReadError::new(name, "no panel; give a [[panel]] at least"));
@@ -105,7 +105,7 @@ fn read(
     shows: Shows,
     shared: &Table,
     mut panel: PanelText,
-    setting: &Setting,
+    inputs: &FigureInputs,
     motions: &mut Vec<Motion>,
 ) -> Result<Panel, ReadError> {
     let refused = |problem: String| ReadError::new(place, problem);
@@ -117,15 +117,15 @@ fn read(
     let (mut scene, motion) = match &panel.motion {
         None => (checked(text.check())?, None),
         Some(key) => {
-            let Some(motion) = setting.motions.get(key) else {
-                let known: Vec<&str> = setting.motions.keys().map(String::as_str).collect();
+            let Some(motion) = inputs.motions.get(key) else {
+                let known: Vec<&str> = inputs.motions.keys().map(String::as_str).collect();
                 let problem = format!("no motion '{key}'; there are {}", known.join(", "));
                 return Err(refused(problem));
             };
             let opened = match motions.iter().find(|opened| opened.name == motion.name) {
                 Some(opened) => opened.clone(),
                 None => {
-                    motions.push(motion.open(setting.records)?);
+                    motions.push(motion.open(inputs.records)?);
                     motions[motions.len() - 1].clone()
                 }
             };
@@ -133,7 +133,7 @@ fn read(
             (checked(text.check_under(excitation))?, Some(opened.name))
         }
     };
-    if let Some(cells) = setting.cells {
+    if let Some(cells) = inputs.cells {
         for parameter in scene.swept() {
             if let Some(Values::Range(range)) = scene.numbers.get(parameter).cloned() {
                 scene.set(parameter, Range { count: cells, ..range });

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use tempfile::TempDir;
 use topple::figures::Figure;
 use topple::figures::motions;
-use topple::figures::text::Setting;
+use topple::figures::text::FigureInputs;
 
 fn figures(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("topple").unwrap();
@@ -210,8 +210,8 @@ proptest! {
             text.push_str(&format!("{key} = {value}\n"));
         }
         let motions = motions::from_toml("motions", include_str!("../../scenes/motions.toml")).unwrap();
-        let setting = Setting { motions: &motions, records: None, cells: Some(3) };
-        if let Err(error) = Figure::from_toml("mine", &text, &setting) {
+        let inputs = FigureInputs { motions: &motions, records: None, cells: Some(3) };
+        if let Err(error) = Figure::from_toml("mine", &text, &inputs) {
             prop_assert!(!error.to_string().contains('\n'));
         }
     }

@@ -21,7 +21,7 @@ use std::path::Path;
 use common::xy;
 use topple::figures::motions::{self, Motion};
 use topple::figures::shares::Shares;
-use topple::figures::text::Setting;
+use topple::figures::text::FigureInputs;
 use topple::figures::{Figure, Panel};
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
@@ -35,8 +35,8 @@ fn figure(name: &str, cells: Option<u32>, records: Option<&Path>) -> (Figure, Ve
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     let read = |name: &str| std::fs::read_to_string(scenes.join(format!("{name}.toml"))).unwrap();
     let motions = motions::from_toml("motions", &read("motions")).unwrap();
-    let setting = Setting { motions: &motions, records, cells };
-    Figure::from_toml(name, &read(name), &setting).unwrap()
+    let inputs = FigureInputs { motions: &motions, records, cells };
+    Figure::from_toml(name, &read(name), &inputs).unwrap()
 }
 
 /// A scene's cells as a sweep runs them.

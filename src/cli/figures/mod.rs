@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use topple::figures::error::ReadError;
 use topple::figures::motions::{self, Motion, Motions};
-use topple::figures::text::Setting;
+use topple::figures::text::FigureInputs;
 use topple::figures::{Figure, Shows, letter};
 use topple::map::figure::document;
 use topple::map::files::Directory;
@@ -85,12 +85,12 @@ impl FiguresCommand {
             return Err(InputError(format!("--records: {}: {problem}", records.display())).into());
         }
         let (written, motions) = self.written()?;
-        let setting =
-            Setting { motions: &motions, records: self.records.as_deref(), cells: self.cells };
+        let inputs =
+            FigureInputs { motions: &motions, records: self.records.as_deref(), cells: self.cells };
         // All are read before any runs: a mistake in the last shows at once.
         let figures = written
             .iter()
-            .map(|(name, text)| Figure::from_toml(name, text, &setting))
+            .map(|(name, text)| Figure::from_toml(name, text, &inputs))
             .collect::<Result<Vec<_>, ReadError>>()
             .map_err(|error| InputError(error.to_string()))?;
         for (figure, _) in &figures {
