@@ -68,9 +68,9 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
         });
     }
     let corner = pivot(&model, rocking.mode);
-    let seen = rocking.extremes();
+    let extremes = rocking.extremes();
     c.bench_function(&format!("certificate, {name}"), |b| {
-        b.iter(|| is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &seen));
+        b.iter(|| is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &extremes));
     });
 }
 

@@ -3,11 +3,11 @@
 // The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE = 4.0 / 27.0;
 
-// The larger of what a cell has seen and the largest magnitude of a coordinate over a span, its
-// interior extremum included.
-fn peak(seen: real, x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
+// The largest magnitude of a coordinate: the larger of the one so far and that of a span, its interior
+// extremum included.
+fn peak(so_far: real, x0: real, rate0: real, x1: real, rate1: real, h: real) -> real {
     let ends = max(abs(x0), abs(x1));
-    let most = max(seen, ends);
+    let most = max(so_far, ends);
     let bound = ends + SLOPE_SHARE * h * (abs(rate0) + abs(rate1));
     if !(crosses(rate0, rate1) && bound > most) {
         return most;
@@ -21,13 +21,13 @@ struct Range {
     most: real,
 }
 
-// The least and the largest that a cell has seen of a coordinate, those of a span taken in, its interior
+// The least and the largest value of a coordinate: those so far and those of a span, its interior
 // extremum included.
-fn range(seen: Range, x0: real, rate0: real, x1: real, rate1: real, h: real) -> Range {
+fn range(so_far: Range, x0: real, rate0: real, x1: real, rate1: real, h: real) -> Range {
     let low = min(x0, x1);
     let high = max(x0, x1);
-    let least = min(seen.least, low);
-    let most = max(seen.most, high);
+    let least = min(so_far.least, low);
+    let most = max(so_far.most, high);
     let beyond = SLOPE_SHARE * h * (abs(rate0) + abs(rate1));
     let passes = high + beyond > most || least > low - beyond;
     if !(crosses(rate0, rate1) && passes) {
@@ -68,15 +68,15 @@ fn bend(start: real, mid: real, end: real) -> real {
     return 0.125 * abs(start - 2.0 * mid + end);
 }
 
-// Takes in the motion over a span of `h` seconds.
-fn see_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
+// Updates the extremes by the motion over a span of `h` seconds.
+fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
     (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
-    let seen_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
-    (*state).least_v = seen_v.least;
-    (*state).most_v = seen_v.most;
+    let range_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
+    (*state).least_v = range_v.least;
+    (*state).most_v = range_v.most;
     let left = (*state).mode != ROCKING_RIGHT;
-    let seen = select((*state).max_phi_right, (*state).max_phi_left, left);
-    let angle = peak(seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+    let so_far = select((*state).max_phi_right, (*state).max_phi_left, left);
+    let angle = peak(so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
     if left {
         (*state).max_phi_left = angle;
     } else {
@@ -89,9 +89,9 @@ fn share(shear: real, normal: real) -> real {
     return select(zero, shear / normal, normal > 0.0);
 }
 
-// Takes in the contact forces at a span's start, middle and end, and the crests of the parabolas
-// through them: an extremum between two steps counts.
-fn see_contact(state: ptr<function, State>, start: Contact, mid: Contact, end: Contact) {
+// Updates the extremes by the contact forces at a span's start, middle and end, and by the crests of
+// the parabolas through them: an extremum between two steps counts.
+fn update_contact(state: ptr<function, State>, start: Contact, mid: Contact, end: Contact) {
     let least = min(min(start.normal, mid.normal), end.normal);
     let lowest = least - bend(start.normal, mid.normal, end.normal);
     if (*state).min_contact > lowest {

@@ -68,16 +68,16 @@ fn dip(start: real, mid: real, end: real) -> Dip {
 }
 
 // The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
-// over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them, and
+// over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them, and
 // where Y is least. How small Y is there is known; the parabolas tell when.
-fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, seen: real) -> real {
+fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before: real) -> real {
     let zero: real = 0.0;
     let early: real = 0.25;
     let late: real = 0.75;
     let over: real = 1.0 + OVER;
     let all_h = tile.across.more;
     let all_v = tile.up.more;
-    var friction = seen;
+    var friction = friction_before;
     for (var gap = 0u; gap < sample; gap++) {
         let at = h + gap;
         let at_v = v + min(gap, last_v - 1u);

@@ -1,4 +1,4 @@
-// What a cell carries from step to step, and what it has seen. Twin: src/stepping/state.rs.
+// What a cell carries from step to step, and its extremes so far. Twin: src/stepping/state.rs.
 
 const RUNNING = 0u;
 const FINISHED = 1u;

@@ -138,8 +138,8 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let moved = plain || switches || arrived;
     var fraction = start;
     if moved {
-        see_motion(state, y, y1, h);
-        see_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
+        update_motion(state, y, y1, h);
+        update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
         (*state).motion = y1;
         fraction = start + length;
     }

@@ -48,7 +48,7 @@ struct PanelText {
     scene: Table,
 }
 
-/// The motions and the directory of records that a figure is read with.
+/// What a figure is read with: the motions, the directory of their files, and the number of points.
 #[derive(Debug, Clone, Copy)]
 pub struct FigureInputs<'a> {
     /// The motions there are.

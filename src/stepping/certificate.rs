@@ -2,7 +2,7 @@
 //!
 //! Once the excitation is over the system is passive: (9) and (11) only take energy out, and so does
 //! an impact (15). The energy that is left bounds every coordinate and both contact forces from then
-//! on. Where no bound reaches beyond what the cell has seen already, its outcome and its largest and
+//! on. Where no bound lies beyond the extremes of the cell so far, its outcome and its largest and
 //! least values are final, and it ends.
 //!
 //! The bounds on the contact forces follow from (9) with f_h and f_v of (10), w = phi'^2,
@@ -28,8 +28,8 @@ use super::extremes::Extremes;
 /// impacts.
 pub const STEPS_A_TRY: u32 = 16;
 /// Share by which a bound on an energy must hold: far more than its rounding, also where the
-/// energy is a small difference from that of rest. A bound on a contact force may pass what was
-/// seen by this share of it.
+/// energy is a small difference from that of rest. A bound on a contact force may pass the
+/// extreme so far by this share of it.
 pub const MARGIN: f64 = 1.0e-3;
 
 /// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
@@ -61,7 +61,7 @@ pub fn is_final<V: Vector>(
     tried: V::Mask,
     lifted: V::Mask,
     y: &Motion<V>,
-    seen: &Extremes<V>,
+    extremes: &Extremes<V>,
 ) -> V::Mask {
     let (variant, model, cell) = (set.variant, set.model, set.cell);
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
@@ -83,13 +83,13 @@ pub fn is_final<V: Vector>(
     let within = |left_h: V, left_v: V| {
         let mut within = tried;
         if variant.isolated_h {
-            within = within & (cell.post_yield * seen.max_u * seen.max_u).ge(left_h);
+            within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
         }
         if variant.isolated_v {
             // A base at rest trembles by the rounding of the weight that it carries. With the deflection
             // |v| is largest below, or, of a swing of twice the deflection and more, above.
             let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-            let way = (-seen.least_v).max(seen.most_v - two * cell.deflection) + tremble;
+            let way = (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + tremble;
             within = within & (cell.stiffness_v * way * way).ge(left_v);
         }
         within
@@ -131,8 +131,8 @@ pub fn is_final<V: Vector>(
         if !V::any(last) {
             return last;
         }
-        let bound_left = model.gravity * least_rise(set, &model.left, seen.max_phi_left);
-        let bound_right = model.gravity * least_rise(set, &model.right, seen.max_phi_right);
+        let bound_left = model.gravity * least_rise(set, &model.left, extremes.max_phi_left);
+        let bound_right = model.gravity * least_rise(set, &model.right, extremes.max_phi_right);
         last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
         x_most = cell.reach_h * left_h.sqrt();
         y_swing = cell.reach_v * left_v.sqrt();
@@ -144,7 +144,7 @@ pub fn is_final<V: Vector>(
     let by_normal = V::select(stays, zero, model.shear_by_normal * (model.gravity + y_swing));
     let normal = share * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
     let shear = x_most + by_normal + model.shear_by_turn * turn;
-    let pressed = normal.ge(seen.min_contact - margin * seen.min_contact.abs());
-    let held = (more * seen.friction * normal).ge(shear);
+    let pressed = normal.ge(extremes.min_contact - margin * extremes.min_contact.abs());
+    let held = (more * extremes.friction * normal).ge(shear);
     last & pressed & held
 }

@@ -32,12 +32,12 @@ reals!(Extremes, 7, max_phi_left max_phi_right max_u least_v most_v min_contact 
 /// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE: f64 = 4.0 / 27.0;
 
-/// The larger of what some lanes have seen and the largest magnitude of a coordinate over a span,
+/// The largest magnitude of a coordinate in some lanes: the larger of the one so far and that of a span,
 /// its interior extremum included.
 #[inline(always)]
-pub fn peak<N: Number>(lanes: N::Mask, seen: N, x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
+pub fn peak<N: Number>(lanes: N::Mask, so_far: N, x0: N, rate0: N, x1: N, rate1: N, h: N) -> N {
     let ends = x0.abs().max(x1.abs());
-    let most = N::select(lanes, seen.max(ends), seen);
+    let most = N::select(lanes, so_far.max(ends), so_far);
     let bound = (h.like(SLOPE_SHARE) * h).mul_add(rate0.abs() + rate1.abs(), ends);
     let turns = lanes & crosses(rate0, rate1) & bound.gt(most);
     if !N::any(turns) {
@@ -48,7 +48,7 @@ pub fn peak<N: Number>(lanes: N::Mask, seen: N, x0: N, rate0: N, x1: N, rate1: N
     N::select(turns, most.max(extremum), most)
 }
 
-/// The least and the largest that some lanes have seen of a coordinate, those of a span taken in, its
+/// The least and the largest value of a coordinate in some lanes: those so far and those of a span, its
 /// interior extremum included.
 #[inline(always)]
 pub fn range<N: Number>(
@@ -106,23 +106,29 @@ fn bend<N: Number>(start: N, mid: N, end: N) -> N {
 }
 
 impl<N: Number> Extremes<N> {
-    /// Takes in the motion of some lanes over spans of `h` seconds about corners of this side.
+    /// Updates the extremes of some lanes by their motion over spans of `h` seconds about corners of this side.
     #[inline(always)]
-    pub fn motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
+    pub fn update_motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
         self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
-        let seen_v = [self.least_v, self.most_v];
-        [self.least_v, self.most_v] = range(lanes, seen_v, y0.v, y0.dv, y1.v, y1.dv, h);
+        let range_v = [self.least_v, self.most_v];
+        [self.least_v, self.most_v] = range(lanes, range_v, y0.v, y0.dv, y1.v, y1.dv, h);
         let left = side.gt(h.like(0.0));
-        let seen = N::select(left, self.max_phi_left, self.max_phi_right);
-        let angle = peak(lanes, seen, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+        let so_far = N::select(left, self.max_phi_left, self.max_phi_right);
+        let angle = peak(lanes, so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
         self.max_phi_left = N::select(left, angle, self.max_phi_left);
         self.max_phi_right = N::select(left, self.max_phi_right, angle);
     }
 
-    /// Takes in the contact forces of some lanes at a span's start, middle and end, and the crests of
+    /// Updates the extremes of some lanes by the contact forces at a span's start, middle and end, and the crests of
     /// the parabolas through them: an extremum between two steps counts.
     #[inline(always)]
-    pub fn contact(&mut self, lanes: N::Mask, start: Contact<N>, mid: Contact<N>, end: Contact<N>) {
+    pub fn update_contact(
+        &mut self,
+        lanes: N::Mask,
+        start: Contact<N>,
+        mid: Contact<N>,
+        end: Contact<N>,
+    ) {
         let zero = start.normal.like(0.0);
         let least = start.normal.min(mid.normal).min(end.normal);
         let lowest = least - bend(start.normal, mid.normal, end.normal);

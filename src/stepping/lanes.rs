@@ -211,8 +211,8 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
             let body = &self.shared.models[job.cell.body as usize];
             self.model.take(body, |to, from| to.put(lane, from));
         }
-        let seen = job.state.extremes();
-        for (to, from) in self.extremes.reals_mut().into_iter().zip(seen.reals()) {
+        let extremes = job.state.extremes();
+        for (to, from) in self.extremes.reals_mut().into_iter().zip(extremes.reals()) {
             to.put(lane, from);
         }
         self.impacts.put(lane, V::Element::of(f64::from(job.state.impacts)));
@@ -272,8 +272,8 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
     #[inline(always)]
     pub(super) fn store(&mut self, lane: usize) {
         self.leave(lane);
-        let seen = self.extremes.map(|number| number.lane(lane));
-        self.lanes[lane].job.state.set_extremes(&seen);
+        let extremes = self.extremes.map(|number| number.lane(lane));
+        self.lanes[lane].job.state.set_extremes(&extremes);
     }
 
     /// The step that a lane is in.

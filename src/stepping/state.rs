@@ -1,4 +1,4 @@
-//! What a cell carries from chunk to chunk, and what it has seen. Twin of `shaders/state.wgsl`.
+//! What a cell carries from chunk to chunk, and its extremes so far. Twin of `shaders/state.wgsl`.
 
 use bytemuck::Zeroable;
 
@@ -81,14 +81,14 @@ impl<R: Real> State<R> {
 
     /// Takes over the largest and least values.
     #[inline(always)]
-    pub fn set_extremes(&mut self, seen: &Extremes<R>) {
-        self.max_phi_left = seen.max_phi_left;
-        self.max_phi_right = seen.max_phi_right;
-        self.max_u = seen.max_u;
-        self.least_v = seen.least_v;
-        self.most_v = seen.most_v;
-        self.min_contact = seen.min_contact;
-        self.friction = seen.friction;
+    pub fn set_extremes(&mut self, extremes: &Extremes<R>) {
+        self.max_phi_left = extremes.max_phi_left;
+        self.max_phi_right = extremes.max_phi_right;
+        self.max_u = extremes.max_u;
+        self.least_v = extremes.least_v;
+        self.most_v = extremes.most_v;
+        self.min_contact = extremes.min_contact;
+        self.friction = extremes.friction;
     }
 }
 

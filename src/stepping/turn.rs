@@ -129,8 +129,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let plain = (looked & !(found | landed)) | again;
         self.search.again = self.search.again & !again;
         let moved = plain | switched | arrived;
-        self.extremes.motion(moved, self.corner.side, &self.y, &y1, h);
-        self.extremes.contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        self.extremes.update_motion(moved, self.corner.side, &self.y, &y1, h);
+        self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         if L::HEARS {
             self.tell_contacts(V::bits(moved), [k1.contact(), stepped.mid, k_end.contact()]);
         }

@@ -169,7 +169,7 @@ fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
 }
 
 /// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds what was seen, it is looked for on parabolas through eighths of them,
+/// |X| over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them,
 /// and where Y is least. How small Y is there is known; the parabolas tell when.
 #[inline(always)]
 fn crests<R: Real>(

@@ -20,7 +20,7 @@ use crate::stepping::single::Single;
 use crate::stepping::standing::Standing;
 use crate::stepping::state::State;
 
-/// Share of its largest value by which an acceleration may exceed those seen at the ends of steps:
+/// Share of its largest value by which an acceleration may exceed its values at the ends of steps:
 /// 80 steps a period leave 8e-4.
 const SLACK: f64 = 2.0e-3;
 /// Share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an
@@ -93,18 +93,18 @@ impl Direction {
     /// The largest |X| or the least Y in a gap, by parabolas through its parts' ends.
     fn extremum<R: Real>(self, values: &[R]) -> R {
         let spans = values.windows(3).step_by(2).map(|span| [span[0], span[1], span[2]]);
-        spans.fold(self.no_crest(), |seen, span| self.crest(seen, span))
+        spans.fold(self.no_crest(), |so_far, span| self.crest(so_far, span))
     }
 
-    /// The larger of what was seen and the largest |X|, or the lesser and the least Y, on the parabola
+    /// The larger of the one so far and the largest |X|, or the lesser and the least Y, on the parabola
     /// through a span's start, middle and end.
-    fn crest<R: Real>(self, seen: R, [start, mid, end]: [R; 3]) -> R {
+    fn crest<R: Real>(self, so_far: R, [start, mid, end]: [R; 3]) -> R {
         match self {
             Direction::Horizontal => {
                 let [start, mid, end] = [start.abs(), mid.abs(), end.abs()];
-                seen.max(start).max(mid).max(end).max(crest(start, mid, end))
+                so_far.max(start).max(mid).max(end).max(crest(start, mid, end))
             }
-            Direction::Vertical => seen.min(start).min(mid).min(end).min(crest(start, mid, end)),
+            Direction::Vertical => so_far.min(start).min(mid).min(end).min(crest(start, mid, end)),
         }
     }
 

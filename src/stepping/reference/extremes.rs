@@ -80,11 +80,11 @@ impl Extremes {
 
     /// Takes in a step. Its ends belong to its phase and to its drive: at a switch or a jump of the
     /// ground the step before and the one after each bring a value.
-    pub fn see(&mut self, trial: &Trial, accepted: &AcceptedStep) {
+    pub fn update(&mut self, trial: &Trial, accepted: &AcceptedStep) {
         let AcceptedStep { h, y: y1, rate: d1, .. } = accepted;
         let cubic = Cubic::new((trial.y, trial.rate), (y1, d1), *h);
-        self.see_motion(trial.phase, trial.y);
-        self.see_motion(trial.phase, y1);
+        self.update_motion(trial.phase, trial.y);
+        self.update_motion(trial.phase, y1);
         let redo = |x: f64| trial.step(x * h).0;
         self.u = within((U, 0.0), self.u, &cubic, redo);
         self.v = within((V, 0.0), self.v, &cubic, redo);
@@ -93,10 +93,10 @@ impl Extremes {
             let largest = &mut self.phi[pole as usize];
             *largest = within((PHI, 0.0), *largest, &cubic, redo);
         }
-        self.see_contact(trial, &cubic);
+        self.update_contact(trial, &cubic);
     }
 
-    fn see_motion(&mut self, phase: Phase, y: &State) {
+    fn update_motion(&mut self, phase: Phase, y: &State) {
         self.u = self.u.max(y[U].abs());
         self.v = self.v.max(y[V].abs());
         self.stroke = self.stroke.max((y[V] - self.rest).abs());
@@ -106,7 +106,7 @@ impl Extremes {
         }
     }
 
-    fn see_contact(&mut self, trial: &Trial, cubic: &Cubic) {
+    fn update_contact(&mut self, trial: &Trial, cubic: &Cubic) {
         let Trial { system, phase, t, drive, .. } = *trial;
         let contact = |x: f64, y: &State| system.contact(phase, t + x * cubic.h, drive, y);
         let at_end = |x: f64, y: &State, rate: &State| {

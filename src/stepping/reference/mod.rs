@@ -164,7 +164,7 @@ impl<'a> Cell<'a> {
                 self.t_end = Some(t);
                 break;
             }
-            self.extremes.see(&trial, &accepted);
+            self.extremes.update(&trial, &accepted);
             t = accepted.t;
             y = accepted.y;
             let mut switch = None;
