@@ -106,7 +106,8 @@ fn bend<N: Number>(start: N, mid: N, end: N) -> N {
 }
 
 impl<N: Number> Extremes<N> {
-    /// Updates the extremes of some lanes by their motion over spans of `h` seconds about corners of this side.
+    /// Updates the extremes of some lanes by their motion over spans of `h` seconds about corners of
+    /// this side.
     #[inline(always)]
     pub fn update_motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
         self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
@@ -119,8 +120,8 @@ impl<N: Number> Extremes<N> {
         self.max_phi_right = N::select(left, self.max_phi_right, angle);
     }
 
-    /// Updates the extremes of some lanes by the contact forces at a span's start, middle and end, and the crests of
-    /// the parabolas through them: an extremum between two steps counts.
+    /// Updates the extremes of some lanes by the contact forces at a span's start, middle and end, and by
+    /// the crests of the parabolas through them: an extremum between two steps counts.
     #[inline(always)]
     pub fn update_contact(
         &mut self,

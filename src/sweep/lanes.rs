@@ -25,8 +25,8 @@ struct Sweep<'a> {
     level: Level,
 }
 
-/// Cells and their outcomes on the way from and to a thread.
-struct Belt<'a, R> {
+/// The cells that a thread takes from the queue, and the outcomes that it gives back, in batches.
+struct ThreadFeed<'a, R> {
     sweep: &'a Sweep<'a>,
     all: &'a Cells<'a, R>,
     queue: &'a AtomicUsize,
@@ -35,7 +35,7 @@ struct Belt<'a, R> {
     ended: Vec<(usize, Outcome)>,
 }
 
-impl<R> Belt<'_, R> {
+impl<R> ThreadFeed<'_, R> {
     /// Puts the outcomes in their places.
     fn deliver(&mut self) {
         (self.sweep.progress)(self.ended.len());
@@ -47,7 +47,7 @@ impl<R> Belt<'_, R> {
     }
 }
 
-impl<R: Real> Feed<R> for Belt<'_, R> {
+impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     #[inline(always)]
     fn next(&mut self) -> Option<Job<R>> {
         if self.batch.is_empty() {
@@ -96,7 +96,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     rayon::broadcast(|_| {
-        let mut belt = Belt {
+        let mut feed = ThreadFeed {
             sweep,
             all: &all,
             queue: &queue,
@@ -109,7 +109,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
             ($simd:ident) => {
                 $simd.vectorize(
                     #[inline(always)]
-                    || Lanes::new(shared, zero.lanes($simd), ()).run(&mut belt),
+                    || Lanes::new(shared, zero.lanes($simd), ()).run(&mut feed),
                 )
             };
         }
@@ -124,7 +124,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
         }
         #[cfg(not(target_arch = "x86_64"))]
         fearless_simd::dispatch!(level, simd => run!(simd));
-        belt.deliver();
+        feed.deliver();
     });
     outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)
 }

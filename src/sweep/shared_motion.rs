@@ -117,9 +117,9 @@ impl Direction {
     }
 }
 
-/// What the steps since it was last asked came to; X or Y, m/s^2.
+/// X or Y, m/s^2, in the steps of a gap so far.
 #[derive(Clone, Copy)]
-struct Felt<R> {
+struct GapForces<R> {
     /// Spans of the last step: more than one where z or u' changed its sign in it.
     spans: u32,
     /// In the middle of the last span and at its end.
@@ -129,41 +129,45 @@ struct Felt<R> {
     crest: R,
 }
 
-/// The integration of a motion, a step at a time.
-trait Walk<R> {
-    /// Takes a step: what the steps came to since the last gap began.
-    fn step(&mut self) -> Felt<R>;
+/// Integrates a motion, a step at a time.
+trait Integrator<R> {
+    /// Takes a step; the forces in the steps since the gap began.
+    fn step(&mut self) -> GapForces<R>;
     /// The motion; of v the least and the largest so far, of u zero and the largest magnitude.
     fn place(&mut self) -> (Motion<R>, [R; 2]);
-    /// A gap begins.
+    /// Begins a gap.
     fn begin_gap(&mut self);
 }
 
-/// Takes in a span by its contact forces.
-fn take_in<R: Real>(felt: Felt<R>, direction: Direction, contacts: [Contact<R>; 3]) -> Felt<R> {
+/// The forces of a gap with those of one more span.
+fn add_span<R: Real>(
+    forces: GapForces<R>,
+    direction: Direction,
+    contacts: [Contact<R>; 3],
+) -> GapForces<R> {
     let span = contacts.map(|contact| direction.of(contact));
     let [_, mid, end] = span;
-    Felt { spans: felt.spans + 1, mid, end, crest: direction.crest(felt.crest, span) }
+    GapForces { spans: forces.spans + 1, mid, end, crest: direction.crest(forces.crest, span) }
 }
 
-/// Nothing felt in a gap so far.
-fn nothing<R: Real>(direction: Direction) -> Felt<R> {
+/// The forces of a gap before its first span.
+fn no_forces<R: Real>(direction: Direction) -> GapForces<R> {
     let zero = R::of(0.0);
-    Felt { spans: 0, mid: zero, end: zero, crest: direction.no_crest() }
+    GapForces { spans: 0, mid: zero, end: zero, crest: direction.no_crest() }
 }
 
 /// A base that does not yield.
 struct Smooth<'a, R: Real> {
     standing: Standing<'a, R>,
     direction: Direction,
-    felt: Felt<R>,
+    forces: GapForces<R>,
 }
 
-impl<R: Real> Walk<R> for Smooth<'_, R> {
-    fn step(&mut self) -> Felt<R> {
-        self.felt.spans = 0;
-        self.felt = take_in(self.felt, self.direction, self.standing.step());
-        self.felt
+impl<R: Real> Integrator<R> for Smooth<'_, R> {
+    fn step(&mut self) -> GapForces<R> {
+        self.forces.spans = 0;
+        self.forces = add_span(self.forces, self.direction, self.standing.step());
+        self.forces
     }
 
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
@@ -173,32 +177,32 @@ impl<R: Real> Walk<R> for Smooth<'_, R> {
     }
 
     fn begin_gap(&mut self) {
-        self.felt = nothing(self.direction);
+        self.forces = no_forces(self.direction);
     }
 }
 
-/// A base that yields: its kinks are looked for.
+/// A base that yields: its steps are cut at the kinks of the Bouc-Wen law.
 struct Yielding<'a, R: Real> {
     single: Single<'a, R>,
-    felt: &'a Cell<Felt<R>>,
+    forces: &'a Cell<GapForces<R>>,
 }
 
-/// Hears of the spans of one.
-struct Ear<'a, R>(&'a Cell<Felt<R>>);
+/// Adds the spans of a yielding base's steps to the forces of the gap.
+struct ForceListener<'a, R>(&'a Cell<GapForces<R>>);
 
-impl<R: Real> Log<R> for Ear<'_, R> {
+impl<R: Real> Log<R> for ForceListener<'_, R> {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
 
     fn moved(&mut self, contacts: [Contact<R>; 3]) {
-        self.0.set(take_in(self.0.get(), Direction::Horizontal, contacts));
+        self.0.set(add_span(self.0.get(), Direction::Horizontal, contacts));
     }
 }
 
-impl<R: Real> Walk<R> for Yielding<'_, R> {
-    fn step(&mut self) -> Felt<R> {
-        self.felt.set(Felt { spans: 0, ..self.felt.get() });
+impl<R: Real> Integrator<R> for Yielding<'_, R> {
+    fn step(&mut self) -> GapForces<R> {
+        self.forces.set(GapForces { spans: 0, ..self.forces.get() });
         self.single.step();
-        self.felt.get()
+        self.forces.get()
     }
 
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
@@ -207,7 +211,7 @@ impl<R: Real> Walk<R> for Yielding<'_, R> {
     }
 
     fn begin_gap(&mut self) {
-        self.felt.set(nothing(Direction::Horizontal));
+        self.forces.set(no_forces(Direction::Horizontal));
     }
 }
 
@@ -258,23 +262,33 @@ impl<R: Real> SampledMotion<R> {
         let k = rates(&set, &pivot(&model, FULL_CONTACT), false, &state.motion, first);
         let now = direction.of(k.contact());
         if set.variant.kinks {
-            let felt = Cell::new(nothing(direction));
-            let mut ear = Ear(&felt);
-            let single = Single::new(&set, &state, &mut ear);
-            SampledMotion::walk(&set, direction, now, &mut Yielding { single, felt: &felt })
+            let forces = Cell::new(no_forces(direction));
+            let mut listener = ForceListener(&forces);
+            let single = Single::new(&set, &state, &mut listener);
+            SampledMotion::integrate(
+                &set,
+                direction,
+                now,
+                &mut Yielding { single, forces: &forces },
+            )
         } else {
             let standing = Standing::new(&set, &state);
-            let felt = nothing(direction);
-            SampledMotion::walk(&set, direction, now, &mut Smooth { standing, direction, felt })
+            let forces = no_forces(direction);
+            SampledMotion::integrate(
+                &set,
+                direction,
+                now,
+                &mut Smooth { standing, direction, forces },
+            )
         }
     }
 
-    /// Walks through all gaps from a start where X or Y is `now`.
-    fn walk(
+    /// Integrates through all gaps from a start where X or Y is `now`.
+    fn integrate(
         set: &CellEquations<R>,
         direction: Direction,
         mut now: R,
-        walk: &mut dyn Walk<R>,
+        integrator: &mut dyn Integrator<R>,
     ) -> SampledMotion<R> {
         let cell = set.cell;
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
@@ -296,10 +310,10 @@ impl<R: Real> SampledMotion<R> {
         // With few steps to a gap every other part is told by those beside it.
         let apart = if cell.substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 };
         let mut values = vec![R::of(0.0); parts as usize + 1];
-        // A block that lifts at once, at a jump, has felt nothing.
+        // A block that lifts at once, at a jump, has no forces on record.
         let (mut lowest, mut missed) = (Direction::Vertical.no_crest(), R::of(0.0));
         for sample in 0..count {
-            let (mut motion, [bottom, top]) = walk.place();
+            let (mut motion, [bottom, top]) = integrator.place();
             sampled.motion.push(motion);
             sampled.acceleration.push(now);
             sampled.bottom.push(bottom);
@@ -311,14 +325,14 @@ impl<R: Real> SampledMotion<R> {
             values[0] = now;
             let (mut least, mut most, mut change) = (now, now, R::of(0.0));
             let (mut part, mut crest) = (apart, now);
-            walk.begin_gap();
+            integrator.begin_gap();
             for step in 0..cell.substeps {
                 // A part's end that is in this step, by how many parts of the step.
                 let in_step = |part: u32| part * cell.substeps - parts * step;
                 if step > 0 && part < parts && in_step(part) < parts {
-                    motion = walk.place().0;
+                    motion = integrator.place().0;
                 }
-                let Felt { spans, mid, end: next, crest: so_far } = walk.step();
+                let GapForces { spans, mid, end: next, crest: so_far } = integrator.step();
                 while part < parts && in_step(part) < parts {
                     values[part as usize] = match in_step(part) {
                         0 => now,
@@ -326,7 +340,7 @@ impl<R: Real> SampledMotion<R> {
                         some => {
                             let number = sample as u32 * cell.substeps + step;
                             let fraction = R::of(f64::from(some) / f64::from(parts));
-                            let ends = (&motion, &walk.place().0);
+                            let ends = (&motion, &integrator.place().0);
                             direction.of(between(set, number, ends, fraction))
                         }
                     };
@@ -365,7 +379,7 @@ impl<R: Real> SampledMotion<R> {
     /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
     fn finish(mut self, missed: bool) -> SampledMotion<R> {
         if missed {
-            // Every cell may lift in every gap, and looks for itself.
+            // With these bounds every cell may lift in every gap, and integrates by itself.
             let beyond = R::of(f64::from(f32::MAX));
             self.least.fill(-beyond);
             self.most.fill(beyond);
