@@ -26,29 +26,6 @@ fn steps_of(place: Place) -> Steps {
     return clocks[entry(tile.clock, place)];
 }
 
-// The corner that a block of this tilt turns about.
-fn mode_of(tilt: real) -> u32 {
-    if tilt > 0.0 {
-        return ROCKING_LEFT;
-    }
-    if tilt < 0.0 {
-        return ROCKING_RIGHT;
-    }
-    return FULL_CONTACT;
-}
-
-// A state at rest, the base in static equilibrium.
-fn at_rest(sound: bool, tilt: real) -> State {
-    var state = State();
-    state.motion.phi = tilt;
-    state.min_contact = model.gravity;
-    state.mode = mode_of(tilt);
-    if !sound {
-        state.status = DIVERGED;
-    }
-    return state;
-}
-
 // Makes a cell; true where it is to run.
 fn make(place: Place) -> bool {
     let h = entry(tile.horizontal, place);

@@ -1,51 +1,13 @@
 //! A cell as its integration begins: its numbers and its first state. Twin of `shaders/begin.wgsl`.
 
-use bytemuck::Zeroable;
-
-use super::body::Body;
+use super::at_rest::at_rest;
 use super::cell_tables::CellTables;
 use super::full_contact::FullContactMotions;
-use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
-use super::plan::Plan;
 use super::shared_contact::full_contact;
-use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
-use crate::scene::{Case, GRAVITY};
-use crate::stepping::state::{DIVERGED, RUNNING, State};
-
-/// The corner that a block of this tilt turns about.
-#[inline(always)]
-fn mode_of<R: Real>(tilt: R) -> u32 {
-    let zero = R::of(0.0);
-    if tilt > zero {
-        ROCKING_LEFT
-    } else if tilt < zero {
-        ROCKING_RIGHT
-    } else {
-        FULL_CONTACT
-    }
-}
-
-impl Plan {
-    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium. Its body
-    /// is number 0.
-    pub fn cell<R: Real>(&self, case: &Case) -> (Cell<R>, State<R>) {
-        let case = self.locked(case);
-        let body = Body::of(&case);
-        let groups = Groups {
-            horizontal: Horizontal::of(&case, &body),
-            vertical: Vertical::of(&case, &body),
-            drive: Drive::of(&case, None),
-            steps: Steps::of(self.span(&case).omega, &self.clock(&case), body.fall()),
-            body: 0,
-        };
-        let cell = groups.cell();
-        let state = at_rest(groups.sound(), groups.drive.tilt);
-        (cell, state)
-    }
-}
+use crate::stepping::state::{RUNNING, State};
 
 /// A cell of a grid and its first state.
 #[inline(always)]
@@ -64,17 +26,4 @@ pub fn begin<R: Real>(
         full_contact(motions, model, place, groups.drive.scale, &cell, &mut state);
     }
     (cell, state)
-}
-
-/// A state at rest, the base in static equilibrium.
-#[inline(always)]
-fn at_rest<R: Real>(sound: bool, tilt: R) -> State<R> {
-    let mut state = State::<R>::zeroed();
-    state.motion.phi = tilt;
-    state.min_contact = R::of(GRAVITY);
-    state.mode = mode_of(tilt);
-    if !sound {
-        state.status = DIVERGED;
-    }
-    state
 }

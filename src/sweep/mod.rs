@@ -1,5 +1,6 @@
 //! A scene over its grid: cells, backends, and the check against the reference.
 
+mod at_rest;
 pub mod backend;
 pub mod begin;
 pub mod body;
@@ -19,6 +20,7 @@ mod laws;
 mod motion_cache;
 pub mod motions;
 pub mod plan;
+pub mod prepare;
 pub mod reader;
 pub mod request;
 pub mod shared;

@@ -16,14 +16,11 @@ use crate::model::isolation::Variant;
 use crate::model::precision::Precision;
 use crate::model::pulse::Shape;
 use crate::model::real::Real;
-use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positive};
+use crate::scene::{Case, Excitation, Grid, Parameter, Scene};
 
 /// A vertical isolation whose period is below this share of a record's time step is rigid for that
 /// record, which holds nothing faster than two steps.
 pub const RIGID_SHARE: f64 = 0.2;
-
-/// Most steps that a cell may take: some minutes of one core.
-pub const MOST_STEPS: f64 = 1.0e9;
 
 /// Cells that run one model.
 #[derive(Debug, Clone)]
@@ -56,45 +53,17 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The plan of a scene with steps of at most `largest_step` seconds.
-    ///
-    /// # Errors
-    /// A step that is no positive number, and a duration of more than [`MOST_STEPS`] steps.
-    pub fn new(scene: &Scene, largest_step: f64) -> Result<Plan, SceneError> {
-        Plan::resolved(scene, Resolution::bounded(largest_step))
-    }
-
-    /// The plan of a scene with steps of a given resolution.
-    ///
-    /// # Errors
-    /// Those of [`Plan::new`].
-    pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
-        positive("step", resolution.largest_step)?;
+    /// The plan of a scene, not yet [checked](Plan::resolved) for the number of its steps.
+    pub(super) fn unchecked(scene: &Scene, resolution: Resolution) -> Plan {
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
         let (copy, reductions, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
-        let grid = Grid::of(scene);
-        let bodies = grid.sweeps(&body_parameters());
+        let bodies = Grid::of(scene).sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
         let cycles = most > 1.0;
         let mut plan =
             Plan { scene: copy, resolution, reductions, laws, bodies, cycles, motion_cache };
         plan.laws = plan.laws_of(&scene.case());
-        for mut case in grid.corners() {
-            if let (Some(rigid), Some(law)) = (plan.rigid_period(), &mut case.isolation.vertical) {
-                // Stiffer cells run without the vertical direction.
-                law.t_v = law.t_v.max(rigid);
-            }
-            let clock = plan.clock(&case);
-            if f64::from(clock.steps) > MOST_STEPS {
-                let problem = format!(
-                    "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, \
-                     or lock a direction as stiff as that",
-                    case.t_max
-                );
-                return Err(SceneError::new("t_max", problem));
-            }
-        }
-        Ok(plan)
+        plan
     }
 
     /// The plan for a number type: short periods take more steps in f64.
