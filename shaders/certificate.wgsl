@@ -1,4 +1,5 @@
-// The proof that nothing more will happen. Twin: src/stepping/certificate.rs, which derives it.
+// The certificate: the proof, by energy, that all results of a cell are final. Twin:
+// src/stepping/certificate.rs, which derives it.
 
 override certificate: bool = false;
 
@@ -31,8 +32,8 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
         return false;
     }
     if isolated_v {
-        // A base at rest trembles by the rounding of the weight that it carries. With the deflection |v|
-        // is largest below, or, of a swing of twice the deflection and more, above.
+        // A base at rest moves by the rounding error of the weight that it carries. With the deflection
+        // |v| is largest below, or, of a swing of twice the deflection and more, above.
         let tremble = real(EVENT_TOLERANCE) * cell.deflection;
         let way = max(-state.least_v, state.most_v - 2.0 * cell.deflection) + tremble;
         return cell.stiffness_v * way * way >= left_v;
@@ -40,7 +41,7 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     return true;
 }
 
-// True where everything that a map tells of the cell is final, the excitation being over.
+// True where all results of the cell are final; the excitation must be over.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -67,7 +68,7 @@ fn is_final(cell: Cell, state: State) -> bool {
     if !(rocking || within(cell, state, left_h, left_v)) {
         return false;
     }
-    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    // In full contact u and v are not coupled: |X| and |Y - g| by Cauchy's inequality.
     var x_most = zero;
     var y_swing = zero;
     var stays = !rocking;
@@ -78,7 +79,7 @@ fn is_final(cell: Cell, state: State) -> bool {
     }
     var energy = zero;
     if !stays {
-        // Else all of the energy over M, wherever it may go.
+        // Otherwise the whole energy over M, in whichever coordinate.
         energy = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if rocking {
             let corner = pivot(state.mode);

@@ -11,10 +11,10 @@ struct Rise {
     at: real,
 }
 
-// Share of its bend by which a parabola may miss a crest.
+// Error of a parabola at a crest, as a share of its bend.
 const CREST_ERROR = 1.0e-3;
 
-// What rounding may have made of an uplift moment.
+// Bound on the rounding error of an uplift moment.
 fn moment_rounding(contact: Contact) -> real {
     let arm = max(model.left.arm, model.right.arm);
     return ROUNDING * (model.height * abs(contact.shear) + arm * abs(contact.normal));
@@ -31,8 +31,8 @@ fn highest_moment(start: Contact, mid: Contact, end: Contact) -> real {
     return values + (0.125 + CREST_ERROR) * (model.height * shear + arm * normal);
 }
 
-// The parabola through an uplift moment's values at a span's start, middle and end, and where in the
-// span it is positive, or may be for all that it tells; negative where it is not.
+// The parabola through an uplift moment's values at a span's start, middle and end, and the place in the
+// span where it is, or may be, positive; negative where there is none.
 fn moment_rises(start: real, mid: real, end: real) -> Rise {
     let zero: real = 0.0;
     let one: real = 1.0;

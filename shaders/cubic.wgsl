@@ -1,5 +1,5 @@
-// A guard over a span by the cubic through its ends, and where that is zero.
-// Twin: src/stepping/cubic.rs.
+// The value of a guard over a span: the cubic through its ends, and the root of that cubic. Twin:
+// src/stepping/cubic.rs.
 
 struct Cubic {
     c0: real,
@@ -30,8 +30,9 @@ fn root(cubic: Cubic) -> Root {
     let one: real = 1.0;
     let rise = cubic.c1 + cubic.c2 + cubic.c3;
     let slope1 = 3.0 * cubic.c3 + (2.0 * cubic.c2 + cubic.c1);
-    // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
-    // value. Where it falls first: where the parabola from the start is as high as there again.
+    // If it rises at both ends: the first guess is the zero of the chord, improved by the inverse cubic,
+    // which gives the place as a function of the value. If it falls first: the first guess is the place
+    // where the parabola from the start returns to its first value.
     let rises = cubic.c1 > 0.0 && slope1 > 0.0;
     let slopes = cubic.c1 * slope1;
     let inverse = 1.0 / select(cubic.c2 + cubic.c3, rise * slopes, rises);

@@ -1,4 +1,5 @@
-// The guards: what a step is cut at. Twin: src/stepping/guards.rs, which has the table.
+// The guards: functions of the motion at whose roots a step is cut. Twin: src/stepping/guards.rs, which
+// has the table.
 
 const NOTHING = 0u;
 const UPLIFT_LEFT = 1u;
@@ -15,7 +16,7 @@ const LOCATE_BOUND = 60u;
 alias Sought = u32;
 
 const NOTHING_SOUGHT = 0u;
-// Nothing was found, and the span is taken whole.
+// The search found no root; the next trial takes the whole span.
 const SOUGHT_AGAIN = 1u;
 const SOUGHT_UPLIFT = 2u;
 const SOUGHT_IMPACT = 3u;
@@ -35,7 +36,7 @@ fn is_any(sought: Sought) -> bool {
     return sought > SOUGHT_AGAIN;
 }
 
-// How near a guard must be found, as a fraction of the step.
+// Tolerance of a guard's time, as a fraction of the step.
 fn tolerance_of(sought: Sought) -> real {
     let event: real = EVENT_TOLERANCE;
     let kink: real = KINK_TOLERANCE;

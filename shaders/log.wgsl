@@ -1,5 +1,5 @@
-// The first switches of a cell, kept. Twin: src/stepping/log.rs. Sweeps that nobody asks for their
-// switches are put together with quiet.wgsl in its place.
+// Keeps the first switches of a cell. Twin: src/stepping/log.rs. A sweep whose switches are not needed
+// uses quiet.wgsl in its place.
 
 override events_kept: u32 = 16u;
 

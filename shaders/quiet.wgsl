@@ -1,4 +1,4 @@
-// No one looks at a cell's switches; log.wgsl keeps them.
+// No observer: a cell's switches are not kept; log.wgsl keeps them.
 
 fn switched(state: ptr<function, State>, kind: u32, fraction: real) {
 }

@@ -6,7 +6,7 @@ alias real = f32;
 const EVENT_TOLERANCE = 1.0e-6;
 // A kink of the Bouc-Wen law is located to within this fraction of its step.
 const KINK_TOLERANCE = 1.0e-3;
-// What rounding may make of a sum of a few products, of their size: a unit in the last place.
+// Relative rounding error of a sum of a few products: a unit in the last place.
 const ROUNDING = 1.1920928955078125e-7;
 
 // sin x for |x| <= 1.65 rad.

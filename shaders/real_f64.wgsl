@@ -6,7 +6,7 @@ alias real = f64;
 const EVENT_TOLERANCE = 1.0e-10;
 // A kink of the Bouc-Wen law is located to within this fraction of its step.
 const KINK_TOLERANCE = 1.0e-5;
-// What rounding may make of a sum of a few products, of their size: a unit in the last place.
+// Relative rounding error of a sum of a few products: a unit in the last place.
 const ROUNDING = 2.220446049250313e-16;
 
 // sin x for |x| <= 1.65 rad.

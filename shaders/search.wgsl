@@ -1,5 +1,5 @@
-// Where in its span a guard is, a trial at a time: Newton's method inside a bracket, from the cubic
-// through the span's ends. Twin: src/stepping/search.rs.
+// The search for the root of a guard in its span, one trial at a time: Newton's method inside a bracket,
+// started at the root of the cubic through the span's ends. Twin: src/stepping/search.rs.
 
 struct Search {
     sought: Sought,
@@ -27,7 +27,7 @@ fn no_search() -> Search {
     );
 }
 
-// How far past a root to aim, so that the trial ends beyond it; not for angles.
+// How far past the root the next trial aims, so that it ends beyond it. Zero for angles.
 fn aim(sought: Sought) -> real {
     let zero: real = 0.0;
     return select(0.5 * tolerance_of(sought), zero, is_angle(sought));
@@ -46,14 +46,14 @@ fn begin_search(search: ptr<function, Search>, found: Sought, cubic: Cubic, uppe
     (*search).before = root.slope;
 }
 
-// How far before a trial's end an angle was at its target, and what that leaves out.
+// How far before a trial's end an angle passed its target, and the error of that distance.
 struct WayBack {
     back: real,
     missed: real,
 }
 
-// The way back along the parabola that touches the angle at a trial's end; `bend_before` is its bend at
-// the trial's start.
+// The way back along the parabola that has the angle's value, slope and bend at a trial's end;
+// `bend_before` is its bend at the trial's start.
 fn way_back(end: GuardSample, per_slope: real, bend_before: real) -> WayBack {
     let first = end.value * per_slope;
     let ratio = end.bend * per_slope;
@@ -65,7 +65,7 @@ fn way_back(end: GuardSample, per_slope: real, bend_before: real) -> WayBack {
 
 // How far the guard is from a trial's end.
 struct Reach {
-    // The guard has a slope; one without tells no way to go. No device is asked for a NaN here.
+    // The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
     steep: bool,
     // One over the slope.
     per_slope: real,
@@ -90,7 +90,7 @@ fn reach_of(search: Search, end: GuardSample, bend_before: real) -> Reach {
     return Reach(steep, per_slope, way_back(end, per_slope, bend_before));
 }
 
-// Takes in what the trial at `at` came to.
+// Narrows the bracket by the result of the trial at `at`.
 fn narrow(search: ptr<function, Search>, found: GuardSample, reach: Reach) -> Arrived {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -107,12 +107,14 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, reach: Reach) -> Ar
     let last = (*search).tries >= LOCATE_BOUND;
     (*search).tries += 1u;
     let beyond = found.value > 0.0;
-    // A value that may be rounding is aimed beyond by as much, and is near at twice that.
+    // The next trial aims past the root by the value's rounding error; a value within twice that error
+    // counts as found.
     let rounding = found.rounding;
     let change = select((found.value - rounding) * per_slope, way.back, angle);
     let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
     let near = steep && tolerance >= select(off, way.missed, angle);
-    // What has not happened at the upper end does not happen; one inside the span is tried first.
+    // A guard that has not happened at the upper end of its bracket does not happen; an upper end inside
+    // the span is tried first.
     let nothing = !repeated && (*search).high < 1.0 && !beyond;
     let done = ((near && (beyond || angle)) || last) && !nothing;
     let high = select((*search).high, at, beyond);

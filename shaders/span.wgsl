@@ -1,8 +1,9 @@
-// Where a span ends before anything is searched for. Twin: src/stepping/span.rs.
+// The end of a span before any root search: the end of the step, the limit of stability, or an impact to
+// come. Twin: src/stepping/span.rs.
 
-// The most that z of (11) may settle by in a span: RK4 is stable to 2.79.
+// The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 const YIELD_LIMIT = 2.0;
-// Share of itself by which a span is longer than the way to the impact that it is cut for.
+// A span that is cut for an impact is longer by this share than the estimated time to the impact.
 const BEYOND = 5.0e-4;
 
 struct Span {
@@ -10,8 +11,8 @@ struct Span {
     cut: bool,
 }
 
-// A span begins: what is left of the step, cut where z would settle by more than the method bears and
-// where the block is about to land, as near as its rates tell.
+// Begins a span: the rest of the step. It ends earlier where RK4 would not be stable for z, and where the
+// block lands by an estimate from its rates.
 fn begin_span(
     cell: Cell,
     corner: Corner,
@@ -25,7 +26,7 @@ fn begin_span(
     let beyond: real = 1.0 + BEYOND;
     var span = Span(1.0 - start, false);
     if kinks {
-        // z of (11) settles at the rate n |u'|/u_y.
+        // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
         let limit: real = YIELD_LIMIT;
         let settling = real(bouc_wen_n) * abs(y.du) * cell.inverse_yield * step;
         if settling * span.length > limit {

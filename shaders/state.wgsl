@@ -29,7 +29,7 @@ struct State {
 
 // Largest |phi| that sine and cosine hold for, rad.
 const PHI_RANGE = 1.65;
-// Largest sum of |u|, |v|, |z| and |phi| that is taken for a motion.
+// Largest sum of |u|, |v|, |z| and |phi| of a valid motion.
 const SIZE_RANGE = 1.0e4;
 
 // True where a motion is in the range of what a block and its base can do.

@@ -11,9 +11,9 @@ fn lift(state: ptr<function, State>, left: bool, fraction: real) {
     switched(state, select(UPLIFT_RIGHT, UPLIFT_LEFT, left), fraction);
 }
 
-// The block lands: it goes on about its other corner. One too slow to lift again comes to rest on
-// both, unless the contact force there calls for an uplift; where the law of impact leaves no rebound
-// (eta_phi <= 0) it always does.
+// The block lands: it goes on about its other corner. One too slow to lift again comes to rest on both,
+// unless the contact force lifts it there; where the law of impact leaves no rebound (eta_phi <= 0) it
+// always comes to rest.
 fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: real) {
     let y = (*state).motion;
     let leaving = pivot((*state).mode);

@@ -1,8 +1,8 @@
-// The turn: one Runge-Kutta trial, and what it was. Twin: src/stepping/turn.rs.
+// The turn: one Runge-Kutta trial, and how the cell uses its result. Twin: src/stepping/turn.rs.
 //
-// A trial is a step, what is left of one after a switch, or a try at where a guard is. Every thread
-// makes one in every turn, whatever it is for, so that no thread waits for another's switch: the call
-// of `rk4` below is the only one. The rates at the start are made anew in every turn.
+// A trial is a step, the rest of a step after a switch, or a step of a root search. Every thread makes
+// one in every turn, whatever it is for, so that no thread waits for another's switch: the call of `rk4`
+// below is the only one. Every turn computes the rates at the start again.
 
 struct Turn {
     forcing: Forcing,
@@ -50,7 +50,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let begun = !(seeking || again);
     let k1 = rates(cell, corner, rocking, y, ground_at(cell, (*t).forcing, start));
 
-    // The uplift that the contact force calls for at once: such a cell only changes its phase.
+    // The contact force at the start may already lift the block: such a cell only changes its phase.
     var lifts = false;
     var to_left = false;
     if begun && !rocking {
@@ -75,18 +75,19 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var y1 = stepped.y;
     var k_end = stepped.k4;
     if !rocking {
-        // An uplift is as exact as the motion: the contact force in full contact at the end.
+        // The contact force of full contact at the end, so that the time of an uplift is as exact as the
+        // motion.
         let base = support(cell, y1, ground_end);
         k_end.shear = base.f_h;
         k_end.normal = base.f_v;
     }
 
-    // How far the guard is that is searched for, or else the impact.
+    // The distance to the guard that is searched for; without a search, to the impact.
     let whole_h = (*t).span * step;
     let end = sample_of(sought, corner, y, y1, k_end, whole_h);
     let reach = reach_of(search, end, whole_h * whole_h * k1.ddphi);
 
-    // What a search has found.
+    // The result of the search.
     var looked = whole;
     var kinked = false;
     var arrived = false;
@@ -111,7 +112,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var landed = false;
     if looked {
         let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
-        // A span that ends just beyond the impact that it was cut for ends there.
+        // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         if crossing.found == SOUGHT_IMPACT && !kinked {
             let allowed: real = EVENT_TOLERANCE;
             landed = crossing.upper >= 1.0 && reach.steep && allowed >= reach.way.missed;
@@ -129,7 +130,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         h = length * step;
     }
 
-    // Whether the cell moves on.
+    // Whether the cell moves on to the end of its trial.
     let plain = (looked && !found && !landed) || again;
     if again {
         search.sought = NOTHING_SOUGHT;

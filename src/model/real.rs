@@ -25,7 +25,7 @@ pub trait Real:
     /// A kink of the Bouc-Wen law is located to within this fraction of its step; what is left of
     /// its error is of second order in that.
     const KINK_TOLERANCE: Self;
-    /// What rounding may make of a sum of a few products, of their size: a unit in the last place.
+    /// Relative rounding error of a sum of a few products: a unit in the last place.
     const ROUNDING: Self;
 
     /// The nearest number of this type.

@@ -1,4 +1,5 @@
-//! The proof that nothing more will happen. Twin of `shaders/certificate.wgsl`.
+//! The certificate: the proof, by energy, that all results of a cell are final. Twin of
+//! `shaders/certificate.wgsl`.
 //!
 //! Once the excitation is over the system is passive: (9) and (11) only take energy out, and so does
 //! an impact (15). The energy that is left bounds every coordinate and both contact forces from then
@@ -86,7 +87,7 @@ pub fn is_final<V: Vector>(
             within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
         }
         if variant.isolated_v {
-            // A base at rest trembles by the rounding of the weight that it carries. With the deflection
+            // A base at rest moves by the rounding error of the weight that it carries. With the deflection
             // |v| is largest below, or, of a swing of twice the deflection and more, above.
             let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
             let way = (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + tremble;
@@ -102,7 +103,7 @@ pub fn is_final<V: Vector>(
     if !V::any(last) {
         return last;
     }
-    // In full contact u and v do not see each other: |X| and |Y - g| by Cauchy's inequality.
+    // In full contact u and v are not coupled: |X| and |Y - g| by Cauchy's inequality.
     let mut x_most = zero;
     let mut y_swing = zero;
     let mut stays = !rocking;
@@ -114,7 +115,7 @@ pub fn is_final<V: Vector>(
     }
     let mut energy = zero;
     if V::any(last & !stays) {
-        // Else all of the energy over M, wherever it may go.
+        // Otherwise the whole energy over M, in whichever coordinate.
         energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if V::any(last & rocking) {
             let Lever { p, q } = lever_at(set, corner, y.phi);

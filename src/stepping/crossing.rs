@@ -23,11 +23,11 @@ pub struct Crossing<V: Vector> {
     pub upper: V,
 }
 
-/// Share of its bend by which a parabola may miss a crest: (omega h/2)^2/24 for a step of a 32nd of a
+/// Error of a parabola at a crest, as a share of its bend: (omega h/2)^2/24 for a step of a 32nd of a
 /// period is 4e-4.
 const CREST_ERROR: f64 = 1.0e-3;
 
-/// What rounding may have made of an uplift moment.
+/// Bound on the rounding error of an uplift moment.
 #[inline(always)]
 fn moment_rounding<V: Vector>(set: &CellEquations<V>, contact: Contact<V>) -> V {
     let (model, rounding) = (set.model, contact.normal.like(V::Element::ROUNDING.to_f64()));
@@ -53,8 +53,8 @@ fn highest_moment<N: Number>(
     share.mul_add(set.model.height.mul_add(shear, arm * normal), values)
 }
 
-/// The parabola through an uplift moment's values at a span's start, middle and end, and where in
-/// the span it is positive, or may be for all that it tells; negative where it is not.
+/// The parabola through an uplift moment's values at a span's start, middle and end, and the place in the
+/// span where it is, or may be, positive; negative where there is none.
 #[inline(always)]
 fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     let (zero, one) = (start.like(0.0), start.like(1.0));

@@ -1,4 +1,4 @@
-//! A guard over a span by the cubic through its ends, and where that is zero. Twin of
+//! The value of a guard over a span: the cubic through its ends, and the root of that cubic. Twin of
 //! `shaders/cubic.wgsl`.
 
 use crate::model::number::Number;
@@ -6,7 +6,7 @@ use crate::model::number::Number;
 use super::guards::GuardSample;
 use super::rk4::hermite;
 
-/// A cubic in the place in a span, by its coefficients.
+/// A cubic in the fraction of a span, by its coefficients.
 #[derive(Clone, Copy)]
 pub struct Cubic<N> {
     /// Value at the start.
@@ -33,7 +33,7 @@ impl<N: Number> Cubic<N> {
         }
     }
 
-    /// The one of two in each lane.
+    /// Selects one of two cubics in each lane.
     #[inline(always)]
     pub fn select(mask: N::Mask, yes: &Cubic<N>, no: &Cubic<N>) -> Cubic<N> {
         Cubic {
@@ -51,9 +51,10 @@ impl<N: Number> Cubic<N> {
         let (two, three) = (self.c0.like(2.0), self.c0.like(3.0));
         let rise = self.c1 + self.c2 + self.c3;
         let slope1 = three.mul_add(self.c3, two.mul_add(self.c2, self.c1));
-        // Where it rises from end to end: where the chord is zero, then the place as a cubic in the
-        // value. Where it falls first, as the angle of a block that has just landed does: where the
-        // parabola from the start is as high as there again.
+        // If it rises at both ends: the first guess is the zero of the chord, improved by the inverse
+        // cubic, which gives the place as a function of the value. If it falls first, as the angle of a
+        // block that has just landed does: the first guess is the place where the parabola from the start
+        // returns to its first value.
         let rises = self.c1.gt(zero) & slope1.gt(zero);
         let slopes = self.c1 * slope1;
         let inverse = one / N::select(rises, rise * slopes, self.c2 + self.c3);

@@ -1,4 +1,4 @@
-//! The guards: what a step is cut at. Twin of `shaders/guards.wgsl`.
+//! The guards: functions of the motion at whose roots a step is cut. Twin of `shaders/guards.wgsl`.
 //!
 //! A guard is a function of the motion that is positive once it has happened.
 //!
@@ -10,7 +10,7 @@
 //! | kink of u' | u', its sign at the start reversed | h u'' | `KINK_TOLERANCE` | the step is cut: the law (11) is smooth on either side |
 //! | kink of z | z, its sign at the start reversed | h z' | `KINK_TOLERANCE` | the same |
 //!
-//! Two more cuts need no search: the yield limit on (11), and the impact that the rates foretell
+//! Two more cuts need no search: the limit of stability of (11), and the impact estimated from the rates
 //! ([`span`](super::span)). A step ends at the end of its forcing segment by construction
 //! ([`forcing`](super::forcing)).
 
@@ -29,7 +29,7 @@ pub const UPLIFT_RIGHT: u32 = 2;
 pub const IMPACT: u32 = 3;
 /// The block passes the overturning angle.
 pub const OVERTURN: u32 = 4;
-/// The step is cut, the phase stays: du or z changes sign, or z would settle too fast.
+/// The step is cut, the phase stays: du or z changes sign, or z would relax too fast for the step.
 pub const KINK: u32 = 5;
 
 /// Switches that one step may hold. A block that chatters to rest makes about
@@ -54,7 +54,7 @@ pub struct Sought<V: Vector> {
 }
 
 impl<V: Vector> Sought<V> {
-    /// Nothing in any lane.
+    /// No search in any lane.
     #[inline(always)]
     pub fn nothing(zero: V) -> Sought<V> {
         let none = zero.mask(0);
@@ -67,7 +67,7 @@ impl<V: Vector> Sought<V> {
         self.kink_u | self.kink_z
     }
 
-    /// Lanes that search for an angle: the rates at a trial's end tell how far it is.
+    /// Lanes that search for an angle: its distance follows from the rates at a trial's end.
     #[inline(always)]
     pub fn angle(&self) -> V::Mask {
         self.impact | self.overturning
@@ -79,7 +79,7 @@ impl<V: Vector> Sought<V> {
         self.kink() | self.angle() | self.uplift
     }
 
-    /// How near a guard must be found, as a fraction of the step.
+    /// Tolerance of a guard's time, as a fraction of the step.
     #[inline(always)]
     pub fn tolerance(&self, zero: V) -> V {
         let event = zero.like(V::Element::EVENT_TOLERANCE.to_f64());
@@ -87,7 +87,7 @@ impl<V: Vector> Sought<V> {
         V::select(self.kink(), kink, event)
     }
 
-    /// What the other set searches for, too; no lane is in both.
+    /// Adds the searches of another set; no lane is in both.
     #[inline(always)]
     pub fn add(&mut self, other: &Sought<V>) {
         self.uplift = self.uplift | other.uplift;
@@ -117,7 +117,7 @@ pub struct GuardSample<N> {
     pub slope: N,
     /// The change of that slope over the span, as it is there.
     pub bend: N,
-    /// What rounding may have made of the value.
+    /// Bound on the rounding error of the value.
     pub rounding: N,
 }
 

@@ -25,7 +25,7 @@ pub struct Job<R> {
     pub state: State<R>,
 }
 
-/// Where lanes get their cells, and where these go.
+/// The source of the lanes' cells, and the receiver of the ended ones.
 pub trait Feed<R> {
     /// The next cell, if there is one.
     fn next(&mut self) -> Option<Job<R>>;
@@ -34,7 +34,7 @@ pub trait Feed<R> {
     fn done(&mut self, job: &Job<R>);
 }
 
-/// What is kept of a lane outside of the vectors.
+/// The part of a lane that is not in vectors.
 pub(super) struct Lane<R> {
     pub job: Job<R>,
     /// First step of its forcing segment.
@@ -71,7 +71,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     /// Lanes that have a cell, a bit each.
     pub(super) running: u64,
     pub(super) model: Model<V>,
-    /// Whose body each lane of it is.
+    /// Number of the body that each lane of `model` holds.
     bodies: Vec<u32>,
     pub(super) cell: Cell<V>,
     pub(super) corner: Corner<V>,
@@ -104,7 +104,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
 pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = bits.trailing_zeros() as usize;
-        // Without a bit left there are 64 zeros.
+        // `trailing_zeros` of 0 is 64; it is not used.
         (bits != 0).then(|| {
             bits &= bits - 1;
             lane
@@ -113,7 +113,7 @@ pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
 }
 
 impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
-    /// Lanes without cells; `zero` tells the kind of vector, `log` hears of switches.
+    /// Lanes without cells; `zero` gives the kind of vector; `log` receives the switches.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
         let one = &shared.models[0];
@@ -248,7 +248,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         }
     }
 
-    /// Gives a lane's motion, phase and place in time to its state.
+    /// Writes a lane's motion, phase and time to its state.
     #[inline(always)]
     pub(super) fn leave(&mut self, lane: usize) {
         let step = self.step(lane);
@@ -268,7 +268,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         (state.step, state.impacts) = (step, impacts);
     }
 
-    /// Gives all that a lane knows to its state.
+    /// Writes a lane's numbers to its state.
     #[inline(always)]
     pub(super) fn store(&mut self, lane: usize) {
         self.leave(lane);

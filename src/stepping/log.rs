@@ -1,4 +1,4 @@
-//! The first switches of a cell, kept. Twin of `shaders/log.wgsl`.
+//! Keeps the first switches of a cell. Twin of `shaders/log.wgsl`.
 
 use bytemuck::Zeroable;
 
@@ -10,19 +10,19 @@ use crate::model::layout::pod;
 use crate::model::motion::Motion;
 use crate::model::real::Real;
 
-/// What an observer of a cell's switches is told.
+/// The observer of a cell's switches.
 pub trait Log<R> {
     /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
     /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
     /// be older.
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
 
-    /// A cell has moved on: the contact forces at the start, in the middle and at the end of the span
-    /// that it was moved by, a step or a part of one. A switch at the end is told later.
+    /// A cell has moved on by a span, a step or a part of one: the contact forces at its start, middle
+    /// and end. A switch at the end is reported after it.
     fn moved(&mut self, _: [Contact<R>; 3]) {}
 }
 
-/// It does not listen.
+/// An observer that keeps nothing.
 impl<R> Log<R> for () {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
 }
@@ -45,7 +45,7 @@ pub trait Listener<R> {
     fn tried(&mut self, _: impl Iterator<Item = (usize, Trial)>) {}
 }
 
-/// No one listens.
+/// No observer.
 impl<R> Listener<R> for () {
     const HEARS: bool = false;
 

@@ -1,5 +1,6 @@
-//! Where in its span each lane's guard is, a trial of every lane at a time: Newton's method inside a
-//! bracket, from the cubic through the span's ends. Twin of `shaders/search.wgsl`.
+//! The search for the root of each lane's guard in its span, one trial of every lane at a time: Newton's
+//! method inside a bracket, started at the root of the cubic through the span's ends. Twin of
+//! `shaders/search.wgsl`.
 
 use crate::model::number::Number;
 use crate::model::real::Vector;
@@ -9,24 +10,24 @@ use super::guards::{GuardSample, LOCATE_BOUND, Sought};
 
 /// Lanes whose search is over.
 pub struct Arrived<V: Vector> {
-    /// Those that have arrived.
+    /// Lanes whose root is found.
     pub lanes: V::Mask,
-    /// How far before the trial's end the guard is, a fraction of the span: near enough to go back
+    /// How far before the trial's end the guard is, a fraction of the span: near enough to step back
     /// along the rates. Zero in all other lanes.
     pub back: V,
 }
 
-/// How far before a trial's end an angle was at its target, and what that leaves out; fractions of
+/// How far before a trial's end an angle passed its target, and the error of that distance; fractions of
 /// the trial's span.
 pub struct WayBack<N> {
     /// The way back.
     pub back: N,
-    /// What its terms of third order may be.
+    /// A bound on the terms of third order that the way back neglects.
     pub missed: N,
 }
 
-/// The way back along the parabola that touches the angle at a trial's end; `bend_before` is its bend
-/// at the trial's start.
+/// The way back along the parabola that has the angle's value, slope and bend at a trial's end;
+/// `bend_before` is its bend at the trial's start.
 #[inline(always)]
 fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> WayBack<N> {
     let (half, sixth) = (per_slope.like(0.5), per_slope.like(1.0 / 6.0));
@@ -40,7 +41,7 @@ fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> Wa
 
 /// How far each lane's guard is from its trial's end.
 pub struct Reach<V: Vector> {
-    /// The guard has a slope; one without tells no way to go. No device is asked for a NaN here.
+    /// The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
     pub steep: V::Mask,
     /// One over the slope.
     per_slope: V,
@@ -49,7 +50,7 @@ pub struct Reach<V: Vector> {
 }
 
 impl<V: Vector> Reach<V> {
-    /// No way to go.
+    /// No distance.
     #[inline(always)]
     pub fn none(zero: V) -> Reach<V> {
         Reach { steep: zero.mask(0), per_slope: zero, way: WayBack { back: zero, missed: zero } }
@@ -60,14 +61,14 @@ impl<V: Vector> Reach<V> {
 pub struct Search<V: Vector> {
     /// What each lane searches for.
     pub sought: Sought<V>,
-    /// Lanes that found nothing and take their span whole.
+    /// Lanes whose search found no root; their next trial takes the whole span.
     pub again: V::Mask,
     /// Where to try next, a fraction of the span.
     pub at: V,
     /// The guard is beyond `low`, and not beyond `high`.
     low: V,
     high: V,
-    /// It was found to have happened at `high`.
+    /// A trial that ended at `high` showed that the guard has happened there.
     verified: V::Mask,
     /// The next trial is the last.
     last: V::Mask,
@@ -124,8 +125,8 @@ impl<V: Vector> Search<V> {
         self.again = self.again & !lanes;
     }
 
-    /// How far past a root to aim, so that the trial ends beyond it; not for angles, which are
-    /// their target by definition where they are found.
+    /// How far past the root the next trial aims, so that it ends beyond it. Zero for angles: the way
+    /// back sets them to their target exactly.
     #[inline(always)]
     fn aim(&self) -> V {
         let (zero, half) = (self.at.like(0.0), self.at.like(0.5));
@@ -146,7 +147,7 @@ impl<V: Vector> Search<V> {
         Reach { steep, per_slope, way: way_back(end, per_slope, bend_before) }
     }
 
-    /// Takes in what the trial at `at` came to.
+    /// Narrows the bracket by the result of the trial at `at`.
     #[inline(always)]
     pub fn narrow(&mut self, found: GuardSample<V>, reach: &Reach<V>) -> Arrived<V> {
         let (zero, one, half) =
@@ -161,12 +162,13 @@ impl<V: Vector> Search<V> {
         self.value_before = found.value;
         self.tries = self.tries + one;
         let beyond = found.value.gt(zero);
-        // A value that may be rounding is aimed beyond by as much, and is near at twice that.
+        // The next trial aims past the root by the value's rounding error; a value within twice that
+        // error counts as found.
         let rounding = found.rounding;
         let change = V::select(angle, way.back, (found.value - rounding) * per_slope);
         let off = (found.value.abs() - rounding - rounding) * per_slope.abs();
         let near = steep & tolerance.ge(V::select(angle, way.missed, off));
-        // What has not happened at the upper end does not happen.
+        // A guard that has not happened at the upper end of its bracket does not happen.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;
         self.high = V::select(beyond, at, self.high);

@@ -8,7 +8,7 @@ use super::lanes::{Job, Lanes, Shared};
 use super::log::Log;
 use super::state::{RUNNING, State};
 
-/// One cell on its way.
+/// The integration of one cell.
 pub struct Single<'a, R: Real> {
     lanes: Lanes<'a, R, &'a mut dyn Log<R>>,
 }

@@ -1,4 +1,5 @@
-//! Where a span ends before anything is searched for. Twin of `shaders/span.wgsl`.
+//! The end of a span before any root search: the end of the step, the limit of stability, or an impact to
+//! come. Twin of `shaders/span.wgsl`.
 
 use crate::model::dynamics::Rates;
 use crate::model::real::Vector;
@@ -6,16 +7,16 @@ use crate::model::real::Vector;
 use super::lanes::Lanes;
 use super::log::Listener;
 
-/// The most times itself that z of (11) may settle by in a span: RK4 is stable to 2.79.
+/// The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
 
-/// Share of itself by which a span is longer than the way to the impact that it is cut for, so that
-/// the impact is in it: what the rates leave out is mostly less.
+/// A span that is cut for an impact is longer by this share than the estimated time to the impact, so
+/// that the impact is inside it: the estimate's error is mostly less.
 pub const BEYOND: f64 = 5.0e-4;
 
 impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
-    /// Spans begin: what is left of the step. Where z would settle by more than the method bears they
-    /// end early, and where the block is about to land they end there, as near as its rates tell.
+    /// Begins spans: the rest of the step. A span ends earlier where RK4 would not be stable for z, and
+    /// where the block lands by an estimate from its rates.
     #[inline(always)]
     pub(super) fn begin_spans(&mut self, whole: V::Mask, k1: &Rates<V>) {
         let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
@@ -25,7 +26,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         self.span = V::select(whole, rest, self.span);
         self.cut = self.cut & !whole;
         if self.shared.variant.kinks {
-            // z of (11) settles at the rate n |u'|/u_y.
+            // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
             let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
             let settling = n * self.y.du.abs() * self.cell.inverse_yield * step;
             let limit = one.like(YIELD_LIMIT);

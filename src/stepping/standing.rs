@@ -1,5 +1,5 @@
-//! A block that stands, on a base that does not yield: steps in which no guard can happen, so that there
-//! is nothing to look for. What [`turn`](super::turn) makes of them, without the rest.
+//! A block that stands, on a base that does not yield: steps in which no guard can happen, so that no
+//! root is searched for. The same result as [`turn`](super::turn) at less cost.
 
 use super::extremes::{peak, range};
 use super::forcing::Forcing;
@@ -12,7 +12,7 @@ use crate::model::isolation::support;
 use crate::model::motion::Motion;
 use crate::model::real::Real;
 
-/// A cell in full contact on its way through the excitation.
+/// A cell in full contact under excitation.
 pub struct Standing<'a, R: Real> {
     set: &'a CellEquations<'a, R>,
     corner: Corner<R>,

@@ -22,10 +22,10 @@ pub const OVERTURNED_RIGHT: u32 = 3;
 pub const EVENT_LIMIT: u32 = 4;
 /// The motion left every physical range, or is not a number.
 pub const DIVERGED: u32 = 5;
-/// All that the cell tells was proved to be final.
+/// Energy proved that all results of the cell are final.
 pub const PROVED: u32 = 6;
 
-/// One cell: its motion, its phase, and its records so far.
+/// One cell: its motion, its phase, its counts and its extremes so far.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct State<R> {
@@ -92,8 +92,8 @@ impl<R: Real> State<R> {
     }
 }
 
-/// Ends a cell before it begins where one of its numbers is none: a parameter that the number type
-/// does not hold.
+/// Ends a cell before it begins where one of its numbers is not finite: the number type does not hold a
+/// parameter.
 pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
     if !cell.reals().iter().all(|number| number.to_f64().is_finite()) {
         state.status = DIVERGED;
@@ -103,12 +103,11 @@ pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
 /// Largest |phi| that `sine` and `cosine` hold for, rad; overturning is at pi/2 at the latest.
 pub const PHI_RANGE: f64 = 1.65;
 
-/// Largest sum of |u|, |v|, |z| and |phi| that is taken for a motion: metres far beyond any base,
-/// which a step past its stability limit reaches on its way to infinity.
+/// Largest sum of |u|, |v|, |z| and |phi| of a valid motion: far beyond any base, in metres. A step
+/// beyond the limit of stability grows past it.
 pub const SIZE_RANGE: f64 = 1.0e4;
 
-/// True where a motion is in the range of what a block and its base can do; what is not a number is
-/// out of it.
+/// True where a motion is in the range of what a block and its base can do; NaN is out of range.
 #[inline(always)]
 pub fn is_sound<N: Number>(y: &Motion<N>) -> N::Mask {
     let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();

@@ -1,5 +1,5 @@
 //! What happens at a switch: uplift, impact, rest, overturning, and the ends of segments and cells.
-//! Impacts are for all lanes at once; the rest, which is rare, a lane at a time. Twin of
+//! Impacts are computed for all lanes at once; the others, which are rare, one lane at a time. Twin of
 //! `shaders/switching.wgsl`.
 
 use crate::model::block::{Corner, FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
@@ -52,8 +52,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         }
     }
 
-    /// The blocks of `landing` lanes go on about their other corner; those that may come to rest
-    /// instead, a bit each.
+    /// The blocks of the landing lanes turn about their other corner; returns the lanes whose block may
+    /// come to rest instead, a bit each.
     #[inline(always)]
     pub(super) fn bounce(&mut self, lands: V::Mask) -> u64 {
         let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
@@ -74,8 +74,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         V::bits(lands & !lively)
     }
 
-    /// The blocks of some lanes come to rest, or go on all the same; those of others overturn. The
-    /// lanes that have ended.
+    /// Blocks of slow lanes come to rest or go on rocking; blocks of other lanes overturn. Returns the
+    /// lanes whose cell has ended.
     #[inline(never)]
     pub(super) fn settle(&mut self, slow: u64, over: u64) -> u64 {
         self.start.with(
@@ -104,9 +104,9 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         over
     }
 
-    /// A block lands too slowly to lift again: it comes to rest on both corners, unless the contact
-    /// force there calls for an uplift. Where the law of impact leaves no rebound (eta_phi <= 0) it
-    /// always does.
+    /// A block that lands too slowly to lift again comes to rest on both corners, unless the contact
+    /// force lifts it there. Where the law of impact leaves no rebound (eta_phi <= 0) it always comes to
+    /// rest.
     #[inline(always)]
     fn land(&mut self, lane: usize) {
         let zero = V::Element::of(0.0);
@@ -146,8 +146,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         )
     }
 
-    /// Ends segments, and cells that are done, final, out of range, or switch without end; the lanes
-    /// that ended.
+    /// Ends forcing segments, and cells that are done, proved final, out of range, or switch too often in
+    /// a step; returns the lanes whose cell ended.
     #[inline(never)]
     pub(super) fn attend(&mut self, bits: u64, lost: u64, endless: u64, proved: u64) -> u64 {
         self.start.with(

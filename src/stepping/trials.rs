@@ -1,4 +1,4 @@
-//! What the trials of a turn were for, told to an observer. It costs nothing where nobody listens.
+//! The purpose of each trial of a turn, for an observer. Without an observer it costs nothing.
 
 /// What a trial was for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -7,13 +7,13 @@ pub enum Purpose {
     Step,
     /// A part of a step: the rest of one, or up to a yield limit.
     Part,
-    /// A part of a step up to the impact that the rates foretold.
+    /// A part of a step up to the impact estimated from the rates.
     Landing,
     /// A step or a part in which a guard has happened: the search begins with it.
     GivenUp,
-    /// A try at where the guard is.
+    /// A trial of a root search.
     Try,
-    /// The last try: the cell moves on to the guard.
+    /// The last trial of a root search: the cell moves on to the guard.
     Arrival,
     /// A try by which no guard happens.
     Nothing,

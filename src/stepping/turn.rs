@@ -1,9 +1,9 @@
-//! The turn: one Runge-Kutta trial of every lane, and what each made of it. Twin of
+//! The turn: one Runge-Kutta trial of every lane, and how each lane uses the result of its trial. Twin of
 //! `shaders/turn.wgsl`.
 //!
-//! A trial is a step, what is left of one after a switch, or a try at where a guard is; masks decide
-//! which it was, so that no lane waits for another's switch. The rates at the start are made anew in
-//! every turn: a switch, which changes them, needs nothing of its own.
+//! A trial is a step, the rest of a step after a switch, or a step of a root search. Masks tell which, so
+//! that no lane waits for another's switch. Every turn computes the rates at the start again: a switch
+//! changes them, and needs no code of its own for that.
 
 use crate::model::dynamics::{rates, uplift_moment};
 use crate::model::isolation::support;
@@ -43,7 +43,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let set = self.equations();
         let k1 = rates(&set, &self.corner, self.rocking, &self.y, ground);
 
-        // The uplift that the contact force calls for at once: such a lane only changes its phase.
+        // The contact force at the start may already lift the block: such a lane only changes its phase.
         let mut lifts = none;
         let mut to_left = none;
         let standing = begun & !self.rocking;
@@ -68,13 +68,14 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let mut y1 = stepped.y;
         let mut k_end = stepped.k4;
         if V::any(!rocking) {
-            // An uplift is as exact as the motion: the contact force in full contact at the end.
+            // The contact force of full contact at the end, so that the time of an uplift is as exact as
+            // the motion.
             let base = support(&set, &y1, ground_end);
             k_end.shear = V::select(rocking, k_end.shear, base.f_h);
             k_end.normal = V::select(rocking, k_end.normal, base.f_v);
         }
 
-        // How far the guard is that a lane searches for, or else the impact.
+        // The distance to the guard that a lane searches for; without a search, to the impact.
         let mut end = GuardSample { value: zero, slope: zero, bend: zero, rounding: zero };
         let mut reach = Reach::none(zero);
         if V::any(seeking | rocking) {
@@ -83,7 +84,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             reach = self.search.reach(&end, whole_h * whole_h * k1.ddphi);
         }
 
-        // What the lanes that search have found.
+        // The result of the searches.
         let mut looked = whole;
         let mut kinked = none;
         let mut arrived = none;
@@ -104,7 +105,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             looked = looked | kinked;
         }
         let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
-        // Spans that end just beyond the impact that they were cut for end there.
+        // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         let mut landed = none;
         if V::any(crossing.found.impact) {
             let allowed = one.like(V::Element::EVENT_TOLERANCE.to_f64());
@@ -125,7 +126,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             h = length * self.forcing.step;
         }
 
-        // The lanes that move on.
+        // The lanes whose cell moves on to the end of its trial.
         let plain = (looked & !(found | landed)) | again;
         self.search.again = self.search.again & !again;
         let moved = plain | switched | arrived;
