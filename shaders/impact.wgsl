@@ -1,4 +1,4 @@
-// What an impact does to the velocities. Twin: src/model/impact.rs.
+// The change of the velocities at an impact. Twin: src/model/impact.rs.
 
 // The block goes on about the other corner, `landing`: (16) with the coefficients (17).
 fn change_corner(landing: Corner, y: Motion) -> Motion {

@@ -28,7 +28,7 @@ struct Tally {
 @group(0) @binding(4) var<storage, read_write> tally: Tally;
 // The cells that run, twice: a chunk reads one list and writes the other.
 @group(0) @binding(7) var<storage, read_write> running: array<u32>;
-// The bodies, by the cells' numbers of them.
+// The bodies, by number.
 @group(0) @binding(13) var<storage, read> models: array<Model>;
 
 // Cells differ in their body.

@@ -4,7 +4,7 @@ use bytemuck::Zeroable;
 
 use super::layout::{pod, reals};
 
-/// What one cell of the grid has of its own.
+/// The numbers of one cell of the grid.
 ///
 /// Time is a whole number of steps and a fraction of one; no accumulated sum of steps exists
 /// anywhere. The forced steps divide the pulse evenly, so that its end is a step boundary; the

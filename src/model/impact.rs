@@ -1,4 +1,4 @@
-//! What an impact does to the velocities. Twin of `shaders/impact.wgsl`.
+//! The change of the velocities at an impact. Twin of `shaders/impact.wgsl`.
 
 use super::CellEquations;
 use super::block::Corner;

@@ -7,8 +7,8 @@ use super::motion::Motion;
 use super::number::Number;
 use super::pulse::Shape;
 
-/// What the scene fixes for all its cells. In the shader these are `override` constants, so that
-/// a pipeline holds only the branches it takes.
+/// The parts of the model that the scene switches on for all its cells. In the shader these are
+/// `override` constants, so that a pipeline holds only the branches it takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Variant {
     /// A record shakes the base, not a pulse.
@@ -34,7 +34,7 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// A block on the ground under a pulse, without anything that a scene may ask for.
+    /// A block on the ground under a pulse, with every option off.
     pub const PLAIN: Variant = Variant {
         recorded: false,
         pulse: Shape::OneSine,

@@ -26,14 +26,14 @@ use block::Model;
 use excitation::{Cell, Ground};
 use isolation::Variant;
 
-/// Everything that one cell's equations are made of; globals and arguments in the shaders.
+/// The data of one cell's equations; globals and arguments in the shaders.
 #[derive(Debug, Clone, Copy)]
 pub struct CellEquations<'a, R> {
-    /// What is switched on (`override` constants in the shaders).
+    /// The parts of the model that are on (`override` constants in the shaders).
     pub variant: Variant,
-    /// What all cells share.
+    /// The body: the block, and the mass ratios of its base.
     pub model: &'a Model<R>,
-    /// What this cell has of its own.
+    /// The numbers of this cell.
     pub cell: &'a Cell<R>,
     /// Samples of the record; two at least where there is one.
     pub record: &'a [Ground<R>],

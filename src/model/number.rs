@@ -1,4 +1,5 @@
-//! What the equations need of a number: one of a single cell, or a vector of one a lane.
+//! The operations that the equations need of a number: of one cell, or a vector with one cell in each
+//! lane.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -24,7 +25,7 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// What a comparison gives: a truth a lane.
+    /// The result of a comparison: true or false in each lane.
     type Mask: Copy
         + BitAnd<Output = Self::Mask>
         + BitOr<Output = Self::Mask>

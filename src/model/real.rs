@@ -43,7 +43,7 @@ pub trait Real:
 
 /// A number of several cells.
 pub trait Vector: Number + Debug {
-    /// What a lane holds.
+    /// The number type of a lane.
     type Element: Real;
 
     /// Number of lanes, 64 at most.
@@ -55,13 +55,13 @@ pub trait Vector: Number + Debug {
     /// Changes the number in a lane.
     fn put(&mut self, lane: usize, value: Self::Element);
 
-    /// A mask as a bit a lane, the first lane the lowest.
+    /// A mask as one bit for each lane, the first lane lowest.
     fn bits(mask: Self::Mask) -> u64;
 
     /// The mask of such bits, for numbers of the same kind as `self`.
     fn mask(self, bits: u64) -> Self::Mask;
 
-    /// Runs something with the instructions that this kind of vector is made of.
+    /// Calls `run` compiled with the instructions of this kind of vector.
     fn with<T>(self, run: impl FnOnce() -> T) -> T;
 }
 

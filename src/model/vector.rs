@@ -1,5 +1,5 @@
-//! Vectors of numbers, a cell a lane. Which instructions they are made of is found out at run time,
-//! by [`fearless_simd::Level`].
+//! Vectors of numbers, one cell in each lane. The instructions are chosen at run time by
+//! [`fearless_simd::Level`].
 
 use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x16, f64x8};
 

@@ -65,7 +65,7 @@ impl Backend {
         }
     }
 
-    /// Runs all cells of a grid; `progress` hears of cells as they are done.
+    /// Runs all cells of a grid; `progress` is called with the number of cells done since its last call.
     ///
     /// # Errors
     /// Any [`GpuError`] of a GPU; the others do not fail.

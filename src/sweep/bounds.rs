@@ -1,5 +1,5 @@
-//! Bounds that the certificate goes by, of a block on its base: what energy over M can make of the
-//! contact forces while the block rocks. Symbols as in [`certificate`](crate::stepping::certificate).
+//! Bounds of the certificate for a block on its base: the largest contact forces that an energy over M
+//! allows while the block rocks. Symbols as in [`certificate`](crate::stepping::certificate).
 
 use super::body::Body;
 

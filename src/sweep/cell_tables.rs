@@ -1,5 +1,6 @@
-//! The numbers of a grid's cells in tables, each by the parameters that it depends on. A clock that depends
-//! on all axes is made for each cell, of its parts.
+//! The numbers of a grid's cells in tables: each table has one entry for each combination of the
+//! parameters that it depends on. A clock that depends on all axes is computed for each cell from its
+//! parts.
 
 use super::body::{Body, body_parameters};
 use super::clock::Clock;
@@ -19,7 +20,7 @@ use crate::scene::{Case, Grid, Parameter};
 pub enum Clocks<R> {
     /// They do not depend on every axis.
     Shared(Table<(Clock, Steps<R>)>),
-    /// They do, and are made for each cell of its parts.
+    /// They do, and are computed for each cell from its parts.
     Own(Box<Parts>),
 }
 
@@ -48,11 +49,11 @@ pub struct CellTables<'a, R> {
     pub drive: Table<Drive<R>>,
     /// Of the clock.
     pub clocks: Clocks<R>,
-    /// Of what an outcome is read by.
+    /// Of the numbers that turn a last state into an outcome.
     pub readers: Table<Reader>,
 }
 
-/// The table of what depends on the body and a law, of cells with the plan's directions locked.
+/// A table of numbers that depend on the body and a law; the directions that the plan locks are locked.
 fn by_body<T>(
     (plan, grid, window): (&Plan, &Grid, &Window),
     law: &[Parameter],
@@ -70,7 +71,7 @@ impl<'a, R: Real> CellTables<'a, R> {
         let shared = plan.shared_amplitude(grid);
         let all = clock_parameters(grid);
         let of = (plan, grid, window);
-        // An axis of one value counts as one that they depend on only where all do.
+        // A single cell has a shared clock.
         let clocks = if window.entries(grid, &all) < window.cells() || window.cells() == 1 {
             Clocks::Shared(by_body(of, &all, |case, body| {
                 let clock = plan.clock(case);
@@ -127,7 +128,7 @@ impl<'a, R: Real> CellTables<'a, R> {
         }
     }
 
-    /// The clock of a cell made of its parts, and what its steps take besides.
+    /// The clock of a cell from its parts, and the other numbers of its steps.
     #[inline(always)]
     pub(super) fn own_clock(&self, parts: &Parts, place: &Place) -> OwnClock {
         let span = parts.span.at(place);
@@ -158,7 +159,7 @@ impl<'a, R: Real> CellTables<'a, R> {
     }
 }
 
-/// A clock of a cell of its own.
+/// The clock of one cell, with the other numbers of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct OwnClock {
     pub(super) clock: Clock,

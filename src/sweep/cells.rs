@@ -1,5 +1,5 @@
-//! The cells of a grid: from the tables to the state that each begins in, and from the state that it
-//! ends in to its outcome.
+//! The cells of a grid: a cell's numbers and first state from the tables, and its outcome from its last
+//! state.
 
 use std::sync::Arc;
 
@@ -17,11 +17,11 @@ use crate::scene::{Case, Grid};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
 
-/// All that some cells of a plan's grid are made of.
+/// The data from which some cells of a plan's grid are made.
 pub struct Cells<'a, R> {
     /// Their numbers.
     pub tables: CellTables<'a, R>,
-    /// The full contact that they share, if they do.
+    /// Their shared motions in full contact, where they share them.
     pub motions: Arc<Option<FullContactMotions<R>>>,
 }
 
@@ -40,19 +40,20 @@ impl<'a, R: Real> Cells<'a, R> {
         }
     }
 
-    /// The bodies, by the cells' numbers of them.
+    /// The bodies, by number.
     pub fn bodies(&self) -> &[Model<R>] {
         &self.tables.bodies.entries
     }
 
-    /// A cell as its integration begins. Compiled once, not for every kind of vector.
+    /// A cell as its integration begins. Not inlined, so that it is compiled once, not for every kind of
+    /// vector.
     #[inline(never)]
     pub fn begin(&self, index: usize) -> (Cell<R>, State<R>) {
         let motions = self.motions.as_ref().as_ref();
         begin(&self.tables, motions, &self.tables.place(index))
     }
 
-    /// What became of a cell whose run has ended in `state`.
+    /// The outcome of a cell whose last state is `state`.
     #[inline(never)]
     pub fn outcome(&self, index: usize, state: &State<R>) -> Outcome {
         let place = self.tables.place(index);
@@ -67,7 +68,7 @@ impl<'a, R: Real> Cells<'a, R> {
 }
 
 impl Plan {
-    /// What became of a cell whose run has ended in `state`.
+    /// The outcome of a cell whose last state is `state`.
     pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
         Reader::of(case).outcome(&self.clock(case), state)
     }

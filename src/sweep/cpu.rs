@@ -1,4 +1,4 @@
-//! The sweep on the CPU: on vectors, or a cell at a time where somebody listens to its switches.
+//! The sweep on the CPU: on vectors, or one cell at a time where its switches are kept.
 
 use bytemuck::Zeroable;
 use fearless_simd::Level;

@@ -1,13 +1,13 @@
 //! Full contact, once for all cells that share it.
 //!
-//! While the block stands on both corners u and v do not see each other, (5), nor the block: u(t) depends
-//! on the horizontal isolation and the ground, v(t) on the vertical one. Under a record a grid of N by N
-//! periods holds 2 N such motions, a grid of blocks one of each. Under a pulse they are stepped in the
-//! cells' steps, which depend on Omega and the periods, and u is proportional to A_h where u_y is (21): N
-//! motions for a map of N frequencies, and v is at rest where A_v = 0. They are integrated through the excitation; a
-//! cell compares its two and begins its own integration at the first gap between samples (of a pulse,
-//! the first step) in which it may lift. A cell that never may is done at the excitation's end, or
-//! goes on from there.
+//! While the block stands on both corners u and v are coupled neither to each other, (5), nor to the
+//! block: u(t) depends on the horizontal isolation and the ground, v(t) on the vertical isolation and the
+//! ground. Under a record a grid of N values of T_h by N of T_v has 2 N such motions, N of u and N of v;
+//! a grid of blocks has two, one of each. Under a pulse they have the cells' steps, which depend on Omega
+//! and the periods, and u is proportional to A_h where u_y is (21): a map of N frequencies has N motions,
+//! and v is at rest where A_v = 0. They are integrated through the excitation; a cell compares its two
+//! and begins its own integration at the first gap between samples (of a pulse, the first step) in which
+//! it may lift. A cell that cannot lift under the excitation is done at its end, or goes on from there.
 
 use fearless_simd::Level;
 use rayon::prelude::*;
@@ -27,7 +27,8 @@ use crate::scene::grid::Place;
 use crate::scene::isolation::{HORIZONTAL, VERTICAL};
 use crate::scene::{Excitation, Grid, Parameter};
 
-/// Most memory for the motions, bytes; a grid that needs more goes without.
+/// Largest memory for the motions, bytes; for a grid that needs more each cell integrates its own full
+/// contact.
 const MOST_MEMORY: usize = 1 << 29;
 /// The full-contact motions of a plan's grid.
 #[derive(Debug)]
@@ -38,13 +39,13 @@ pub struct FullContactMotions<R> {
     pub(super) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
     pub(super) still: bool,
-    /// The vectors of this machine.
+    /// The vector instructions of this machine.
     pub(super) level: Level,
 }
 
-/// What a base's strength in newtons is over.
+/// The masses that a base's yield force in newtons is divided by.
 const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
-/// What the ground depends on, beside a pulse's amplitudes.
+/// The parameters that the ground's motion depends on, beside a pulse's amplitudes.
 const GROUND: [Parameter; 6] = [
     Parameter::Scale,
     Parameter::Pga,
@@ -54,7 +55,7 @@ const GROUND: [Parameter; 6] = [
     Parameter::Phase,
 ];
 
-/// What the motions of each direction depend on, and whether v is at rest.
+/// The parameters that the motions of each direction depend on, and whether v is at rest.
 struct Dependence {
     across: Vec<Parameter>,
     up: Vec<Parameter>,
@@ -99,8 +100,8 @@ impl Dependence {
 }
 
 impl Plan {
-    /// A_h that shared motions of u are of, m/s^2, to which they are proportional by (21); none under a
-    /// record, and where the base's strength is given: there they are every cell's own.
+    /// A_h of the shared motions of u, m/s^2: by (21) u is proportional to it. None under a record, and
+    /// where the base's strength is given: there u is not proportional to A_h.
     pub(super) fn shared_amplitude(&self, grid: &Grid) -> Option<f64> {
         if self.scene.excitation.record().is_some() || grid.gives_strength() {
             return None;
@@ -111,15 +112,15 @@ impl Plan {
 }
 
 impl<R: Real> FullContactMotions<R> {
-    /// The motions of a grid, under the plan's record; none where cells do not share them (a block that starts tilted), where
-    /// the plan leaves nothing out, or where they take too much memory.
+    /// The motions of a grid, under the plan's record; none where cells do not share them (a block that
+    /// starts tilted), where the plan has no such shortcut, or where they take too much memory.
     pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<FullContactMotions<R>> {
         let amplitude = plan.shared_amplitude(grid);
         let of = Dependence::of(plan, grid);
         let window = Window::whole(grid);
         let across = window.entries(grid, &of.across);
         let up = window.entries(grid, &of.up);
-        // As many motions as cells save nothing.
+        // With as many motions as cells there is nothing to save.
         let pays = across + up < grid.len() && amplitude != Some(0.0);
         if !plan.reductions.full_contact || grid.tilts() || !pays {
             return None;
@@ -163,7 +164,7 @@ impl<R: Real> FullContactMotions<R> {
     }
 }
 
-/// Motions of u, as they are kept.
+/// Stores motions of u.
 fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
     let lengths = sampled.iter().map(|each| each.motion.len());
     let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
@@ -186,7 +187,7 @@ fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Moti
     motions
 }
 
-/// Motions of v, as they are kept.
+/// Stores motions of v.
 fn vertical<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
     let lengths = sampled.iter().map(|each| each.motion.len());
     let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);

@@ -1,4 +1,4 @@
-//! The numbers of a cell in groups, each by the parameters that it depends on. All are made in `f64`
+//! The numbers of a cell in groups, each by the parameters that it depends on. All are computed in `f64`
 //! and rounded once.
 
 use std::f64::consts::TAU;
@@ -15,10 +15,10 @@ use crate::scene::case::PEAK;
 use crate::scene::isolation::HORIZONTAL;
 use crate::scene::{Case, Parameter, Pulse, Shaking};
 
-/// A landing block comes to rest when its next flight would last less than this share of a step.
+/// A landing block comes to rest when its next flight would last less than a step divided by this number.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
 
-/// What the horizontal isolation adds to a cell.
+/// The numbers of a cell that come from the horizontal isolation.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Horizontal<R> {
@@ -38,7 +38,7 @@ pub struct Horizontal<R> {
     pub sound: R,
 }
 
-/// What the vertical isolation adds to a cell.
+/// The numbers of a cell that come from the vertical isolation.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Vertical<R> {
@@ -54,7 +54,7 @@ pub struct Vertical<R> {
     pub sound: R,
 }
 
-/// What the excitation and the start add to a cell.
+/// The numbers of a cell that come from the excitation and the initial tilt.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Drive<R> {
@@ -62,7 +62,7 @@ pub struct Drive<R> {
     pub amplitude_h: R,
     /// See [`Cell::amplitude_v`].
     pub amplitude_v: R,
-    /// A_h over that of the shared full contact, whose motion of u is proportional to it.
+    /// A_h over the A_h of the shared motions of u, which are proportional to it.
     pub scale: R,
     /// phi at the start, rad.
     pub tilt: R,
@@ -110,7 +110,7 @@ fn flag<R: Real>(sound: bool) -> R {
 }
 
 impl<R: Real> Horizontal<R> {
-    /// What it depends on, with the [body](super::body::body_parameters).
+    /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
     pub fn law() -> Vec<Parameter> {
         [&HORIZONTAL[..], &PEAK].concat()
     }
@@ -129,7 +129,7 @@ impl<R: Real> Horizontal<R> {
                 R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / body.free_share_h()).sqrt());
             group.yield_energy = R::of((1.0 - base.psi) * yield_force * base.u_y);
             // Without horizontal excitation u_y of (21) is zero, and so is the force that z carries.
-            // So they may be taken to be where the number type does not hold 1/u_y.
+            // Where the number type does not hold 1/u_y both are taken as zero.
             let inverse = R::of(1.0 / base.u_y);
             group.inverse_yield = if inverse.to_f64().is_finite() { inverse } else { R::of(0.0) };
         }
@@ -159,7 +159,7 @@ impl<R: Real> Vertical<R> {
 }
 
 impl<R: Real> Drive<R> {
-    /// What it depends on.
+    /// The parameters that it depends on.
     pub const LAW: [Parameter; 7] = [
         Parameter::AH,
         Parameter::AV,

@@ -65,7 +65,7 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
     Row { t, mode, u, du, v, dv, z, phi, dphi }
 }
 
-/// The motion by fixed steps: a row a step, and one a switch.
+/// The motion by fixed steps: a row for each step, and one for each switch.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
     let model = plan.model::<R>(case);
     let clock = plan.clock(case);
@@ -90,7 +90,7 @@ pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
     (rows.take(), plan.outcome(case, &state))
 }
 
-/// The motion by the reference: a row a step of its own choice, and one a switch.
+/// The motion by the reference: a row for each of its adaptive steps, and one for each switch.
 pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
     let mut rows = Vec::new();
     let name = |phase: Phase| match phase {

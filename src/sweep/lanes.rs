@@ -36,10 +36,10 @@ struct ThreadFeed<'a, R> {
 }
 
 impl<R> ThreadFeed<'_, R> {
-    /// Puts the outcomes in their places.
+    /// Stores the outcomes in the cells' order.
     fn deliver(&mut self) {
         (self.sweep.progress)(self.ended.len());
-        // A thread that panicked has left whole outcomes behind.
+        // A thread that panicked has stored whole outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
         for (number, outcome) in self.ended.drain(..) {
             outcomes[number] = outcome;
@@ -70,7 +70,8 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     }
 }
 
-/// Runs cells of a grid on all cores with the vectors of a level; `progress` hears of cells done.
+/// Runs cells of a grid on all cores with the vectors of a level; `progress` is called with the number of
+/// cells done since its last call.
 pub fn sweep<R: Real>(
     plan: &Plan,
     grid: &Grid,
@@ -82,7 +83,7 @@ pub fn sweep<R: Real>(
     either(size_of::<R>() == size_of::<f64>(), &sweep)
 }
 
-/// No longer generic, so that what calls it does not compile all vectors again.
+/// Not generic, so that its callers do not compile all kinds of vectors again.
 fn either(double: bool, sweep: &Sweep) -> Vec<Outcome> {
     let run = if double { run::<f64> } else { run::<f32> };
     run(sweep)
@@ -113,7 +114,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
                 )
             };
         }
-        // Without SSE4.2, which has little that SSE2 has not: each level compiles the turn once more.
+        // SSE4.2 is left out: it has little beyond SSE2, and each level compiles the turn once more.
         #[cfg(target_arch = "x86_64")]
         if let Some(simd) = level.as_avx512() {
             run!(simd);
@@ -129,7 +130,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The vectors that this machine has, the plainest first: names and levels.
+/// The vector instructions that this machine has, the narrowest first: names and levels.
 pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -1,6 +1,6 @@
 //! The laws of the base that decide which model a cell runs.
 
-/// What decides which model a cell runs.
+/// The laws that decide which model a cell runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Laws {
     /// The base moves in each direction.

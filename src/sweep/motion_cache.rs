@@ -28,7 +28,7 @@ pub struct MotionCache(Mutex<Vec<(Key, Entry)>>);
 
 impl MotionCache {
     fn entries(&self) -> MutexGuard<'_, Vec<(Key, Entry)>> {
-        // What a thread that broke off leaves is whole: an entry is made before it is added.
+        // A thread that panicked leaves whole entries only: an entry is made before it is added.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -46,7 +46,7 @@ impl MotionCache {
         self.entries().push((key, motions));
     }
 
-    /// Lets go of all motions.
+    /// Frees all motions.
     pub(super) fn clear(&self) {
         self.entries().clear();
     }

@@ -1,6 +1,6 @@
-//! Full-contact motions as numbers in a row: a quantity after the other, in each a motion after the
-//! other, in each a sample after the other. So they lie on a device too (`shaders/shared_contact.wgsl`), where
-//! neighbouring cells read along neighbouring motions.
+//! Full-contact motions in one array: quantity by quantity, in each quantity motion by motion, in each
+//! motion sample by sample. A device has the same array (`shaders/shared_contact.wgsl`): there
+//! neighbouring cells read neighbouring numbers.
 
 use super::table::{Strides, offset};
 use crate::model::real::Real;
@@ -26,7 +26,7 @@ pub const HYSTERETIC: usize = 5;
 pub const MOST: usize = 6;
 /// Of u: largest upper bound up to and with each gap.
 pub const HIGHEST: usize = 7;
-/// Of u: largest lower bound turned about, up to and with each gap.
+/// Of u: largest negative of the lower bound, up to and with each gap.
 pub const DEEPEST: usize = 8;
 /// Of u: largest magnitude of the acceleration up to and with each gap.
 pub const STRONGEST: usize = 9;
@@ -56,7 +56,7 @@ pub struct Motions<R> {
 }
 
 impl<R: Real> Motions<R> {
-    /// Place for motions of these lengths.
+    /// Zeros for motions of these lengths.
     pub fn new(
         fields: usize,
         lengths: impl Iterator<Item = usize>,
@@ -66,7 +66,7 @@ impl<R: Real> Motions<R> {
         let mut samples = 0;
         for length in lengths {
             samples += length;
-            // Motions that take little memory have few samples.
+            // The memory limit keeps the samples below 2^32.
             first.push(samples as u32);
         }
         Motions { values: vec![R::of(0.0); fields * samples], first, strides }
@@ -82,8 +82,8 @@ impl<R: Real> Motions<R> {
         self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
     }
 
-    /// Puts a quantity of a motion in its place. What belongs to gaps has one number less than what
-    /// belongs to samples: the last one stays zero.
+    /// Stores a quantity of a motion. A quantity of gaps has one number less than one of samples: the
+    /// last number stays zero.
     pub fn fill(&mut self, field: usize, number: usize, values: impl Iterator<Item = R>) {
         let start = field * self.samples() + self.first[number] as usize;
         for (place, value) in self.values[start..].iter_mut().zip(values) {

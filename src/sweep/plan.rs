@@ -36,19 +36,19 @@ pub struct Part {
 /// A scene made ready for its cells.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// The scene; of a part, what the part simulates.
+    /// The scene; of a part, the scene with the directions locked that the part locks.
     pub scene: Scene,
     /// How finely its cells are stepped.
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub reductions: Shortcuts,
-    /// What its cells have in common.
+    /// The laws that all its cells have.
     pub(super) laws: Laws,
     /// Its cells differ in their body.
     bodies: bool,
     /// A pulse of some cell has more than one cycle.
     cycles: bool,
-    /// What its tiles share.
+    /// The cache of full-contact motions, shared by all tiles.
     pub(super) motion_cache: Arc<MotionCache>,
 }
 
@@ -147,7 +147,7 @@ impl Plan {
             plan.laws = laws;
             parts.push(Part { plan, cells: vec![cell], vertical_locked });
         }
-        // Those that nothing is locked in first.
+        // Parts without a locked direction come first.
         parts.sort_by_key(|part| part.vertical_locked);
         parts
     }
@@ -182,8 +182,8 @@ impl Plan {
         }
     }
 
-    /// True where z is integrated. Where psi = 1 it has no part in any force; the full model carries it
-    /// all the same, and must resolve it.
+    /// True where z is integrated. Where psi = 1 no force depends on it; the full model integrates it all
+    /// the same, and needs steps that resolve it.
     pub(super) fn has_hysteretic_variable(&self, psi: f64) -> bool {
         psi < 1.0 || !self.reductions.linear
     }
@@ -193,7 +193,7 @@ impl Plan {
         Body::of(&self.locked(case)).model()
     }
 
-    /// What the scene switches on; of a part, what its cells have in common.
+    /// The variant of the model that the scene needs; of a part, the one that all its cells need.
     pub fn variant(&self) -> Variant {
         let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n } = self.laws;
         let (recorded, pulse) = match self.scene.excitation {

@@ -1,4 +1,4 @@
-//! From the state that a cell ends in to its outcome.
+//! The outcome of a cell from its last state.
 
 use super::clock::Clock;
 use crate::model::real::Real;
@@ -8,7 +8,7 @@ use crate::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, State,
 };
 
-/// What of a cell's numbers the reading of its last state takes.
+/// The numbers of a cell that its outcome needs beside the last state.
 #[derive(Debug, Clone, Copy)]
 pub struct Reader {
     t_max: f64,
@@ -20,7 +20,7 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// What it depends on, with the [body](super::body::body_parameters).
+    /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
     pub const LAW: [Parameter; 3] = [Parameter::TMax, Parameter::Tilt, Parameter::TV];
 
     /// That of a cell.
@@ -30,7 +30,7 @@ impl Reader {
         Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection }
     }
 
-    /// What became of a cell of this clock whose run has ended in `state`.
+    /// The outcome of a cell of this clock whose last state is `state`.
     #[inline]
     pub fn outcome<R: Real>(&self, clock: &Clock, state: &State<R>) -> Outcome {
         let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());

@@ -1,4 +1,4 @@
-//! What the tiles of a sweep share: the motions in full contact, integrated for the first of them.
+//! The motions in full contact that the tiles of a sweep share, integrated for the first tile.
 
 use std::sync::Arc;
 
@@ -22,14 +22,15 @@ impl Plan {
         if let Some(motions) = self.motion_cache.find(&key) {
             return motions;
         }
-        // Not under the lock: the threads that integrate may be wanted by who waits for it. Two that
-        // begin together do the same twice, once.
+        // Computed without the lock: a thread that waits for the lock may be needed by the computation.
+        // Two threads that begin at the same time compute the same motions twice; this happens once at
+        // most.
         let motions = Arc::new(FullContactMotions::of(self, &key.grid, record));
         self.motion_cache.add(key, Arc::clone(&motions) as _);
         motions
     }
 
-    /// Lets go of what the tiles shared: a sweep is over, and memory is wanted for other things.
+    /// Frees the motions that the tiles share, at the end of a sweep.
     pub fn forget(&self) {
         self.motion_cache.clear();
     }

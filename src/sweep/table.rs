@@ -1,4 +1,4 @@
-//! Tables of what some of a grid's axes decide.
+//! Tables of numbers that depend on some of a grid's axes only.
 //!
 //! A group of a cell's numbers depends on some of the axes only: under a pulse the steps on Omega, the
 //! yield displacement on A_h. A table has one entry for each combination of the values of those axes,
@@ -76,7 +76,7 @@ pub struct Table<T> {
     pub entries: Vec<T>,
     /// Entries from a value to the next: none along an axis of no effect.
     pub strides: Strides,
-    /// What lies before the window, in entries.
+    /// Entries before the window.
     pub before: usize,
 }
 

@@ -106,7 +106,7 @@ fn instance() -> Option<Instance> {
     Some(Instance::new(descriptor))
 }
 
-/// True for an adapter that is a processor in disguise.
+/// True for a software adapter: the processor computes.
 pub fn is_software(adapter: &Adapter) -> bool {
     adapter.get_info().device_type == DeviceType::Cpu
 }

@@ -1,4 +1,5 @@
-//! A first pass on a device that nobody has asked for by name: it compiles, computes and gives back.
+//! A check of a device that was chosen automatically: it compiles and runs a small shader and compares
+//! its numbers.
 
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,

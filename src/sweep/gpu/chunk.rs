@@ -1,4 +1,4 @@
-//! A submission: cells made, chunks of steps one after the other, and what they tell.
+//! A submission to the device: it makes cells, runs chunks of steps, and returns a report.
 
 use std::time::{Duration, Instant};
 
@@ -24,7 +24,7 @@ pub struct Begin {
     pub group: BindGroup,
 }
 
-/// What a submission is to do.
+/// The work of a submission.
 pub struct Order<'a> {
     /// Sides whose last states are copied to where the host can read them.
     pub copied: [usize; SIDES],
@@ -42,7 +42,7 @@ pub struct Order<'a> {
     pub groups: &'a [BindGroup; RING],
 }
 
-/// A submission on its way.
+/// A submission that the device has not finished.
 pub struct Flight {
     /// Its place.
     pub place: usize,
@@ -61,7 +61,7 @@ pub struct Flight {
     timed: bool,
 }
 
-/// What a submission tells.
+/// The report of a submission.
 pub struct Report {
     /// Cells that still run after it.
     pub running: usize,
@@ -137,7 +137,8 @@ fn copy_back(encoder: &mut CommandEncoder, slots: &Slots, side: usize, cells: us
     }
 }
 
-/// Clears what cells before left behind: no state may pass for that of a cell that was never made.
+/// Clears the states of earlier cells, so that none of them is read as the state of a cell that was never
+/// made.
 fn clear(encoder: &mut CommandEncoder, slots: &Slots, begin: &Begin) {
     let mut clear = |buffer, size: u64| {
         let first = (begin.side * slots.tile) as u64 * size;

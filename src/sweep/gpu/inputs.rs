@@ -1,4 +1,4 @@
-//! What the cells of a sweep are made of, on the device.
+//! The data on the device from which the cells of a sweep are made.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use crate::model::real::Real;
 /// after 65,535 turns.
 const MOST_GAPS: usize = 30_000;
 
-/// What all tiles of a sweep share.
+/// The data that all tiles of a sweep share.
 pub struct Inputs<R> {
     model: Buffer,
     numbers: Buffer,

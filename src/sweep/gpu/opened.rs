@@ -1,4 +1,4 @@
-//! An open GPU: its device, with what one sweep leaves on it for the next.
+//! An open GPU: its device, with the compiled sweeps and the buffers that the next sweep uses again.
 
 use std::ops::Deref;
 use std::sync::{Mutex, PoisonError};
@@ -15,13 +15,13 @@ use crate::model::precision::Precision;
 /// An open GPU.
 pub struct Gpu {
     device: OpenDevice,
-    /// The sweeps compiled so far: tiles after the first need not wait for the compiler.
+    /// The compiled sweeps: only the first tile waits for the compiler.
     pipelines: Mutex<Vec<(Key, Pipelines)>>,
     /// Places for cells, used again by the next sweep.
     slots: Mutex<Option<Slots>>,
 }
 
-/// What a compiled sweep is for.
+/// The number type and the variant of a compiled sweep.
 type Key = (Precision, Variant);
 
 impl Deref for Gpu {
@@ -64,7 +64,7 @@ impl Gpu {
     /// The places for cells that the last sweep left, where they suit.
     pub fn slots(&self, suit: impl FnOnce(&Slots) -> bool) -> Option<Slots> {
         let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
-        // Others are let go of, before new ones take memory.
+        // Places that do not suit are freed before new ones take memory.
         slots.take().filter(suit)
     }
 

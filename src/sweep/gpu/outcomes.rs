@@ -1,4 +1,4 @@
-//! Outcomes made of last states where a device has put them.
+//! The outcomes of cells from the last states that a device has written.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;

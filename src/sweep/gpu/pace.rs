@@ -1,4 +1,4 @@
-//! How much a device is given at a time, by how long it took for what it was given before.
+//! The size of the next submission to a device, from the time that earlier ones took.
 
 use std::time::Duration;
 

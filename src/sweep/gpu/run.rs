@@ -18,7 +18,7 @@ use crate::stepping::state::State;
 
 /// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
 const MOST_CELLS: usize = 1 << 18;
-/// The same on a processor in disguise, whose caches then hold the states.
+/// The same on a software adapter: the states then fit in the processor's caches.
 const MOST_CELLS_SOFTWARE: usize = 1 << 15;
 
 /// The compiled sweep of a scene.
@@ -107,7 +107,7 @@ impl<'a> Sweeper<'a> {
         let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, (cells, tile))?;
         let results = tiles.run(progress)?;
-        // What a failure leaves behind is not used again.
+        // After a failure the slots are not used again.
         self.gpu.keep(slots);
         Ok(results)
     }

@@ -1,5 +1,5 @@
-//! What the device is told of a tile: where its cells and their numbers lie. The cells themselves
-//! are made there, by `shaders/begin.wgsl`.
+//! The description of a tile for the device: the places of its cells and of their numbers. The device
+//! makes the cells themselves, by `shaders/begin.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
 use rayon::prelude::*;

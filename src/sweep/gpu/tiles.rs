@@ -36,7 +36,7 @@ pub struct Tiles<'a, R> {
     most_cells: usize,
     /// Tiles whose cells run.
     sides: [Option<Loaded<'a, R>>; SIDES],
-    /// Tiles whose last states are on their way to the host.
+    /// Tiles whose last states are being copied to the host.
     copied: [Option<Loaded<'a, R>>; SIDES],
     flights: VecDeque<Flight>,
     /// Submissions made and heard of, chunks, tiles begun and read.
@@ -127,7 +127,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         self.running + self.flights.iter().map(|flight| flight.begun).sum::<usize>()
     }
 
-    /// Hands the device what is next; false where there is nothing to do.
+    /// Submits the next work to the device; false where there is none.
     fn submit(&mut self) -> Result<bool, GpuError> {
         let mut copied = [0; SIDES];
         for (side, cells) in copied.iter_mut().enumerate() {
@@ -189,7 +189,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(Begin { side, cells: count, threads, group })
     }
 
-    /// Takes in what a submission tells.
+    /// Updates the tiles by the report of a submission.
     fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), GpuError> {
         for side in 0..SIDES {
             if let Some(tile) = self.sides[side].as_mut().filter(|tile| tile.since <= self.heard) {
@@ -207,7 +207,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             let steps = report.steps.wrapping_sub(self.steps);
             self.steps = report.steps;
             self.all_steps += u64::from(steps);
-            // A device that stands still, or whose states do not come to stay.
+            // The device makes no progress, or loses the states that it writes.
             if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
                 return Err(GpuError::Unfinished(self.running));
             }
