@@ -200,6 +200,15 @@ fn the_archive_describes_itself() {
     assert!(proved.iter().any(|proved| *proved) && !proved.iter().all(|proved| *proved));
 }
 
+/// What there is to resume is told, also where it is nothing.
+#[test]
+fn nothing_to_resume_is_told() {
+    let (_, said) = small_map(&["--resume"]);
+    assert!(said.contains("resumed    nothing"), "{said}");
+    let (_, said) = small_map(&[]);
+    assert!(!said.contains("resumed"), "{said}");
+}
+
 #[test]
 fn quiet_says_nothing() {
     let (_, said) = small_map(&["--quiet"]);

@@ -27,7 +27,7 @@ use topple::store::shelf::missing;
 use topple::sweep::backend::{Backend, Swept};
 use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
-use topple::sweep::tiles::{self, TiledError, Worker};
+use topple::sweep::tiles::{self, Sizes, TiledError, Worker};
 
 #[test]
 fn parts_hold_every_cell_once() {
@@ -103,7 +103,7 @@ fn sweep(
     };
     let workers: Vec<Worker> = (0..workers).map(double).collect();
     let all = 0..grid.len();
-    let took = tiles::sweep(&workers, &[all], 50, |first, some| {
+    let took = tiles::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
         outcomes[first..first + some.len()].copy_from_slice(some);
         Ok(())
     });
@@ -135,6 +135,34 @@ fn adapters_that_vanish_lose_nothing() {
     assert!(some.iter().zip(&alone).all(|(a, b)| *a == Outcome::PENDING || a == b));
 }
 
+/// Tiles are as many cells as a worker does in the time that they are to take: fewer where cells are slow,
+/// at most four times the last where they are fast, and never more than fit.
+#[test]
+fn tiles_are_sized_by_time() {
+    // A second a cell up to the hundredth, then a millisecond.
+    let double = |cells: Range<usize>| {
+        let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
+        let outcomes = vec![Outcome::PENDING; cells.len()];
+        let elapsed = Duration::from_secs_f64(elapsed);
+        Ok(Swept { outcomes, elapsed, compile: Duration::ZERO, device: None })
+    };
+    let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
+    let workers: Vec<Worker> = vec![Box::new(double)];
+    let mut tiles = Vec::new();
+    let took = tiles::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
+        tiles.push((first, some.len()));
+        Ok::<(), ()>(())
+    });
+    assert!(took.unwrap().lost.is_empty());
+    // 50 s for the first; then 2 s each.
+    assert_eq!(tiles[..3], [(0, 50), (50, 2), (52, 2)]);
+    let fast: Vec<usize> =
+        tiles.iter().filter(|(first, _)| *first >= 100).map(|(_, cells)| *cells).collect();
+    assert_eq!(fast, [2, 8, 32, 128, 512, 1000, 1000, 128]);
+    let cells: usize = tiles.iter().map(|(_, cells)| cells).sum();
+    assert_eq!(cells, 110 + 2800);
+}
+
 /// A disk that is full ends the sweep with its error, and the workers with it.
 #[test]
 fn what_cannot_be_kept_ends_the_sweep() {
@@ -145,7 +173,7 @@ fn what_cannot_be_kept_ends_the_sweep() {
     let workers: Vec<Worker> = vec![Box::new(double), Box::new(double)];
     let mut kept = 0;
     let all = 0..1_000_000;
-    let ended = tiles::sweep(&workers, &[all], 10, |_, _| {
+    let ended = tiles::sweep(&workers, &[all], Sizes::fixed(10), |_, _| {
         kept += 1;
         if kept == 3 { Err("no space left") } else { Ok(()) }
     });
@@ -182,7 +210,9 @@ fn after_a_lost_device_the_run_goes_on() {
                 }
                 run(cells)
             });
-            let swept = tiles::sweep(&[worker], &left, 50, |first, some| keeper.take(first, some));
+            let swept = tiles::sweep(&[worker], &left, Sizes::fixed(50), |first, some| {
+                keeper.take(first, some)
+            });
             assert_eq!(swept.is_err(), fails);
             if !fails {
                 let outcomes = keeper.finish(grid.len()).unwrap();

@@ -122,6 +122,8 @@ pub struct Takes {
     pub line: String,
     /// Time that the sample spent on compiling the shader, which the run need not spend again.
     pub compile: Duration,
+    /// Cells a second of one worker, where a sample told.
+    pub rate: Option<f64>,
 }
 
 /// What a run takes that is about to start, with `left` cells to run.
@@ -137,13 +139,13 @@ pub fn before(
 ) -> anyhow::Result<Takes> {
     let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(plan, left));
     if left < SMALL {
-        return Ok(Takes { line: motion, compile: Duration::ZERO });
+        return Ok(Takes { line: motion, compile: Duration::ZERO, rate: None });
     }
     let takes = Estimate::of(plan, grid, options, &backends[0], left)?;
     disk::fits(takes.disk, &options.run.out)?;
     let time = left as f64 / takes.rate / backends.len() as f64;
     let line = format!("{motion}, about {}, up to {} of disk", duration(time), size(takes.disk));
-    Ok(Takes { line, compile: takes.compile })
+    Ok(Takes { line, compile: takes.compile, rate: Some(takes.rate) })
 }
 
 /// Time that cells simulate if none ends early, s.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use topple::map::outcomes::Outcomes;
 use topple::scene::{Grid, Scene};
@@ -14,7 +14,7 @@ use topple::store::shelf::missing;
 use topple::store::{Found, Store, StoreError};
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
-use topple::sweep::tiles::{self, Took, Worker};
+use topple::sweep::tiles::{self, Sizes, Took, Worker};
 
 use super::finish::{self, Finished};
 use super::options::{MapOptions, RunOptions, flag_error};
@@ -58,11 +58,14 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     }
     if resumed_cells > 0 {
         say.line("resumed", format!("{resumed_cells} of {} cells were done", wanted.len()));
+    } else if options.resume {
+        say.line("resumed", "nothing: no cell of this run was kept; it begins at the start");
     }
     if missing_cells > 0 {
         say.line("takes", &takes.line);
     }
-    let job = Job { plan: &plan, grid: &grid, backends: &backends, options, store: &store };
+    let rate = takes.rate;
+    let job = Job { plan: &plan, grid: &grid, backends: &backends, options, store: &store, rate };
     let swept = job.sweep(found, &left);
     let (outcomes, took) = match swept {
         Ok(swept) => swept,
@@ -144,7 +147,14 @@ struct Job<'a> {
     backends: &'a [Backend],
     options: &'a MapOptions,
     store: &'a Store,
+    /// Cells a second of one worker, where a sample told.
+    rate: Option<f64>,
 }
+
+/// Time that a tile takes at least, however often what is done is to be kept.
+const SHORTEST_TILE: Duration = Duration::from_millis(500);
+/// Cells of the first tile where no sample told how long they take.
+const UNKNOWN: usize = 1 << 10;
 
 impl Job<'_> {
     /// Sweeps what is left: the outcomes of all cells, but for a part, which stays on disk.
@@ -153,7 +163,7 @@ impl Job<'_> {
         found: Found,
         left: &[Range<usize>],
     ) -> anyhow::Result<(Option<Box<dyn Outcomes>>, Took)> {
-        let Job { plan, grid, backends, options, store } = *self;
+        let Job { plan, grid, backends, options, store, .. } = *self;
         let RunOptions { precision, resolve, quiet, .. } = options.run;
         let mut keeper = if options.tile.is_none() && memory::holds(grid) {
             Keeper::in_memory(store, &found.tiles, grid.len(), options.keep_every)?
@@ -171,11 +181,15 @@ impl Job<'_> {
         };
         let workers: Vec<Worker> = backends.iter().map(worker).collect();
         // Several workers are all to have some, and to end together.
-        let tile = match workers.len() {
+        let most = match workers.len() {
             1 => backends[0].tile(),
             several => backends[0].tile().min(cells.div_ceil(4 * several).max(1)),
         };
-        let took = tiles::sweep(&workers, left, tile, |first, some| keeper.take(first, some));
+        let takes = options.keep_every.max(SHORTEST_TILE);
+        // Cells that are slow are to be kept in time, too.
+        let first = self.rate.map_or(UNKNOWN, |rate| (rate * takes.as_secs_f64()) as usize);
+        let sizes = Sizes { first, most, takes };
+        let took = tiles::sweep(&workers, left, sizes, |first, some| keeper.take(first, some));
         progress.finish();
         plan.forget();
         let took = took.inspect_err(|_| {

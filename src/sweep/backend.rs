@@ -39,7 +39,7 @@ pub struct Swept {
 }
 
 impl Backend {
-    /// Cells of a tile: some seconds' work.
+    /// Most cells of a tile.
     pub fn tile(&self) -> usize {
         match self {
             Backend::Gpu(_) => 1 << 20,

@@ -36,12 +36,42 @@ pub enum TiledError<E> {
     Keep(E),
 }
 
+/// How many cells a tile has: what a worker does in some seconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Cells of each worker's first tile.
+    pub first: usize,
+    /// Most cells of a tile.
+    pub most: usize,
+    /// Time that a tile is to take.
+    pub takes: Duration,
+}
+
+/// Most times as many cells as in the worker's last tile: cells differ.
+const GROWTH: f64 = 4.0;
+
+impl Sizes {
+    /// Tiles of so many cells, however long they take.
+    pub fn fixed(cells: usize) -> Sizes {
+        Sizes { first: cells, most: cells, takes: Duration::MAX }
+    }
+
+    /// Cells of the tile after one of so many cells that took so long.
+    fn after(&self, cells: usize, elapsed: Duration) -> usize {
+        let share = self.takes.as_secs_f64() / elapsed.as_secs_f64().max(1.0e-9);
+        let next = cells as f64 * share.min(GROWTH);
+        (next as usize).clamp(1, self.most.max(1))
+    }
+}
+
 /// Tiles that may wait to be kept.
 const BACKLOG: usize = 3;
 
-/// Workers, and the tiles that they have not begun.
+/// Workers, and the cells that they have not begun.
 struct Pool {
     queue: VecDeque<Range<usize>>,
+    /// Cells of each worker's next tile.
+    sizes: Vec<usize>,
     orders: Vec<mpsc::Sender<Range<usize>>>,
     idle: Vec<usize>,
     running: usize,
@@ -51,10 +81,15 @@ impl Pool {
     /// Gives every idle worker a tile, while there are any.
     fn dispatch(&mut self) {
         while let Some(worker) = self.idle.pop() {
-            let Some(cells) = self.queue.pop_front() else {
+            let Some(mut cells) = self.queue.pop_front() else {
                 self.idle.push(worker);
                 return;
             };
+            let end = cells.start.saturating_add(self.sizes[worker]);
+            if end < cells.end {
+                self.queue.push_front(end..cells.end);
+                cells.end = end;
+            }
             // A worker hears its orders until the pool is gone.
             let _ = self.orders[worker].send(cells);
             self.running += 1;
@@ -62,7 +97,7 @@ impl Pool {
     }
 }
 
-/// Runs the `missing` cells in tiles of so many on workers of one kind, each taking the next when it is
+/// Runs the `missing` cells in tiles of these sizes on workers of one kind, each taking the next when it is
 /// done; `keep` is handed every tile as it comes, by its first cell. A worker that fails takes no
 /// more, and its tile goes to another.
 ///
@@ -72,13 +107,9 @@ impl Pool {
 pub fn sweep<E: Send>(
     workers: &[Worker],
     missing: &[Range<usize>],
-    tile: usize,
+    sizes: Sizes,
     mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E> + Send,
 ) -> Result<Took, TiledError<E>> {
-    let cut = |range: &Range<usize>| {
-        let end = range.end;
-        range.clone().step_by(tile).map(move |start| start..(start + tile).min(end))
-    };
     let mut took = Took::default();
     let mut times = vec![(Duration::ZERO, Duration::ZERO); workers.len()];
     let left = thread::scope(|scope| {
@@ -91,7 +122,8 @@ pub fn sweep<E: Send>(
             orders.push(order);
         }
         let mut pool = Pool {
-            queue: missing.iter().flat_map(cut).collect(),
+            queue: missing.iter().filter(|cells| !cells.is_empty()).cloned().collect(),
+            sizes: vec![sizes.first.clamp(1, sizes.most.max(1)); workers.len()],
             orders,
             idle: (0..workers.len()).rev().collect(),
             running: 0,
@@ -114,6 +146,8 @@ pub fn sweep<E: Send>(
                 Ok(swept) => {
                     times[worker].0 += swept.elapsed;
                     times[worker].1 += swept.compile;
+                    // A last tile that is cut short says no less of the worker's speed.
+                    pool.sizes[worker] = sizes.after(cells.len(), swept.elapsed);
                     pool.idle.push(worker);
                     pool.dispatch();
                     if done.send((cells.start, swept.outcomes)).is_err() {
