@@ -25,6 +25,7 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::tile::{OwnClocks, Tile};
 use topple::sweep::gpu::{adapter, outcomes};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use topple::sweep::table::Window;
 
 /// Cells of a tile.
@@ -71,7 +72,7 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let all: Vec<usize> = (0..grid.len()).collect();
-    let cells = Cells::<R>::of(&plan, &grid, &all, &plan.record());
+    let cells = Cells::<R>::of(&plan, &grid, &all, &plan.record(), &Unwatched);
     let tables = each(all.len(), || {
         black_box(CellTables::<R>::of(&plan, &grid, &Window::whole(&grid)));
     });

@@ -8,20 +8,22 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use topple::map::Map;
 use topple::map::figure::{document, overturning};
-use topple::map::npz::Source;
-use topple::map::{self, Map};
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, pivot};
 use topple::model::precision::Precision;
 use topple::model::real::Real;
-use topple::scene::text::SceneText;
+use topple::results;
+use topple::results::about::Source;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::Class;
 use topple::stepping::single::Single;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use topple::sweep::{cpu, lanes};
 
 fn scene(omega: &str, a_h: &str) -> Scene {
@@ -29,7 +31,7 @@ fn scene(omega: &str, a_h: &str) -> Scene {
         "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.75\n\
          [pulse]\nomega = \"{omega}\"\na_h = \"{a_h}\"\na_v = 0.5\n"
     );
-    SceneText::from_toml(&text).unwrap().check().unwrap()
+    SceneBuilder::from_toml(&text).unwrap().check().unwrap()
 }
 
 /// Steps of a cell that rocks on, one by one as a vector of one lane, and the certificate.
@@ -39,7 +41,7 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let grid = Grid::of(&scene);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
     let cells: Vec<usize> = (0..grid.len()).collect();
-    let outcomes = cpu::sweep::<R>(&plan, &grid, &cells, &|_| ());
+    let outcomes = cpu::sweep::<R>(&plan, &grid, &cells, &Unwatched);
     let standing = cells.iter().filter(|index| outcomes[**index].class == Class::Rocking);
     let index = *standing.max_by_key(|index| outcomes[**index].impacts).unwrap();
     let model = plan.model::<R>(&plan.scene.case());
@@ -87,16 +89,16 @@ fn writers(c: &mut Criterion) {
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &|_| ());
+    let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
     let map = Map { scene: &scene, grid, outcomes: outcomes.into() };
     c.bench_function("writer, csv, 128 x 128", |b| {
-        b.iter(|| map::csv::write(&map.grid, &map, Vec::with_capacity(1 << 22)).unwrap());
+        b.iter(|| results::csv::write(&map.grid, &map, Vec::with_capacity(1 << 22)).unwrap());
     });
     let source = Source { scene: &scene, precision: Precision::F32 };
     c.bench_function("writer, npz, 128 x 128", |b| {
         b.iter(|| {
             let into = Cursor::new(Vec::with_capacity(1 << 22));
-            map::npz::write(&map.grid, &map, source, into).unwrap()
+            results::npz::write(&map.grid, &map, source, into).unwrap()
         });
     });
     c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
@@ -113,11 +115,11 @@ fn sweeps(c: &mut Criterion) {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
     c.bench_function("sweep, a cell at a time, f64, 24 x 24", |b| {
-        b.iter(|| cpu::sweep_one_by_one::<f64>(&plan, &grid, &cells, &|_| ()));
+        b.iter(|| cpu::sweep_one_by_one::<f64>(&plan, &grid, &cells, &Unwatched));
     });
     for (name, level) in lanes::levels() {
         c.bench_function(&format!("sweep, lanes f32, {name}, 24 x 24"), |b| {
-            b.iter(|| lanes::sweep::<f32>(&plan, &grid, &cells, &|_| (), level));
+            b.iter(|| lanes::sweep::<f32>(&plan, &grid, &cells, &Unwatched, level));
         });
     }
 }

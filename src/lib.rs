@@ -1,23 +1,123 @@
 //! Overturning and rocking maps of rigid blocks on an isolated base.
 //!
-//! A [`Scene`](scene::Scene) says what is simulated; its [`Grid`](scene::Grid) names the cells,
-//! each one simulation. A [backend](sweep) runs them, by the same fixed-step method on a GPU or a
-//! CPU, and gives one [`Outcome`](stepping::outcome::Outcome) a cell; the adaptive
-//! [reference](stepping::reference) judges a sample of them. The [map] of outcomes goes to
-//! files.
+//! A [`Scene`] says what is simulated: a block, its base, and a pulse or a record. Every number of it that
+//! has several values is an axis of the sweep; each point of the grid is a cell, one simulation. [`sweep`]
+//! runs them all by the same fixed-step method on a GPU or a CPU, has an adaptive reference verify a sample, and
+//! gives the [columns](Column) of the map. SI units everywhere.
+//!
+//! ```
+//! use topple::{
+//!     BackendRequest, Class, Column, Parameter, Range, RunSettings, SceneBuilder, Unwatched, sweep,
+//! };
+//!
+//! # fn main() -> Result<(), topple::SweepError> {
+//! // The caryatid of the paper on a base with T_h = 1.75 s and T_v = 0.75 s, under one-sine pulses.
+//! let scene = SceneBuilder::object(1)
+//!     .with(Parameter::Eccentricity, 0.2)
+//!     .with(Parameter::TH, 1.75)
+//!     .with(Parameter::TV, 0.75)
+//!     .with(Parameter::Omega, Range::even(0.2, 15.0, 40))
+//!     .with(Parameter::AH, Range::even(0.1, 15.0, 40))
+//!     .check()?;
+//! let mut settings = RunSettings::default();
+//! settings.backend = BackendRequest::Cpu;
+//! let map = sweep(&scene, &[], &settings, &Unwatched)?;
+//!
+//! // A value a cell: Omega runs fastest, then A_h.
+//! let outcomes = map.column(Column::Outcome)?;
+//! let left = outcomes.iter().filter(|code| **code == Class::OverturnedLeft as u8 as f64).count();
+//! assert!(left > 500 && left < 700, "of 1600 cells {left} overturn about the left corner");
+//! assert_eq!(map.verification.map(|by_reference| by_reference.differ), Some(0));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Features
+//!
+//! `cli` (default) is the command `topple`, with all others. A library user turns it off and chooses from
+//! `gpu` (the shader, by wgpu) and `pictures` (figures of maps and of the paper); without either, sweeps run on
+//! the CPU. `internals` opens the modules behind this page, which promise nothing.
+//!
+//! # The way of the data
 //!
 //! ```text
-//! scene -> grid -> cells -> backend -> outcomes -> map -> files
+//! scene -> grid -> cells -> backend -> outcomes -> columns -> files, pictures
 //! ```
 
+// What is not on this page serves the command and the tests.
+#![cfg_attr(not(feature = "internals"), allow(dead_code))]
+
+#[cfg(all(feature = "gpu", feature = "pictures"))]
+#[doc(hidden)]
 pub mod chart;
+#[cfg(feature = "pictures")]
+#[doc(hidden)]
 pub mod figures;
+#[cfg(feature = "pictures")]
+#[doc(hidden)]
 pub mod map;
+
+#[cfg(not(feature = "internals"))]
+mod model;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
 pub mod model;
+
+#[cfg(not(feature = "internals"))]
+mod results;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod results;
+
+#[cfg(not(feature = "internals"))]
+mod scene;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
 pub mod scene;
+
+#[cfg(not(feature = "internals"))]
+mod stepping;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
 pub mod stepping;
-pub mod store;
+
+#[cfg(not(feature = "internals"))]
+mod sweep;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
 pub mod sweep;
+
+pub use model::precision::Precision;
+pub use model::pulse::Shape;
+pub use results::columns::{Column, STATUS_NAMES};
+pub use results::files::WriteError;
+pub use results::outcomes::Outcomes;
+pub use results::part::{Part, PartError};
+pub use results::size::FileSizes;
+pub use results::store_error::StoreError;
+pub use results::tally::Tally;
+pub use scene::excitation::RecordText;
+pub use scene::grid::Axis;
+pub use scene::record::{Record, Units, pair::Pair};
+pub use scene::{
+    Directions, Excitation, Grid, Numbers, Overturn, Parameter, Range, Scene, SceneBuilder,
+    SceneError, Values,
+};
+pub use stepping::outcome::{Class, Outcome, Status};
+pub use sweep::backend_error::BackendError;
+pub use sweep::description::AdapterDescription;
+pub use sweep::error::SweepError;
+pub use sweep::estimate::Estimate;
+pub use sweep::job::{Job, PartSweep, SweepResult};
+pub use sweep::map::MapSweep;
+pub use sweep::observer::{Observer, Phase};
+pub use sweep::parts_error::PartsError;
+pub use sweep::progress::{Progress, Unwatched};
+pub use sweep::report::Report;
+pub use sweep::request::BackendRequest;
+pub use sweep::run::sweep;
+pub use sweep::settings::{Method, RunSettings, Saving};
+pub use sweep::verification::{Difference, Verification};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

@@ -1,4 +1,4 @@
-//! The `topple` command. Exit status: 0 done; 1 a run that failed; 2 bad input.
+//! The `topple` command. Exit status: 0 done; 1 a run that failed; 2 bad input; 130 ended by Ctrl-C.
 
 mod cli;
 
@@ -9,7 +9,11 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("topple: {error:#}");
-            ExitCode::from(if error.is::<cli::InputError>() { 2 } else { 1 })
+            ExitCode::from(match &error {
+                error if error.is::<cli::InputError>() => 2,
+                error if error.is::<cli::Interrupted>() => cli::INTERRUPTED,
+                _ => 1,
+            })
         }
     }
 }

@@ -14,12 +14,13 @@ use topple::model::real::Real;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::{self, Settings};
+use topple::sweep::backend_error::BackendError;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
-use topple::sweep::gpu::GpuError;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use topple::sweep::verification::compare;
 
 /// Points of an axis.
@@ -77,19 +78,19 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
 
 #[test]
 fn cpu_f64_agrees_with_the_reference() {
-    hold("cpu f64", 1, |plan, grid| cpu::sweep::<f64>(plan, grid, &all(grid), &|_| ()));
+    hold("cpu f64", 1, |plan, grid| cpu::sweep::<f64>(plan, grid, &all(grid), &Unwatched));
 }
 
 #[test]
 fn cpu_f32_agrees_with_the_reference() {
-    hold("cpu f32", 4, |plan, grid| cpu::sweep::<f32>(plan, grid, &all(grid), &|_| ()));
+    hold("cpu f32", 4, |plan, grid| cpu::sweep::<f32>(plan, grid, &all(grid), &Unwatched));
 }
 
 fn hold_gpu<R: Real>(precision: Precision, allowed: usize) {
     let Some(gpu) = gpu("agreement of the shader with the reference", precision) else { return };
     hold(&format!("gpu {precision:?}"), allowed, |plan, grid| {
         let sweeper = Sweeper::new(&gpu, precision, plan.variant()).unwrap();
-        sweeper.sweep::<R>(plan, grid, &all(grid), &|_| ()).unwrap().outcomes
+        sweeper.sweep::<R>(plan, grid, &all(grid), &Unwatched).unwrap().outcomes
     });
 }
 
@@ -115,7 +116,7 @@ fn a_wrong_sign_in_the_shader_shows() {
     let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
-        let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
+        let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
         let report = compare(
             &grid,
             judged.iter().map(|&(index, reference)| (index, cells[index], reference)),
@@ -161,7 +162,7 @@ fn locked_directions_agree_with_the_reference() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
         let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
-        let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         let report = compare(
             &grid,
             judged.iter().map(|&(index, reference)| (index, twin[index], reference)),
@@ -169,7 +170,8 @@ fn locked_directions_agree_with_the_reference() {
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
-            let shader = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
+            let shader =
+                sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
             let report = compare(
                 &grid,
                 judged.iter().map(|&(index, reference)| (index, shader[index], reference)),
@@ -195,19 +197,19 @@ fn a_shader_that_does_nothing_is_an_error() {
         assert_eq!(source.matches(from).count(), 1, "{from}");
         let sweeper =
             Sweeper::from_source(&gpu, &source.replace(from, to), plan.variant(), 0).unwrap();
-        sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).map(|ran| ran.outcomes)
+        sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).map(|ran| ran.outcomes)
     };
     let idle =
         sweep("turn(cell, &state, &turns);", "if cell.steps == 0u { turn(cell, &state, &turns); }");
-    assert!(matches!(idle, Err(GpuError::Unfinished(64))), "{idle:?}");
+    assert!(matches!(idle, Err(BackendError::Unfinished(64))), "{idle:?}");
     // States zeroed behind the sweep's back.
     let zeroed = sweep("states[lane] = state;", "states[lane] = State();");
-    assert!(matches!(zeroed, Err(GpuError::Unfinished(_))), "{zeroed:?}");
+    assert!(matches!(zeroed, Err(BackendError::Unfinished(_))), "{zeroed:?}");
     // Cells that a chunk leaves running lost from the list of the next.
     let lost = sweep("+ group_place + place] = lane;", "+ group_place + place] = 0u;");
-    assert!(matches!(lost, Err(GpuError::Unfinished(_))), "{lost:?}");
+    assert!(matches!(lost, Err(BackendError::Unfinished(_))), "{lost:?}");
     let refused = Sweeper::from_source(&gpu, "no shader", plan.variant(), 0);
-    assert!(matches!(refused, Err(GpuError::Refused(_))));
+    assert!(matches!(refused, Err(BackendError::Refused(_))));
 }
 
 /// The switches that the shader keeps are those of its twin, one by one: kinds, steps, phases, and
@@ -218,7 +220,7 @@ fn the_shader_keeps_the_switches_of_its_twin() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "2:15:8", "3:15:8");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let sweeper = Sweeper::keeping(&gpu, Precision::F64, plan.variant(), 8).unwrap();
-    let shader = sweeper.sweep::<f64>(&plan, &grid, &all(&grid), &|_| ()).unwrap().events;
+    let shader = sweeper.sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched).unwrap().events;
     let (_, twin) = cpu::sweep_keeping::<f64>(&plan, &grid, &all(&grid), 8);
     assert_eq!(shader.len(), 64 * 8);
     assert!(twin.iter().filter(|event| event.kind != 0).count() > 100, "too few to tell");

@@ -17,6 +17,7 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// Numbers that any scene may sweep, and from where to where.
 const ANY: [(Parameter, f64, f64); 15] = [
@@ -40,9 +41,9 @@ const ANY: [(Parameter, f64, f64); 15] = [
 const OF_PULSE: [(Parameter, f64, f64); 3] =
     [(Parameter::Omega, 1.0, 9.0), (Parameter::AH, -9.0, 12.0), (Parameter::AV, -2.0, 2.0)];
 /// A number, and from where to where.
-type Swept = (Parameter, f64, f64);
+type BackendOutcomes = (Parameter, f64, f64);
 /// Shapes of a pulse, and their numbers.
-const SHAPES: [(&str, &[Swept]); 6] = [
+const SHAPES: [(&str, &[BackendOutcomes]); 6] = [
     ("one-sine", &[]),
     ("one-sine", &[(Parameter::Cycles, 0.5, 3.0)]),
     ("one-cosine", &[(Parameter::Cycles, 0.5, 3.0)]),
@@ -158,7 +159,7 @@ fn alone(scene: &Scene, grid: &Grid, cell: usize) -> Scene {
 
 fn sweep(backend: &Backend, scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    backend.sweep(&plan, &Grid::of(scene), precision, &|_| ()).unwrap().outcomes
+    backend.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().outcomes
 }
 
 /// Two numbers within a share of each other, and of one.
@@ -251,7 +252,9 @@ fn cells_share_their_bodies() {
     fn bodies<R: Real>(scene: &Scene) -> usize {
         let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
         let cells: Vec<usize> = (0..grid.len()).collect();
-        topple::sweep::cells::Cells::<R>::of(&plan, &grid, &cells, &plan.record()).bodies().len()
+        topple::sweep::cells::Cells::<R>::of(&plan, &grid, &cells, &plan.record(), &Unwatched)
+            .bodies()
+            .len()
     }
     let map = common::object(1, 0.2, (1.75, 0.75), 0.0, "1:9:10", "1:9:10");
     assert_eq!(bodies::<f32>(&map), 1);
@@ -264,7 +267,7 @@ fn by_text(gpu: &Gpu, source: &str, scene: &Scene) -> Vec<Outcome> {
     let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
     let cells: Vec<usize> = (0..grid.len()).collect();
     let sweeper = Sweeper::from_source(gpu, source, plan.variant(), 0).unwrap();
-    sweeper.sweep::<f32>(&plan, &grid, &cells, &|_| ()).unwrap().outcomes
+    sweeper.sweep::<f32>(&plan, &grid, &cells, &Unwatched).unwrap().outcomes
 }
 
 /// The negative control: a mistake in where the device looks up a cell's body or its tables shows.

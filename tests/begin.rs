@@ -18,6 +18,7 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// A number between two, from a generator.
 fn between(rng: &mut Pcg64Mcg, least: f64, most: f64) -> f64 {
@@ -82,7 +83,7 @@ fn words<T: bytemuck::Pod>(item: &T) -> Vec<u32> {
 fn tables_hold<R: Real>(scene: &Scene) {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let grid = Grid::of(scene);
-    let cells = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record());
+    let cells = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
     for index in 0..grid.len() {
         let (cell, state) = plan.cell::<R>(&grid.case(index));
         let (mut made, begun) = cells.begin(index);
@@ -118,7 +119,7 @@ fn device_makes<R: Real>(
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let chosen = chosen(&grid);
-    let host = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record());
+    let host = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
     let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
     for side in [0, 1] {
         let made = sweeper.make::<R>(&plan, &grid, &chosen, side).unwrap();
@@ -200,7 +201,7 @@ fn a_mistake_in_making_cells_shows() {
     let Some(gpu) = gpu("mistakes in making cells", Precision::F32) else { return };
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "-7:15:24");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let host = Cells::<f32>::of(&plan, &grid, &all(&grid), &plan.record());
+    let host = Cells::<f32>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),

@@ -12,6 +12,7 @@ use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// Every cell of a scene by both precisions and in full: what is said of all of them holds.
 fn swept(scene: &Scene) -> Vec<Vec<Outcome>> {
@@ -19,10 +20,10 @@ fn swept(scene: &Scene) -> Vec<Vec<Outcome>> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let (single, double) = (plan.at(Precision::F32), plan.at(Precision::F64));
     vec![
-        cpu::sweep::<f32>(&single, &grid, &all(&grid), &|_| ()),
-        cpu::sweep::<f64>(&double, &grid, &all(&grid), &|_| ()),
-        cpu::sweep_one_by_one::<f64>(&double, &grid, &all(&grid), &|_| ()),
-        cpu::sweep::<f64>(&double.full_model(), &grid, &all(&grid), &|_| ()),
+        cpu::sweep::<f32>(&single, &grid, &all(&grid), &Unwatched),
+        cpu::sweep::<f64>(&double, &grid, &all(&grid), &Unwatched),
+        cpu::sweep_one_by_one::<f64>(&double, &grid, &all(&grid), &Unwatched),
+        cpu::sweep::<f64>(&double.full_model(), &grid, &all(&grid), &Unwatched),
     ]
 }
 
@@ -217,7 +218,7 @@ fn a_grazing_uplift_and_its_mirror_image() {
         ));
         let grid = Grid::of(&scene);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).full_model();
-        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         assert!(cells[0].uplifts > 0, "{sign}: {:?}", cells[0]);
     }
 }

@@ -454,7 +454,7 @@ proptest! {
     /// Any text is a scene or an error, never a panic.
     #[test]
     fn any_scene_text_is_read_or_refused(text in "(?s).{0,200}") {
-        if let Ok(scene) = topple::scene::text::SceneText::from_toml(&text) {
+        if let Ok(scene) = topple::scene::builder::SceneBuilder::from_toml(&text) {
             let _ = scene.check();
         }
     }
@@ -477,7 +477,7 @@ proptest! {
              [pulse]\nomega = \"{}:{}:{count}\"\na_h = {}\n[run]\nt_max = {}\n",
             n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7), n(8)
         );
-        let scene = topple::scene::text::SceneText::from_toml(&text);
+        let scene = topple::scene::builder::SceneBuilder::from_toml(&text);
         if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
             let _ = topple::sweep::plan::Plan::new(&scene, 0.004);
         }

@@ -15,9 +15,11 @@ use serde_json::Value;
 use tempfile::TempDir;
 use topple::model::precision::Precision;
 use topple::sweep::backend::Backend;
-use topple::sweep::gpu::adapter::{self, Description};
-use topple::sweep::gpu::{GpuError, check};
-use topple::sweep::request::{Opened, first_that_opens};
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::description::AdapterDescription;
+use topple::sweep::gpu::adapter;
+use topple::sweep::gpu::check;
+use topple::sweep::request::{OpenBackends, first_that_opens};
 
 /// The command, on a small map.
 fn pulse(out: &Path, more: &[&str]) -> Command {
@@ -137,11 +139,11 @@ fn is_of(driver: &str) -> impl Fn(&std::ffi::OsStr) -> bool {
 fn the_first_kind_that_opens_is_taken() {
     // Stand-ins: true opens.
     let open = |able: bool| {
-        if able { Ok(Backend::Reference) } else { Err(GpuError::Lost("unplugged".into())) }
+        if able { Ok(Backend::Reference) } else { Err(BackendError::Lost("unplugged".into())) }
     };
     let taken = |kinds: &[&[bool]]| {
         let kinds = kinds.iter().map(|kind| kind.to_vec()).collect();
-        let Opened { backends, passed_over } = first_that_opens(kinds, open);
+        let OpenBackends { backends, passed_over } = first_that_opens(kinds, open);
         assert!(!backends.is_empty());
         let stands_in = backends.iter().all(|backend| matches!(backend, Backend::Reference));
         assert!(stands_in || matches!(backends[..], [Backend::Cpu]));
@@ -166,7 +168,7 @@ fn a_device_is_checked_before_it_is_taken() {
             let broken = source.replacen(from, to, 1);
             assert_ne!(broken, source);
             let failed = gpu.check_by(&broken).unwrap_err();
-            assert!(matches!(failed, GpuError::FailedCheck { .. }), "{failed}");
+            assert!(matches!(failed, BackendError::FailedCheck { .. }), "{failed}");
             assert_eq!(failed.to_string().lines().count(), 1, "{failed}");
         }
         // It fails alone: the device goes on.
@@ -189,7 +191,7 @@ fn every_adapter_makes_the_map_or_says_why_not() {
         let cpu = dir.path().join("cpu");
         pulse(&cpu, &["--backend", "cpu", "--precision", precision]).assert().success();
         for (number, adapter) in all.iter().enumerate() {
-            let Description { name, driver, f64, .. } = Description::of(adapter);
+            let AdapterDescription { name, driver, f64, .. } = AdapterDescription::of(adapter);
             let (out, number) = (dir.path().join("gpu"), number.to_string());
             let more = ["--backend", "gpu", "--adapter", &number, "--precision", precision];
             let ran = pulse(&out, &more).output().unwrap();
@@ -213,7 +215,7 @@ fn every_adapter_makes_the_map_or_says_why_not() {
 /// Two adapters that are not alike, such as of two drivers, do not share a map.
 #[test]
 fn unlike_adapters_do_not_share_a_map() {
-    let all: Vec<Description> = adapter::all().iter().map(Description::of).collect();
+    let all: Vec<AdapterDescription> = adapter::all().iter().map(AdapterDescription::of).collect();
     let Some(other) = all.iter().position(|other| *other != all[0]) else {
         say("unlike_adapters_do_not_share_a_map: SKIPPED, the adapters are alike");
         return;

@@ -11,6 +11,7 @@ use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// p of the block of Zhang & Makris (2001), rad/s.
 const P: f64 = 2.14;
@@ -39,7 +40,7 @@ fn pulse(alpha: f64, w: f64, a: f64) -> Scene {
 
 fn swept(scene: &Scene) -> Outcome {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &|_| ())[0]
+    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &Unwatched)[0]
 }
 
 /// Impacts before overturning; none for a block that stands.
@@ -213,7 +214,7 @@ fn isolation_makes_a_frequency_dangerous() {
                 let scene = text(0.8 + 0.6 * f64::from(k));
                 let grid = Grid::of(&scene);
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-                let cells = cpu::sweep::<f64>(&plan, &grid, &common::all(&grid), &|_| ());
+                let cells = cpu::sweep::<f64>(&plan, &grid, &common::all(&grid), &Unwatched);
                 let first = cells.iter().position(|cell| cell.class.overturned());
                 first.map_or(f64::INFINITY, |index| grid.case(index).shaking.peak_h())
             })

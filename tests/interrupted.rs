@@ -4,23 +4,32 @@
 
 mod common;
 
+use std::collections::BTreeMap;
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use common::{object, say};
 use tempfile::TempDir;
-use topple::map::columns::Column;
-use topple::map::outcomes::Outcomes;
 use topple::model::precision::Precision;
-use topple::scene::Scene;
+use topple::results::about::Source;
+use topple::results::block::Block;
+use topple::results::collector::{OutcomeCollector, Saver};
+use topple::results::columns::Column;
+use topple::results::reader::{PartFolder, TileReader, missing};
+use topple::results::saved_tiles::SavedTiles;
+use topple::results::store::{Contents, Store};
+use topple::results::store_error::StoreError;
+use topple::results::tile::{check, decode_all, encode};
+use topple::results::tiling::Tiling;
+use topple::results::zarr;
+use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::store::identity::{Identity, Manner};
-use topple::store::shelf::{Shelf, missing};
-use topple::store::tile::{self, Tile, check, to_bytes};
-use topple::store::{Found, Store, StoreError};
 use topple::sweep::backend::Backend;
+use topple::sweep::identity::Content;
+use topple::sweep::settings::Method;
 
 /// Outcomes of every class, and of numbers that are easily mistaken.
 fn outcomes() -> Vec<Outcome> {
@@ -43,78 +52,91 @@ fn outcomes() -> Vec<Outcome> {
     ]
 }
 
+/// The same as they are in columns of f32.
+fn rounded(outcomes: &[Outcome]) -> Vec<Outcome> {
+    let round = |x: f64| f64::from(x as f32);
+    let of = |cell: &Outcome| Outcome {
+        t_uplift: cell.t_uplift.map(round),
+        t_end: round(cell.t_end),
+        zeta: round(cell.zeta),
+        max_u: round(cell.max_u),
+        min_contact: round(cell.min_contact),
+        ..*cell
+    };
+    outcomes.iter().map(of).collect()
+}
+
+fn block(outcomes: &[Outcome], precision: Precision) -> Block {
+    let mut block = Block::pending(outcomes.len(), precision);
+    block.put(0, outcomes);
+    block
+}
+
+/// The chunks of a block in a tile of 6 cells, by their arrays.
+fn chunks(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
+    zarr::columns().map(|(array, column)| (array, encode(array, column, block, 6, tag))).collect()
+}
+
 #[test]
 fn a_tile_holds_its_outcomes_bit_by_bit() {
-    let (outcomes, tag) = (outcomes(), 7);
-    let out = TempDir::new().unwrap();
-    let path = out.path().join("some.tile");
-    fs::write(&path, to_bytes(42, &outcomes, tag)).unwrap();
-    let tile = tile::find(&path, tag).unwrap().unwrap();
-    assert_eq!(tile.cells, 42..46);
-    let read = tile::read(&tile, 42..46, &Column::ALL).unwrap();
-    assert_eq!(read, outcomes);
-    assert!(read[0].min_contact.is_sign_negative());
-    // Some of the cells, and some of what is known of them.
-    let some = tile::read(&tile, 43..45, &[Column::Status, Column::TUplift]).unwrap();
-    let known = |cell: &Outcome| (cell.status, cell.t_uplift);
-    assert_eq!(
-        some.iter().map(known).collect::<Vec<_>>(),
-        [known(&outcomes[1]), known(&outcomes[2])]
-    );
-    assert!(some.iter().all(|cell| cell.class == Outcome::PENDING.class && cell.zeta == 0.0));
-}
-
-/// Tiles side by side are read as one, whatever the pieces.
-#[test]
-fn a_shelf_reads_across_its_tiles() {
-    let out = TempDir::new().unwrap();
-    let all: Vec<Outcome> = (0..10).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
-    let tile = |cells: std::ops::Range<usize>| {
-        let path = out.path().join(tile::name(cells.start));
-        fs::write(&path, to_bytes(cells.start, &all[cells], 7)).unwrap();
-        tile::find(&path, 7).unwrap().unwrap()
-    };
-    let tiles = vec![tile(6..10), tile(0..1), tile(1..6)];
-    let shelf = Shelf::new(tiles.clone(), 10).unwrap();
-    for (start, end) in [(0, 10), (0, 1), (3, 5), (5, 7), (9, 10)] {
-        assert_eq!(shelf.read(start..end, &Column::ALL).unwrap(), &all[start..end]);
+    for precision in [Precision::F32, Precision::F64] {
+        let expected = match precision {
+            Precision::F32 => rounded(&outcomes()),
+            Precision::F64 => outcomes(),
+        };
+        let chunks = chunks(&block(&outcomes(), precision), 7);
+        let chunk = |array: &str| Ok::<_, ()>(chunks[array].clone());
+        let block = decode_all((4, 6), precision, chunk).unwrap().unwrap();
+        let mut read = vec![Outcome::PENDING; 4];
+        block.read(0, &Column::ALL, &mut read);
+        assert_eq!(read, expected);
+        assert!(read[0].min_contact.is_sign_negative());
+        // Some of the cells, and some of what is known of them.
+        let mut some = vec![Outcome::PENDING; 2];
+        block.read(1, &[Column::Status, Column::TUplift], &mut some);
+        let known = |cell: &Outcome| (cell.status, cell.t_uplift);
+        assert_eq!(
+            some.iter().map(known).collect::<Vec<_>>(),
+            [known(&expected[1]), known(&expected[2])]
+        );
+        assert!(some.iter().all(|cell| cell.class == Outcome::PENDING.class && cell.zeta == 0.0));
     }
-    assert!(Shelf::new(tiles.clone(), 11).is_none(), "a cell is missing");
-    assert!(Shelf::new(tiles[..2].to_vec(), 10).is_none(), "a tile is missing");
-    assert!(Shelf::new([&tiles[..], &tiles[..1]].concat(), 10).is_none(), "a tile twice");
 }
 
-/// Every shortening and every bit turned over is found.
+/// Every shortening and every bit turned over is found, in each array.
 #[test]
 fn a_damaged_tile_is_refused() {
-    let bytes = to_bytes(42, &outcomes(), 7);
-    for length in 0..bytes.len() {
-        assert!(check(&bytes[..length], 7).is_err(), "{length} bytes pass for whole");
+    for (array, bytes) in chunks(&block(&outcomes(), Precision::F64), 7) {
+        assert_eq!(check(&bytes, 7), Ok(()));
+        for length in 0..bytes.len() {
+            assert!(check(&bytes[..length], 7).is_err(), "{array}: {length} bytes pass for whole");
+        }
+        for bit in 0..8 * bytes.len() {
+            let mut damaged = bytes.clone();
+            damaged[bit / 8] ^= 1 << (bit % 8);
+            assert_eq!(check(&damaged, 7), Err("damaged"), "{array}: bit {bit} passes");
+        }
+        assert!(check(&[&bytes[..], &[0]].concat(), 7).is_err());
+        assert_eq!(check(&bytes, 8), Err("a tile of another run"));
     }
-    for bit in 0..8 * bytes.len() {
-        let mut damaged = bytes.clone();
-        damaged[bit / 8] ^= 1 << (bit % 8);
-        assert!(check(&damaged, 7).is_err(), "bit {bit} passes");
-    }
-    assert!(check(&[&bytes[..], &[0]].concat(), 7).is_err());
-    assert_eq!(check(&bytes, 8), Err("a tile of another run"));
 }
 
 #[test]
-fn what_is_missing_is_what_no_tile_holds() {
-    let tile = |first: usize, count: usize| Tile { path: "".into(), cells: first..first + count };
+fn what_is_missing_is_what_was_not_done() {
+    let run = |first: usize, count: usize| first..first + count;
     assert_eq!(missing(&[], &(0..10)), vec![0..10; 1]);
-    assert_eq!(missing(&[tile(3, 2), tile(7, 3)], &(0..10)), [0..3, 5..7]);
+    assert_eq!(missing(&[run(3, 2), run(7, 3)], &(0..10)), [0..3, 5..7]);
     // Out of order, one within another, and beside one another.
-    let some = [tile(4, 4), tile(0, 2), tile(5, 1), tile(2, 2)];
+    let some = [run(4, 4), run(0, 2), run(5, 1), run(2, 2)];
     assert_eq!(missing(&some, &(0..10)), vec![8..10; 1]);
-    assert!(missing(&[tile(0, 10)], &(0..10)).is_empty());
-    // Of a part.
-    assert_eq!(missing(&[tile(6, 2)], &(5..10)), [5..6, 8..10]);
+    assert!(missing(&[run(0, 10)], &(0..10)).is_empty());
+    // Of a part, with what lies before and behind it.
+    assert_eq!(missing(&[run(0, 1), run(6, 2), run(12, 3)], &(5..10)), [5..6, 8..10]);
 }
 
+/// A map of 70,000 cells: two tiles, of 65,000 and 5,000.
 fn scene(eccentricity: f64) -> Scene {
-    object(1, eccentricity, (1.75, 0.75), 0.0, "1:9:4", "1:9:4")
+    object(1, eccentricity, (1.75, 0.75), 0.0, "1:9:1000", "1:9:70")
 }
 
 fn open(
@@ -122,9 +144,20 @@ fn open(
     scene: &Scene,
     precision: Precision,
     resume: bool,
-) -> Result<(Store, Found), StoreError> {
-    let manner = Manner { precision, largest_step: 1.0 / 128.0, resolve: false, full_model: false };
-    Store::open(out, Identity::new(scene, &Backend::Cpu, &manner, None).unwrap(), resume)
+) -> Result<(Store, SavedTiles), StoreError> {
+    let method = Method { precision, ..Method::default() };
+    let content = Content::new(scene, &Backend::Cpu, &method, None);
+    let grid = Grid::of(scene);
+    let contents = Contents { grid: &grid, source: Source { scene, precision } };
+    Store::open(out, content.identity().unwrap(), contents, resume)
+}
+
+/// Saves outcomes at the beginning of a tile and, of the first, from cell 8 on.
+fn save(store: &Store, tile: usize) {
+    let mut block = Block::pending(store.tiling().cells(tile).len(), Precision::F32);
+    block.put(0, &outcomes());
+    block.put(8 * (1 - tile), &outcomes());
+    store.save(tile, &block).unwrap();
 }
 
 #[test]
@@ -134,8 +167,8 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
     let (store, found) = open(out.path(), &scene(0.2), f32, false).unwrap();
     assert!(found.tiles.is_empty());
     assert!(matches!(open(out.path(), &scene(0.2), f32, true), Err(StoreError::InUse(_))));
-    store.keep(0, &outcomes()).unwrap();
-    store.keep(8, &outcomes()).unwrap();
+    save(&store, 0);
+    save(&store, 1);
     drop(store);
     // Not begun anew by mistake, and not mixed with another run.
     assert!(matches!(open(out.path(), &scene(0.2), f32, false), Err(StoreError::Unfinished(_))));
@@ -150,13 +183,52 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
         );
     }
     let (store, found) = open(out.path(), &scene(0.2), f32, true).unwrap();
-    assert_eq!(missing(&found.tiles, &(0..16)), [4..8, 12..16]);
+    let left = missing(&found.done(), &(0..70_000));
+    assert_eq!(left, [4..8, 12..65_000, 65_004..70_000]);
     store.discard().unwrap();
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
-    // A run that kept nothing leaves nothing.
-    let (store, _) = open(out.path(), &scene(0.2), f32, false).unwrap();
-    store.discard_if_empty().unwrap();
+    // A run that saved nothing leaves nothing.
+    drop(open(out.path(), &scene(0.2), f32, false).unwrap());
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
+}
+
+/// Cells are read across tiles, whatever the pieces, as they were saved or held in memory.
+#[test]
+fn outcomes_are_read_across_tiles() {
+    let (scene, all) = (scene(0.2), 0..70_000);
+    let cell = |k: usize| Outcome { impacts: k as u32, status: Status::Ok, ..Outcome::PENDING };
+    let outcomes: Vec<Outcome> = all.clone().map(cell).collect();
+    let out = TempDir::new().unwrap();
+    for holds in [true, false] {
+        let (store, found) = open(out.path(), &scene, Precision::F32, true).unwrap();
+        let saver = Saver { store: &store, patience: Duration::from_secs(3600), holds };
+        let mut collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
+        // The last piece comes first, and one lies across the tiles.
+        for piece in [66_000..70_000, 0..10, 10..64_999, 64_999..66_000] {
+            // Of a batch that goes on every second cell has run; then all come again.
+            let mut so_far = outcomes[piece.clone()].to_vec();
+            so_far.iter_mut().step_by(2).for_each(|cell| *cell = Outcome::PENDING);
+            collector.take(piece.start, &so_far).unwrap();
+            collector.take(piece.start, &outcomes[piece.clone()]).unwrap();
+            collector.take(piece.start, &outcomes[piece]).unwrap();
+        }
+        let read = collector.finish().unwrap();
+        for (start, end) in
+            [(0, 70_000), (0, 1), (64_998, 65_003), (65_000, 65_001), (69_999, 70_000)]
+        {
+            let cells = read.read(start..end, &Column::ALL).unwrap();
+            assert_eq!(cells, &outcomes[start..end], "{start} to {end}");
+        }
+        store.discard().unwrap();
+    }
+    let tiling = Tiling::of(&Grid::of(&scene));
+    let held =
+        |cells: Range<usize>| PartFolder { cells, folder: "".into(), precision: Precision::F32 };
+    let reader = |held: &[PartFolder]| TileReader::new(tiling.clone(), held.to_vec(), 10);
+    let (one, other) = (held(6..10), held(0..6));
+    assert!(reader(&[one.clone(), other.clone()]).is_some());
+    assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
+    assert!(reader(&[one.clone(), one, other]).is_none(), "a part twice");
 }
 
 /// What a killed run had begun to write goes when the next one begins.
@@ -172,20 +244,52 @@ fn leftovers_are_removed() {
     assert_eq!(names, [".mine"]);
 }
 
+/// A tile of which one file is damaged, gone or another run's is run again, the others are not.
 #[test]
 fn a_damaged_tile_is_run_again() {
+    type Fault = fn(&mut Vec<u8>) -> bool;
+    let turned: Fault = |bytes| {
+        bytes[20] ^= 1;
+        true
+    };
+    let removed: Fault = |_| false;
+    for (array, fault, said) in
+        [("zeta", turned, "damaged"), ("status", turned, "damaged"), ("proved", removed, "missing")]
+    {
+        let out = TempDir::new().unwrap();
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+        save(&store, 0);
+        save(&store, 1);
+        drop(store);
+        let path = out.path().join("unfinished").join(array).join("c/1/0");
+        let mut bytes = fs::read(&path).unwrap();
+        match fault(&mut bytes) {
+            true => fs::write(&path, bytes).unwrap(),
+            false => fs::remove_file(&path).unwrap(),
+        }
+        let (_store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
+        assert_eq!(missing(&found.done(), &(65_000..70_000)), vec![65_000..70_000; 1]);
+        assert_eq!(missing(&found.done(), &(0..12)), vec![4..8; 1]);
+        assert!(found.broken.contains(&(path.clone(), said)) && !path.exists(), "{array}");
+    }
+}
+
+/// A kill between the files of a tile that is saved again: what the last status says is there.
+#[test]
+fn a_tile_half_saved_again_is_as_it_was() {
     let out = TempDir::new().unwrap();
     let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
-    store.keep(0, &outcomes()).unwrap();
-    store.keep(4, &outcomes()).unwrap();
+    save(&store, 0);
+    let status = out.path().join("unfinished/status/c/0/0");
+    let before = fs::read(&status).unwrap();
+    let mut more = store.read(0).unwrap();
+    more.put(4, &outcomes());
+    store.save(0, &more).unwrap();
     drop(store);
-    let path = out.path().join("unfinished").join(tile::name(4));
-    let mut bytes = fs::read(&path).unwrap();
-    bytes[100] ^= 1;
-    fs::write(&path, bytes).unwrap();
+    fs::write(&status, before).unwrap();
     let (_store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
-    assert_eq!(missing(&found.tiles, &(0..8)), vec![4..8; 1]);
-    assert!(found.broken.len() == 1 && found.broken[0].1 == "damaged" && !path.exists());
+    assert_eq!(missing(&found.done(), &(0..12)), vec![4..8; 1]);
+    assert!(found.broken.is_empty());
 }
 
 /// A map by the reference, a few seconds of work in tiles of 512 cells.
@@ -250,7 +354,7 @@ fn a_dry_run_leaves_nothing() {
     let out = TempDir::new().unwrap();
     let place = out.path().join("made");
     let periods = ["--t-h", "0.5:4:200", "--t-v", "0.1:2:300"];
-    for (command, grid) in [
+    for (command, [grid, file]) in [
         (
             &[
                 "pulse",
@@ -263,9 +367,9 @@ fn a_dry_run_leaves_nothing() {
                 "--a-h",
                 "1:9:16384",
             ][..],
-            "16384 x 16384 = 268435456",
+            ["16384 x 16384 = 268435456", "map.zarr"],
         ),
-        (&[&["seismic"], &periods[..]].concat(), "200 x 300 = 60000"),
+        (&[&["seismic"], &periods[..]].concat(), ["200 x 300 = 60000", "map.csv"]),
     ] {
         let mut run = Command::new(env!("CARGO_BIN_EXE_topple"));
         let run =
@@ -273,7 +377,7 @@ fn a_dry_run_leaves_nothing() {
         let output = run.arg(&place).output().unwrap();
         let said = String::from_utf8(output.stdout).unwrap();
         assert!(output.status.success() && !place.exists(), "{said}");
-        for word in [grid, "motion", "time       about", "memory", "disk", "map.csv"] {
+        for word in [grid, "motion", "time       about", "memory", "disk", file] {
             assert!(said.contains(word), "{word}: {said}");
         }
     }
@@ -302,4 +406,29 @@ fn the_command_refuses_what_is_not_its_own() {
         "largest_step is 0.0078125 there",
     );
     refused(&mut map(out.path(), &["--keep-every", "-1"]), "--keep-every");
+}
+
+/// Ctrl-C ends a run at once, which says what it has saved and how to go on; resumed, it makes the same map.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_says_what_is_saved() {
+    let (whole, ended) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    assert!(map(whole.path(), &[]).status().unwrap().success());
+    let run = map(ended.path(), &[]).spawn().unwrap();
+    while !ended.path().join("unfinished/status/c/0/0").exists() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let signal = Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    let asked = std::time::Instant::now();
+    let output = run.wait_with_output().unwrap();
+    let took = asked.elapsed();
+    assert!(signal.success() && took < Duration::from_secs(2), "{took:?}");
+    assert_eq!(output.status.code(), Some(130));
+    let error = String::from_utf8(output.stderr).unwrap();
+    let words = ["of 2500 cells are saved in", "unfinished, --resume goes on from there"];
+    assert!(error.lines().count() == 1 && words.iter().all(|word| error.contains(word)), "{error}");
+    assert!(!ended.path().join("run.json").exists());
+    assert!(map(ended.path(), &["--resume"]).status().unwrap().success());
+    let [a, b] = [&whole, &ended].map(|out| fs::read(out.path().join("map.csv")).unwrap());
+    assert!(a == b, "map.csv differs");
 }

@@ -14,6 +14,7 @@ use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use topple::sweep::{cpu, lanes};
 
 /// Points of an axis.
@@ -56,7 +57,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
 }
 
 fn one_by_one<R: Real>(plan: &Plan, grid: &Grid) -> Vec<Outcome> {
-    cpu::sweep_one_by_one::<R>(plan, grid, &all(grid), &|_| ())
+    cpu::sweep_one_by_one::<R>(plan, grid, &all(grid), &Unwatched)
 }
 
 /// What two sweeps of the same cells differ by.
@@ -94,7 +95,7 @@ fn lanes_agree_with_the_scalar_twin_in_f64() {
     for (name, scene) in scenes() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64);
         let grid = Grid::of(&scene);
-        let ours = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        let ours = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         let twin = one_by_one::<f64>(&plan, &grid);
         let apart = apart(&ours, &twin);
         say(&format!(
@@ -116,7 +117,7 @@ fn lanes_agree_with_the_scalar_twin_on_the_full_model() {
     for (name, scene) in scenes().into_iter().take(2) {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
         let grid = Grid::of(&scene);
-        let ours = cpu::sweep::<f32>(&plan, &grid, &all(&grid), &|_| ());
+        let ours = cpu::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched);
         let apart = apart(&ours, &one_by_one::<f32>(&plan, &grid));
         assert_eq!(apart.classes, 0, "{name}");
         // Rounding: 1e-7, times what 30 s make of it.
@@ -137,8 +138,8 @@ fn every_level_agrees_with_the_scalar_twin() {
     let twins = (one_by_one::<f32>(&plan, &grid), one_by_one::<f64>(&plan, &grid));
     for (name, level) in levels {
         say(&format!("lanes: {name}"));
-        let f32s = lanes::sweep::<f32>(&plan, &grid, &all(&grid), &|_| (), level);
-        let f64s = lanes::sweep::<f64>(&plan, &grid, &all(&grid), &|_| (), level);
+        let f32s = lanes::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched, level);
+        let f64s = lanes::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched, level);
         let (single, double) = (apart(&f32s, &twins.0), apart(&f64s, &twins.1));
         assert_eq!((single.classes, double.classes), (0, 0), "{name}");
         assert!(single.zeta[0] <= 1.0e-6, "{name}: {:?}", single.zeta);
@@ -153,13 +154,13 @@ fn a_cell_does_not_see_its_neighbours() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let grid = Grid::of(&scene);
         let cells = all(&grid);
-        let together = cpu::sweep::<f32>(&plan, &grid, &cells, &|_| ());
+        let together = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
         let backwards: Vec<usize> = cells.iter().rev().copied().collect();
-        let mut reversed = cpu::sweep::<f32>(&plan, &grid, &backwards, &|_| ());
+        let mut reversed = cpu::sweep::<f32>(&plan, &grid, &backwards, &Unwatched);
         reversed.reverse();
         assert!(together == reversed, "{name}");
         for index in (0..cells.len()).step_by(97) {
-            let alone = cpu::sweep::<f32>(&plan, &grid, &[index], &|_| ());
+            let alone = cpu::sweep::<f32>(&plan, &grid, &[index], &Unwatched);
             assert_eq!(alone, [together[index]], "{name}, cell {index}");
         }
     }
@@ -169,7 +170,7 @@ fn a_cell_does_not_see_its_neighbours() {
 fn a_sweep_may_have_no_cells() {
     let scene = map(0.2, 0.0);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    assert!(cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[], &|_| ()).is_empty());
+    assert!(cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[], &Unwatched).is_empty());
 }
 
 /// Jobs in, jobs out.

@@ -12,9 +12,10 @@ use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
 use topple::model::precision::Precision;
 use topple::scene::Grid;
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// How many of each there are.
 const SCENES: u32 = 9_000;
@@ -148,7 +149,7 @@ fn any_scene_is_refused_or_runs() {
         TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(SCENES) });
     let outcome = runner.run(&scene(), |text| {
         let checked =
-            SceneText::from_toml(&text).and_then(|text| text.check().map_err(|e| e.to_string()));
+            SceneBuilder::from_toml(&text).and_then(|text| text.check().map_err(|e| e.to_string()));
         let plan =
             checked.and_then(|scene| Plan::new(&scene, 1.0 / 128.0).map_err(|e| e.to_string()));
         let plan = match plan {
@@ -165,7 +166,7 @@ fn any_scene_is_refused_or_runs() {
         let steps = f64::from(most) * grid.len() as f64;
         if steps < MOST_STEPS {
             ran.update(|count| count + 1);
-            let swept = Backend::Cpu.sweep(&plan, &grid, Precision::F32, &|_| ()).unwrap();
+            let swept = Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap();
             prop_assert_eq!(swept.outcomes.len(), grid.len());
         }
         Ok(())

@@ -4,10 +4,10 @@
 
 use assert_cmd::Command;
 use tempfile::TempDir;
-use topple::map::columns::{self, TABLE};
+use topple::results::columns::{self, TABLE};
+use topple::scene::builder::SceneBuilder;
 use topple::scene::manual;
 use topple::scene::parameters::{PARAMETERS, Section};
-use topple::scene::text::SceneText;
 use topple::scene::{Grid, Parameter};
 
 #[test]
@@ -46,10 +46,10 @@ fn every_number_is_a_flag_and_a_key() {
             assert!(help.contains(&words), "{}: {words}", entry.key);
         }
         let text = format!("[{}]\n{} = 0.5\n", entry.section.key(), entry.key);
-        assert!(SceneText::from_toml(&text).is_ok(), "{text}");
+        assert!(SceneBuilder::from_toml(&text).is_ok(), "{text}");
         let elsewhere = if entry.section == Section::Run { "block" } else { "run" };
         let error =
-            SceneText::from_toml(&format!("[{elsewhere}]\n{} = 0.5\n", entry.key)).unwrap_err();
+            SceneBuilder::from_toml(&format!("[{elsewhere}]\n{} = 0.5\n", entry.key)).unwrap_err();
         assert!(error.contains("line 2, column 1: unknown field"), "{error}");
     }
 }
@@ -153,7 +153,7 @@ fn the_pictures_axes_are_those_that_were_chosen() {
     let scene = |x: Option<Parameter>, y: Option<Parameter>| {
         let text = "[block]\nobject = 1\n[base]\nt_h = \"1,2\"\nt_v = 1\n\
                     [pulse]\nomega = \"3:4:3\"\na_h = \"1:6:4\"\n";
-        let text = SceneText { x, y, ..SceneText::from_toml(text).unwrap() };
+        let text = SceneBuilder { x, y, ..SceneBuilder::from_toml(text).unwrap() };
         let axes: Vec<&str> =
             Grid::of(&text.check().unwrap()).axes().iter().map(|axis| axis.key()).collect();
         axes.join(",")

@@ -14,20 +14,26 @@ use assert_cmd::Command;
 use common::{object, own_lines, synthetic_pair, under, xy};
 use serde_json::Value;
 use tempfile::TempDir;
-use topple::map::columns::Column;
-use topple::map::outcomes::{DRAWN, Tally, thinned};
+use topple::map::thinned::{DRAWN, thinned};
 use topple::model::precision::Precision;
+use topple::results::about::Source;
+use topple::results::block::Block;
+use topple::results::collector::{OutcomeCollector, Saver};
+use topple::results::columns::Column;
+use topple::results::identity::Identity;
+use topple::results::part::Part;
+use topple::results::reader::missing;
+use topple::results::store::{Contents, Store};
+use topple::results::tally::Tally;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::store::Store;
-use topple::store::identity::{Identity, Manner};
-use topple::store::keeper::Keeper;
-use topple::store::part::Part;
-use topple::store::shelf::missing;
-use topple::sweep::backend::{Backend, Swept};
-use topple::sweep::gpu::GpuError;
+use topple::sweep::backend::{Backend, BackendOutcomes};
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
+use topple::sweep::identity::Content;
 use topple::sweep::plan::Plan;
-use topple::sweep::tiles::{self, Sizes, TiledError, Worker};
+use topple::sweep::progress::Unwatched;
+use topple::sweep::settings::Method;
 
 #[test]
 fn parts_hold_every_cell_once() {
@@ -55,8 +61,8 @@ fn scene() -> Scene {
     object(1, 0.2, (1.75, 0.75), 0.0, "1:12:24", "1:12:24")
 }
 
-fn manner() -> Manner {
-    Manner {
+fn method() -> Method {
+    Method {
         precision: Precision::F32,
         largest_step: 1.0 / 128.0,
         resolve: false,
@@ -75,10 +81,10 @@ fn a_scene_comes_back_from_its_identity() {
     odd.set(Parameter::TMax, f64::MIN_POSITIVE);
     for scene in [scene(), shaken, odd] {
         let part = Some("2/5".parse().unwrap());
-        let identity = Identity::new(&scene, &Backend::Cpu, &manner(), part).unwrap();
-        let read = Identity::read(identity.text()).unwrap();
-        assert_eq!(read.scene(), &scene);
-        assert_eq!((read.manner(), read.part(), read.tag()), (&manner(), part, identity.tag()));
+        let content = Content::new(&scene, &Backend::Cpu, &method(), part);
+        let read = Content::read(content.identity().unwrap().text()).unwrap();
+        assert_eq!((&read, &read.scene, read.part), (&content, &scene, part));
+        assert_eq!(read.identity().unwrap(), content.identity().unwrap());
     }
 }
 
@@ -86,24 +92,24 @@ fn a_scene_comes_back_from_its_identity() {
 /// how many tiles it has done; the outcomes, or the error and what was kept.
 fn sweep(
     workers: usize,
-    fail: impl Fn(usize, usize) -> Option<GpuError> + Sync,
-) -> (Vec<Outcome>, Result<tiles::Took, TiledError<()>>) {
+    fail: impl Fn(usize, usize) -> Option<BackendError> + Sync,
+) -> (Vec<Outcome>, Result<batches::WorkReport, BatchError<()>>) {
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
     let mut outcomes = vec![Outcome::PENDING; grid.len()];
     let (fail, plan, grid) = (&fail, &plan, &grid);
     let double = |number: usize| -> Worker<'_> {
         let done = AtomicUsize::new(0);
-        Box::new(move |cells: Range<usize>| {
+        Box::new(move |cells: Range<usize>, _: &HandOver| {
             if let Some(error) = fail(number, done.fetch_add(1, Ordering::Relaxed)) {
                 return Err(error);
             }
-            Backend::Cpu.sweep_range(plan, grid, cells, Precision::F32, false, &|_| ())
+            Backend::Cpu.sweep_range(plan, grid, cells, Precision::F32, false, &Unwatched)
         })
     };
     let workers: Vec<Worker> = (0..workers).map(double).collect();
     let all = 0..grid.len();
-    let took = tiles::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
+    let took = batches::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
         outcomes[first..first + some.len()].copy_from_slice(some);
         Ok(())
     });
@@ -119,7 +125,7 @@ fn adapters_that_vanish_lose_nothing() {
     assert!(alone.iter().all(|cell| *cell != Outcome::PENDING));
     let (four, took) = sweep(4, |_, _| None);
     assert!(took.unwrap().lost.is_empty() && four == alone);
-    let lost = || GpuError::Lost("unplugged".into());
+    let lost = || BackendError::Lost("unplugged".into());
     let (left, took) = sweep(3, |worker, done| (worker > 0 && done >= worker).then(lost));
     let gone: Vec<usize> = took.unwrap().lost.iter().map(|(worker, _)| *worker).collect();
     assert!(left == alone && gone.len() == 2 && !gone.contains(&0), "{gone:?}");
@@ -127,9 +133,9 @@ fn adapters_that_vanish_lose_nothing() {
         assert!(worker == 0, "the driver falls");
         None
     });
-    assert!(matches!(&took.unwrap().lost[..], [(1, GpuError::BrokeOff)]) && left == alone);
+    assert!(matches!(&took.unwrap().lost[..], [(1, BackendError::BrokeOff)]) && left == alone);
     let (some, took) = sweep(2, |_, done| (done >= 3).then(lost));
-    assert!(matches!(took, Err(TiledError::Gpu(GpuError::Lost(_)))));
+    assert!(matches!(took, Err(BatchError::Backend(BackendError::Lost(_)))));
     let done = some.iter().filter(|cell| **cell != Outcome::PENDING).count();
     assert_eq!(done, 2 * 3 * 50);
     assert!(some.iter().zip(&alone).all(|(a, b)| *a == Outcome::PENDING || a == b));
@@ -140,16 +146,16 @@ fn adapters_that_vanish_lose_nothing() {
 #[test]
 fn tiles_are_sized_by_time() {
     // A second a cell up to the hundredth, then a millisecond.
-    let double = |cells: Range<usize>| {
+    let double = |cells: Range<usize>, _: &HandOver| {
         let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
         let outcomes = vec![Outcome::PENDING; cells.len()];
         let elapsed = Duration::from_secs_f64(elapsed);
-        Ok(Swept { outcomes, elapsed, compile: Duration::ZERO, device: None })
+        Ok(BackendOutcomes { outcomes, elapsed, compile: Duration::ZERO, device: None })
     };
     let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
     let workers: Vec<Worker> = vec![Box::new(double)];
     let mut tiles = Vec::new();
-    let took = tiles::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
+    let took = batches::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
         tiles.push((first, some.len()));
         Ok::<(), ()>(())
     });
@@ -166,18 +172,23 @@ fn tiles_are_sized_by_time() {
 /// A disk that is full ends the sweep with its error, and the workers with it.
 #[test]
 fn what_cannot_be_kept_ends_the_sweep() {
-    let double = |cells: Range<usize>| {
+    let double = |cells: Range<usize>, _: &HandOver| {
         let outcomes = vec![Outcome::PENDING; cells.len()];
-        Ok(Swept { outcomes, elapsed: Duration::ZERO, compile: Duration::ZERO, device: None })
+        Ok(BackendOutcomes {
+            outcomes,
+            elapsed: Duration::ZERO,
+            compile: Duration::ZERO,
+            device: None,
+        })
     };
     let workers: Vec<Worker> = vec![Box::new(double), Box::new(double)];
     let mut kept = 0;
     let all = 0..1_000_000;
-    let ended = tiles::sweep(&workers, &[all], Sizes::fixed(10), |_, _| {
+    let ended = batches::sweep(&workers, &[all], Sizes::fixed(10), |_, _| {
         kept += 1;
         if kept == 3 { Err("no space left") } else { Ok(()) }
     });
-    assert!(matches!(ended, Err(TiledError::Keep("no space left"))) && kept == 3);
+    assert!(matches!(ended, Err(BatchError::Keep("no space left"))) && kept == 3);
 }
 
 /// A device lost in the middle: what was kept on disk is found, and the rest makes the same map, in
@@ -186,37 +197,42 @@ fn what_cannot_be_kept_ends_the_sweep() {
 fn after_a_lost_device_the_run_goes_on() {
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
-    let run = |cells| Backend::Cpu.sweep_range(&plan, &grid, cells, Precision::F32, false, &|_| ());
+    let run =
+        |cells| Backend::Cpu.sweep_range(&plan, &grid, cells, Precision::F32, false, &Unwatched);
     let alone = run(0..grid.len()).unwrap().outcomes;
     for in_memory in [true, false] {
         let out = TempDir::new().unwrap();
         let open = || {
-            let identity = Identity::new(&scene, &Backend::Cpu, &manner(), None).unwrap();
-            Store::open(out.path(), identity, true).unwrap()
+            let content = Content::new(&scene, &Backend::Cpu, &method(), None);
+            let source = Source { scene: &scene, precision: Precision::F32 };
+            let contents = Contents { grid: &grid, source };
+            Store::open(out.path(), content.identity().unwrap(), contents, true).unwrap()
         };
         for fails in [true, false] {
             let (store, found) = open();
-            let left = missing(&found.tiles, &(0..grid.len()));
+            let left = missing(&found.done(), &(0..grid.len()));
             assert_eq!(left.iter().map(Range::len).sum::<usize>(), if fails { 576 } else { 376 });
-            let mut keeper = if in_memory {
-                Keeper::in_memory(&store, &found.tiles, grid.len(), Duration::ZERO).unwrap()
-            } else {
-                Keeper::on_disk(&store, found.tiles)
-            };
+            let saver = Saver { store: &store, patience: Duration::ZERO, holds: in_memory };
+            let mut collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
             let done = AtomicUsize::new(0);
-            let worker: Worker = Box::new(|cells| {
+            let worker: Worker = Box::new(|cells, _| {
                 if fails && done.fetch_add(1, Ordering::Relaxed) == 4 {
-                    return Err(GpuError::Lost("unplugged".into()));
+                    return Err(BackendError::Lost("unplugged".into()));
                 }
                 run(cells)
             });
-            let swept = tiles::sweep(&[worker], &left, Sizes::fixed(50), |first, some| {
-                keeper.take(first, some)
+            let swept = batches::sweep(&[worker], &left, Sizes::fixed(50), |first, some| {
+                collector.take(first, some)
             });
             assert_eq!(swept.is_err(), fails);
             if !fails {
-                let outcomes = keeper.finish(grid.len()).unwrap();
-                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), alone);
+                let outcomes = collector.finish().unwrap();
+                // Columns have the sweep's numbers.
+                let mut columns = Block::pending(grid.len(), Precision::F32);
+                columns.put(0, &alone);
+                let mut rounded = alone.clone();
+                columns.read(0, &Column::ALL, &mut rounded);
+                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), rounded);
             }
         }
     }
@@ -405,30 +421,46 @@ fn what_is_no_map_is_refused_by_name() {
     let report = fs::read(two.join("report.json")).unwrap();
     fs::remove_file(two.join("report.json")).unwrap();
     refused(&["1", "2", "3"], &["part-2-of-3 is unfinished"]);
-    fs::write(two.join("report.json"), report).unwrap();
-    let tile = two.join("0000000000310.tile");
-    let bytes = fs::read(&tile).unwrap();
-    fs::remove_file(&tile).unwrap();
+    fs::write(two.join("report.json"), &report).unwrap();
+    let status = two.join("status/c/0/0");
+    let bytes = fs::read(&status).unwrap();
+    fs::remove_file(&status).unwrap();
     refused(&["1", "2", "3"], &["unfinished, cells 310 to 619 are missing", "--resume"]);
-    let mut damaged = bytes.clone();
-    damaged[1000] ^= 4;
-    fs::write(&tile, damaged).unwrap();
-    refused(&["1", "2", "3"], &["0000000000310.tile: damaged", "--resume"]);
+    fs::write(&status, &bytes).unwrap();
+    let zeta = two.join("zeta/c/0/0");
+    let whole = fs::read(&zeta).unwrap();
+    let mut damaged = whole.clone();
+    damaged[100] ^= 4;
+    fs::write(&zeta, damaged).unwrap();
+    refused(&["1", "2", "3"], &["zeta/c/0/0: damaged", "--resume"]);
+    fs::remove_file(&zeta).unwrap();
+    refused(&["1", "2", "3"], &["zeta/c/0/0: missing", "--resume"]);
     // What merge refuses, --resume mends.
     part(&place("2"), "2/3", &["--resume"]);
-    assert_eq!(fs::read(&tile).unwrap(), bytes);
-    // Another version's identity: of its own tiles, too.
+    assert_eq!((fs::read(&status).unwrap(), fs::read(&zeta).unwrap()), (bytes, whole));
+    // Another version's part.
     let identity = two.join("identity.json");
     let text = fs::read_to_string(&identity).unwrap();
     let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
     let old = text.replace(version, "\"version\": \"0.0.1\"");
-    let tag = Identity::read(&old).unwrap().tag();
-    let mut retagged = bytes.clone();
-    retagged[8..12].copy_from_slice(&tag.to_le_bytes());
+    let Content { scene, part: number, .. } = Content::read(&old).unwrap();
+    let grid = Grid::of(&scene);
+    let source = Source { scene: &scene, precision: Precision::F32 };
+    let contents = Contents { grid: &grid, source };
+    let (store, _) =
+        Store::open(&place("old"), Identity::new(old.clone(), number), contents, false).unwrap();
+    let mut block = Block::pending(grid.len(), Precision::F32);
+    block.put(310, &vec![Outcome::PENDING; 310]);
+    store.save(0, &block).unwrap();
+    let report: Value = serde_json::from_slice(&report).unwrap();
+    store.finish(&report, false).unwrap();
+    refused(&["1", "old", "3"], &["old/part-2-of-3", "version is \"0.0.1\" there"]);
+    // Its identity, with tiles of this one's.
     fs::write(&identity, old).unwrap();
-    refused(&["1", "2", "3"], &["310.tile: a tile of another run"]);
-    fs::write(&tile, retagged).unwrap();
-    refused(&["1", "2", "3"], &["part-2-of-3", "version is \"0.0.1\" there"]);
+    refused(&["1", "2", "3"], &["a tile of another run"]);
+    // The same of one that has run no cell of it.
+    fs::remove_file(&status).unwrap();
+    refused(&["1", "2", "3"], &["part-2-of-3 is unfinished"]);
     fs::write(&identity, "{").unwrap();
     refused(&["1", "2", "3"], &["identity.json cannot be read"]);
     pulse(&out, &GRID).args(["--tile", "5/1000000"]).assert().code(2);

@@ -23,6 +23,7 @@ use topple::stepping::state::State;
 use topple::sweep::cpu;
 use topple::sweep::history::by_steps;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// A slender rectangle on the ground, its mass in the middle.
 fn housner(half_width: f64, height: f64) -> Scene {
@@ -247,7 +248,8 @@ fn without_eccentricity_the_block_is_symmetric() {
     assert_eq!(left, right);
     let outcome = |a_h: &str| {
         let scene = object(1, 0.0, (1.75, 0.75), 0.0, "5", a_h);
-        cpu::sweep::<f64>(&Plan::new(&scene, 0.004).unwrap(), &Grid::of(&scene), &[0], &|_| ())[0]
+        cpu::sweep::<f64>(&Plan::new(&scene, 0.004).unwrap(), &Grid::of(&scene), &[0], &Unwatched)
+            [0]
     };
     let (one, other) = (outcome("3.5"), outcome("-3.5"));
     assert_eq!((one.class, other.class), (Class::OverturnedRight, Class::OverturnedLeft));

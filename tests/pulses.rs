@@ -17,6 +17,7 @@ use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// A pulse, its numbers, and its length in periods by its authors.
 #[derive(Debug, Clone, Copy)]
@@ -205,7 +206,7 @@ fn standing(sample: &Sample, a_h: f64, rest: &str) -> Scene {
 
 fn swept(scene: &Scene) -> Outcome {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &|_| ())[0]
+    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &Unwatched)[0]
 }
 
 #[test]

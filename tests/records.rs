@@ -8,9 +8,9 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use common::record;
 use proptest::prelude::*;
 use topple::scene::GRAVITY;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
-use topple::scene::text::SceneText;
 
 fn hints(dt: Option<f64>, units: Option<Units>) -> RecordHints {
     RecordHints { dt, units, scaled: false }
@@ -352,7 +352,7 @@ fn pair_of(horizontal: &str, vertical: &str, force: bool) -> Result<Pair, String
         "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n[run]\nforce = {force}\n\
          [record]\nhorizontal = \"h.at2\"\nvertical = \"v.at2\"\npga = 3\n"
     );
-    let text = SceneText::from_toml(&scene).unwrap();
+    let text = SceneBuilder::from_toml(&scene).unwrap();
     let scene = text.check_in(directory.path()).map_err(|error| error.to_string())?;
     Ok(scene.excitation.record().unwrap().clone())
 }
@@ -381,6 +381,6 @@ fn pairs_that_are_none_are_questioned_and_believed_when_forced() {
     std::fs::write(directory.path().join("h.at2"), AT2).unwrap();
     let twice = "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n\
                  [record]\nhorizontal = \"h.at2\"\nvertical = \"h.at2\"\n";
-    let error = SceneText::from_toml(twice).unwrap().check_in(directory.path()).unwrap_err();
+    let error = SceneBuilder::from_toml(twice).unwrap().check_in(directory.path()).unwrap_err();
     assert!(error.to_string().starts_with("vertical: the same motion"), "{error}");
 }

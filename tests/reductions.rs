@@ -23,6 +23,7 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use topple::sweep::shortcuts::Shortcuts;
 
 /// A pulse map of Object 1 whose base moves in some directions.
@@ -87,7 +88,7 @@ fn hold(name: &str, scene: &Scene, reductions: Shortcuts) -> Vec<Outcome> {
     less.reductions = reductions;
     let run = |plan: &Plan| {
         let began = Instant::now();
-        let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &|_| ());
+        let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &Unwatched);
         (cells, began.elapsed().as_secs_f64())
     };
     let (full, slow) = run(&plan.full_model());
@@ -245,7 +246,7 @@ fn in_the_shader() {
         let run = |plan: &Plan| {
             let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
             let began = Instant::now();
-            let ran = sweeper.sweep::<f32>(plan, &grid, &all(&grid), &|_| ()).unwrap();
+            let ran = sweeper.sweep::<f32>(plan, &grid, &all(&grid), &Unwatched).unwrap();
             (ran.outcomes, began.elapsed().as_secs_f64())
         };
         let (full, slow) = run(&plan.full_model());
@@ -270,7 +271,7 @@ fn the_reference_agrees_with_what_is_left() {
     for isolation in ["dual", "none"] {
         let scene = map(isolation, None, 0.5, 24);
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
-        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ());
+        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         let differ = (0..grid.len()).filter(|index| {
             let right = reference::run(&scene, &grid.case(*index), &Settings::default());
             right.class != cells[*index].class

@@ -17,6 +17,7 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// Both components of Rinaldi, Northridge 1994: 0.87 g horizontally, 0.96 g vertically.
 fn rinaldi(test: &str) -> Option<(String, String)> {
@@ -37,7 +38,7 @@ fn rinaldi_scene(files: &(String, String), object: u32, e: f64, base: &str) -> S
 
 fn sweep(scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    Backend::Cpu.sweep(&plan, &Grid::of(scene), precision, &|_| ()).unwrap().outcomes
+    Backend::Cpu.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().outcomes
 }
 
 /// Counts of a comparison over several maps.
@@ -118,7 +119,7 @@ fn rinaldi_maps_agree_with_the_reference() {
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
                 let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
                 let cells =
-                    sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
+                    sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
                 shader.add(&grid, &cells, &judged);
             }
         }
@@ -281,7 +282,7 @@ fn the_ground_is_linear_between_samples() {
         let fraction = t / clock.step_forced - f64::from(step);
         assert!((ground_at(&set, step, fraction).h - a).abs() < 1e-9, "t = {t}");
     }
-    let outcomes = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0], &|_| ());
+    let outcomes = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0], &Unwatched);
     assert_eq!(outcomes[0].class, Class::FullContact);
     assert_eq!(outcomes[0].t_end, 0.06);
 }

@@ -15,6 +15,7 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::outcomes::DeviceOutcomes;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Progress;
 
 /// Cells that overturn at once beside some that rock to the end.
 fn pulse() -> Scene {
@@ -32,6 +33,15 @@ fn record() -> Scene {
     scene
 }
 
+/// Counts the cells that it hears of.
+struct Heard(AtomicUsize);
+
+impl Progress for Heard {
+    fn advance(&self, cells: usize) {
+        self.0.fetch_add(cells, Ordering::Relaxed);
+    }
+}
+
 fn swept<R: Real>(
     gpu: &Gpu,
     precision: Precision,
@@ -45,13 +55,10 @@ fn swept<R: Real>(
         0 => Sweeper::new(gpu, precision, plan.variant()).unwrap(),
         _ => Sweeper::keeping(gpu, precision, plan.variant(), events).unwrap(),
     };
-    let heard = AtomicUsize::new(0);
-    let hear = |cells| {
-        heard.fetch_add(cells, Ordering::Relaxed);
-    };
-    let ran = sweeper.in_tiles_of(tile).sweep::<R>(&plan, &grid, &cells, &hear).unwrap();
+    let heard = Heard(AtomicUsize::new(0));
+    let ran = sweeper.in_tiles_of(tile).sweep::<R>(&plan, &grid, &cells, &heard).unwrap();
     assert_eq!(ran.outcomes.len(), cells.len());
-    assert_eq!(heard.into_inner(), cells.len(), "progress counts every cell once");
+    assert_eq!(heard.0.into_inner(), cells.len(), "progress counts every cell once");
     ran
 }
 

@@ -19,6 +19,7 @@ use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use traces::{Packed, Traces, record};
 
 const CHOICE: Choice = Choice {
@@ -40,8 +41,8 @@ fn traces_are_what_cells_do<R: Real + Vector<Element = R>>() {
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let (traces, states, turns) = record(&plan, &grid, R::of(0.0));
     assert_eq!(turns, traces.all().len(), "a lane by itself is never without a cell");
-    let outcomes = cpu::sweep_one_by_one::<R>(&plan, &grid, &all(&grid), &|_| ());
-    let all = Cells::<R>::of(&plan, &grid, &all(&grid), &[]);
+    let outcomes = cpu::sweep_one_by_one::<R>(&plan, &grid, &all(&grid), &Unwatched);
+    let all = Cells::<R>::of(&plan, &grid, &all(&grid), &[], &Unwatched);
     for (cell, (state, outcome)) in states.iter().zip(&outcomes).enumerate() {
         let count = |purpose| {
             traces.of(cell).iter().filter(|trial| trial.purpose() == purpose).count() as u32

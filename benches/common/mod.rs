@@ -1,7 +1,7 @@
 //! What the benches share.
 
 use topple::scene::Scene;
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 
 /// The map that is swept where nothing else is said, of so many columns and rows.
 pub fn pulse(side: u32) -> Scene {
@@ -9,5 +9,5 @@ pub fn pulse(side: u32) -> Scene {
         "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.75\n\
          [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\n"
     );
-    SceneText::from_toml(&text).unwrap().check().unwrap()
+    SceneBuilder::from_toml(&text).unwrap().check().unwrap()
 }

@@ -13,7 +13,7 @@ use std::time::Instant;
 use perturb::{Device, Fusing, Rounding};
 use topple::chart::bench::MAPS;
 use topple::model::precision::Precision;
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
@@ -22,6 +22,7 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// What a device is to show.
 #[derive(Clone, Copy, PartialEq)]
@@ -43,7 +44,7 @@ fn map((a_v, e): (f64, f64)) -> Scene {
         "[block]\nobject = 1\neccentricity = {e}\n[base]\nt_h = 1.75\nt_v = 0.75\n\
          [pulse]\nomega = \"0.2:15:60\"\na_h = \"0.1:15:60\"\na_v = {a_v}\n"
     );
-    SceneText::from_toml(&text).unwrap().check().unwrap()
+    SceneBuilder::from_toml(&text).unwrap().check().unwrap()
 }
 
 /// The ten maps by a shader's text.
@@ -59,7 +60,7 @@ fn sweep(gpu: &Gpu, source: &str) -> Vec<Outcome> {
         let (_, sweeper) = compiled.iter().find(|(known, _)| *known == variant).unwrap();
         let grid = Grid::of(&scene);
         let all: Vec<usize> = (0..grid.len()).collect();
-        outcomes.extend(sweeper.sweep::<f32>(&plan, &grid, &all, &|_| ()).unwrap().outcomes);
+        outcomes.extend(sweeper.sweep::<f32>(&plan, &grid, &all, &Unwatched).unwrap().outcomes);
     }
     outcomes
 }

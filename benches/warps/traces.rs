@@ -12,6 +12,7 @@ use topple::stepping::state::State;
 use topple::stepping::trials::{Purpose, Trial};
 use topple::sweep::cells::Cells;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// Cells that a thread takes at once: as many as the sweep's.
 pub const BATCH: usize = 64;
@@ -141,7 +142,7 @@ pub fn record<V: Vector + Send + Sync>(
 ) -> (Traces, Vec<State<V::Element>>, usize) {
     let record = plan.record::<V::Element>();
     let cells: Vec<usize> = (0..grid.len()).collect();
-    let all = Cells::<V::Element>::of(plan, grid, &cells, &record);
+    let all = Cells::<V::Element>::of(plan, grid, &cells, &record, &Unwatched);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let count = grid.len();
     let next = AtomicUsize::new(0);

@@ -68,10 +68,10 @@ map=(pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 1:12:100 
     --backend reference)
 job="$(TOPPLE="$topple" sbatch --parsable --array=1-4 "$here/sweep.sbatch" "${map[@]}")"
 # The second task is killed as soon as it has left something to go on from.
-until ls topple-parts/part-2-of-4/*.tile >/dev/null 2>&1; do sleep 0.1; done
+until [ -d topple-parts/part-2-of-4/status/c ]; do sleep 0.1; done
 squeue --format='%8i %.10T %.6N %.8M'
 scontrol requeue "${job}_2"
-echo "killed and queued again: task 2, $(ls topple-parts/part-2-of-4/*.tile | wc -l) tiles were done"
+echo "killed and queued again: task 2"
 until [ -z "$(squeue --noheader)" ]; do sleep 0.5; done
 for part in 1 2 3 4; do tail -n 99 "topple-${job}_$part.log" | grep -E '^(part|resumed|sweep)'; done
 "$topple" merge topple-parts --out merged

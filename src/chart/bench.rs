@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::scene::builder::SceneBuilder;
 use crate::scene::excitation::RecordText;
-use crate::scene::text::SceneText;
 use crate::scene::{Directions, Grid, Numbers, Parameter, Range, Scene, SceneError};
 
 /// Scenes that are charted together.
@@ -73,8 +73,8 @@ fn object_1(eccentricity: f64) -> Numbers {
 }
 
 /// A scene of Object 1.
-fn scene(numbers: Numbers) -> SceneText {
-    SceneText { object: Some(1), numbers, ..SceneText::default() }
+fn scene(numbers: Numbers) -> SceneBuilder {
+    SceneBuilder { object: Some(1), numbers, ..SceneBuilder::default() }
 }
 
 /// A map of Figs. 11 and 13.
@@ -107,7 +107,7 @@ fn record(side: u32, record: RecordText, finest: u32) -> Result<Bench, SceneErro
     let numbers = object_1(-0.4)
         .with(Parameter::TH, Range::even(0.5, 4.0, side))
         .with(Parameter::TV, Range::even(0.3, 2.0, side));
-    let scene = SceneText { record: Some(record), ..scene(numbers) }.check()?;
+    let scene = SceneBuilder { record: Some(record), ..scene(numbers) }.check()?;
     let name = scene.excitation.record().map_or("no record", |pair| pair.title.as_str());
     let title = format!("Record map: Object 1, ε = -0.4, {name}");
     Ok(Bench { name: "record", title, scenes: vec![scene], finest, whole: true })
@@ -121,7 +121,7 @@ fn free(finest: u32) -> Result<Bench, SceneError> {
         .with(Parameter::AH, 0.0)
         .with(Parameter::TMax, 8.0)
         .with(Parameter::Tilt, 0.1);
-    let scene = SceneText { isolation: Some(Directions::None), ..scene(numbers) }.check()?;
+    let scene = SceneBuilder { isolation: Some(Directions::None), ..scene(numbers) }.check()?;
     Ok(Bench {
         name: "free",
         title: "Free rocking of Object 1 on the ground from φ = 0.1 rad, 8 s".into(),

@@ -11,13 +11,14 @@ use crate::scene::{Excitation, Grid, Scene, SceneError};
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::Settings;
+use crate::sweep::backend_error::BackendError;
 use crate::sweep::clock::Resolution;
 use crate::sweep::cpu;
-use crate::sweep::gpu::GpuError;
 use crate::sweep::gpu::opened::Gpu;
 use crate::sweep::gpu::outcomes::DeviceOutcomes;
 use crate::sweep::gpu::run::Sweeper;
 use crate::sweep::plan::Plan;
+use crate::sweep::progress::Unwatched;
 
 /// A way to integrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +74,7 @@ pub struct Time {
 pub enum TrialError {
     /// The device failed.
     #[error(transparent)]
-    Gpu(#[from] GpuError),
+    Gpu(#[from] BackendError),
     /// The scene takes too many steps.
     #[error(transparent)]
     Scene(#[from] SceneError),
@@ -163,13 +164,14 @@ impl Trial {
             for (index, (plan, grid)) in plans.iter().enumerate() {
                 let cells: Vec<usize> = (0..grid.len()).collect();
                 if let Some(sweeper) = sweepers.get(index) {
-                    let results: DeviceOutcomes<R> = sweeper.sweep(plan, grid, &cells, &|_| ())?;
+                    let results: DeviceOutcomes<R> =
+                        sweeper.sweep(plan, grid, &cells, &Unwatched)?;
                     device = results.device.map(|time| time + device.unwrap_or_default());
                     outcomes.push(results.outcomes);
                 } else if self.method == Method::Naive {
                     outcomes.push(naive::sweep(plan, grid, &cells, 0).0);
                 } else {
-                    outcomes.push(cpu::sweep::<R>(plan, grid, &cells, &|_| ()));
+                    outcomes.push(cpu::sweep::<R>(plan, grid, &cells, &Unwatched));
                 }
             }
             Ok(device)
@@ -202,7 +204,7 @@ impl Trial {
         }
         if let Some(gpu) = gpu {
             let sweeper = Sweeper::keeping(gpu, self.precision, plan.variant(), SWITCHES)?;
-            let events = sweeper.sweep::<R>(plan, grid, &cells, &|_| ())?.events;
+            let events = sweeper.sweep::<R>(plan, grid, &cells, &Unwatched)?.events;
             return Ok(timed_switches(plan, grid, &events));
         }
         Ok(timed_switches(plan, grid, &cpu::sweep_keeping::<R>(plan, grid, &cells, SWITCHES).1))

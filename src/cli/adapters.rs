@@ -1,6 +1,7 @@
 //! `topple adapters`.
 
-use topple::sweep::gpu::adapter::{self, Description};
+use topple::sweep::description::AdapterDescription;
+use topple::sweep::gpu::adapter;
 
 /// Lists the adapters, the one that `--backend gpu` takes first.
 pub fn run() -> anyhow::Result<()> {
@@ -11,7 +12,7 @@ pub fn run() -> anyhow::Result<()> {
     }
     println!("{:>2}  {:<44} {:<10} {:<7} {:<8} driver", "", "adapter", "kind", "api", "numbers");
     for (number, adapter) in adapters.iter().enumerate() {
-        let Description { name, kind, api, driver, f64 } = Description::of(adapter);
+        let AdapterDescription { name, kind, api, driver, f64 } = AdapterDescription::of(adapter);
         let numbers = if f64 { "f32 f64" } else { "f32" };
         println!("{number:>2}  {name:<44} {kind:<10} {api:<7} {numbers:<8} {driver}");
     }

@@ -6,8 +6,8 @@ use std::time::Instant;
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
 use topple::model::precision::Precision;
 use topple::model::real::Real;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::record::synthetic;
-use topple::scene::text::SceneText;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
@@ -15,9 +15,11 @@ use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::{Progress, Unwatched};
+use topple::sweep::report::threads;
 use topple::sweep::{clock, cpu, lanes};
 
-use super::progress::Progress;
+use super::progress::Bar;
 use super::{InputError, ratios, words};
 
 /// Most points of an axis: a map of 4096 x 4096 takes two gigabytes.
@@ -61,7 +63,7 @@ struct Row {
 
 fn scene(rest: &str) -> anyhow::Result<Scene> {
     let text = format!("[block]\nobject = 1\neccentricity = 0.2\n{rest}");
-    let text = SceneText::from_toml(&text).map_err(anyhow::Error::msg)?;
+    let text = SceneBuilder::from_toml(&text).map_err(anyhow::Error::msg)?;
     Ok(text.check()?)
 }
 
@@ -86,7 +88,7 @@ impl BenchCommand {
             System::new_with_specifics(RefreshKind::nothing().with_cpu(CpuRefreshKind::nothing()));
         let brand = cpus.ok().and_then(|system| Some(system.cpus().first()?.brand().to_string()));
         let brand = brand.unwrap_or_else(|| "processor".into());
-        println!("{brand}, {} threads, topple {}", words::threads(), env!("CARGO_PKG_VERSION"));
+        println!("{brand}, {} threads, topple {}", threads(), env!("CARGO_PKG_VERSION"));
         if !self.peer.is_empty() {
             return ratios::print(&self.peer);
         }
@@ -97,16 +99,16 @@ impl BenchCommand {
             rows.push(self.time(name, precision, false, &courses, &|course| {
                 let Course { plan, grid, cells } = course;
                 Ok(match precision {
-                    Precision::F32 => cpu::sweep_one_by_one::<f32>(plan, grid, cells, &|_| ()),
-                    Precision::F64 => cpu::sweep_one_by_one::<f64>(plan, grid, cells, &|_| ()),
+                    Precision::F32 => cpu::sweep_one_by_one::<f32>(plan, grid, cells, &Unwatched),
+                    Precision::F64 => cpu::sweep_one_by_one::<f64>(plan, grid, cells, &Unwatched),
                 })
             })?);
             for (name, level) in lanes::levels() {
                 rows.push(self.time(name.into(), precision, false, &courses, &|course| {
                     let Course { plan, grid, cells } = course;
                     Ok(match precision {
-                        Precision::F32 => lanes::sweep::<f32>(plan, grid, cells, &|_| (), level),
-                        Precision::F64 => lanes::sweep::<f64>(plan, grid, cells, &|_| (), level),
+                        Precision::F32 => lanes::sweep::<f32>(plan, grid, cells, &Unwatched, level),
+                        Precision::F64 => lanes::sweep::<f64>(plan, grid, cells, &Unwatched, level),
                     })
                 })?);
             }
@@ -166,7 +168,7 @@ impl BenchCommand {
         courses: &[Course; 3],
         sweep: &dyn Fn(&Course) -> anyhow::Result<Vec<Outcome>>,
     ) -> anyhow::Result<Row> {
-        let progress = Progress::new(courses.len(), false);
+        let progress = Bar::new(courses.len(), false);
         let mut seconds = [f64::INFINITY; 3];
         for (course, shortest) in courses.iter().zip(&mut seconds) {
             let Course { plan, grid, cells } = course;
@@ -258,13 +260,13 @@ fn by_shader<R: Real>(
 ) -> anyhow::Result<Vec<Outcome>> {
     let Course { plan, grid, cells } = course;
     let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-    Ok(sweeper.sweep::<R>(plan, grid, cells, &|_| ())?.outcomes)
+    Ok(sweeper.sweep::<R>(plan, grid, cells, &Unwatched)?.outcomes)
 }
 
 /// Steps that all cells of a course take.
 fn steps(course: &Course) -> u64 {
     let Course { plan, grid, cells } = course;
-    let outcomes = cpu::sweep::<f32>(plan, grid, cells, &|_| ());
+    let outcomes = cpu::sweep::<f32>(plan, grid, cells, &Unwatched);
     let of = |(&index, cell): (&usize, &Outcome)| {
         plan.clock(&grid.case(index)).steps_until(cell.t_simulated)
     };

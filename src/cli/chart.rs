@@ -15,12 +15,14 @@ use topple::model::precision::Precision;
 use topple::scene::excitation::RecordText;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::opened::Gpu;
+use topple::sweep::progress::Progress;
+use topple::sweep::report::threads;
 
+use super::InputError;
 use super::options::flag_error;
 use super::output::{self, PNG_SCALE, write_figure};
-use super::progress::Progress;
+use super::progress::Bar;
 use super::seismic::write_synthetic;
-use super::{InputError, words};
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.
 #[derive(clap::Args)]
@@ -120,11 +122,11 @@ impl ChartCommand {
         benches: &[Bench],
         gpu: Option<&Gpu>,
     ) -> anyhow::Result<(Vec<Row>, Vec<Vec<Solution>>)> {
-        let threads = words::threads();
+        let threads = threads();
         let (mut rows, mut truths) = (Vec::new(), Vec::new());
         for bench in benches {
             self.say(format!("{:<10} {} ({} cells)", bench.name, bench.title, bench.len()));
-            let progress = Progress::new(bench.len(), self.quiet);
+            let progress = Bar::new(bench.len(), self.quiet);
             let truth =
                 truth::of_bench(bench, &truth::settings(bench), &|cells| progress.advance(cells));
             progress.finish();

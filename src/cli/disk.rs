@@ -1,61 +1,39 @@
 //! What a map takes of a disk, and what there is.
 
-use std::io::{self, Write};
 use std::path::Path;
 
-use topple::map::npz::Source;
-use topple::map::outcomes::Outcomes;
-use topple::map::{csv, npz};
-use topple::scene::Grid;
+use topple::results::size::{FileSizes, room};
+use topple::sweep::estimate::Estimate;
+use topple::sweep::job::Job;
 
 use super::InputError;
+use super::options::{MapFile, MapOptions};
 
 /// Bytes of the pictures, about.
 const PICTURES: f64 = 2.0e6;
 
 /// Bytes of a map's files.
-#[derive(Debug, Clone, Copy)]
-pub struct Files {
-    /// map.csv.
-    pub table: f64,
-    /// map.npz.
-    pub archive: f64,
+pub fn of_files(sizes: &FileSizes, files: &[MapFile]) -> f64 {
+    let of = |file: &MapFile| match file {
+        MapFile::Csv => sizes.table,
+        MapFile::Npz | MapFile::Zarr => sizes.archive,
+    };
+    files.iter().map(of).sum::<f64>() + PICTURES
 }
 
-/// Counts what is written to it.
-#[derive(Default)]
-struct Count(u64);
+/// Bytes of tiles for each one of the archive, which is packed somewhat tighter.
+const TILES: f64 = 1.5;
 
-impl Write for Count {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0 += bytes.len() as u64;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-impl Files {
-    /// Of a map of so many cells, from a coarser grid of the same scene.
-    pub fn of(
-        sample: &Grid,
-        outcomes: &dyn Outcomes,
-        source: Source,
-        cells: usize,
-    ) -> anyhow::Result<Files> {
-        let mut table = Count::default();
-        csv::write(sample, outcomes, &mut table)?;
-        let mut archive = io::Cursor::new(Vec::new());
-        npz::write(sample, outcomes, source, &mut archive)?;
-        let scaled = |bytes: u64| bytes as f64 * cells as f64 / sample.len() as f64;
-        Ok(Files { table: scaled(table.0), archive: scaled(archive.into_inner().len() as u64) })
-    }
-
-    /// Bytes of all files.
-    pub fn all(&self) -> f64 {
-        self.table + self.archive + PICTURES
+/// Most bytes that a run has on disk: its tiles, and beside them its files. A map that is not held in memory
+/// is written as map.zarr by giving its tiles that name.
+pub fn of_run(job: &Job, estimate: &Estimate, options: &MapOptions) -> f64 {
+    let files = options.files(&job.grid);
+    let share = job.left() as f64 / job.grid.len() as f64;
+    let tiles = (TILES * estimate.files.archive * share).min(job.bytes(job.left()) as f64);
+    match options.tile {
+        Some(_) => tiles,
+        None if files == [MapFile::Zarr] => tiles + PICTURES,
+        None => tiles + of_files(&estimate.files, &files),
     }
 }
 
@@ -70,14 +48,6 @@ pub fn fits(bytes: f64, out: &Path) -> Result<(), InputError> {
         ))),
         _ => Ok(()),
     }
-}
-
-/// Room on the disk of a directory, or of the nearest one above that is there, bytes; none where the
-/// system does not tell.
-pub fn room(directory: &Path) -> Option<u64> {
-    let there = std::path::absolute(directory).ok()?;
-    let there = there.ancestors().find(|place| place.is_dir())?;
-    fs4::available_space(there).ok()
 }
 
 /// A size in the unit that a reader would use.

@@ -4,8 +4,8 @@ use serde::Serialize;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
 use topple::model::precision::Precision;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
-use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::history as motion;
@@ -47,7 +47,7 @@ impl HistoryCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
         let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
-        let text = SceneText {
+        let text = SceneBuilder {
             force: options.force,
             shape: self.pulse.shape,
             record: (self.record != RecordText::default()).then(|| self.record.clone()),

@@ -1,47 +1,55 @@
 //! What a map takes of memory, and what there is.
 
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
-use topple::map::outcomes::DRAWN;
-use topple::scene::Grid;
+use topple::map::thinned::DRAWN;
+use topple::model::precision::Precision;
+use topple::results::block::bytes_a_cell;
+use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Backend;
+use topple::sweep::job::Job;
 
 use super::InputError;
-use super::options::MapOptions;
 
-/// Memory that a cell takes beside its outcome: its number and its share of what the threads hold.
-const BYTES_A_CELL: usize = 40;
+/// Memory that a cell of a batch takes: its outcome, its number, its share of what the threads hold.
+const BYTES_A_CELL: usize = size_of::<Outcome>() + 40;
 /// Most cells of a map that is held in memory; a larger one lies on disk and is read as it is needed.
 const MOST_HELD: usize = 1 << 24;
-/// Tiles that there are at once: one that a worker runs, and those that are kept or wait for it.
-const TILES: usize = 5;
+/// Batches that there are at once: one that a worker runs, and those that are saved or wait for it.
+const BATCHES: usize = 5;
 /// Memory that the motions in full contact may take, bytes.
 const MOTIONS: usize = 512 << 20;
 
-/// Memory that so many cells in memory take, bytes.
+/// Memory that so many cells of a batch take, bytes.
 pub fn of_cells(cells: usize) -> u64 {
-    cells as u64 * (size_of::<Outcome>() + BYTES_A_CELL) as u64
+    (cells * BYTES_A_CELL) as u64
 }
 
-/// True where a map is held in memory until it is written: it is no huge one, and half of what is
-/// free is enough for it.
-pub fn holds(grid: &Grid) -> bool {
-    let available = available();
-    grid.len() <= MOST_HELD && (available == 0 || of_cells(grid.len()) <= available / 2)
+/// Memory that a scene's map may take for its columns, bytes: half of what is free, and no more than those
+/// of a huge map.
+pub fn for_columns(scene: &Scene, precision: Precision) -> u64 {
+    let cells = Grid::of(scene).len().min(MOST_HELD);
+    let most = cells as u64 * bytes_a_cell(precision) as u64;
+    match available() {
+        0 => most,
+        available => most.min(available / 2),
+    }
 }
 
-/// Most memory that a run takes, bytes: that of a map's cells if it is held in memory, or else of what
-/// is drawn of it, unless it is a part; and of the tiles at work, twice where each cell runs twice.
-pub fn of_run(grid: &Grid, options: &MapOptions, workers: &[Backend]) -> u64 {
-    let runs = if options.run.resolve { 2 } else { 1 };
-    let tiles = TILES * workers.iter().map(Backend::tile).sum::<usize>() * runs;
+/// Most memory that a run takes, bytes: that of a map's columns if it is held in memory, or else of what
+/// is drawn of it, unless it is a part; and of the batches at work, twice where each cell runs twice.
+pub fn of_run(job: &Job, (part, twice): (bool, bool)) -> u64 {
+    let runs = if twice { 2 } else { 1 };
+    let batches = BATCHES * job.backends.iter().map(Backend::batch).sum::<usize>() * runs;
+    let grid = &job.grid;
     let (columns, rows) = grid.shape();
-    let kept = match options.tile {
-        Some(_) => 0,
-        None if holds(grid) => grid.len(),
-        None => columns.min(DRAWN) * rows.min(DRAWN),
+    let most = for_columns(&job.plan.scene, job.method().precision);
+    let kept = match part {
+        true => 0,
+        false if job.bytes(grid.len()) <= most => job.bytes(grid.len()),
+        false => of_cells(columns.min(DRAWN) * rows.min(DRAWN)),
     };
-    of_cells(kept + tiles.min(grid.len())) + MOTIONS as u64
+    kept + of_cells(batches.min(grid.len())) + MOTIONS as u64
 }
 
 /// Memory that is free, bytes; zero where the machine does not tell.

@@ -2,16 +2,18 @@
 
 use std::path::PathBuf;
 
-use topple::map::npz::Source;
-use topple::map::outcomes::thinned;
-use topple::scene::Grid;
-use topple::store::parts::{Parts, Report};
+use topple::map::thinned::thinned;
+use topple::results::size::FileSizes;
+use topple::sweep::map::MapSweep;
+use topple::sweep::parts::Parts;
 
-use super::disk::{self, Files, size};
-use super::finish::{self, Finished};
-use super::progress::Progress;
-use super::words::{self, Say};
-use super::{InputError, output, run};
+use super::disk::{self, size};
+use super::errors::sweep_error;
+use super::finish;
+use super::options::MapFile;
+use super::progress::{Bar, Screen};
+use super::words::{self, Say, with_flags};
+use super::{InputError, interrupt, output};
 
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
@@ -25,6 +27,9 @@ pub struct MergeCommand {
     /// Directory for the map; made if need be
     #[arg(long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
+    /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
+    #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
+    files: Vec<MapFile>,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -33,39 +38,32 @@ pub struct MergeCommand {
 impl MergeCommand {
     /// Joins the parts.
     pub fn run(&self) -> anyhow::Result<()> {
+        interrupt::listen();
         // What is wrong with the parts is wrong with what was given.
-        let progress = Progress::checking(self.quiet);
-        let joined = Parts::join(&self.parts, &|cells| progress.advance(cells));
-        progress.finish();
-        let joined = joined.map_err(|error| InputError(error.to_string()))?;
-        let Parts { identity, reports, shelf } = joined;
-        let scene = identity.scene().clone();
-        let manner = *identity.manner();
-        let plan = manner.plan(&scene)?;
+        let bar = Bar::checking(self.quiet);
+        let joined = Parts::join(&self.parts, &bar);
+        bar.finish();
+        let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
         let out = output::open(&self.out)?;
-        let grid = Grid::of(&scene);
+        // Nobody else is to write there, and a run of something else that was interrupted there is not to be
+        // lost.
+        let store = parts.store(&self.out).map_err(sweep_error)?;
+        let map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
+        let grid = &map.grid;
+        let files =
+            if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() };
         let (slice, _) = grid.slice(0);
-        let sample = thinned(&scene, (&slice, 0), &shelf, SAMPLE)?;
-        let files = Files::of(
-            &sample.grid,
-            &sample,
-            Source { scene: &scene, precision: manner.precision },
-            grid.len(),
-        )?;
-        disk::fits(files.all(), &self.out)?;
-        // Nobody else is to write there, and a run that was interrupted there is not to be lost.
-        let (store, _) = run::open_store(&self.out, identity, false)?;
+        let sample = thinned(&map.plan.scene, (&slice, 0), &*map.outcomes, SAMPLE)?;
+        let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
+        let bytes = disk::of_files(&sizes, &files);
+        disk::fits(bytes, &self.out)?;
         let say = Say::unless(self.quiet);
-        words::scene(&say, &scene, &grid);
-        for (folder, report) in &reports {
-            say.line("part", format!("{}: {}", folder.display(), words::part(report)));
+        words::scene(&say, &map.plan.scene, grid);
+        for (folder, report) in &map.parts {
+            let folder = folder.as_ref().map(|folder| folder.display().to_string());
+            say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
         }
-        say.line("takes", format!("{} of disk", size(files.all())));
-        let parts: Vec<(Option<PathBuf>, Report)> =
-            reports.into_iter().map(|(folder, report)| (Some(folder), report)).collect();
-        let finished = Finished { plan: &plan, grid, outcomes: &shelf, manner, parts };
-        let written = finish::write(&out, &finished, &say);
-        store.discard()?;
-        written
+        say.line("takes", format!("{} of disk", size(bytes)));
+        finish::write(&out, map, &files, &say, &Screen::new(self.quiet))
     }
 }

@@ -4,10 +4,12 @@ mod adapters;
 mod bench;
 mod chart;
 mod disk;
+mod errors;
 mod estimate;
 mod figures;
 mod finish;
 mod history;
+mod interrupt;
 mod memory;
 mod merge;
 mod numbers;
@@ -22,6 +24,8 @@ mod seismic;
 mod words;
 
 use clap::{Parser, Subcommand};
+pub use errors::Interrupted;
+pub use interrupt::STATUS as INTERRUPTED;
 
 /// Bad input, in one line: what is wrong, where, and what to do. Exit status 2.
 #[derive(Debug, thiserror::Error)]

@@ -4,19 +4,20 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use topple::model::precision::Precision;
+use topple::results::part::Part;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
-use topple::scene::text::SceneText;
-use topple::scene::{Directions, Overturn, Parameter, Scene, SceneError, Values};
-use topple::store::identity::Manner;
-use topple::store::part::Part;
+use topple::scene::{Directions, Grid, Overturn, Parameter, Scene, SceneError, Values};
 use topple::sweep::backend::Backend;
+use topple::sweep::backend_error::BackendError;
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::GpuError;
 use topple::sweep::plan::Plan;
-use topple::sweep::request::{BackendRequest, Opened};
+use topple::sweep::request::{BackendRequest, OpenBackends};
+use topple::sweep::settings::{Method, RunSettings, Saving};
 
+use super::errors::sweep_error;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
-use super::{InputError, words};
+use super::{InputError, memory, words};
 
 /// Where to and on what.
 #[derive(clap::Args)]
@@ -36,11 +37,10 @@ pub struct RunOptions {
     /// Largest step, s
     #[arg(long, value_name = "S", default_value_t = DEFAULT_STEP, allow_negative_numbers = true)]
     pub step: f64,
-    /// Run each cell again with half the step and in f64, and mark it unresolved where the outcome
-    /// differs
+    /// Run each cell again in f64 with half the step, and mark cells whose outcome changes as unresolved
     #[arg(long)]
     pub resolve: bool,
-    /// Simulate all of the model and all of the time, also where it has no say in the result
+    /// Turn off the shortcuts that cannot change the result
     #[arg(long)]
     pub full_model: bool,
     /// Believe numbers that are not plausible
@@ -62,24 +62,56 @@ pub struct MapOptions {
     /// Go on with an interrupted run in the same directory
     #[arg(long)]
     pub resume: bool,
-    /// Least time between two writings of what is done, which --resume goes on from, s; a part, and
-    /// a map larger than memory, is written tile by tile
+    /// Least time between two savings of finished cells, which --resume goes on from, s
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
     /// Run the k-th of n parts only, and leave it in the directory for topple merge
     #[arg(long, value_name = "K/N")]
     pub tile: Option<Part>,
+    /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
+    #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
+    pub files: Vec<MapFile>,
     /// Say what the run would take, and run nothing but a sample
     #[arg(long)]
     pub dry_run: bool,
 }
 
+/// A file that holds a whole map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum MapFile {
+    /// map.csv: a row a cell.
+    Csv,
+    /// map.npz: arrays for numpy.
+    Npz,
+    /// map.zarr: arrays in chunks, for xarray and dask.
+    Zarr,
+}
+
+impl MapFile {
+    /// Its name in the directory.
+    pub fn name(self) -> &'static str {
+        match self {
+            MapFile::Csv => "map.csv",
+            MapFile::Npz => "map.npz",
+            MapFile::Zarr => "map.zarr",
+        }
+    }
+
+    /// Those of a map of so many cells, unless others are asked for.
+    pub fn of(cells: usize) -> Vec<MapFile> {
+        if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
+    }
+}
+
+/// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.
+const LARGE: usize = 1 << 24;
+
 impl RunOptions {
-    /// The plan of a scene.
+    /// Refuses a step that is not plausible.
     ///
     /// # Errors
-    /// Those of [`Manner::plan`].
-    pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+    /// The key `step`.
+    pub fn check_step(&self) -> Result<(), SceneError> {
         let step = self.step;
         if step > LARGEST_STEP && !self.force {
             let key = "step";
@@ -89,12 +121,21 @@ impl RunOptions {
             );
             return Err(SceneError { key, problem });
         }
-        self.manner().plan(scene)
+        Ok(())
     }
 
-    /// How a scene is run.
-    pub fn manner(&self) -> Manner {
-        Manner {
+    /// The plan of a scene.
+    ///
+    /// # Errors
+    /// Those of [`Method::plan`].
+    pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        self.check_step()?;
+        self.method().plan(scene)
+    }
+
+    /// How cells are computed.
+    pub fn method(&self) -> Method {
+        Method {
             precision: self.precision,
             largest_step: self.step,
             resolve: self.resolve,
@@ -107,25 +148,41 @@ impl RunOptions {
     /// # Errors
     /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
-        if !self.adapter.is_empty()
-            && matches!(self.backend, BackendRequest::Cpu | BackendRequest::Reference)
-        {
-            let problem = "--adapter: the CPU has none; give --backend gpu, or leave it out";
-            return Err(InputError(problem.into()).into());
+        let opened = self.backend.open(self.precision, &self.adapter);
+        let OpenBackends { backends, passed_over } = opened.map_err(|e| sweep_error(e.into()))?;
+        self.warn_of(&passed_over, &backends[0]);
+        Ok(backends)
+    }
+
+    /// Warns of GPUs that were passed over.
+    pub fn warn_of(&self, passed_over: &[BackendError], taken: &Backend) {
+        let on = if taken.adapter().is_some() { "another GPU" } else { "the CPU" };
+        for error in passed_over {
+            words::warn(format!("{}; computing on {on}", words::with_flags(&error.to_string())));
         }
-        match self.backend.open(self.precision, &self.adapter) {
-            Ok(Opened { backends, passed_over }) => {
-                let on = if backends[0].adapter().is_some() { "another GPU" } else { "the CPU" };
-                for error in &passed_over {
-                    words::warn(format!("{error}; computing on {on}"));
-                }
-                Ok(backends)
-            }
-            Err(error @ (GpuError::NoSuchAdapter(_) | GpuError::Unlike(..))) => {
-                Err(InputError(format!("--adapter: {error}")).into())
-            }
-            Err(error) => Err(error.into()),
-        }
+    }
+}
+
+impl MapOptions {
+    /// The settings of a scene's run.
+    pub fn settings(&self, scene: &Scene) -> RunSettings {
+        let mut settings = RunSettings::default();
+        settings.backend = self.run.backend;
+        settings.adapters.clone_from(&self.run.adapter);
+        settings.method = self.run.method();
+        settings.saving = Some(Saving {
+            resume: self.resume,
+            every: self.keep_every,
+            memory: memory::for_columns(scene, self.run.precision),
+            part: self.tile,
+            ..Saving::to(&self.run.out)
+        });
+        settings
+    }
+
+    /// The files that a map is written to.
+    pub fn files(&self, grid: &Grid) -> Vec<MapFile> {
+        if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() }
     }
 }
 
@@ -167,9 +224,9 @@ impl CommonFlags {
         &self,
         title: Option<&str>,
         more: impl Iterator<Item = (usize, Parameter, Values)>,
-    ) -> SceneText {
+    ) -> SceneBuilder {
         let own = self.block.placed().chain(self.base.placed()).chain(self.run.placed());
-        SceneText {
+        SceneBuilder {
             title: title.map(String::from),
             object: self.object,
             isolation: self.isolation,

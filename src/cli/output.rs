@@ -3,18 +3,21 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
-use topple::map::figure::{FigureError, curves, document, field, fields, frame, overturning};
-use topple::map::files::{Directory, WriteError};
+use topple::map::figure::FigureError;
+use topple::map::figure::{curves, document, field, fields, frame, overturning};
 use topple::map::manifest::Manifest;
-use topple::map::npz::Source;
-use topple::map::outcomes::Outcomes;
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
-use topple::model::precision::Precision;
-use topple::scene::Grid;
-use topple::sweep::backend::Backend;
+use topple::results::columns::Column;
+use topple::results::files::{Directory, WriteError};
+use topple::results::{csv, npz};
+use topple::sweep::map::MapSweep;
+use topple::sweep::observed::ObservedOutcomes;
+use topple::sweep::observer::{Observer, Phase};
 
 use super::InputError;
+use super::options::MapFile;
+use super::progress::Screen;
 
 /// Pixels of a PNG for each of its SVG's units.
 pub const PNG_SCALE: f32 = 2.0;
@@ -24,13 +27,13 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
     Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
 }
 
-/// Writes the files of a map, of which `slices` are drawn; the paths of their pictures.
+/// Writes the files of a map, of which `slices` are drawn, but map.zarr; the paths of its pictures.
 pub fn write(
     out: &Directory,
-    grid: &Grid,
-    outcomes: &dyn Outcomes,
+    map: &MapSweep,
     slices: &[Slice],
-    manifest: &Manifest,
+    (manifest, files): (&Manifest, &[MapFile]),
+    screen: &Screen,
 ) -> anyhow::Result<Vec<PathBuf>> {
     let figures: Vec<Figure> = match slices {
         [whole] => figures(&whole.map)?,
@@ -40,12 +43,16 @@ pub fn write(
             .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number)))
             .collect::<Result<_, _>>()?,
     };
-    // The reference computes in f64 whatever a sweep would.
-    let by_reference = manifest.backend.contains(Backend::Reference.name());
-    let precision = if by_reference { Precision::F64 } else { manifest.precision };
-    let source = Source { scene: manifest.scene, precision };
-    out.write("map.csv", |w| map::csv::write(grid, outcomes, w))?;
-    out.write("map.npz", |w| map::npz::write(grid, outcomes, source, w))?;
+    let grid = &map.grid;
+    let tables = files.iter().filter(|file| **file != MapFile::Zarr).count();
+    screen.begins(Phase::Writing, grid.len() * tables * Column::ALL.len());
+    let outcomes = ObservedOutcomes::new(&*map.outcomes, screen);
+    if files.contains(&MapFile::Csv) {
+        out.write("map.csv", |w| csv::write(grid, &outcomes, w))?;
+    }
+    if files.contains(&MapFile::Npz) {
+        out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
+    }
     if let [whole] = slices
         && whole.map.scene.excitation.record().is_some()
         && grid.axes().len() == 2

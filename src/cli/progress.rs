@@ -1,55 +1,52 @@
 //! The progress bar.
 
-use std::borrow::Cow;
-use std::io;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use topple::map::columns::Column;
-use topple::map::outcomes::Outcomes;
-use topple::stepping::outcome::Outcome;
+use topple::sweep::observer::{Observer, Phase};
+use topple::sweep::progress::Progress;
 
-/// A run that is over sooner shows no bar.
+use super::interrupt;
+
+/// A phase that is over sooner shows no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// What is left is told in cells and their rate, or in a word.
 const CELLS: &str = "{bar:32} {percent:>3} %  {human_pos} of {human_len} cells  {rate}  {eta} left";
 
 /// A bar with cells a second and time left, on a terminal only.
-pub struct Progress {
+pub struct Bar {
     bar: ProgressBar,
     began: Instant,
     shown: AtomicBool,
 }
 
-impl Progress {
+impl Bar {
     /// A bar for `cells` cells; `quiet` shows none.
-    pub fn new(cells: usize, quiet: bool) -> Progress {
-        Progress::styled(CELLS, cells, quiet)
+    pub fn new(cells: usize, quiet: bool) -> Bar {
+        Bar::styled(CELLS, cells, quiet)
     }
 
     /// A count of cells that are found whole on disk, of as many as there are.
-    pub fn checking(quiet: bool) -> Progress {
-        Progress::styled("{human_pos} cells checked", 0, quiet)
+    pub fn checking(quiet: bool) -> Bar {
+        Bar::styled("{human_pos} cells checked", 0, quiet)
     }
 
-    fn styled(template: &str, total: usize, quiet: bool) -> Progress {
+    /// A bar of a share of the whole; `doing` says of what.
+    pub fn share(doing: &str, total: usize, quiet: bool) -> Bar {
+        let template = format!("{{bar:32}} {{percent:>3}} %  {doing}  {{eta}} left");
+        Bar::styled(&template, total, quiet)
+    }
+
+    fn styled(template: &str, total: usize, quiet: bool) -> Bar {
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
         // Templates are constants; a mistake in one would show as the library's default bar.
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.with_key("rate", rate));
         }
-        Progress { bar, began: Instant::now(), shown: AtomicBool::new(quiet) }
-    }
-
-    /// Tells of cells that are done.
-    pub fn advance(&self, cells: usize) {
-        self.bar.inc(cells as u64);
-        if self.began.elapsed() > PATIENCE && !self.shown.swap(true, Ordering::Relaxed) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
+        Bar { bar, began: Instant::now(), shown: AtomicBool::new(quiet) }
     }
 
     /// Takes the bar away.
@@ -58,36 +55,71 @@ impl Progress {
     }
 }
 
-/// Outcomes whose reading shows how far the work on them is.
-pub struct Watched<'a> {
-    outcomes: &'a dyn Outcomes,
-    progress: Progress,
+impl Progress for Bar {
+    fn advance(&self, cells: usize) {
+        self.bar.inc(cells as u64);
+        if self.began.elapsed() > PATIENCE && !self.shown.swap(true, Ordering::Relaxed) {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        interrupt::asked()
+    }
 }
 
-impl<'a> Watched<'a> {
-    /// Outcomes of so many cells, of which so many columns will be read; `doing` says what for.
-    pub fn new(
-        outcomes: &'a dyn Outcomes,
-        doing: &str,
-        cells: usize,
-        columns: usize,
-        quiet: bool,
-    ) -> Watched<'a> {
-        let template = format!("{{bar:32}} {{percent:>3}} %  {doing}  {{eta}} left");
-        let progress = Progress::styled(&template, cells.saturating_mul(columns), quiet);
-        Watched { outcomes, progress }
+/// The phases of a run, a bar each.
+pub struct Screen {
+    quiet: bool,
+    bar: Mutex<Bar>,
+}
+
+impl Screen {
+    /// Shows nothing where it is to be quiet.
+    pub fn new(quiet: bool) -> Screen {
+        Screen { quiet, bar: Mutex::new(Bar::new(0, true)) }
+    }
+
+    fn with<T>(&self, act: impl FnOnce(&mut Bar) -> T) -> T {
+        // A thread that panicked has left a whole bar behind.
+        act(&mut self.bar.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Takes the bar away.
-    pub fn finish(&self) {
-        self.progress.finish();
+    pub fn clear(&self) {
+        self.with(|bar| bar.finish());
     }
 }
 
-impl Outcomes for Watched<'_> {
-    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
-        self.progress.advance(cells.len() * columns.len());
-        self.outcomes.read(cells, columns)
+impl Progress for Screen {
+    fn advance(&self, cells: usize) {
+        self.with(|bar| bar.advance(cells));
+    }
+
+    fn cancelled(&self) -> bool {
+        interrupt::asked()
+    }
+}
+
+impl Observer for Screen {
+    fn begins(&self, phase: Phase, total: usize) {
+        let new = match phase {
+            Phase::Counting => Bar::share("counting", total, self.quiet),
+            Phase::Choosing => Bar::share("choosing the reference's sample", total, self.quiet),
+            Phase::Verifying => Bar::share("verifying by the reference", total, self.quiet),
+            Phase::Writing => Bar::share("writing", total, self.quiet),
+            _ => Bar::new(total, self.quiet),
+        };
+        self.with(|bar| {
+            bar.finish();
+            *bar = new;
+        });
+    }
+}
+
+impl Drop for Screen {
+    fn drop(&mut self) {
+        self.clear();
     }
 }
 

@@ -1,6 +1,6 @@
 //! `topple pulse`.
 
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 
 use super::numbers::PulseFlags;
 use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
@@ -23,7 +23,7 @@ impl PulseCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let force = self.options.run.force;
         let text = self.common.text(None, self.pulse.numbers.placed());
-        let text = SceneText { force, shape: self.pulse.shape, ..text };
+        let text = SceneBuilder { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         run::run_map(&scene, &self.options)
     }

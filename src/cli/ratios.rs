@@ -11,9 +11,11 @@ use topple::stepping::outcome::Outcome;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+use topple::sweep::report::threads;
 
+use super::InputError;
 use super::options::flag_error;
-use super::{InputError, words};
 
 /// Points of an axis of the map that topple is timed on, beside the peers' cells.
 const SIDE: u32 = 400;
@@ -41,7 +43,7 @@ pub fn print(files: &[PathBuf]) -> anyhow::Result<()> {
     let wrong =
         truth.iter().zip(&outcomes).filter(|(truth, ours)| truth.outcome.class != ours.class);
     let wrong = wrong.count();
-    let threads = words::threads();
+    let threads = threads();
     println!("\n{}\n", small.title);
     println!("| program | setting | threads | cells/s | wrong of {count} | topple's map is |");
     println!("|---|---|--:|--:|--:|--:|");
@@ -79,7 +81,7 @@ fn timed(scene: &topple::scene::Scene) -> anyhow::Result<(f64, Vec<Outcome>)> {
     let mut outcomes = Vec::new();
     for _ in 0..REPEAT {
         let began = Instant::now();
-        outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &|_| ());
+        outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
         shortest = shortest.min(began.elapsed().as_secs_f64());
     }
     Ok((cells.len() as f64 / shortest, outcomes))

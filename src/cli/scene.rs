@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 
 use super::InputError;
 use super::options::MapOptions;
@@ -37,7 +37,7 @@ impl RunCommand {
             let problem = "this is a figure of several panels; run it by topple figures --scenes";
             return Err(refused(problem.into()).into());
         }
-        let mut scene = SceneText::from_toml(&text).map_err(refused)?;
+        let mut scene = SceneBuilder::from_toml(&text).map_err(refused)?;
         scene.force |= self.options.run.force;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
@@ -48,7 +48,7 @@ impl RunCommand {
 /// Runs the default scene.
 pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     // The scene is part of the binary; a test reads it.
-    let text = SceneText::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
+    let text = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
     run::run_map(&scene, options)
 }

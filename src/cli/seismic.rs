@@ -1,10 +1,10 @@
 //! `topple seismic`.
 
-use topple::map::files::Directory;
+use topple::results::files::Directory;
 use topple::scene::Excitation;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
-use topple::scene::text::SceneText;
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
@@ -32,7 +32,7 @@ impl SeismicCommand {
         let force = self.options.run.force;
         if self.options.dry_run && record.horizontal.is_none() && record.vertical.is_none() {
             // Nothing is written, the synthetic pair neither.
-            let text = SceneText { force, ..self.common.text(None, self.numbers.placed()) };
+            let text = SceneBuilder { force, ..self.common.text(None, self.numbers.placed()) };
             let scene = text
                 .check_under(Excitation::Record(synthetic::pair()))
                 .map_err(|e| flag_error(&e))?;
@@ -43,7 +43,7 @@ impl SeismicCommand {
             record = write_synthetic(&out, record)?;
         }
         let text = self.common.text(None, self.numbers.placed());
-        let text = SceneText { record: Some(record), force, ..text };
+        let text = SceneBuilder { record: Some(record), force, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         run::run_map(&scene, &self.options)
     }

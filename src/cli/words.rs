@@ -3,13 +3,13 @@
 use std::fmt::Display;
 
 use topple::map::figure::frame;
-use topple::map::outcomes::Tally;
 use topple::model::precision::Precision;
+use topple::results::tally::Tally;
 use topple::scene::{Case, Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
-use topple::store::parts::Report;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
+use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::Verification;
 
@@ -20,11 +20,6 @@ impl Say {
     /// Says nothing where it is to be quiet.
     pub fn unless(quiet: bool) -> Say {
         Say(!quiet)
-    }
-
-    /// True where nothing is said.
-    pub fn is_quiet(&self) -> bool {
-        !self.0
     }
 
     /// Says a line.
@@ -40,9 +35,18 @@ pub fn warn(text: impl Display) {
     eprintln!("topple: warning: {text}");
 }
 
-/// Threads that a sweep on the CPU takes.
-pub fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+/// A message of the library with flags in the place of its keys: `resume` in backquotes is --resume.
+pub fn with_flags(text: &str) -> String {
+    let mut flags = String::with_capacity(text.len());
+    for (number, piece) in text.split('`').enumerate() {
+        if number % 2 == 1 {
+            flags.push_str("--");
+            flags.push_str(&piece.replace('_', "-"));
+        } else {
+            flags.push_str(piece);
+        }
+    }
+    flags
 }
 
 /// The points of a grid's axes: `400 x 400`.

@@ -9,7 +9,7 @@ use std::io::Write;
 use rayon::prelude::*;
 
 use super::marks::along;
-use crate::map::csv::Number;
+use crate::results::csv::Number;
 use crate::scene::{Directions, Grid, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::{self, Settings};

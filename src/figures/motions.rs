@@ -10,10 +10,10 @@ use serde::Deserialize;
 
 use super::error::ReadError;
 use crate::scene::GRAVITY;
+use crate::scene::builder::located;
 use crate::scene::record::read::{self, RecordHints};
 use crate::scene::record::synthetic::{self, HORIZONTAL, Parameters, VERTICAL};
 use crate::scene::record::{Pair, Record, Units};
-use crate::scene::text::located;
 
 /// A motion as written.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

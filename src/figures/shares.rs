@@ -4,8 +4,8 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use crate::map::csv::Number;
 use crate::map::figure::palette::Parity;
+use crate::results::csv::Number;
 use crate::scene::{Parameter, Scene};
 use crate::stepping::outcome::{Class, Outcome};
 

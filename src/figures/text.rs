@@ -12,7 +12,7 @@ use super::error::ReadError;
 use super::marks::{self, Point, Window};
 use super::motions::{Motion, Motions};
 use super::{Figure, Panel, Shows, letter};
-use crate::scene::text::{SceneText, located};
+use crate::scene::builder::{SceneBuilder, located};
 use crate::scene::{Excitation, Range, Scene, SceneError, Values};
 
 /// A figure as written.
@@ -111,7 +111,7 @@ fn read(
     let refused = |problem: String| ReadError::new(place, problem);
     let mut table = shared.clone();
     merge(&mut table, std::mem::take(&mut panel.scene));
-    let text: SceneText =
+    let text: SceneBuilder =
         table.try_into().map_err(|error: toml::de::Error| refused(error.message().to_string()))?;
     let checked = |scene: Result<Scene, SceneError>| scene.map_err(|e| refused(e.to_string()));
     let (mut scene, motion) = match &panel.motion {

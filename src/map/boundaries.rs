@@ -5,7 +5,7 @@ use std::io::Write;
 use contour::ContourBuilder;
 
 use super::Map;
-use super::csv::Number;
+use crate::results::csv::Number;
 use crate::stepping::outcome::{Class, Outcome};
 
 /// A line in the axes' coordinates, see [`Values::coordinate`](crate::scene::Values::coordinate).

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use super::csv::Number;
+use crate::results::csv::Number;
 use crate::sweep::history::Row;
 
 /// Names of the columns.

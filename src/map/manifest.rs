@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
-use super::outcomes::Tally;
 use crate::model::precision::Precision;
-use crate::scene::Scene;
-use crate::store::parts::Report;
-use crate::sweep::gpu::adapter::Description;
+use crate::results::tally::Tally;
+use crate::scene::{Grid, Scene};
+use crate::sweep::description::AdapterDescription;
+use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
+use crate::sweep::report::{Report, threads};
 use crate::sweep::shortcuts::Shortcuts;
 use crate::sweep::verification::Verification;
 
@@ -28,7 +30,7 @@ pub struct Manifest<'a> {
     /// gpu, cpu or reference; of parts that differ all of them, as in cpu+gpu.
     pub backend: String,
     /// The adapter, for a GPU, if all parts have run on the same.
-    pub adapter: Option<&'a Description>,
+    pub adapter: Option<&'a AdapterDescription>,
     /// Threads of the CPU.
     pub threads: usize,
     /// Number type of the sweep.
@@ -90,6 +92,73 @@ pub struct Reduced {
     pub proved_cells: usize,
     /// Mean time simulated by a cell that stands, s.
     pub mean_time: f64,
+}
+
+impl<'a> Manifest<'a> {
+    /// What is known of a map that was counted and verified, of which `drawn` columns and rows are drawn.
+    pub fn of(
+        map: &'a MapSweep,
+        tally: &Tally,
+        (verification, seconds): (&'a Verification, f64),
+        drawn: (usize, usize),
+    ) -> Manifest<'a> {
+        let MapSweep { plan, grid, method, parts, .. } = map;
+        let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
+        let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
+        let timings = Timings {
+            start: sum(|report| report.start),
+            sweep: sum(|report| report.sweep),
+            verification: seconds,
+        };
+        let mut backends: Vec<&str> =
+            parts.iter().map(|(_, report)| report.backend.as_str()).collect();
+        backends.sort_unstable();
+        backends.dedup();
+        // One that all parts share, if they do; a map has one part at least.
+        let adapter = parts[0].1.adapter.as_ref();
+        let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
+        Manifest {
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &plan.scene,
+            cells: grid.len(),
+            resumed_cells,
+            backend: backends.join("+"),
+            adapter: adapter.filter(|_| shared),
+            threads: threads(),
+            precision: method.precision,
+            resolve: method.resolve,
+            steps: Steps::of(&plan.at(method.precision), grid),
+            cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
+            timings,
+            outcomes: tally.classes(),
+            tensile_cells: tally.tensile,
+            sliding_cells: tally.sliding,
+            model: Reduced::of(plan, tally),
+            verification,
+            drawn,
+            parts: parts
+                .iter()
+                .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
+                .collect(),
+        }
+    }
+}
+
+impl Steps {
+    /// The steps of a grid's cells.
+    fn of(plan: &Plan, grid: &Grid) -> Steps {
+        let of = |cell: usize| {
+            let clock = plan.clock(&grid.case(cell));
+            let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };
+            (step, clock.steps)
+        };
+        let extreme = |(short, most): (f64, u32), (step, steps): (f64, u32)| {
+            (short.min(step), most.max(steps))
+        };
+        let none = || (f64::INFINITY, 0);
+        let (shortest, most) = (0..grid.len()).into_par_iter().map(of).reduce(none, extreme);
+        Steps { largest: plan.resolution.largest_step, shortest, most }
+    }
 }
 
 impl Reduced {

@@ -1,19 +1,20 @@
-//! Outcomes over a grid, and the files that hold them.
+//! A map as it is drawn, and what is said about it.
 
 pub mod boundaries;
-pub mod columns;
-pub mod csv;
 pub mod figure;
-pub mod files;
 pub mod history;
 pub mod manifest;
-pub mod npz;
-pub mod outcomes;
 pub mod slices;
+pub mod thinned;
 
 use std::borrow::Cow;
+use std::io;
+use std::ops::Range;
 
-use crate::scene::{Grid, Parameter, Scene};
+use crate::results::columns::Column;
+use crate::results::outcomes::Outcomes;
+use crate::results::tally::slides;
+use crate::scene::{Grid, Scene};
 use crate::stepping::outcome::Outcome;
 
 /// A finished sweep in memory.
@@ -24,12 +25,6 @@ pub struct Map<'a> {
     pub grid: Grid,
     /// One outcome a cell, in the grid's order.
     pub outcomes: Cow<'a, [Outcome]>,
-}
-
-/// True where a cell of a grid has a friction coefficient and asks for more.
-pub fn slides(grid: &Grid, cell: usize, outcome: &Outcome) -> bool {
-    let coefficient = grid.value(Parameter::Friction, cell);
-    coefficient.is_some_and(|mu| outcome.friction > mu)
 }
 
 impl Map<'_> {
@@ -43,5 +38,11 @@ impl Map<'_> {
     /// True where a cell is beyond the model.
     pub fn has_beyond_the_model(&self) -> bool {
         (0..self.outcomes.len()).any(|cell| self.beyond_the_model(cell))
+    }
+}
+
+impl Outcomes for Map<'_> {
+    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        self.outcomes[..].read(cells, columns)
     }
 }

@@ -4,7 +4,8 @@ use std::io;
 
 use super::Map;
 use super::figure::tick;
-use super::outcomes::{DRAWN, Outcomes, thinned};
+use super::thinned::{DRAWN, thinned};
+use crate::results::outcomes::Outcomes;
 use crate::scene::{Grid, Scene};
 
 /// Most slices that are drawn.

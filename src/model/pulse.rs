@@ -10,7 +10,8 @@ use super::number::Number;
 use super::real::Vector;
 
 /// What a pulse looks like.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
     /// sin Ωt for one cycle, or for as many as cycles gives: (22)

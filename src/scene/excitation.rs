@@ -40,20 +40,21 @@ impl Excitation {
 }
 
 /// The record as written, but for its numbers.
-#[derive(Debug, Clone, Default, PartialEq, clap::Args)]
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::Args))]
 pub struct RecordText {
     /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
     /// synthetic pair]
-    #[arg(long, value_name = "FILE")]
+    #[cfg_attr(feature = "cli", arg(long, value_name = "FILE"))]
     pub horizontal: Option<PathBuf>,
     /// Vertical record, positive up
-    #[arg(long, value_name = "FILE")]
+    #[cfg_attr(feature = "cli", arg(long, value_name = "FILE"))]
     pub vertical: Option<PathBuf>,
     /// Time between samples, s, where a file does not tell
-    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    #[cfg_attr(feature = "cli", arg(long, value_name = "S", allow_hyphen_values = true))]
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
-    #[arg(long, value_name = "g|m/s2|cm/s2")]
+    #[cfg_attr(feature = "cli", arg(long, value_name = "g|m/s2|cm/s2"))]
     pub units: Option<Units>,
 }
 

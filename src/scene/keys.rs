@@ -5,9 +5,9 @@ use std::fmt;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 
+use super::builder::SceneBuilder;
 use super::excitation::RecordText;
 use super::parameters::{Parameter, Section};
-use super::text::SceneText;
 use super::values::Values;
 
 /// A key of a section.
@@ -57,12 +57,12 @@ impl<T: Copy> Visitor<'_> for Known<T> {
 }
 
 /// The record's files.
-fn files(scene: &mut SceneText) -> &mut RecordText {
+fn files(scene: &mut SceneBuilder) -> &mut RecordText {
     scene.record.get_or_insert_default()
 }
 
 /// Reads a section into a scene.
-struct Fill<'a>(&'a mut SceneText, Section);
+struct Fill<'a>(&'a mut SceneBuilder, Section);
 
 impl<'de> DeserializeSeed<'de> for Fill<'_> {
     type Value = ();
@@ -109,18 +109,18 @@ impl<'de> Visitor<'de> for Fill<'_> {
     }
 }
 
-impl<'de> Deserialize<'de> for SceneText {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<SceneText, D::Error> {
+impl<'de> Deserialize<'de> for SceneBuilder {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<SceneBuilder, D::Error> {
         struct File;
         impl<'de> Visitor<'de> for File {
-            type Value = SceneText;
+            type Value = SceneBuilder;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("a scene")
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SceneText, A::Error> {
-                let mut scene = SceneText::default();
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SceneBuilder, A::Error> {
+                let mut scene = SceneBuilder::default();
                 let keys = || {
                     let mut keys = vec![("title", None)];
                     keys.extend(Section::ALL.map(|section| (section.key(), Some(section))));

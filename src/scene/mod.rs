@@ -5,24 +5,26 @@
 //! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 
 pub mod block;
+pub mod builder;
 pub mod case;
 mod check;
 pub mod excitation;
 pub mod grid;
 pub mod isolation;
 mod keys;
+#[cfg(feature = "cli")]
 pub mod manual;
 pub mod numbers;
 pub mod parameters;
 pub mod range;
 pub mod record;
-pub mod text;
 
 pub mod values;
 
 use serde::{Deserialize, Serialize};
 
 pub use block::Block;
+pub use builder::SceneBuilder;
 pub use case::{Case, Choices, Pulse, Shaking};
 pub use excitation::Excitation;
 pub use grid::Grid;
@@ -37,7 +39,8 @@ pub use values::Values;
 pub const GRAVITY: f64 = 9.81;
 
 /// When a block counts as overturned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Overturn {
     /// |phi| reaches arctan((B +- e)/H), the paper's convention (section 2.6).
@@ -92,6 +95,16 @@ impl Scene {
     /// The cell of the first values.
     pub fn case(&self) -> Case {
         Choices::of(self).case(&self.numbers.first())
+    }
+
+    /// Checks a scene whose numbers were set one by one: each by itself, improbable ones believed, and all
+    /// together.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check(&self) -> Result<(), SceneError> {
+        check::numbers(&self.numbers, true)?;
+        check::scene(self)
     }
 
     /// Gives a parameter a value or several.

@@ -32,7 +32,15 @@ pub trait Feed<R> {
 
     /// Takes a cell that has ended.
     fn done(&mut self, job: &Job<R>);
+
+    /// True when cells that run are to be left as they are, and no more are to come.
+    fn cancelled(&self) -> bool {
+        false
+    }
 }
+
+/// Turns between two questions whether to go on: some milliseconds.
+const TURNS: u32 = 1 << 12;
 
 /// The part of a lane that is not in vectors.
 pub(super) struct Lane<R> {
@@ -152,7 +160,12 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         for lane in 0..V::LANES {
             self.fill(lane, feed);
         }
+        let mut turns = 0_u32;
         while self.running != 0 {
+            turns = turns.wrapping_add(1);
+            if turns.is_multiple_of(TURNS) && feed.cancelled() {
+                return;
+            }
             for lane in each(self.turn()) {
                 self.store(lane);
                 feed.done(&self.lanes[lane].job);

@@ -5,20 +5,23 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::backend_error::BackendError;
 use super::cpu;
-use super::gpu::GpuError;
-use super::gpu::adapter::Description;
-use super::gpu::opened::Gpu;
-use super::gpu::run::Sweeper;
+use super::description::AdapterDescription;
+#[cfg(feature = "gpu")]
+use super::gpu::{opened::Gpu, run::Sweeper};
 use super::plan::{Part, Plan};
+use super::progress::Progress;
+use super::snapshots::{FirstRun, OfPart, SecondRun, resolve};
 use crate::model::precision::Precision;
 use crate::scene::Grid;
-use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::outcome::Outcome;
 use crate::stepping::reference;
 
 /// A backend ready to run.
 pub enum Backend {
     /// The shader on a device.
+    #[cfg(feature = "gpu")]
     Gpu(Box<Gpu>),
     /// The shader's twin on all cores.
     Cpu,
@@ -27,7 +30,7 @@ pub enum Backend {
 }
 
 /// Outcomes with what they took.
-pub struct Swept {
+pub struct BackendOutcomes {
     /// One a cell, in the grid's order.
     pub outcomes: Vec<Outcome>,
     /// From the first cell prepared to the last outcome in memory.
@@ -39,18 +42,36 @@ pub struct Swept {
 }
 
 impl Backend {
-    /// Most cells of a tile.
-    pub fn tile(&self) -> usize {
+    /// The number type of the columns of a sweep: the reference computes in f64 whatever a sweep would.
+    pub fn columns(&self, precision: Precision) -> Precision {
         match self {
+            Backend::Reference => Precision::F64,
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(_) => precision,
+            Backend::Cpu => precision,
+        }
+    }
+
+    /// Most cells of a batch.
+    pub fn batch(&self) -> usize {
+        match self {
+            #[cfg(feature = "gpu")]
             Backend::Gpu(_) => 1 << 20,
             Backend::Cpu => 1 << 17,
             Backend::Reference => 1 << 9,
         }
     }
 
+    /// True where the cells of a running batch are given as they are done, see [`Progress::snapshot`]: a batch
+    /// may take long.
+    pub fn gives_snapshots(&self) -> bool {
+        matches!(self, Backend::Cpu)
+    }
+
     /// One word: gpu, cpu or reference.
     pub fn name(&self) -> &'static str {
         match self {
+            #[cfg(feature = "gpu")]
             Backend::Gpu(_) => "gpu",
             Backend::Cpu => "cpu",
             Backend::Reference => "reference",
@@ -58,8 +79,9 @@ impl Backend {
     }
 
     /// The adapter, for a GPU.
-    pub fn adapter(&self) -> Option<&Description> {
+    pub fn adapter(&self) -> Option<&AdapterDescription> {
         match self {
+            #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => Some(&gpu.description),
             Backend::Cpu | Backend::Reference => None,
         }
@@ -68,14 +90,14 @@ impl Backend {
     /// Runs all cells of a grid; `progress` is called with the number of cells done since its last call.
     ///
     /// # Errors
-    /// Any [`GpuError`] of a GPU; the others do not fail.
+    /// Any [`BackendError`] of a GPU; the others do not fail.
     pub fn sweep(
         &self,
         plan: &Plan,
         grid: &Grid,
         precision: Precision,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Swept, GpuError> {
+        progress: &dyn Progress,
+    ) -> Result<BackendOutcomes, BackendError> {
         self.sweep_cells(plan, grid, 0..grid.len(), precision, progress)
     }
 
@@ -90,8 +112,8 @@ impl Backend {
         cells: Range<usize>,
         precision: Precision,
         resolve: bool,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Swept, GpuError> {
+        progress: &dyn Progress,
+    ) -> Result<BackendOutcomes, BackendError> {
         let sweep = if resolve { Backend::sweep_resolved } else { Backend::sweep_cells };
         sweep(self, plan, grid, cells, precision, progress)
     }
@@ -106,27 +128,26 @@ impl Backend {
         grid: &Grid,
         cells: Range<usize>,
         precision: Precision,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Swept, GpuError> {
+        progress: &dyn Progress,
+    ) -> Result<BackendOutcomes, BackendError> {
         let began = Instant::now();
-        let mut compile = Duration::ZERO;
-        let mut device = None;
+        let mut times = Times::default();
         let parts = plan.at(precision).parts(grid, cells.clone());
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let mut outcomes =
-                self.part(part, grid, precision, progress, &mut compile, &mut device)?;
+            let progress = OfPart { progress, cells: &cells, part };
+            let mut outcomes = self.part(part, grid, precision, &progress, &mut times)?;
             if part.vertical_locked {
-                let ran =
-                    |outcome: &&mut Outcome| matches!(outcome.status, Status::Ok | Status::Proved);
-                for outcome in outcomes.iter_mut().filter(ran) {
-                    outcome.status = Status::VerticalLocked;
-                }
+                outcomes.iter_mut().for_each(|outcome| *outcome = part.told(*outcome));
             }
             ran.push(outcomes);
         }
+        if progress.cancelled() {
+            return Err(BackendError::Cancelled);
+        }
         let outcomes = in_order(&cells, &parts, ran);
-        Ok(Swept { outcomes, elapsed: began.elapsed() - compile, compile, device })
+        let Times { compile, device } = times;
+        Ok(BackendOutcomes { outcomes, elapsed: began.elapsed() - compile, compile, device })
     }
 
     /// Runs some of a grid's cells twice, the second time with steps half as long and, where the backend has it,
@@ -141,19 +162,18 @@ impl Backend {
         grid: &Grid,
         cells: Range<usize>,
         precision: Precision,
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Swept, GpuError> {
-        let coarse = self.sweep_cells(plan, grid, cells.clone(), precision, progress)?;
+        progress: &dyn Progress,
+    ) -> Result<BackendOutcomes, BackendError> {
+        let first = FirstRun(progress);
+        let coarse = self.sweep_cells(plan, grid, cells.clone(), precision, &first)?;
         let finer = match self {
+            #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) if !gpu.description.f64 => precision,
             _ => Precision::F64,
         };
-        let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, progress)?;
-        for (cell, other) in fine.outcomes.iter_mut().zip(&coarse.outcomes) {
-            if cell.class != other.class && cell.class != Class::Unresolved {
-                (cell.class, cell.status) = (Class::Unresolved, Status::Undecided);
-            }
-        }
+        let second = SecondRun { progress, first: &coarse.outcomes };
+        let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, &second)?;
+        resolve(&mut fine.outcomes, &coarse.outcomes);
         fine.elapsed += coarse.elapsed;
         fine.compile += coarse.compile;
         fine.device = fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse);
@@ -166,39 +186,46 @@ impl Backend {
         part: &Part,
         grid: &Grid,
         precision: Precision,
-        progress: &(dyn Fn(usize) + Sync),
-        compile: &mut Duration,
-        device: &mut Option<Duration>,
-    ) -> Result<Vec<Outcome>, GpuError> {
+        progress: &dyn Progress,
+        #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
+        times: &mut Times,
+    ) -> Result<Vec<Outcome>, BackendError> {
         let (plan, cells) = (&part.plan, part.cells.as_slice());
-        let gpu = match (self, precision) {
-            (Backend::Reference, _) => return Ok(by_reference(plan, grid, cells, progress)),
-            (Backend::Cpu, Precision::F32) => {
-                return Ok(cpu::sweep::<f32>(plan, grid, cells, progress));
+        match (self, precision) {
+            (Backend::Reference, _) => Ok(by_reference(plan, grid, cells, progress)),
+            (Backend::Cpu, Precision::F32) => Ok(cpu::sweep::<f32>(plan, grid, cells, progress)),
+            (Backend::Cpu, Precision::F64) => Ok(cpu::sweep::<f64>(plan, grid, cells, progress)),
+            #[cfg(feature = "gpu")]
+            (Backend::Gpu(gpu), _) => {
+                let compiling = Instant::now();
+                let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
+                times.compile += compiling.elapsed();
+                let (outcomes, time) = match precision {
+                    Precision::F32 => {
+                        let ran = sweeper.sweep::<f32>(plan, grid, cells, progress)?;
+                        (ran.outcomes, ran.device)
+                    }
+                    Precision::F64 => {
+                        let ran = sweeper.sweep::<f64>(plan, grid, cells, progress)?;
+                        (ran.outcomes, ran.device)
+                    }
+                };
+                if let Some(time) = time {
+                    times.device = Some(times.device.unwrap_or_default() + time);
+                }
+                Ok(outcomes)
             }
-            (Backend::Cpu, Precision::F64) => {
-                return Ok(cpu::sweep::<f64>(plan, grid, cells, progress));
-            }
-            (Backend::Gpu(gpu), _) => gpu,
-        };
-        let compiling = Instant::now();
-        let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-        *compile += compiling.elapsed();
-        let (outcomes, time) = match precision {
-            Precision::F32 => {
-                let ran = sweeper.sweep::<f32>(plan, grid, cells, progress)?;
-                (ran.outcomes, ran.device)
-            }
-            Precision::F64 => {
-                let ran = sweeper.sweep::<f64>(plan, grid, cells, progress)?;
-                (ran.outcomes, ran.device)
-            }
-        };
-        if let Some(time) = time {
-            *device = Some(device.unwrap_or_default() + time);
         }
-        Ok(outcomes)
     }
+}
+
+/// What the parts of a sweep took of a GPU.
+#[derive(Default)]
+struct Times {
+    /// Compilation of shaders.
+    compile: Duration,
+    /// Time in them by the device's clock, where it has one.
+    device: Option<Duration>,
 }
 
 /// The outcomes of the parts that some cells were run in, in the grid's order.
@@ -221,13 +248,16 @@ fn by_reference(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &dyn Progress,
 ) -> Vec<Outcome> {
     let settings = reference::Settings::default();
     let run = |&index: &usize| {
-        let outcome = reference::run(&plan.scene, &plan.locked(&grid.case(index)), &settings);
-        progress(1);
-        outcome
+        let case = plan.locked(&grid.case(index));
+        let outcome =
+            reference::run_while(&plan.scene, &case, &settings, &|| !progress.cancelled());
+        progress.advance(1);
+        // That of a sweep which is cancelled is not used.
+        outcome.unwrap_or(Outcome::PENDING)
     };
     cells.par_iter().map(run).collect()
 }

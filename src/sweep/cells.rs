@@ -8,6 +8,7 @@ use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::full_contact::FullContactMotions;
 use super::plan::Plan;
+use super::progress::Progress;
 use super::reader::Reader;
 use super::table::Window;
 use crate::model::block::Model;
@@ -26,17 +27,18 @@ pub struct Cells<'a, R> {
 }
 
 impl<'a, R: Real> Cells<'a, R> {
-    /// Some cells of a plan's grid under its record.
+    /// Some cells of a plan's grid under its record; `progress` may end the preparation, and then the sweep.
     pub fn of(
         plan: &'a Plan,
         grid: &'a Grid,
         cells: &[usize],
         record: &[Ground<R>],
+        progress: &dyn Progress,
     ) -> Cells<'a, R> {
         let window = Window::around(grid, cells);
         Cells {
             tables: CellTables::of(plan, grid, &window),
-            motions: plan.full_contact_motions(grid, record),
+            motions: plan.full_contact_motions(grid, record, progress),
         }
     }
 

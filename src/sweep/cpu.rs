@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::cells::Cells;
 use super::lanes;
 use super::plan::Plan;
+use super::progress::{Progress, Unwatched};
 use crate::model::CellEquations;
 use crate::model::real::Real;
 use crate::scene::Grid;
@@ -23,7 +24,7 @@ pub fn sweep<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &dyn Progress,
 ) -> Vec<Outcome> {
     lanes::sweep::<R>(plan, grid, cells, progress, Level::new())
 }
@@ -33,7 +34,7 @@ pub fn sweep_one_by_one<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &dyn Progress,
 ) -> Vec<Outcome> {
     let ran = each::<R, ()>(plan, grid, cells, progress, || ());
     ran.into_iter().map(|(outcome, ())| outcome).collect()
@@ -47,7 +48,7 @@ pub fn sweep_keeping<R: Real>(
     events_kept: usize,
 ) -> (Vec<Outcome>, Vec<Event<R>>) {
     let none = || FirstSwitches(vec![Event::zeroed(); events_kept]);
-    let ran = each(plan, grid, cells, &|_| (), none);
+    let ran = each(plan, grid, cells, &Unwatched, none);
     let (outcomes, events): (Vec<Outcome>, Vec<FirstSwitches<R>>) = ran.into_iter().unzip();
     (outcomes, events.into_iter().flat_map(|kept| kept.0).collect())
 }
@@ -56,12 +57,12 @@ fn each<R: Real, L: Log<R> + Send>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &dyn Progress,
     log: impl Fn() -> L + Sync,
 ) -> Vec<(Outcome, L)> {
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, cells, &record);
+    let all = Cells::of(plan, grid, cells, &record, progress);
     let mut outcomes = Vec::with_capacity(cells.len());
     cells
         .par_iter()
@@ -72,7 +73,7 @@ fn each<R: Real, L: Log<R> + Send>(
             let set = CellEquations { variant, model, cell: &cell, record: &record };
             let mut log = log();
             let state = single::run(&set, &state, &mut log);
-            progress(1);
+            progress.advance(1);
             (all.outcome(index, &state), log)
         })
         .collect_into_vec(&mut outcomes);

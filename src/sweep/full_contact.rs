@@ -19,6 +19,7 @@ use super::motions::{
     VERTICAL_FIELDS,
 };
 use super::plan::Plan;
+use super::progress::Progress;
 use super::shared_motion::{Direction, SampledMotion};
 use super::table::{Strides, Window, places_of, strides};
 use crate::model::excitation::Ground;
@@ -113,8 +114,14 @@ impl Plan {
 
 impl<R: Real> FullContactMotions<R> {
     /// The motions of a grid, under the plan's record; none where cells do not share them (a block that
-    /// starts tilted), where the plan has no such shortcut, or where they take too much memory.
-    pub fn of(plan: &Plan, grid: &Grid, record: &[Ground<R>]) -> Option<FullContactMotions<R>> {
+    /// starts tilted), where the plan has no such shortcut, where they take too much memory, or where
+    /// `progress` ends the work.
+    pub fn of(
+        plan: &Plan,
+        grid: &Grid,
+        record: &[Ground<R>],
+        progress: &dyn Progress,
+    ) -> Option<FullContactMotions<R>> {
         let amplitude = plan.shared_amplitude(grid);
         let of = Dependence::of(plan, grid);
         let window = Window::whole(grid);
@@ -149,12 +156,13 @@ impl<R: Real> FullContactMotions<R> {
             };
             SampledMotion::new(clock, alone.variant(), &case, direction, record)
         };
-        let all = |direction: Direction, parameters: &[Parameter]| -> Vec<SampledMotion<R>> {
+        let all = |direction: Direction, parameters: &[Parameter]| {
             let places: Vec<Place> = places_of(grid, parameters).collect();
-            places.par_iter().map(|place| motion(direction, place)).collect()
+            let wanted = |place| (!progress.cancelled()).then(|| motion(direction, place));
+            places.par_iter().map(wanted).collect::<Option<Vec<_>>>()
         };
-        let along_x = all(Direction::Horizontal, &of.across);
-        let along_y = all(Direction::Vertical, &of.up);
+        let along_x = all(Direction::Horizontal, &of.across)?;
+        let along_y = all(Direction::Vertical, &of.up)?;
         Some(FullContactMotions {
             across: horizontal(along_x, strides(grid, &window, &of.across)),
             up: vertical(along_y, strides(grid, &window, &of.up)),

@@ -8,6 +8,7 @@ use fearless_simd::{Level, Simd};
 
 use super::cells::Cells;
 use super::plan::Plan;
+use super::progress::Progress;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
@@ -21,7 +22,7 @@ struct Sweep<'a> {
     plan: &'a Plan,
     grid: &'a Grid,
     cells: &'a [usize],
-    progress: &'a (dyn Fn(usize) + Sync),
+    progress: &'a dyn Progress,
     level: Level,
 }
 
@@ -38,11 +39,14 @@ struct ThreadFeed<'a, R> {
 impl<R> ThreadFeed<'_, R> {
     /// Stores the outcomes in the cells' order.
     fn deliver(&mut self) {
-        (self.sweep.progress)(self.ended.len());
+        self.sweep.progress.advance(self.ended.len());
         // A thread that panicked has stored whole outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
         for (number, outcome) in self.ended.drain(..) {
             outcomes[number] = outcome;
+        }
+        if self.sweep.progress.wants_snapshot() {
+            self.sweep.progress.snapshot(&outcomes);
         }
     }
 }
@@ -51,6 +55,9 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     #[inline(always)]
     fn next(&mut self) -> Option<Job<R>> {
         if self.batch.is_empty() {
+            if self.cancelled() {
+                return None;
+            }
             let count = self.sweep.cells.len();
             let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
             self.batch = from..(from + BATCH).min(count);
@@ -58,6 +65,10 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
         let number = self.batch.next()?;
         let (cell, state) = self.all.begin(self.sweep.cells[number]);
         Some(Job { number, cell, state })
+    }
+
+    fn cancelled(&self) -> bool {
+        self.sweep.progress.cancelled()
     }
 
     #[inline(always)]
@@ -76,7 +87,7 @@ pub fn sweep<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &(dyn Fn(usize) + Sync),
+    progress: &dyn Progress,
     level: Level,
 ) -> Vec<Outcome> {
     let sweep = Sweep { plan, grid, cells, progress, level };
@@ -92,7 +103,7 @@ fn either(double: bool, sweep: &Sweep) -> Vec<Outcome> {
 fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let Sweep { plan, grid, cells, level, .. } = *sweep;
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, cells, &record);
+    let all = Cells::of(plan, grid, cells, &record, sweep.progress);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
@@ -127,7 +138,12 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
         fearless_simd::dispatch!(level, simd => run!(simd));
         feed.deliver();
     });
-    outcomes.into_inner().unwrap_or_else(PoisonError::into_inner)
+    let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if sweep.progress.cancelled() {
+        // What was done is not lost.
+        sweep.progress.snapshot(&outcomes);
+    }
+    outcomes
 }
 
 /// The vector instructions that this machine has, the narrowest first: names and levels.

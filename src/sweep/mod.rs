@@ -1,7 +1,13 @@
 //! A scene over its grid: cells, backends, and the check against the reference.
+//!
+//! ```text
+//! run -> job -> batches -> backend -> (cpu | gpu | the reference) -> outcomes -> map -> verification
+//! ```
 
 mod at_rest;
 pub mod backend;
+pub mod backend_error;
+pub mod batches;
 pub mod begin;
 pub mod body;
 mod bounds;
@@ -11,22 +17,37 @@ pub mod clock;
 mod clock_parts;
 mod coefficients;
 pub mod cpu;
+pub mod description;
+pub mod error;
+pub mod estimate;
 pub mod full_contact;
+#[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod groups;
 pub mod history;
+pub mod identity;
+pub mod job;
 pub mod lanes;
 mod laws;
+pub mod map;
 mod motion_cache;
 pub mod motions;
+pub mod observed;
+pub mod observer;
+pub mod parts;
+pub mod parts_error;
 pub mod plan;
 pub mod prepare;
+pub mod progress;
 pub mod reader;
+pub mod report;
 pub mod request;
+pub mod run;
+pub mod settings;
 pub mod shared;
 pub mod shared_contact;
 mod shared_motion;
 pub mod shortcuts;
+mod snapshots;
 pub mod table;
-pub mod tiles;
 pub mod verification;

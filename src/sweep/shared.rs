@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::full_contact::FullContactMotions;
 use super::motion_cache::Key;
 use super::plan::Plan;
+use super::progress::Progress;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::Grid;
@@ -15,6 +16,7 @@ impl Plan {
         &self,
         grid: &Grid,
         record: &[Ground<R>],
+        progress: &dyn Progress,
     ) -> Arc<Option<FullContactMotions<R>>> {
         let (scene, grid) = (self.scene.clone(), grid.clone());
         let Plan { resolution, reductions, laws, .. } = *self;
@@ -25,8 +27,11 @@ impl Plan {
         // Computed without the lock: a thread that waits for the lock may be needed by the computation.
         // Two threads that begin at the same time compute the same motions twice; this happens once at
         // most.
-        let motions = Arc::new(FullContactMotions::of(self, &key.grid, record));
-        self.motion_cache.add(key, Arc::clone(&motions) as _);
+        let motions = Arc::new(FullContactMotions::of(self, &key.grid, record, progress));
+        // None of a sweep that is cancelled does not mean that there are none.
+        if !progress.cancelled() {
+            self.motion_cache.add(key, Arc::clone(&motions) as _);
+        }
         motions
     }
 

@@ -5,14 +5,15 @@ use std::io;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::map::columns::Column;
-use crate::map::outcomes::{BLOCK, Outcomes};
+use crate::results::columns::Column;
+use crate::results::outcomes::{BLOCK, Outcomes};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::{self, Settings};
 
 use super::plan::Plan;
+use super::progress::{Progress, Unwatched};
 
 /// Cells that are run again by default.
 pub const SAMPLE: usize = 128;
@@ -132,7 +133,22 @@ pub fn verify(
     outcomes: &dyn Outcomes,
     size: usize,
 ) -> io::Result<Verification> {
-    let (cells, beside_boundary) = sample(grid, outcomes, size)?;
+    let sample = sample(grid, outcomes, size)?;
+    let verified = verify_sample(plan, grid, outcomes, sample, &Unwatched)?;
+    verified.ok_or_else(|| io::ErrorKind::Interrupted.into())
+}
+
+/// The same of a [`sample`] at hand, while `progress` hears of cells; none where it is cancelled.
+///
+/// # Errors
+/// Those of reading the outcomes.
+pub fn verify_sample(
+    plan: &Plan,
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    (cells, beside_boundary): (Vec<usize>, usize),
+    progress: &dyn Progress,
+) -> io::Result<Option<Verification>> {
     let settings = Settings::default();
     let judge = |&index: &usize| {
         let mut case = grid.case(index);
@@ -140,11 +156,14 @@ pub fn verify(
             case.isolation.vertical = None;
         }
         let cell = outcomes.read(index..index + 1, &Column::ALL)?[0];
-        Ok((index, cell, reference::run(&plan.scene, &case, &settings)))
+        let go_on = || !progress.cancelled();
+        let reference = reference::run_while(&plan.scene, &case, &settings, &go_on);
+        progress.advance(1);
+        Ok(reference.map(|reference| (index, cell, reference)))
     };
-    let judged: Vec<(usize, Outcome, Outcome)> =
+    let judged: Option<Vec<(usize, Outcome, Outcome)>> =
         cells.par_iter().map(judge).collect::<io::Result<_>>()?;
-    Ok(Verification { beside_boundary, ..compare(grid, judged) })
+    Ok(judged.map(|judged| Verification { beside_boundary, ..compare(grid, judged) }))
 }
 
 /// Compares a sweep's outcomes of some cells with the reference's, which come second.

@@ -7,18 +7,19 @@ use std::sync::LazyLock;
 
 use assert_cmd::Command;
 use topple::model::precision::Precision;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::record::{Pair, Record, synthetic};
-use topple::scene::text::SceneText;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::{GpuError, adapter};
 
 /// The scene of a TOML text.
 pub fn scene(text: &str) -> Scene {
     // Tests ask for what is not plausible, too.
-    SceneText { force: true, ..SceneText::from_toml(text).unwrap() }.check().unwrap()
+    SceneBuilder { force: true, ..SceneBuilder::from_toml(text).unwrap() }.check().unwrap()
 }
 
 /// A pulse scene of a block of Table 1 on dual isolation.
@@ -74,7 +75,7 @@ pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
             say(&format!("{test} ({precision:?}): adapter {} ({}, {})", d.name, d.kind, d.api));
             Some(gpu)
         }
-        Err(error @ GpuError::NoF64(_)) => {
+        Err(error @ BackendError::NoF64(_)) => {
             say(&format!("{test} ({precision:?}): SKIPPED, {error}"));
             None
         }

@@ -29,6 +29,7 @@ use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::backend::Backend;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 /// A figure of `scenes/`, with `cells` points an axis.
 fn figure(name: &str, cells: Option<u32>, records: Option<&Path>) -> (Figure, Vec<Motion>) {
@@ -42,7 +43,7 @@ fn figure(name: &str, cells: Option<u32>, records: Option<&Path>) -> (Figure, Ve
 /// A scene's cells as a sweep runs them.
 fn swept(scene: &Scene) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    Backend::Cpu.sweep(&plan, &Grid::of(scene), Precision::F32, &|_| ()).unwrap().outcomes
+    Backend::Cpu.sweep(&plan, &Grid::of(scene), Precision::F32, &Unwatched).unwrap().outcomes
 }
 
 /// A panel that has run.

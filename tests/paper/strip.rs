@@ -8,6 +8,7 @@ use topple::stepping::single;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{all, object, say, synthetic_pair, under};
 use super::swept;
@@ -33,7 +34,7 @@ fn a_fixed_step_paints_the_strip_and_a_converged_one_does_not() {
             Some(step) => {
                 let plan = Plan::resolved(&scene, Resolution::exactly(step)).unwrap().full_model();
                 let grid = Grid::of(&scene);
-                cpu::sweep::<f64>(&plan, &grid, &all(&grid), &|_| ())
+                cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched)
             }
         };
         (scene, cells)

@@ -29,6 +29,7 @@ use topple::sweep::cpu;
 use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 use truth::Truth;
 
 /// Scenes and seed where the environment does not say.
@@ -68,7 +69,7 @@ impl Run<'_> {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
         let grid = Grid::of(&self.case.scene);
         for (name, plan) in [(names[0], plan.clone()), (names[1], plan.full_model())] {
-            let cells = cpu::sweep::<R>(&plan, &grid, &all(&grid), &|_| ());
+            let cells = cpu::sweep::<R>(&plan, &grid, &all(&grid), &Unwatched);
             self.judge(name, precision, &cells);
         }
     }
@@ -77,7 +78,7 @@ impl Run<'_> {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
         let grid = Grid::of(&self.case.scene);
         let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
-        let cells = sweeper.sweep::<R>(&plan, &grid, &all(&grid), &|_| ()).unwrap().outcomes;
+        let cells = sweeper.sweep::<R>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
         self.judge(name, precision, &cells);
     }
 }

@@ -4,7 +4,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::{Excitation, GRAVITY, Scene};
 
 use super::records;
@@ -223,7 +223,7 @@ pub fn case(seed: u64, number: u64) -> Case {
         // Nothing shortens a record, and a duration must not be below it.
         let run = run(dice, &body, directions, pair.duration(), false);
         let text = body.text.clone() + &base(dice, directions, points) + &run;
-        let written = SceneText { force: true, ..SceneText::from_toml(&text).unwrap() };
+        let written = SceneBuilder { force: true, ..SceneBuilder::from_toml(&text).unwrap() };
         let scene = written.check_under(Excitation::Record(pair)).unwrap();
         return Case { number, text, scene };
     }
@@ -232,6 +232,7 @@ pub fn case(seed: u64, number: u64) -> Case {
         + &base(dice, directions, 1)
         + &pulse
         + &run(dice, &body, directions, longest, true);
-    let scene = SceneText { force: true, ..SceneText::from_toml(&text).unwrap() }.check().unwrap();
+    let scene =
+        SceneBuilder { force: true, ..SceneBuilder::from_toml(&text).unwrap() }.check().unwrap();
     Case { number, text, scene }
 }

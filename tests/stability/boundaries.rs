@@ -9,6 +9,7 @@ use topple::stepping::reference::{self, Settings};
 use topple::sweep::backend::Backend;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{object, say, synthetic_pair, under};
 
@@ -98,9 +99,9 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     let (loose, tight) = (right(1e-10), right(1e-12));
     let undecided = loose.iter().zip(&tight).filter(|(a, b)| a != b).count();
     [Precision::F32, Precision::F64].map(|precision| {
-        let plain = Backend::Cpu.sweep(&plan, &grid, precision, &|_| ()).unwrap().outcomes;
+        let plain = Backend::Cpu.sweep(&plan, &grid, precision, &Unwatched).unwrap().outcomes;
         let resolved = Backend::Cpu
-            .sweep_resolved(&plan, &grid, 0..grid.len(), precision, &|_| ())
+            .sweep_resolved(&plan, &grid, 0..grid.len(), precision, &Unwatched)
             .unwrap()
             .outcomes;
         let other = |(cell, right): &(&Outcome, &Class)| cell.class != **right;

@@ -11,6 +11,7 @@ use topple::stepping::state::State;
 use topple::sweep::clock::{DEFAULT_STEP, Resolution};
 use topple::sweep::cpu;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{object, say, scene, shaken};
 use super::{altered, limit, on_the_ground, swept, tight, truth};
@@ -304,7 +305,7 @@ fn both_uplift_inequalities_at_once() {
         ));
         let grid = Grid::of(&map);
         let plan = Plan::new(&map, DEFAULT_STEP).unwrap().full_model();
-        let cells = cpu::sweep::<f64>(&plan, &grid, &super::common::all(&grid), &|_| ());
+        let cells = cpu::sweep::<f64>(&plan, &grid, &super::common::all(&grid), &Unwatched);
         cells_in_all += grid.len();
         for (index, cell) in cells.iter().enumerate() {
             let right =

@@ -2,7 +2,7 @@
 
 use topple::model::precision::Precision;
 use topple::model::real::Real;
-use topple::scene::text::SceneText;
+use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::sweep::clock::DEFAULT_STEP;
@@ -10,6 +10,7 @@ use topple::sweep::cpu;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{gpu, object, say, shaken};
 use super::{altered, swept};
@@ -71,7 +72,7 @@ fn in_a_scene() {
         }
         toml
     };
-    assert!(SceneText::from_toml(&text("", "")).unwrap().check().is_ok());
+    assert!(SceneBuilder::from_toml(&text("", "")).unwrap().check().is_ok());
     for key in [
         "half_width",
         "height",
@@ -91,8 +92,8 @@ fn in_a_scene() {
         "tilt",
     ] {
         for value in ["nan", "inf", "-inf"] {
-            let refused = SceneText::from_toml(&text(key, value)).is_err_and(|_| true)
-                || SceneText::from_toml(&text(key, value)).unwrap().check().is_err();
+            let refused = SceneBuilder::from_toml(&text(key, value)).is_err_and(|_| true)
+                || SceneBuilder::from_toml(&text(key, value)).unwrap().check().is_err();
             assert!(refused, "{key} = {value}");
         }
     }
@@ -207,7 +208,7 @@ fn in_the_shader() {
     let source = shader::source(Precision::F32, Switches::Forgotten);
     let run = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
-        sweeper.sweep::<f32>(&plan, &grid, &super::common::all(&grid), &|_| ()).unwrap().outcomes
+        sweeper.sweep::<f32>(&plan, &grid, &super::common::all(&grid), &Unwatched).unwrap().outcomes
     };
     assert!(run(&source).iter().all(|cell| cell.class != Class::Unresolved));
     for (from, to) in [
@@ -241,7 +242,7 @@ fn in_the_shader() {
 fn one_cell_of_a_grid() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3:1e39:2");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    let cells = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0, 1], &|_| ());
+    let cells = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0, 1], &Unwatched);
     assert_ne!(cells[0].class, Class::Unresolved);
     unresolved("the second cell", &cells[1]);
 }

@@ -6,6 +6,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{gpu, object, say, shaken};
 use super::{all_swept, on_the_ground, swept};
@@ -93,7 +94,7 @@ fn denormal_numbers() {
         if let Some(gpu) = gpu("denormal numbers", Precision::F32) {
             let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
             let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
-            let ran = sweeper.sweep::<f32>(&plan, &Grid::of(&scene), &[0], &|_| ()).unwrap();
+            let ran = sweeper.sweep::<f32>(&plan, &Grid::of(&scene), &[0], &Unwatched).unwrap();
             cells.push(("shader f32", ran.outcomes[0]));
         }
         for (name, cell) in cells {

@@ -7,14 +7,14 @@ use topple::figures::{Figure, curves, letter};
 use topple::scene::{Grid, Scene, Values};
 use topple::sweep::history;
 
-use super::super::progress::Progress;
+use super::super::progress::Bar;
 use super::{Work, plan};
 
 impl Work<'_> {
     /// The least amplitude that overturns, with isolation and without.
     pub(super) fn boundaries(&self, figure: &Figure) -> anyhow::Result<()> {
         let cells = figure.cells();
-        let progress = Progress::new(2 * cells, self.options.quiet);
+        let progress = Bar::new(2 * cells, self.options.quiet);
         let mut drawn = Vec::with_capacity(figure.panels.len());
         for (k, panel) in figure.panels.iter().enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
@@ -43,7 +43,7 @@ impl Work<'_> {
         let cells: usize = (0..figure.panels.len())
             .map(|k| values(k) * Grid::of(&figure.panels[k].scene).len())
             .sum();
-        let progress = Progress::new(cells, self.options.quiet);
+        let progress = Bar::new(cells, self.options.quiet);
         let mut drawn = Vec::with_capacity(figure.panels.len());
         for (k, panel) in figure.panels.iter().enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));

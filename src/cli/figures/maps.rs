@@ -6,12 +6,13 @@ use serde::Serialize;
 use topple::figures::motions::Motion;
 use topple::figures::shares::Shares;
 use topple::figures::{Figure, Panel, letter, panels, path};
-use topple::map::{self, Map};
+use topple::map::Map;
 use topple::model::precision::Precision;
+use topple::results;
 use topple::scene::{Grid, Scene};
 use topple::sweep::verification::{self, Verification};
 
-use super::super::progress::Progress;
+use super::super::progress::Bar;
 use super::{Work, plan};
 
 /// Cells of a panel, and of a path, that the reference runs again.
@@ -43,7 +44,7 @@ impl Work<'_> {
     /// Runs a figure's panels, and writes picture and data.
     pub(super) fn maps(&self, figure: &Figure, motions: &[Motion]) -> anyhow::Result<()> {
         let cells = figure.cells();
-        let progress = Progress::new(cells, self.options.quiet);
+        let progress = Bar::new(cells, self.options.quiet);
         let began = Instant::now();
         let mut maps: Vec<Map> = Vec::with_capacity(figure.panels.len());
         for (k, panel) in figure.panels.iter().enumerate() {
@@ -63,7 +64,7 @@ impl Work<'_> {
         let mut told = Vec::with_capacity(maps.len());
         for (k, (panel, map)) in figure.panels.iter().zip(&maps).enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
-            self.out.write(&format!("{name}.csv"), |w| map::csv::write(&map.grid, map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| results::csv::write(&map.grid, map, w))?;
             told.push(PanelManifest {
                 letter: letter(k),
                 scene: &panel.scene,
@@ -110,12 +111,12 @@ impl Work<'_> {
             let plain = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
             let slug: String = along.name.chars().map(plain).collect();
             let name = format!("{panel_name}-{slug}");
-            let progress = Progress::new(Grid::of(&scene).len(), self.options.quiet);
+            let progress = Bar::new(Grid::of(&scene).len(), self.options.quiet);
             let outcomes = self.sweep(&scene, panel.fixed_step, &name, &progress)?;
             progress.finish();
             let map = Map { scene: &scene, grid: Grid::of(&scene), outcomes: outcomes.into() };
             let judged = self.judge(&map, &name)?;
-            self.out.write(&format!("{name}.csv"), |w| map::csv::write(&map.grid, &map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| results::csv::write(&map.grid, &map, w))?;
             let title = format!("{}: upwards at Ω = {} rad/s", along.name, along.omega);
             let caption = format!(
                 "Object and base of {panel_name}, ε = {}; {}",

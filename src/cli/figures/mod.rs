@@ -11,7 +11,7 @@ use topple::figures::motions::{self, Motion, Motions};
 use topple::figures::text::FigureInputs;
 use topple::figures::{Figure, Shows, letter};
 use topple::map::figure::document;
-use topple::map::files::Directory;
+use topple::results::files::Directory;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Backend;
@@ -22,7 +22,7 @@ use super::InputError;
 use super::memory;
 use super::options::RunOptions;
 use super::output;
-use super::progress::Progress;
+use super::progress::Bar;
 use super::scene;
 
 /// Most points of an axis.
@@ -203,13 +203,12 @@ impl Work<'_> {
         scene: &Scene,
         fixed: Option<f64>,
         place: &str,
-        progress: &Progress,
+        progress: &Bar,
     ) -> anyhow::Result<Vec<Outcome>> {
         let options = self.options;
         let (plan, grid) = (plan(options, scene, fixed, place)?, Grid::of(scene));
         let (cells, precision, resolve) = (0..grid.len(), options.precision, options.resolve);
-        let advance = |cells| progress.advance(cells);
-        Ok(self.backend.sweep_range(&plan, &grid, cells, precision, resolve, &advance)?.outcomes)
+        Ok(self.backend.sweep_range(&plan, &grid, cells, precision, resolve, progress)?.outcomes)
     }
 
     /// How the cells were computed, for captions.

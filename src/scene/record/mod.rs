@@ -43,19 +43,20 @@ impl Record {
 }
 
 /// Units of the numbers in a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Units {
     /// Multiples of 9.81 m/s^2.
     #[serde(rename = "g")]
-    #[value(name = "g")]
+    #[cfg_attr(feature = "cli", value(name = "g"))]
     G,
     /// m/s^2.
     #[serde(rename = "m/s2")]
-    #[value(name = "m/s2")]
+    #[cfg_attr(feature = "cli", value(name = "m/s2"))]
     MetresPerSecondSquared,
     /// cm/s^2, gal.
     #[serde(rename = "cm/s2")]
-    #[value(name = "cm/s2")]
+    #[cfg_attr(feature = "cli", value(name = "cm/s2"))]
     CentimetresPerSecondSquared,
 }
 

@@ -77,6 +77,16 @@ pub fn run(scene: &Scene, case: &Case, settings: &Settings) -> Outcome {
     observe(scene, case, settings, &mut |_| {})
 }
 
+/// Integrates a cell while it is to `go_on`, which is asked at every step; none where it ended it.
+pub fn run_while(
+    scene: &Scene,
+    case: &Case,
+    settings: &Settings,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Outcome> {
+    integrate(scene, case, settings, &mut |_| {}, go_on)
+}
+
 /// Integrates one cell; `observer` sees every step.
 pub fn observe(
     scene: &Scene,
@@ -84,16 +94,28 @@ pub fn observe(
     settings: &Settings,
     observer: &mut dyn FnMut(&Instant),
 ) -> Outcome {
+    let outcome = integrate(scene, case, settings, observer, &|| true);
+    // Nothing ends it early.
+    outcome.unwrap_or(Outcome::PENDING)
+}
+
+fn integrate(
+    scene: &Scene,
+    case: &Case,
+    settings: &Settings,
+    observer: &mut dyn FnMut(&Instant),
+    go_on: &dyn Fn() -> bool,
+) -> Option<Outcome> {
     let system = System::new(scene, case);
     let mut y = system.at_rest();
     observer(&Instant { t: 0.0, phase: system.first_phase(), y: &y, switch: None });
-    let mut cell = Cell::new(&system, settings, case, observer);
+    let mut cell = Cell::new(&system, settings, case, observer, go_on);
     let mut from = 0.0;
     for (to, drive) in system.stretches(case.t_max) {
         y = cell.integrate(y, from, to, drive);
         from = to;
     }
-    cell.outcome(case.t_max)
+    (!cell.ended).then(|| cell.outcome(case.t_max))
 }
 
 /// A run of one cell.
@@ -101,6 +123,9 @@ struct Cell<'a> {
     system: &'a System,
     settings: &'a Settings,
     observer: &'a mut dyn FnMut(&Instant),
+    go_on: &'a dyn Fn() -> bool,
+    /// It was not to go on.
+    ended: bool,
     stepper: Stepper,
     phase: Phase,
     steps: u64,
@@ -119,11 +144,14 @@ impl<'a> Cell<'a> {
         settings: &'a Settings,
         case: &Case,
         observer: &'a mut dyn FnMut(&Instant),
+        go_on: &'a dyn Fn() -> bool,
     ) -> Cell<'a> {
         Cell {
             system,
             settings,
             observer,
+            go_on,
+            ended: false,
             stepper: Stepper::new(settings, case),
             phase: system.first_phase(),
             steps: 0,
@@ -140,6 +168,10 @@ impl<'a> Cell<'a> {
     /// Integrates from `t` to `stop`, or to the cell's end.
     fn integrate(&mut self, mut y: State, mut t: f64, stop: f64, drive: Drive) -> State {
         while t < stop && self.class.is_none() {
+            if self.ended || !(self.go_on)() {
+                self.ended = true;
+                break;
+            }
             if self.phase.is_none()
                 && let Some(pole) = self.lifts_now(t, drive, &y)
             {

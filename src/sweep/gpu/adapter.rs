@@ -5,30 +5,16 @@ use std::ffi::CStr;
 
 use wgpu::{Adapter, Backends, DeviceType, Features, Instance};
 
-use super::GpuError;
+use super::super::description::AdapterDescription;
+use super::BackendError;
 use crate::model::precision::Precision;
 
 /// The interfaces that the shader is compiled for.
 const BACKENDS: Backends = Backends::VULKAN.union(Backends::METAL).union(Backends::DX12);
 
-/// What `topple adapters` shows of an adapter.
-#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Description {
-    /// Name of the device.
-    pub name: String,
-    /// discrete, integrated, virtual, software or other.
-    pub kind: String,
-    /// Vulkan, Metal or Dx12.
-    pub api: String,
-    /// Driver and its version.
-    pub driver: String,
-    /// It computes in double precision.
-    pub f64: bool,
-}
-
-impl Description {
+impl AdapterDescription {
     /// Describes an adapter.
-    pub fn of(adapter: &Adapter) -> Description {
+    pub fn of(adapter: &Adapter) -> AdapterDescription {
         let info = adapter.get_info();
         let kind = match info.device_type {
             DeviceType::DiscreteGpu => "discrete",
@@ -37,7 +23,7 @@ impl Description {
             DeviceType::Cpu => "software",
             DeviceType::Other => "other",
         };
-        Description {
+        AdapterDescription {
             name: info.name,
             kind: kind.into(),
             api: format!("{:?}", info.backend),
@@ -115,7 +101,7 @@ pub fn is_software(adapter: &Adapter) -> bool {
 ///
 /// # Errors
 /// Those of [`choose`].
-pub fn best(precision: Precision) -> Result<Adapter, GpuError> {
+pub fn best(precision: Precision) -> Result<Adapter, BackendError> {
     // As many as one, or an error.
     Ok(choose(precision, &[])?.swap_remove(0))
 }
@@ -124,24 +110,24 @@ pub fn best(precision: Precision) -> Result<Adapter, GpuError> {
 /// or else all that are like the most able one. A software adapter is taken if there is no other.
 ///
 /// # Errors
-/// [`GpuError::NoAdapter`], [`GpuError::NoSuchAdapter`], [`GpuError::Unlike`], and
-/// [`GpuError::NoF64`] where `f64` is asked for.
-pub fn choose(precision: Precision, numbers: &[usize]) -> Result<Vec<Adapter>, GpuError> {
+/// [`BackendError::NoAdapter`], [`BackendError::NoSuchAdapter`], [`BackendError::Unlike`], and
+/// [`BackendError::NoF64`] where `f64` is asked for.
+pub fn choose(precision: Precision, numbers: &[usize]) -> Result<Vec<Adapter>, BackendError> {
     let all = all();
-    let Some(best) = all.first() else { return Err(GpuError::NoAdapter) };
+    let Some(best) = all.first() else { return Err(BackendError::NoAdapter) };
     if numbers.is_empty() {
         let name = best.get_info().name;
         let mut kinds = kinds_of(all, precision);
         return if kinds.is_empty() {
-            Err(GpuError::NoF64(name))
+            Err(BackendError::NoF64(name))
         } else {
             Ok(kinds.swap_remove(0))
         };
     }
-    let numbered = |&number: &usize| all.get(number).ok_or(GpuError::NoSuchAdapter(number));
+    let numbered = |&number: &usize| all.get(number).ok_or(BackendError::NoSuchAdapter(number));
     let chosen: Vec<&Adapter> = numbers.iter().map(numbered).collect::<Result<_, _>>()?;
     if let Some(unable) = chosen.iter().find(|adapter| !is_able(adapter, precision)) {
-        return Err(GpuError::NoF64(unable.get_info().name));
+        return Err(BackendError::NoF64(unable.get_info().name));
     }
     match chosen.iter().find_map(|other| unlike(chosen[0], other)) {
         Some(error) => Err(error),
@@ -174,8 +160,8 @@ fn is_able(adapter: &Adapter, precision: Precision) -> bool {
 }
 
 /// What is wrong with computing one map on two adapters.
-fn unlike(one: &Adapter, other: &Adapter) -> Option<GpuError> {
-    let (one, other) = (Description::of(one), Description::of(other));
-    let named = |of: Description| format!("{} ({}, {})", of.name, of.api, of.driver);
-    (one != other).then(|| GpuError::Unlike(named(one), named(other)))
+fn unlike(one: &Adapter, other: &Adapter) -> Option<BackendError> {
+    let (one, other) = (AdapterDescription::of(one), AdapterDescription::of(other));
+    let named = |of: AdapterDescription| format!("{} ({}, {})", of.name, of.api, of.driver);
+    (one != other).then(|| BackendError::Unlike(named(one), named(other)))
 }

@@ -7,7 +7,7 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource,
 };
 
-use super::GpuError;
+use super::BackendError;
 use super::device::OpenDevice;
 use crate::model::precision::Precision;
 
@@ -31,17 +31,17 @@ impl OpenDevice {
     /// Runs a shader of a few lines and compares its numbers with the host's: some milliseconds.
     ///
     /// # Errors
-    /// [`GpuError::FailedCheck`].
-    pub fn check(&self, precision: Precision) -> Result<(), GpuError> {
+    /// [`BackendError::FailedCheck`].
+    pub fn check(&self, precision: Precision) -> Result<(), BackendError> {
         self.check_by(&source(precision))
     }
 
     /// The check by a shader given as text, such as a broken one.
     ///
     /// # Errors
-    /// [`GpuError::FailedCheck`].
-    pub fn check_by(&self, source: &str) -> Result<(), GpuError> {
-        let failed = |reason: String| GpuError::FailedCheck {
+    /// [`BackendError::FailedCheck`].
+    pub fn check_by(&self, source: &str) -> Result<(), BackendError> {
+        let failed = |reason: String| BackendError::FailedCheck {
             adapter: self.description.name.clone(),
             reason,
         };
@@ -57,7 +57,7 @@ impl OpenDevice {
     }
 
     /// The bytes that the pass left.
-    fn pass(&self, source: &str) -> Result<Vec<u8>, GpuError> {
+    fn pass(&self, source: &str) -> Result<Vec<u8>, BackendError> {
         let device = &self.device;
         let pipeline = self.checked(|| {
             let module = device.create_shader_module(ShaderModuleDescriptor {

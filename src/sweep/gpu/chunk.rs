@@ -7,7 +7,7 @@ use wgpu::{
     ComputePassTimestampWrites, SubmissionIndex,
 };
 
-use super::GpuError;
+use super::BackendError;
 use super::device::OpenDevice;
 use super::pipelines::{Pipelines, WORKGROUP};
 use super::slots::{CHUNK_STRIDE, RING, SIDES, Slots, TALLY};
@@ -82,7 +82,7 @@ pub fn submit(
     slots: &Slots,
     place: usize,
     order: &Order,
-) -> Result<Flight, GpuError> {
+) -> Result<Flight, BackendError> {
     let timed = order.begin.is_some() || order.chunks > 0;
     let submission = gpu.checked(|| {
         let size = (SIDES * slots.tile) as u32;
@@ -185,7 +185,7 @@ pub fn receive(
     slots: &Slots,
     flight: &Flight,
     since: Instant,
-) -> Result<Report, GpuError> {
+) -> Result<Report, BackendError> {
     let back = &slots.flights[flight.place].back;
     let mut mapped = vec![back];
     for (side, cells) in slots.sides.iter().zip(flight.copied) {

@@ -8,8 +8,8 @@ use wgpu::{
     Features, MemoryHints, PollType, Queue, SubmissionIndex, Trace,
 };
 
-use super::GpuError;
-use super::adapter::Description;
+use super::super::description::AdapterDescription;
+use super::BackendError;
 
 /// An open device.
 pub struct OpenDevice {
@@ -18,9 +18,9 @@ pub struct OpenDevice {
     /// Its queue.
     pub queue: Queue,
     /// What it is.
-    pub description: Description,
+    pub description: AdapterDescription,
     /// The first failure that came outside of a call.
-    failure: Arc<Mutex<Option<GpuError>>>,
+    failure: Arc<Mutex<Option<BackendError>>>,
 }
 
 impl OpenDevice {
@@ -28,9 +28,9 @@ impl OpenDevice {
     /// where it has them.
     ///
     /// # Errors
-    /// [`GpuError::NoDevice`].
-    pub fn open(adapter: &Adapter) -> Result<OpenDevice, GpuError> {
-        let description = Description::of(adapter);
+    /// [`BackendError::NoDevice`].
+    pub fn open(adapter: &Adapter) -> Result<OpenDevice, BackendError> {
+        let description = AdapterDescription::of(adapter);
         let wanted = Features::SHADER_F64 | Features::TIMESTAMP_QUERY;
         let descriptor = DeviceDescriptor {
             label: Some("topple"),
@@ -42,12 +42,15 @@ impl OpenDevice {
         };
         let (device, queue) =
             pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-                GpuError::NoDevice { adapter: description.name.clone(), reason: error.to_string() }
+                BackendError::NoDevice {
+                    adapter: description.name.clone(),
+                    reason: error.to_string(),
+                }
             })?;
         let failure = Arc::new(Mutex::new(None));
         let lost = Arc::clone(&failure);
         device.set_device_lost_callback(move |reason, message| {
-            note(&lost, GpuError::Lost(format!("{reason:?} {message}").trim().to_string()));
+            note(&lost, BackendError::Lost(format!("{reason:?} {message}").trim().to_string()));
         });
         let uncaptured = Arc::clone(&failure);
         device.on_uncaptured_error(Arc::new(move |error| note(&uncaptured, refusal(error))));
@@ -62,8 +65,8 @@ impl OpenDevice {
     /// Runs `commands` and reports what the device refused of them.
     ///
     /// # Errors
-    /// [`GpuError::OutOfMemory`] and [`GpuError::Refused`].
-    pub fn checked<T>(&self, commands: impl FnOnce() -> T) -> Result<T, GpuError> {
+    /// [`BackendError::OutOfMemory`] and [`BackendError::Refused`].
+    pub fn checked<T>(&self, commands: impl FnOnce() -> T) -> Result<T, BackendError> {
         let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(ErrorFilter::Validation);
         let internal = self.device.push_error_scope(ErrorFilter::Internal);
@@ -82,8 +85,8 @@ impl OpenDevice {
     /// Waits until the device has done what was submitted: all of it, or up to one submission.
     ///
     /// # Errors
-    /// [`GpuError::Lost`], and any failure noted since the last call.
-    pub fn wait(&self, submission: Option<SubmissionIndex>) -> Result<(), GpuError> {
+    /// [`BackendError::Lost`], and any failure noted since the last call.
+    pub fn wait(&self, submission: Option<SubmissionIndex>) -> Result<(), BackendError> {
         let until = PollType::Wait { submission_index: submission, timeout: None };
         // wgpu panics where the device fails while it is waited for; to the caller that is a lost
         // device like any other.
@@ -93,20 +96,20 @@ impl OpenDevice {
         }
         match polled {
             Ok(Ok(_)) => Ok(()),
-            Ok(Err(error)) => Err(GpuError::Lost(error.to_string())),
-            Err(_) => Err(GpuError::Lost("the driver failed while it was waited for".into())),
+            Ok(Err(error)) => Err(BackendError::Lost(error.to_string())),
+            Err(_) => Err(BackendError::Lost("the driver failed while it was waited for".into())),
         }
     }
 
     /// Maps buffers, once the device has done a submission, or all.
     ///
     /// # Errors
-    /// As [`OpenDevice::wait`], and [`GpuError::Lost`] where a buffer cannot be mapped.
+    /// As [`OpenDevice::wait`], and [`BackendError::Lost`] where a buffer cannot be mapped.
     pub fn map(
         &self,
         buffers: &[&Buffer],
         submission: Option<SubmissionIndex>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), BackendError> {
         let (sender, receiver) = std::sync::mpsc::channel();
         for buffer in buffers {
             let sender = sender.clone();
@@ -119,8 +122,8 @@ impl OpenDevice {
         for _ in buffers {
             match receiver.try_recv() {
                 Ok(Ok(())) => {}
-                Ok(Err(error)) => return Err(GpuError::Lost(error.to_string())),
-                Err(_) => return Err(GpuError::Lost("a result was never delivered".into())),
+                Ok(Err(error)) => return Err(BackendError::Lost(error.to_string())),
+                Err(_) => return Err(BackendError::Lost("a result was never delivered".into())),
             }
         }
         Ok(())
@@ -129,23 +132,23 @@ impl OpenDevice {
     /// The bytes of a mapped buffer.
     ///
     /// # Errors
-    /// [`GpuError::Lost`].
-    pub fn view(&self, buffer: &Buffer) -> Result<BufferView, GpuError> {
-        buffer.get_mapped_range(..).map_err(|error| GpuError::Lost(error.to_string()))
+    /// [`BackendError::Lost`].
+    pub fn view(&self, buffer: &Buffer) -> Result<BufferView, BackendError> {
+        buffer.get_mapped_range(..).map_err(|error| BackendError::Lost(error.to_string()))
     }
 }
 
-fn note(place: &Mutex<Option<GpuError>>, failure: GpuError) {
+fn note(place: &Mutex<Option<BackendError>>, failure: BackendError) {
     if let Ok(mut place) = place.lock() {
         place.get_or_insert(failure);
     }
 }
 
-fn refusal(error: wgpu::Error) -> GpuError {
+fn refusal(error: wgpu::Error) -> BackendError {
     match error {
-        wgpu::Error::OutOfMemory { source } => GpuError::OutOfMemory(source.to_string()),
-        other => {
-            GpuError::Refused(other.to_string().split_whitespace().collect::<Vec<_>>().join(" "))
-        }
+        wgpu::Error::OutOfMemory { source } => BackendError::OutOfMemory(source.to_string()),
+        other => BackendError::Refused(
+            other.to_string().split_whitespace().collect::<Vec<_>>().join(" "),
+        ),
     }
 }

@@ -5,7 +5,7 @@ use super::device::OpenDevice;
 use super::outcomes::DeviceOutcomes;
 use super::slots::Slots;
 use super::tile::OwnClocks;
-use super::{GpuError, outcomes};
+use super::{BackendError, outcomes};
 use crate::model::real::Real;
 
 /// Cells on the device.
@@ -45,7 +45,7 @@ impl<R: Real> Loaded<'_, R> {
         side: usize,
         all: &Cells<R>,
         results: &mut DeviceOutcomes<R>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<(), BackendError> {
         let back = &slots.sides[side];
         let view = gpu.view(&back.states_back)?;
         outcomes::read(all, self.cells, self.own.as_ref(), &view, &mut results.outcomes)?;

@@ -4,7 +4,8 @@ use wgpu::{BufferDescriptor, BufferUsages, CommandEncoderDescriptor};
 
 use super::super::cells::Cells;
 use super::super::plan::Plan;
-use super::GpuError;
+use super::super::progress::Unwatched;
+use super::BackendError;
 use super::chunk::{Begin, Order, receive, submit};
 use super::inputs::Inputs;
 use super::run::Sweeper;
@@ -29,16 +30,16 @@ impl Sweeper<'_> {
     /// Makes cells of a grid in one tile, on one of the two sides, and runs none of them.
     ///
     /// # Errors
-    /// Any [`GpuError`].
+    /// Any [`BackendError`].
     pub fn make<R: Real>(
         &self,
         plan: &Plan,
         grid: &Grid,
         cells: &[usize],
         side: usize,
-    ) -> Result<Made<R>, GpuError> {
+    ) -> Result<Made<R>, BackendError> {
         let (gpu, record) = (self.gpu, plan.record::<R>());
-        let all = Cells::of(plan, grid, cells, &record);
+        let all = Cells::of(plan, grid, cells, &record, &Unwatched);
         let own = OwnClocks::of(&all.tables, cells);
         let (slots, inputs, threads, group) = gpu.checked(|| {
             let mut slots = Slots::new::<R>(gpu, cells.len(), self.events_kept);
@@ -72,7 +73,7 @@ impl Sweeper<'_> {
         &self,
         buffer: &wgpu::Buffer,
         items: std::ops::Range<usize>,
-    ) -> Result<Vec<T>, GpuError> {
+    ) -> Result<Vec<T>, BackendError> {
         let (gpu, size) = (self.gpu, size_of::<T>());
         if items.is_empty() {
             return Ok(Vec::new());

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use wgpu::Adapter;
 
-use super::GpuError;
+use super::BackendError;
 use super::device::OpenDevice;
 use super::pipelines::Pipelines;
 use super::slots::Slots;
@@ -36,8 +36,8 @@ impl Gpu {
     /// Opens an adapter's device.
     ///
     /// # Errors
-    /// [`GpuError::NoDevice`].
-    pub fn open(adapter: &Adapter) -> Result<Gpu, GpuError> {
+    /// [`BackendError::NoDevice`].
+    pub fn open(adapter: &Adapter) -> Result<Gpu, BackendError> {
         let device = OpenDevice::open(adapter)?;
         Ok(Gpu { device, pipelines: Mutex::default(), slots: Mutex::default() })
     }
@@ -49,8 +49,8 @@ impl Gpu {
     pub fn pipelines(
         &self,
         key: Key,
-        compile: impl FnOnce() -> Result<Pipelines, GpuError>,
-    ) -> Result<Pipelines, GpuError> {
+        compile: impl FnOnce() -> Result<Pipelines, BackendError>,
+    ) -> Result<Pipelines, BackendError> {
         // Where a thread broke off there is no half-made entry: the list is as it was.
         let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, known)) = pipelines.iter().find(|(known, _)| *known == key) {

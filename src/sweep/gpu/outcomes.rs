@@ -6,7 +6,7 @@ use std::time::Duration;
 use rayon::prelude::*;
 
 use super::super::cells::Cells;
-use super::GpuError;
+use super::BackendError;
 use super::tile::OwnClocks;
 use crate::model::real::Real;
 use crate::stepping::log::Event;
@@ -30,14 +30,14 @@ pub struct DeviceOutcomes<R> {
 /// the cells' states.
 ///
 /// # Errors
-/// [`GpuError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
+/// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
 pub fn read<R: Real>(
     all: &Cells<R>,
     cells: &[usize],
     own: Option<&OwnClocks<R>>,
     bytes: &[u8],
     outcomes: &mut Vec<Outcome>,
-) -> Result<(), GpuError> {
+) -> Result<(), BackendError> {
     let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
     let copy: Vec<State<R>>;
     let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
@@ -49,7 +49,7 @@ pub fn read<R: Real>(
         }
     };
     if states.len() != cells.len() {
-        return Err(GpuError::Unfinished(cells.len() - states.len()));
+        return Err(BackendError::Unfinished(cells.len() - states.len()));
     }
     let unfinished = AtomicUsize::new(0);
     let of = |(at, (state, &cell)): (usize, (&State<R>, &usize))| {
@@ -64,6 +64,6 @@ pub fn read<R: Real>(
     outcomes.par_extend(states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK));
     match unfinished.into_inner() {
         0 => Ok(()),
-        some => Err(GpuError::Unfinished(some)),
+        some => Err(BackendError::Unfinished(some)),
     }
 }

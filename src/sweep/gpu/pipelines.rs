@@ -5,7 +5,7 @@ use wgpu::{
     ShaderSource,
 };
 
-use super::GpuError;
+use super::BackendError;
 use super::device::OpenDevice;
 use crate::model::isolation::Variant;
 
@@ -45,13 +45,13 @@ pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64
 /// Compiles a shader's text for a variant of the model.
 ///
 /// # Errors
-/// [`GpuError::Refused`].
+/// [`BackendError::Refused`].
 pub fn compile(
     gpu: &OpenDevice,
     source: &str,
     variant: Variant,
     events_kept: usize,
-) -> Result<Pipelines, GpuError> {
+) -> Result<Pipelines, BackendError> {
     let constants = constants(variant, events_kept);
     gpu.checked(|| {
         let module = gpu.device.create_shader_module(ShaderModuleDescriptor {

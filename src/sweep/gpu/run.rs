@@ -2,7 +2,8 @@
 
 use super::super::cells::Cells;
 use super::super::plan::Plan;
-use super::GpuError;
+use super::super::progress::Progress;
+use super::BackendError;
 use super::opened::Gpu;
 use super::outcomes::DeviceOutcomes;
 use super::pipelines::{Pipelines, compile};
@@ -33,12 +34,12 @@ impl<'a> Sweeper<'a> {
     /// Compiles the shader for a variant of the model.
     ///
     /// # Errors
-    /// [`GpuError::Refused`].
+    /// [`BackendError::Refused`].
     pub fn new(
         gpu: &'a Gpu,
         precision: Precision,
         variant: Variant,
-    ) -> Result<Sweeper<'a>, GpuError> {
+    ) -> Result<Sweeper<'a>, BackendError> {
         let compile = || compile(gpu, &shader::source(precision, Switches::Forgotten), variant, 0);
         let pipelines = gpu.pipelines((precision, variant), compile)?;
         Ok(Sweeper::of(gpu, pipelines, 0))
@@ -47,13 +48,13 @@ impl<'a> Sweeper<'a> {
     /// Compiles a shader that keeps the first `events_kept` switches of each cell.
     ///
     /// # Errors
-    /// [`GpuError::Refused`].
+    /// [`BackendError::Refused`].
     pub fn keeping(
         gpu: &'a Gpu,
         precision: Precision,
         variant: Variant,
         events_kept: usize,
-    ) -> Result<Sweeper<'a>, GpuError> {
+    ) -> Result<Sweeper<'a>, BackendError> {
         let source = shader::source(precision, Switches::Kept);
         Sweeper::from_source(gpu, &source, variant, events_kept)
     }
@@ -62,13 +63,13 @@ impl<'a> Sweeper<'a> {
     /// `events_kept` is not zero.
     ///
     /// # Errors
-    /// [`GpuError::Refused`].
+    /// [`BackendError::Refused`].
     pub fn from_source(
         gpu: &'a Gpu,
         source: &str,
         variant: Variant,
         events_kept: usize,
-    ) -> Result<Sweeper<'a>, GpuError> {
+    ) -> Result<Sweeper<'a>, BackendError> {
         let pipelines = compile(gpu, source, variant, events_kept)?;
         Ok(Sweeper::of(gpu, pipelines, events_kept))
     }
@@ -88,16 +89,16 @@ impl<'a> Sweeper<'a> {
     /// by the share of its steps.
     ///
     /// # Errors
-    /// Any [`GpuError`]; no outcome is returned that the device did not compute.
+    /// Any [`BackendError`]; no outcome is returned that the device did not compute.
     pub fn sweep<R: Real>(
         &self,
         plan: &Plan,
         grid: &Grid,
         cells: &[usize],
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<DeviceOutcomes<R>, GpuError> {
+        progress: &dyn Progress,
+    ) -> Result<DeviceOutcomes<R>, BackendError> {
         let record = plan.record::<R>();
-        let all = Cells::of(plan, grid, cells, &record);
+        let all = Cells::of(plan, grid, cells, &record, progress);
         let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
         let slots = self.gpu.slots(|slots| slots.suit::<R>(tile, self.events_kept));
         let mut slots = match slots {

@@ -11,7 +11,8 @@ use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use super::super::cells::Cells;
-use super::GpuError;
+use super::super::progress::Progress;
+use super::BackendError;
 use super::chunk::{Begin, Flight, Order, Report, receive, submit};
 use super::device::OpenDevice;
 use super::inputs::Inputs;
@@ -62,7 +63,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         slots: &'a mut Slots,
         (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
         (cells, most_cells): (&'a [usize], usize),
-    ) -> Result<Tiles<'a, R>, GpuError> {
+    ) -> Result<Tiles<'a, R>, BackendError> {
         let inputs = gpu.checked(|| {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
             Inputs::new(gpu, pipelines, slots, all, record)
@@ -97,10 +98,13 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Runs them all to their cells' ends.
-    pub fn run(mut self, progress: &(dyn Fn(usize) + Sync)) -> Result<DeviceOutcomes<R>, GpuError> {
+    pub fn run(mut self, progress: &dyn Progress) -> Result<DeviceOutcomes<R>, BackendError> {
         let count = self.rest.len();
         let (mut told, mut ended) = (0, Instant::now());
         loop {
+            if progress.cancelled() {
+                return Err(BackendError::Cancelled);
+            }
             while self.flights.len() < FLIGHTS && self.submit()? {}
             // While the device is at work.
             let freed = self.read()?;
@@ -109,16 +113,16 @@ impl<'a, R: Real> Tiles<'a, R> {
                 ended = Instant::now();
                 self.hear(&flight, &report)?;
                 let done = self.done();
-                progress(done.saturating_sub(told));
+                progress.advance(done.saturating_sub(told));
                 told = told.max(done);
             } else if !freed {
                 break;
             }
         }
         if self.results.outcomes.len() < count {
-            return Err(GpuError::Unfinished(count - self.results.outcomes.len()));
+            return Err(BackendError::Unfinished(count - self.results.outcomes.len()));
         }
-        progress(count.saturating_sub(told));
+        progress.advance(count.saturating_sub(told));
         Ok(self.results)
     }
 
@@ -128,7 +132,7 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Submits the next work to the device; false where there is none.
-    fn submit(&mut self) -> Result<bool, GpuError> {
+    fn submit(&mut self) -> Result<bool, BackendError> {
         let mut copied = [0; SIDES];
         for (side, cells) in copied.iter_mut().enumerate() {
             let ended = self.sides[side].as_ref().is_some_and(|tile| tile.left == 0);
@@ -159,7 +163,7 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Makes the next tile ready on a side.
-    fn begin(&mut self, side: usize) -> Result<Begin, GpuError> {
+    fn begin(&mut self, side: usize) -> Result<Begin, BackendError> {
         let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
         let (cells, rest) = self.rest.split_at(count);
         let tables = &self.all.tables;
@@ -190,7 +194,7 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Updates the tiles by the report of a submission.
-    fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), GpuError> {
+    fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), BackendError> {
         for side in 0..SIDES {
             if let Some(tile) = self.sides[side].as_mut().filter(|tile| tile.since <= self.heard) {
                 tile.left = report.left[side];
@@ -209,7 +213,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             self.all_steps += u64::from(steps);
             // The device makes no progress, or loses the states that it writes.
             if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
-                return Err(GpuError::Unfinished(self.running));
+                return Err(BackendError::Unfinished(self.running));
             }
             self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
         }
@@ -218,7 +222,7 @@ impl<'a, R: Real> Tiles<'a, R> {
 
     /// Makes the outcomes of tiles whose states have come, in the tiles' order; false where there are
     /// none.
-    fn read(&mut self) -> Result<bool, GpuError> {
+    fn read(&mut self) -> Result<bool, BackendError> {
         let mut any = false;
         while let Some(side) = self.copied.iter().position(|tile| {
             tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)

@@ -53,8 +53,7 @@ impl Directory {
         self.path.join(name)
     }
 
-    /// Removes what runs that were killed had begun to write: only for who knows that no other is
-    /// writing.
+    /// Removes what runs that were killed had begun to write. Call it only while nobody else writes there.
     ///
     /// # Errors
     /// [`WriteError::Directory`].
@@ -69,7 +68,8 @@ impl Directory {
         Ok(())
     }
 
-    /// Writes a file under a temporary name and renames it once it is whole and on disk.
+    /// Writes a file under a temporary name and renames it once it is whole and on disk. A name may be a path
+    /// within the directory, whose folders are made.
     ///
     /// # Errors
     /// [`WriteError::File`], with nothing left behind.
@@ -80,8 +80,10 @@ impl Directory {
     ) -> Result<PathBuf, WriteError> {
         let path = self.file(name);
         let failed = |reason: String| WriteError::File { path: path.clone(), reason };
-        let mut file = NamedTempFile::with_prefix_in(format!("{TEMPORARY}{name}."), &self.path)
-            .map_err(|e| failed(e.to_string()))?;
+        let folder = self.folder_of(&path).map_err(|e| failed(e.to_string()))?;
+        let prefix = format!("{TEMPORARY}{}.", name.replace('/', "-"));
+        let mut file =
+            NamedTempFile::with_prefix_in(prefix, &self.path).map_err(|e| failed(e.to_string()))?;
         let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
         contents(&mut writer).map_err(|e| failed(e.to_string()))?;
         writer.flush().map_err(|e| failed(e.to_string()))?;
@@ -89,8 +91,23 @@ impl Directory {
         file.as_file().sync_all().map_err(|e| failed(e.to_string()))?;
         share(file.path()).map_err(|e| failed(e.to_string()))?;
         file.persist(&path).map_err(|e| failed(e.to_string()))?;
-        settle(&self.path).map_err(|e| failed(e.to_string()))?;
+        settle(&folder).map_err(|e| failed(e.to_string()))?;
         Ok(path)
+    }
+
+    /// The folder of a file in the directory, made if need be.
+    fn folder_of(&self, path: &Path) -> io::Result<PathBuf> {
+        let folder = path.parent().unwrap_or(&self.path).to_path_buf();
+        if !folder.is_dir() {
+            fs::create_dir_all(&folder)?;
+            // The names of those that are new, up to the directory's own.
+            for above in
+                folder.ancestors().skip(1).take_while(|above| above.starts_with(&self.path))
+            {
+                settle(above)?;
+            }
+        }
+        Ok(folder)
     }
 }
 

@@ -1,17 +1,18 @@
-//! Scenes as written: TOML files and, with the same keys as flags, the command line.
+//! Scenes as they are given: by types, by TOML files and, with the same keys as flags, by the command line.
 
 use std::path::Path;
 
 use super::excitation::{self, Excitation, RecordText};
 use super::numbers::Numbers;
 use super::parameters::{Parameter, Section};
-use super::{Directions, Overturn, Scene, SceneError};
+use super::{Directions, Overturn, Scene, SceneError, Values};
 use super::{block, check, isolation};
 use crate::model::pulse::Shape;
 
-/// A scene as written. Keys and units are those of the command line.
+/// What is given of a scene; what is missing has a default or is an error of [`check`](SceneBuilder::check).
+/// Keys and units are those of the command line.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct SceneText {
+pub struct SceneBuilder {
     /// One line for figures and manifests.
     pub title: Option<String>,
     /// A block of Table 1.
@@ -34,12 +35,33 @@ pub struct SceneText {
     pub y: Option<Parameter>,
 }
 
-impl SceneText {
+impl SceneBuilder {
+    /// A block of Table 1 of the paper with its plates: 1 caryatid, 2 server cabinet, 3 hospital cabinet.
+    pub fn object(number: u32) -> SceneBuilder {
+        SceneBuilder { object: Some(number), ..SceneBuilder::default() }
+    }
+
+    /// The same with a number: one value, or several that make an axis.
+    pub fn with(mut self, parameter: Parameter, values: impl Into<Values>) -> SceneBuilder {
+        self.numbers.set(parameter, values);
+        self
+    }
+
+    /// The same with a base that moves in these directions.
+    pub fn isolated(self, isolation: Directions) -> SceneBuilder {
+        SceneBuilder { isolation: Some(isolation), ..self }
+    }
+
+    /// The same under pulses of a shape.
+    pub fn pulse(self, shape: Shape) -> SceneBuilder {
+        SceneBuilder { shape: Some(shape), ..self }
+    }
+
     /// Reads a scene from TOML.
     ///
     /// # Errors
     /// One line with the line and column at fault: a syntax error, an unknown key, a wrong type.
-    pub fn from_toml(text: &str) -> Result<SceneText, String> {
+    pub fn from_toml(text: &str) -> Result<SceneBuilder, String> {
         toml::from_str(text).map_err(|error| located(text, &error))
     }
 

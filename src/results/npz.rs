@@ -6,28 +6,19 @@ use std::io::{self, Seek, Write};
 use bytemuck::NoUninit;
 use npyz::{AutoSerialize, DType, WriterBuilder};
 use rayon::prelude::*;
-use serde_json::json;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE, class_code, status_code};
+use super::about::Source;
+use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
 use super::outcomes::{Outcomes, each_block};
 use crate::model::precision::Precision;
+use crate::scene::Grid;
 use crate::scene::grid::Axis;
-use crate::scene::{Grid, Scene};
-use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::outcome::{Outcome, Status};
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 const LEVEL: i64 = 2;
-
-/// What the arrays are of.
-#[derive(Debug, Clone, Copy)]
-pub struct Source<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
-    /// The sweep's numbers: those of the columns are of the same type.
-    pub precision: Precision,
-}
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
 /// tells with units, meanings, scene and version, as JSON. `proved` is true for cells whose impacts are
@@ -52,31 +43,9 @@ pub fn write(
         }
     }
     archive.column("proved", Column::Status, |cell| cell.status == Status::Proved)?;
-    archive.text("about", &about(grid, source))?;
+    archive.text("about", &serde_json::Value::Object(source.about(grid)).to_string())?;
     archive.zip.finish()?;
     Ok(())
-}
-
-/// What the arrays are, as JSON.
-fn about(grid: &Grid, source: Source) -> String {
-    let units = |unit: &str, meaning: &str| json!({ "unit": unit, "meaning": meaning });
-    let axes = grid.axes().iter().map(|axis| {
-        let entry = axis.entry();
-        (entry.key.to_string(), units(entry.unit, entry.meaning))
-    });
-    let columns = TABLE.iter().map(|e| (e.name.to_string(), units(e.unit, e.meaning)));
-    let index: Vec<&str> = grid.axes().iter().rev().map(Axis::key).collect();
-    json!({
-        "program": "topple",
-        "version": env!("CARGO_PKG_VERSION"),
-        "index": index,
-        "outcome": Class::ALL.map(Class::name),
-        "status": STATUS_NAMES,
-        "axes": axes.collect::<serde_json::Map<_, _>>(),
-        "columns": columns.collect::<serde_json::Map<_, _>>(),
-        "scene": source.scene,
-    })
-    .to_string()
 }
 
 /// An archive while it is written.

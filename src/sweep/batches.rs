@@ -1,4 +1,4 @@
-//! A sweep tile by tile, by one worker or by several: what is done is handed over while the rest goes on.
+//! A sweep batch by batch, by one worker or by several: what is done is handed over while the rest goes on.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -7,56 +7,61 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-use super::backend::Swept;
-use super::gpu::GpuError;
+use super::backend::BackendOutcomes;
+use super::backend_error::BackendError;
 use crate::stepping::outcome::Outcome;
 
-/// What sweeps the cells of a tile: a backend with its plan, or in a test its double.
-pub type Worker<'a> = Box<dyn Fn(Range<usize>) -> Result<Swept, GpuError> + Sync + 'a>;
+/// What sweeps the cells of a batch: a backend with its plan, or in a test its double. It may hand over what
+/// is done of the batch while it goes on, [`Outcome::PENDING`] for cells that have not run.
+pub type Worker<'a> =
+    Box<dyn Fn(Range<usize>, &HandOver) -> Result<BackendOutcomes, BackendError> + Sync + 'a>;
 
-/// What a sweep took.
+/// Takes outcomes of cells, by the first cell.
+pub type HandOver<'a> = dyn Fn(usize, Vec<Outcome>) + Sync + 'a;
+
+/// What the work took, and which workers were lost.
 #[derive(Debug, Default)]
-pub struct Took {
+pub struct WorkReport {
     /// Time of the sweep: of the worker that swept longest.
     pub elapsed: Duration,
     /// Time of compiling shaders, of the worker that compiled longest.
     pub compile: Duration,
     /// Workers that failed while others went on, each with its error.
-    pub lost: Vec<(usize, GpuError)>,
+    pub lost: Vec<(usize, BackendError)>,
 }
 
-/// Why a sweep stopped.
+/// Why the work stopped.
 #[derive(Debug, thiserror::Error)]
-pub enum TiledError<E> {
+pub enum BatchError<E> {
     /// The last worker failed.
     #[error(transparent)]
-    Gpu(#[from] GpuError),
+    Backend(#[from] BackendError),
     /// What was done could not be handed over.
     #[error("{0}")]
     Keep(E),
 }
 
-/// How many cells a tile has: what a worker does in some seconds.
+/// How many cells a batch has: what a worker does in some seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
-    /// Cells of each worker's first tile.
+    /// Cells of each worker's first batch.
     pub first: usize,
-    /// Most cells of a tile.
+    /// Most cells of a batch.
     pub most: usize,
-    /// Time that a tile is to take.
+    /// Time that a batch is to take.
     pub takes: Duration,
 }
 
-/// Most times as many cells as in the worker's last tile: cells differ.
+/// Most times as many cells as in the worker's last batch: cells differ.
 const GROWTH: f64 = 4.0;
 
 impl Sizes {
-    /// Tiles of so many cells, however long they take.
+    /// Batches of so many cells, however long they take.
     pub fn fixed(cells: usize) -> Sizes {
         Sizes { first: cells, most: cells, takes: Duration::MAX }
     }
 
-    /// Cells of the tile after one of so many cells that took so long.
+    /// Cells of the batch after one of so many cells that took so long.
     fn after(&self, cells: usize, elapsed: Duration) -> usize {
         let share = self.takes.as_secs_f64() / elapsed.as_secs_f64().max(1.0e-9);
         let next = cells as f64 * share.min(GROWTH);
@@ -64,13 +69,13 @@ impl Sizes {
     }
 }
 
-/// Tiles that may wait to be kept.
+/// Batches that may wait to be saved.
 const BACKLOG: usize = 3;
 
 /// Workers, and the cells that they have not begun.
 struct Pool {
     queue: VecDeque<Range<usize>>,
-    /// Cells of each worker's next tile.
+    /// Cells of each worker's next batch.
     sizes: Vec<usize>,
     orders: Vec<mpsc::Sender<Range<usize>>>,
     idle: Vec<usize>,
@@ -78,7 +83,7 @@ struct Pool {
 }
 
 impl Pool {
-    /// Gives every idle worker a tile, while there are any.
+    /// Gives every idle worker a batch, while there are any.
     fn dispatch(&mut self) {
         while let Some(worker) = self.idle.pop() {
             let Some(mut cells) = self.queue.pop_front() else {
@@ -97,9 +102,9 @@ impl Pool {
     }
 }
 
-/// Runs the `missing` cells in tiles of these sizes on workers of one kind, each taking the next when it is
-/// done; `keep` is handed every tile as it comes, by its first cell. A worker that fails takes no
-/// more, and its tile goes to another.
+/// Runs the `missing` cells in batches of these sizes on workers of one kind, each taking the next when it is
+/// done; `keep` is handed every batch as it comes, by its first cell. A worker that fails takes no
+/// more, and its batch goes to another.
 ///
 /// # Errors
 /// The error of the worker that failed last, when none is left; those of `keep`. What `keep` was
@@ -109,18 +114,21 @@ pub fn sweep<E: Send>(
     missing: &[Range<usize>],
     sizes: Sizes,
     mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E> + Send,
-) -> Result<Took, TiledError<E>> {
-    let mut took = Took::default();
+) -> Result<WorkReport, BatchError<E>> {
+    let mut took = WorkReport::default();
     let mut times = vec![(Duration::ZERO, Duration::ZERO); workers.len()];
     let left = thread::scope(|scope| {
         let (report, reports) = mpsc::channel();
+        // What is done is kept while the workers go on, unless that takes much longer than the work.
+        let (done, to_keep) = mpsc::sync_channel::<(usize, Vec<Outcome>)>(BACKLOG);
         let mut orders = Vec::with_capacity(workers.len());
         for (number, worker) in workers.iter().enumerate() {
             let (order, ordered) = mpsc::channel();
-            let report = report.clone();
-            scope.spawn(move || work(number, worker, ordered, report));
+            let (report, done) = (report.clone(), done.clone());
+            scope.spawn(move || work(number, worker, ordered, (report, done)));
             orders.push(order);
         }
+        let mut cancelled = false;
         let mut pool = Pool {
             queue: missing.iter().filter(|cells| !cells.is_empty()).cloned().collect(),
             sizes: vec![sizes.first.clamp(1, sizes.most.max(1)); workers.len()],
@@ -128,8 +136,6 @@ pub fn sweep<E: Send>(
             idle: (0..workers.len()).rev().collect(),
             running: 0,
         };
-        // What is done is kept while the workers go on, unless that takes much longer than the work.
-        let (done, to_keep) = mpsc::sync_channel::<(usize, Vec<Outcome>)>(BACKLOG);
         let keeper = scope
             .spawn(move || to_keep.iter().try_for_each(|(first, outcomes)| keep(first, &outcomes)));
         pool.dispatch();
@@ -138,6 +144,11 @@ pub fn sweep<E: Send>(
         {
             pool.running -= 1;
             match swept {
+                // The others end, too: they are asked the same.
+                Err(BackendError::Cancelled) => {
+                    cancelled = true;
+                    pool.queue.clear();
+                }
                 Err(error) => {
                     pool.queue.push_front(cells);
                     took.lost.push((worker, error));
@@ -146,7 +157,7 @@ pub fn sweep<E: Send>(
                 Ok(swept) => {
                     times[worker].0 += swept.elapsed;
                     times[worker].1 += swept.compile;
-                    // A last tile that is cut short says no less of the worker's speed.
+                    // A last batch that is cut short says no less of the worker's speed.
                     pool.sizes[worker] = sizes.after(cells.len(), swept.elapsed);
                     pool.idle.push(worker);
                     pool.dispatch();
@@ -157,10 +168,13 @@ pub fn sweep<E: Send>(
                 }
             }
         }
-        drop(done);
+        // Workers hand over until there are no more orders, and the keeper takes until nobody hands over.
+        let left = pool.queue.len();
+        drop((pool, done));
         match keeper.join() {
-            Ok(Ok(())) => Ok(pool.queue.len()),
-            Ok(Err(error)) => Err(TiledError::Keep(error)),
+            Ok(Ok(())) if cancelled => Err(BackendError::Cancelled.into()),
+            Ok(Ok(())) => Ok(left),
+            Ok(Err(error)) => Err(BatchError::Keep(error)),
             Err(panic) => resume_unwind(panic),
         }
     })?;
@@ -174,20 +188,22 @@ pub fn sweep<E: Send>(
     Ok(took)
 }
 
-/// What a worker tells of a tile: its number, the cells, what became of them.
-type Told = (usize, Range<usize>, Result<Swept, GpuError>);
+/// What a worker tells of a batch: its number, the cells, what became of them.
+type BatchDone = (usize, Range<usize>, Result<BackendOutcomes, BackendError>);
 
-/// Sweeps one tile after another, as they are ordered.
+/// Sweeps one batch after another, as they are ordered.
 fn work(
     number: usize,
     worker: &Worker,
     orders: mpsc::Receiver<Range<usize>>,
-    report: mpsc::Sender<Told>,
+    (report, done): (mpsc::Sender<BatchDone>, mpsc::SyncSender<(usize, Vec<Outcome>)>),
 ) {
+    // What finds no room comes again with the whole batch.
+    let hand_over = |first, outcomes| drop(done.try_send((first, outcomes)));
     for cells in orders {
         // A driver may take its thread with it; the others are to hear of it, not to wait for ever.
-        let swept = catch_unwind(AssertUnwindSafe(|| worker(cells.clone())));
-        let swept = swept.unwrap_or(Err(GpuError::BrokeOff));
+        let swept = catch_unwind(AssertUnwindSafe(|| worker(cells.clone(), &hand_over)));
+        let swept = swept.unwrap_or(Err(BackendError::BrokeOff));
         // Nobody hears it where the sweep has ended with an error.
         if report.send((number, cells, swept)).is_err() {
             return;

@@ -1,5 +1,5 @@
-//! Every column of a map, defined once: map.csv, map.npz, tiles and docs/columns.md are made of this
-//! table.
+//! Every column of a map, defined once: columns in memory and on disk, map.csv, map.npz, map.zarr and
+//! docs/columns.md are made of this table.
 
 use crate::stepping::outcome::{Class, Outcome, Status};
 
@@ -66,6 +66,19 @@ pub enum Holds {
         /// Its place.
         place: fn(&mut Outcome) -> &mut Option<f64>,
     },
+}
+
+impl Holds {
+    /// A cell's value as a number: a code, a count; of a time that it does not have, none at all.
+    pub fn number(&self, cell: &Outcome) -> f64 {
+        match self {
+            Holds::Class => f64::from(class_code(cell.class)),
+            Holds::Status => f64::from(status_code(cell.status)),
+            Holds::Count { get, .. } => f64::from(get(cell)),
+            Holds::Number { get, .. } => get(cell),
+            Holds::Time { get, .. } => get(cell).unwrap_or(f64::NAN),
+        }
+    }
 }
 
 /// What is known of a column.
@@ -165,7 +178,7 @@ pub const TABLE: [Entry; 15] = [
         Column::Friction,
         ("friction_demand", ""),
         number!(friction),
-        "largest |horizontal| over normal force while the latter is positive; without a bound where it passes \
+        "largest |horizontal| over normal force while the latter is positive; it grows without bound as that force nears \
          zero",
     ),
     entry(
@@ -218,13 +231,13 @@ pub fn status_code(status: Status) -> u8 {
 
 const HEAD: &str = "# Columns
 
-Made of the table in `src/map/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
+Made of the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
 
 `map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
 the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
-axes f64. Besides it holds `proved`, true for a cell that ended early because energy proved all that it tells final (its
-impacts are counted up to `t_simulated`), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
+axes f64. There is besides `proved`, true for a cell that was stopped early: an energy bound shows that its results
+can no longer change (its impacts are counted up to `t_simulated`), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
 the version.
 
 ```python
@@ -234,8 +247,31 @@ about = json.loads(str(z[\"about\"]))
 left = z[\"outcome\"] == about[\"outcome\"].index(\"overturned_left\")
 ```
 
-| column | unit | in map.npz | meaning |
+| column | unit | type | meaning |
 |---|---|---|---|
+";
+
+const TAIL: &str = "
+## map.zarr
+
+`--files zarr` writes the same arrays as a Zarr group, version 3, in chunks of 65,536 to 1,048,576 cells; a map of more than
+16.7 million cells is written so alone (`--files csv,npz` writes the others all the same). xarray and dask open it by themselves:
+
+```python
+import xarray
+ds = xarray.open_zarr(\"map.zarr\")
+ds.zeta.sel(omega=9.0, method=\"nearest\").max().compute()
+ds.outcome.attrs[\"flag_meanings\"], ds.zeta.attrs[\"long_name\"], ds.attrs[\"scene\"]
+```
+
+Each array has its axes as dimensions, with `units`, `long_name` and, of codes, `flag_values` and `flag_meanings` (CF
+conventions); the group has what `about` has in map.npz. Codecs are `bytes` (little-endian), `gzip` (level 1) and `crc32c`, all
+of the core specification. The same group is what an unfinished run saves its tiles in ([interrupted.md](interrupted.md)):
+there `status` is 255 for a cell that has not run.
+
+topple writes these files itself, some 300 lines with flate2 and crc32c: the crate zarrs (0.23, features crc32c and zstd
+only) brings 47 crates and takes 195 s of a release build on two cores, 330 s of processor time, where the whole of topple took
+241 s. `python benches/files/open.py DIR` opens map.zarr by xarray, map.npz by numpy, and compares them.
 ";
 
 /// The page docs/columns.md.
@@ -251,6 +287,7 @@ pub fn page() -> String {
         let meaning = entry.meaning.replace('|', "\\|");
         page.push_str(&format!("| `{}` | {unit} | {kind} | {meaning} |\n", entry.name));
     }
+    page.push_str(TAIL);
     page
 }
 

@@ -1,0 +1,31 @@
+//! The library's errors in terms of the command line.
+
+use topple::sweep::error::SweepError;
+
+use super::InputError;
+use super::words::with_flags;
+
+/// Ctrl-C ended the run.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct Interrupted(String);
+
+/// An error of a sweep: bad input names the flag at fault.
+pub fn sweep_error(error: SweepError) -> anyhow::Error {
+    let problem = match &error {
+        SweepError::Scene(error) => error.problem.clone(),
+        other => other.to_string(),
+    };
+    let problem = with_flags(&problem);
+    if error.is_cancelled() {
+        let nothing = match &error {
+            SweepError::Stopped { .. } => "",
+            _ => "; nothing was saved",
+        };
+        return Interrupted(format!("{problem}{nothing}")).into();
+    }
+    match error.key() {
+        Some(key) => InputError(format!("--{}: {problem}", key.replace('_', "-"))).into(),
+        None => anyhow::Error::msg(problem),
+    }
+}

@@ -1,0 +1,224 @@
+//! Where outcomes go as they are done: into blocks in memory, which are saved from time to time, so that an
+//! interrupted run goes on from there. Of a map that memory does not hold, a block leaves when it is whole.
+
+use std::collections::BTreeMap;
+use std::io;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use super::block::Block;
+use super::outcomes::Outcomes;
+use super::reader::{BlocksInMemory, PartFolder, TileReader};
+use super::saved_tiles::SavedTiles;
+use super::store::Store;
+use super::store_error::StoreError;
+use super::tiling::Tiling;
+use crate::model::precision::Precision;
+use crate::stepping::outcome::Outcome;
+
+/// A tile that is not finished, or is held for the map.
+struct OpenTile {
+    block: Block,
+    /// Of the cells wanted, those that have not run.
+    left: usize,
+    /// It has what is not on disk.
+    unsaved: bool,
+}
+
+/// Where and when outcomes are saved.
+pub struct Saver<'a> {
+    /// The folder.
+    pub store: &'a Store,
+    /// Least time between two savings.
+    pub patience: Duration,
+    /// All outcomes stay in memory, too.
+    pub holds: bool,
+}
+
+/// Collects the outcomes of a run.
+pub struct OutcomeCollector<'a> {
+    tiling: Tiling,
+    precision: Precision,
+    wanted: Range<usize>,
+    saver: Option<Saver<'a>>,
+    open: BTreeMap<usize, OpenTile>,
+    /// Cells of each tile that are on disk.
+    on_disk: BTreeMap<usize, usize>,
+    began: Instant,
+    saved: Instant,
+}
+
+impl<'a> OutcomeCollector<'a> {
+    /// Collects the `wanted` cells of a tiling in memory.
+    pub fn in_memory(
+        tiling: Tiling,
+        precision: Precision,
+        wanted: Range<usize>,
+    ) -> OutcomeCollector<'a> {
+        let (now, open, on_disk) = (Instant::now(), BTreeMap::new(), BTreeMap::new());
+        let saver = None;
+        OutcomeCollector { tiling, precision, wanted, saver, open, on_disk, began: now, saved: now }
+    }
+
+    /// Collects the `wanted` cells of a store's grid, of which some were found.
+    ///
+    /// # Errors
+    /// Those of reading what was found.
+    pub fn saving(
+        saver: Saver<'a>,
+        found: &SavedTiles,
+        wanted: Range<usize>,
+    ) -> io::Result<OutcomeCollector<'a>> {
+        let (store, holds) = (saver.store, saver.holds);
+        let (tiling, precision) = (store.tiling().clone(), store.precision());
+        let mut collector = OutcomeCollector::in_memory(tiling, precision, wanted);
+        collector.saver = Some(saver);
+        for saved in &found.tiles {
+            let left = collector.left_of(saved.tile, &saved.done);
+            let done = collector.wanted_of(saved.tile).len() - left;
+            collector.on_disk.insert(saved.tile, done);
+            // Others are as they are to be.
+            if holds || left > 0 {
+                let open = OpenTile { block: store.read(saved.tile)?, left, unsaved: false };
+                collector.open.insert(saved.tile, open);
+            }
+        }
+        Ok(collector)
+    }
+
+    /// Of the cells wanted of a tile, those that are not among the ones done.
+    fn left_of(&self, tile: usize, done: &[Range<usize>]) -> usize {
+        let wanted = self.wanted_of(tile);
+        let done = done
+            .iter()
+            .map(|cells| cells.end.min(wanted.end).saturating_sub(cells.start.max(wanted.start)));
+        wanted.len() - done.sum::<usize>()
+    }
+
+    /// The cells wanted of a tile.
+    fn wanted_of(&self, tile: usize) -> Range<usize> {
+        let cells = self.tiling.cells(tile);
+        let first = cells.start.max(self.wanted.start);
+        first..cells.end.min(self.wanted.end).max(first)
+    }
+
+    /// All outcomes stay in memory.
+    fn holds(&self) -> bool {
+        self.saver.as_ref().is_none_or(|saver| saver.holds)
+    }
+
+    /// Cells wanted that are on disk.
+    pub fn cells_on_disk(&self) -> usize {
+        self.on_disk.values().sum()
+    }
+
+    /// Takes the outcomes of cells from `first` on; those that are [`Outcome::PENDING`] have not run.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn take(&mut self, first: usize, outcomes: &[Outcome]) -> Result<(), StoreError> {
+        let pending = |outcome: &Outcome| *outcome == Outcome::PENDING;
+        let mut from = first;
+        for run in outcomes.chunk_by(|one, next| pending(one) == pending(next)) {
+            if !pending(&run[0]) {
+                self.take_run(from, run)?;
+            }
+            from += run.len();
+        }
+        if self.saver.as_ref().is_some_and(|saver| self.saved.elapsed() >= saver.patience) {
+            self.save_all()?;
+        }
+        Ok(())
+    }
+
+    /// Takes the outcomes of cells that have all run.
+    fn take_run(&mut self, first: usize, outcomes: &[Outcome]) -> Result<(), StoreError> {
+        let cells = first..first + outcomes.len();
+        for tile in self.tiling.tiles(&cells) {
+            let held = self.tiling.cells(tile);
+            let some = cells.start.max(held.start)..cells.end.min(held.end);
+            if !self.open.contains_key(&tile) {
+                if self.on_disk.get(&tile) == Some(&self.wanted_of(tile).len()) {
+                    continue;
+                }
+                let block = Block::pending(held.len(), self.precision);
+                let left = self.wanted_of(tile).len();
+                self.open.insert(tile, OpenTile { block, left, unsaved: false });
+            }
+            let Some(open) = self.open.get_mut(&tile) else { continue };
+            let places = some.start - held.start..some.end - held.start;
+            // Cells may come twice: alone, and with their batch.
+            open.left -= open.block.pending_in(places.clone()).min(open.left);
+            open.block.put(places.start, &outcomes[some.start - first..some.end - first]);
+            open.unsaved = true;
+            if open.left == 0 && !self.holds() {
+                self.save(tile)?;
+                self.open.remove(&tile);
+            }
+        }
+        Ok(())
+    }
+
+    /// Saves what is only in memory, if the run has been long at all: it is about to end.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn rescue(&mut self) -> Result<(), StoreError> {
+        let long = |saver: &Saver| !saver.holds || self.began.elapsed() >= saver.patience;
+        if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(()) }
+    }
+
+    fn save(&mut self, tile: usize) -> Result<(), StoreError> {
+        let wanted = self.wanted_of(tile).len();
+        if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&tile))
+            && open.unsaved
+        {
+            saver.store.save(tile, &open.block)?;
+            open.unsaved = false;
+            self.on_disk.insert(tile, wanted - open.left);
+        }
+        Ok(())
+    }
+
+    fn save_all(&mut self) -> Result<(), StoreError> {
+        let tiles: Vec<usize> = self.open.keys().copied().collect();
+        tiles.into_iter().try_for_each(|tile| self.save(tile))?;
+        self.saved = Instant::now();
+        Ok(())
+    }
+
+    /// Ends the collection of a part: all of its cells are on disk.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn finish_part(mut self) -> Result<(), StoreError> {
+        self.save_all()?;
+        let whole = self.cells_on_disk() == self.wanted.len();
+        if whole { Ok(()) } else { Err(StoreError::Incomplete) }
+    }
+
+    /// All outcomes of the grid, of which every cell was wanted; or, where they are not held in memory, a
+    /// reader of those on disk. What is left over goes to disk if the run has been long at all: to write the
+    /// map takes its time, too.
+    ///
+    /// # Errors
+    /// Those of the store.
+    pub fn finish(mut self) -> Result<Box<dyn Outcomes>, StoreError> {
+        self.rescue()?;
+        let (holds, precision) = (self.holds(), self.precision);
+        let OutcomeCollector { tiling, wanted, saver, open, .. } = self;
+        if holds {
+            if open.len() != tiling.count() || open.values().any(|open| open.left > 0) {
+                return Err(StoreError::Incomplete);
+            }
+            let blocks = open.into_values().map(|open| open.block).collect();
+            return Ok(Box::new(BlocksInMemory::new(tiling, blocks)));
+        }
+        let folder = saver.map_or_else(PathBuf::new, |saver| saver.store.path().to_path_buf());
+        let count = wanted.len();
+        let reader =
+            TileReader::new(tiling, vec![PartFolder { cells: wanted, folder, precision }], count);
+        Ok(Box::new(reader.ok_or(StoreError::Incomplete)?))
+    }
+}

@@ -1,0 +1,26 @@
+//! Results as columns: what each column is, columns in memory and on disk, and their files.
+//!
+//! ```text
+//! columns (the table) -> block (in memory) -> tiling, tile, zarr, store (on disk) -> csv, npz
+//! ```
+
+pub mod about;
+pub mod block;
+pub mod collector;
+pub mod columns;
+pub mod csv;
+pub mod files;
+pub mod identity;
+mod lock;
+pub mod npz;
+pub mod outcomes;
+pub mod part;
+pub mod reader;
+pub mod saved_tiles;
+pub mod size;
+pub mod store;
+pub mod store_error;
+pub mod tally;
+pub mod tile;
+pub mod tiling;
+pub mod zarr;

@@ -1,0 +1,51 @@
+//! Where a map's outcomes are read from: memory, or a disk that holds more.
+
+use std::borrow::Cow;
+use std::io;
+use std::ops::Range;
+
+use super::columns::Column;
+use crate::scene::Grid;
+use crate::stepping::outcome::Outcome;
+
+/// Cells that are read at once by what goes through all of them.
+pub const BLOCK: usize = 1 << 16;
+
+/// The outcomes of a grid, in its order.
+pub trait Outcomes: Sync {
+    /// The outcomes of some cells. Only the columns asked for are sure to be filled in.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>>;
+}
+
+impl Outcomes for [Outcome] {
+    fn read(&self, cells: Range<usize>, _: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        Ok(Cow::Borrowed(&self[cells]))
+    }
+}
+
+impl Outcomes for Vec<Outcome> {
+    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        self.as_slice().read(cells, columns)
+    }
+}
+
+/// Goes through some columns of all of a grid's cells; `see` is handed block after block with the
+/// number of its first cell.
+///
+/// # Errors
+/// Those of reading, and of `see`.
+pub fn each_block(
+    grid: &Grid,
+    outcomes: &dyn Outcomes,
+    columns: &[Column],
+    mut see: impl FnMut(usize, &[Outcome]) -> io::Result<()>,
+) -> io::Result<()> {
+    for first in (0..grid.len()).step_by(BLOCK) {
+        let block = outcomes.read(first..(first + BLOCK).min(grid.len()), columns)?;
+        see(first, &block)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,81 @@
+//! Cells counted: by outcome, and where the model does not hold.
+
+use std::collections::BTreeMap;
+use std::io;
+
+use super::columns::Column;
+use super::outcomes::{Outcomes, each_block};
+use crate::scene::{Grid, Parameter};
+use crate::stepping::outcome::{Class, Outcome, Status};
+
+/// True where a cell of a grid has a friction coefficient and asks for more.
+pub fn slides(grid: &Grid, cell: usize, outcome: &Outcome) -> bool {
+    let coefficient = grid.value(Parameter::Friction, cell);
+    coefficient.is_some_and(|mu| outcome.friction > mu)
+}
+
+/// Columns that are read to count cells.
+pub const COLUMNS: [Column; 5] =
+    [Column::Outcome, Column::Status, Column::TSimulated, Column::MinContact, Column::Friction];
+
+/// Cells counted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tally {
+    /// All cells.
+    pub cells: usize,
+    /// Those of each class, in the order of [`Class::ALL`].
+    by_class: [usize; 5],
+    /// Those in which the contact force turned tensile, where the model does not hold.
+    pub tensile: usize,
+    /// Those that ask for more friction than the scene has; none where it has no coefficient.
+    pub sliding: Option<usize>,
+    /// Those that ended early, all that they tell proved final.
+    pub proved: usize,
+    /// Mean time simulated by a cell that stands, s.
+    pub mean_time: f64,
+}
+
+impl Tally {
+    /// Counts the cells of a grid.
+    ///
+    /// # Errors
+    /// Those of reading.
+    pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Tally> {
+        let mut tally = Tally {
+            cells: grid.len(),
+            by_class: [0; 5],
+            tensile: 0,
+            sliding: grid.value(Parameter::Friction, 0).map(|_| 0),
+            proved: 0,
+            mean_time: 0.0,
+        };
+        let (mut stand, mut time) = (0_usize, 0.0);
+        each_block(grid, outcomes, &COLUMNS, |first, block| {
+            for (index, cell) in (first..).zip(block) {
+                tally.by_class[cell.class as usize] += 1;
+                tally.tensile += usize::from(cell.min_contact < 0.0);
+                tally.proved += usize::from(cell.status == Status::Proved);
+                if let Some(sliding) = &mut tally.sliding {
+                    *sliding += usize::from(slides(grid, index, cell));
+                }
+                if !cell.class.overturned() && cell.class != Class::Unresolved {
+                    stand += 1;
+                    time += cell.t_simulated;
+                }
+            }
+            Ok(())
+        })?;
+        tally.mean_time = time / stand.max(1) as f64;
+        Ok(tally)
+    }
+
+    /// Cells of each class, by name.
+    pub fn classes(&self) -> BTreeMap<&'static str, usize> {
+        Class::ALL.into_iter().map(|class| (class.name(), self.count(class))).collect()
+    }
+
+    /// Number of cells of a class.
+    pub fn count(&self, class: Class) -> usize {
+        self.by_class[class as usize]
+    }
+}

@@ -1,0 +1,148 @@
+//! A map as a Zarr group (version 3): one array a column and one an axis, which xarray and dask open by
+//! themselves. Here are its documents; [`tile`](super::tile) has the chunks.
+//!
+//! Written after the specification, <https://zarr-specs.readthedocs.io/en/latest/v3/core/index.html>, with
+//! its codecs `bytes`, `gzip` and `crc32c`. docs/columns.md says why no library writes them.
+
+use serde_json::{Map, Value, json};
+
+use super::about::{Source, index};
+use super::block::PENDING;
+use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE};
+use super::tiling::Tiling;
+use crate::model::precision::Precision;
+use crate::scene::Grid;
+use crate::scene::grid::Axis;
+use crate::stepping::outcome::Class;
+
+/// Name of a group's or an array's document.
+pub const DOCUMENT: &str = "zarr.json";
+/// Folder of an array's chunks.
+pub const CHUNKS: &str = "c";
+/// Name of the array that is true for cells that ended early, proved final.
+pub const PROVED: &str = "proved";
+/// Level of compression: of more, files are hardly smaller and take several times as long.
+pub const LEVEL: u32 = 1;
+
+/// Values of a type, their number along each axis, and how many of them a chunk has.
+struct Array<'a> {
+    data_type: &'a str,
+    fill: Value,
+    shape: &'a [usize],
+    chunk: &'a [usize],
+    index: &'a [&'a str],
+}
+
+impl Array<'_> {
+    fn document(&self, attributes: Value) -> Value {
+        json!({
+            "zarr_format": 3,
+            "node_type": "array",
+            "shape": self.shape,
+            "data_type": self.data_type,
+            "chunk_grid": {
+                "name": "regular",
+                "configuration": { "chunk_shape": self.chunk },
+            },
+            "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
+            "fill_value": self.fill,
+            "codecs": [
+                { "name": "bytes", "configuration": { "endian": "little" } },
+                { "name": "gzip", "configuration": { "level": LEVEL } },
+                { "name": "crc32c" },
+            ],
+            "attributes": attributes,
+            "dimension_names": self.index,
+        })
+    }
+}
+
+/// What is known of a column, in the words of the CF conventions.
+fn attributes(entry: &Entry) -> Value {
+    let mut attributes = Map::new();
+    attributes.insert("long_name".into(), json!(entry.meaning));
+    if !entry.unit.is_empty() {
+        attributes.insert("units".into(), json!(entry.unit));
+    }
+    let codes = match entry.holds {
+        Holds::Class => Class::ALL.map(Class::name).to_vec(),
+        Holds::Status => STATUS_NAMES.to_vec(),
+        _ => return Value::Object(attributes),
+    };
+    attributes.insert("flag_values".into(), json!((0..codes.len()).collect::<Vec<_>>()));
+    attributes.insert("flag_meanings".into(), json!(codes.join(" ")));
+    Value::Object(attributes)
+}
+
+/// Data type and fill value of a column: what a cell has that has not run.
+fn data_type(holds: Holds, precision: Precision) -> (&'static str, Value) {
+    match (holds, precision) {
+        (Holds::Class, _) => ("uint8", json!(Class::Unresolved as u8)),
+        (Holds::Status, _) => ("uint8", json!(PENDING)),
+        (Holds::Count { .. }, _) => ("uint32", json!(0)),
+        (_, Precision::F32) => ("float32", json!("NaN")),
+        (_, Precision::F64) => ("float64", json!("NaN")),
+    }
+}
+
+/// The documents of a map's arrays, by their names.
+fn arrays(grid: &Grid, source: &Source) -> Vec<(String, Value)> {
+    let tiling = Tiling::of(grid);
+    let (shape, chunk, index) = (tiling.shape(), &tiling.tile_shape()[..], &index(grid)[..]);
+    let of = |name: &str, (data_type, fill): (&str, Value), attributes: Value| {
+        let array = Array { data_type, fill, shape, chunk, index };
+        (name.to_string(), array.document(attributes))
+    };
+    let mut arrays: Vec<(String, Value)> = TABLE
+        .iter()
+        .map(|entry| of(entry.name, data_type(entry.holds, source.precision), attributes(entry)))
+        .collect();
+    let meaning = "ended early, because energy proved all that it tells final: impacts and uplifts are counted \
+                   up to t_simulated";
+    arrays.push(of(PROVED, ("bool", json!(false)), json!({ "long_name": meaning })));
+    for axis in grid.axes() {
+        let (entry, count) = (axis.entry(), [axis.count()]);
+        let (data_type, fill) = ("float64", json!("NaN"));
+        let array = Array { data_type, fill, shape: &count, chunk: &count, index: &[entry.key] };
+        let attributes = json!({ "long_name": entry.meaning, "units": entry.unit });
+        arrays.push((entry.key.to_string(), array.document(attributes)));
+    }
+    arrays
+}
+
+/// The documents of a map, each with its path: the arrays', and last the group's, which holds them all.
+pub fn documents(grid: &Grid, source: &Source) -> Vec<(String, Value)> {
+    let arrays = arrays(grid, source);
+    let consolidated: Map<String, Value> = arrays.iter().cloned().collect();
+    let group = json!({
+        "zarr_format": 3,
+        "node_type": "group",
+        "attributes": source.about(grid),
+        "consolidated_metadata": {
+            "kind": "inline",
+            "must_understand": false,
+            "metadata": consolidated,
+        },
+    });
+    let paths = arrays.into_iter().map(|(name, array)| (format!("{name}/{DOCUMENT}"), array));
+    paths.chain([(DOCUMENT.to_string(), group)]).collect()
+}
+
+/// The values of an axis as bytes, and the path of their only chunk.
+pub fn axis_chunk(axis: &Axis) -> (String, Vec<u8>) {
+    let bytes = axis.values.iter().flat_map(f64::to_le_bytes).collect();
+    (format!("{}/{CHUNKS}/0", axis.key()), bytes)
+}
+
+/// The path of a tile's chunk in an array.
+pub fn chunk_path(array: &str, tiling: &Tiling, tile: usize) -> String {
+    format!("{array}/{CHUNKS}/{}", tiling.key(tile))
+}
+
+/// The names of the arrays that hold a map's columns, each with its column; the status comes last, so that
+/// what it says has run is there.
+pub fn columns() -> impl Iterator<Item = (&'static str, Column)> {
+    let others = TABLE.iter().filter(|entry| entry.column != Column::Status);
+    let others = others.map(|entry| (entry.name, entry.column));
+    others.chain([(PROVED, Column::Status), (Column::Status.entry().name, Column::Status)])
+}

@@ -1,0 +1,81 @@
+//! Why a sweep did not come to its end.
+
+use std::io;
+use std::path::PathBuf;
+
+use super::backend_error::BackendError;
+use super::parts_error::PartsError;
+use crate::results::store_error::StoreError;
+use crate::scene::SceneError;
+
+/// Why a sweep did not come to its end.
+///
+/// A message names the settings at fault by their keys, in backquotes where it stands in the text; a caller
+/// with another way of naming them, such as a command line, puts its own in their place.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// A number or a setting that makes no sense.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// No backend, or one that failed.
+    #[error(transparent)]
+    Backend(#[from] BackendError),
+    /// What is done cannot be saved or resumed.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Parts that are no map.
+    #[error(transparent)]
+    Parts(#[from] PartsError),
+    /// Outcomes on disk that cannot be read any more.
+    #[error(transparent)]
+    Read(#[from] io::Error),
+    /// A run ended early, with work to go on from.
+    #[error("{error}; {saved} of {cells} cells are saved in {folder}, `resume` goes on from there")]
+    Stopped {
+        /// Why.
+        error: Box<SweepError>,
+        /// Cells that are saved.
+        saved: usize,
+        /// Cells that were to run.
+        cells: usize,
+        /// Where they are.
+        folder: PathBuf,
+    },
+}
+
+impl SweepError {
+    /// The key of the setting or the number at fault, of bad input; none for a run that failed. Of settings it is
+    /// `step` ([`Method::largest_step`]), `adapter` ([`RunSettings::adapters`]), `out` ([`Saving::directory`])
+    /// or `tile` ([`Saving::part`]).
+    ///
+    /// [`Method::largest_step`]: super::settings::Method::largest_step
+    /// [`RunSettings::adapters`]: super::settings::RunSettings::adapters
+    /// [`Saving::directory`]: super::settings::Saving::directory
+    /// [`Saving::part`]: super::settings::Saving::part
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            SweepError::Scene(error) => Some(error.key),
+            SweepError::Backend(
+                BackendError::NoSuchAdapter(_) | BackendError::Unlike(..) | BackendError::NoneOfCpu,
+            ) => Some("adapter"),
+            SweepError::Store(
+                StoreError::InUse(_)
+                | StoreError::Unfinished(_)
+                | StoreError::Finished(_)
+                | StoreError::Other { .. },
+            ) => Some("out"),
+            _ => None,
+        }
+    }
+
+    /// True if the observer cancelled the sweep.
+    pub fn is_cancelled(&self) -> bool {
+        match self {
+            SweepError::Backend(BackendError::Cancelled) => true,
+            SweepError::Read(error) => error.kind() == io::ErrorKind::Interrupted,
+            SweepError::Stopped { error, .. } => error.is_cancelled(),
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,358 @@
+//! A sweep made ready: its cells, the backends that run them, and what an earlier run has saved.
+
+use std::io;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use super::backend::Backend;
+use super::backend_error::BackendError;
+use super::batches::{self, BatchError, HandOver, Sizes, WorkReport, Worker};
+use super::error::SweepError;
+use super::estimate::Estimate;
+use super::identity::Content;
+use super::map::MapSweep;
+use super::observer::{Observer, Phase};
+use super::plan::Plan;
+use super::progress::Progress;
+use super::report::{Report, threads};
+use super::request::OpenBackends;
+use super::settings::{Method, RunSettings, Saving};
+use crate::model::precision::Precision;
+use crate::results::about::Source;
+use crate::results::block::bytes_a_cell;
+use crate::results::collector::{OutcomeCollector, Saver};
+use crate::results::outcomes::Outcomes;
+use crate::results::reader::missing;
+use crate::results::saved_tiles::SavedTiles;
+use crate::results::store::{Contents, Store};
+use crate::results::store_error::StoreError;
+use crate::results::tiling::Tiling;
+use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
+use crate::stepping::outcome::Outcome;
+
+/// A sweep that is ready to run.
+pub struct Job {
+    /// Its plan, with the scene.
+    pub plan: Plan,
+    /// Its cells.
+    pub grid: Grid,
+    /// What runs them: one backend, or several GPUs that are alike.
+    pub backends: Vec<Backend>,
+    /// Errors of GPUs that are listed and were skipped.
+    pub passed_over: Vec<BackendError>,
+    /// The cells wanted.
+    pub wanted: Range<usize>,
+    settings: RunSettings,
+    opened: Duration,
+    saved: Option<(Store, SavedTiles)>,
+    left: Vec<Range<usize>>,
+}
+
+/// The result of a job: a map, or a part of one.
+pub enum SweepResult {
+    /// A whole map.
+    Map(Box<MapSweep>),
+    /// A part of one.
+    Part(Box<PartSweep>),
+}
+
+/// A part of a map that was run.
+pub struct PartSweep {
+    /// Its folder.
+    pub folder: PathBuf,
+    /// What ran it.
+    pub report: Report,
+    /// GPUs that were lost on the way, by their numbers, each with its error.
+    pub lost: Vec<(usize, BackendError)>,
+}
+
+/// Time that a batch takes at least, however often what is done is to be saved.
+const SHORTEST_BATCH: Duration = Duration::from_millis(500);
+/// Time that a batch takes where nothing is saved.
+const BATCH: Duration = Duration::from_secs(2);
+/// How much slower than a batch a sample may be: it fills vectors badly, and prepares a record's motions for
+/// few cells.
+const SAMPLE_SLOWER: f64 = 4.0;
+/// Cells of the first batch where no sample told how long they take: few, for they may take a second each.
+const UNKNOWN: usize = 1 << 5;
+
+impl Job {
+    /// Makes a scene's sweep ready, with `axes` in place of its numbers: opens the backends, and the folder
+    /// in which what is done is saved.
+    ///
+    /// # Errors
+    /// [`SweepError`]: numbers that make no sense, no backend, a folder that another run has.
+    pub fn open(
+        scene: &Scene,
+        axes: &[(Parameter, Values)],
+        settings: &RunSettings,
+    ) -> Result<Job, SweepError> {
+        let mut scene = scene.clone();
+        for (parameter, values) in axes {
+            scene.set(*parameter, values.clone());
+        }
+        scene.check()?;
+        let plan = settings.method.plan(&scene)?;
+        let grid = Grid::of(&scene);
+        let saving = settings.saving.as_ref();
+        let wanted = wanted(&grid, saving)?;
+        let opening = Instant::now();
+        let OpenBackends { backends, passed_over } =
+            settings.backend.open(settings.method.precision, &settings.adapters)?;
+        let opened = opening.elapsed();
+        // A request opens one backend at least.
+        let saved = saving.map(|saving| saved(&plan, &grid, &backends[0], settings, saving));
+        let saved = saved.transpose()?;
+        let done = saved.as_ref().map(|(_, found)| found.done()).unwrap_or_default();
+        let left = missing(&done, &wanted);
+        let settings = settings.clone();
+        Ok(Job { plan, grid, backends, passed_over, wanted, settings, opened, saved, left })
+    }
+
+    /// How cells are computed.
+    pub fn method(&self) -> &Method {
+        &self.settings.method
+    }
+
+    /// Cells that have not run.
+    pub fn left(&self) -> usize {
+        self.left.iter().map(Range::len).sum()
+    }
+
+    /// Files of an earlier run that are not whole, and are run again: each with what is wrong.
+    pub fn broken(&self) -> &[(PathBuf, &'static str)] {
+        self.saved.as_ref().map_or(&[], |(_, found)| &found.broken)
+    }
+
+    /// What the cells that are left will take, from a sample of them.
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn estimate(&self, progress: &dyn Progress) -> Result<Estimate, SweepError> {
+        let scene = &self.plan.scene;
+        Estimate::of(scene, &self.settings.method, &self.backends[0], self.left(), progress)
+    }
+
+    /// Bytes that the columns of so many cells take in memory.
+    pub fn bytes(&self, cells: usize) -> u64 {
+        cells as u64 * bytes_a_cell(self.columns()) as u64
+    }
+
+    /// True where the map is held in memory until it is written.
+    pub fn holds(&self) -> bool {
+        self.settings.saving.as_ref().is_none_or(|saving| {
+            saving.part.is_none() && self.bytes(self.grid.len()) <= saving.memory
+        })
+    }
+
+    /// The number type of its columns.
+    fn columns(&self) -> Precision {
+        self.backends[0].columns(self.settings.method.precision)
+    }
+
+    /// Runs what is left; `estimate` tells how many cells a batch may have.
+    ///
+    /// # Errors
+    /// [`SweepError`]; where something was saved, [`SweepError::Stopped`] says how much.
+    pub fn run(
+        self,
+        estimate: Option<&Estimate>,
+        observer: &dyn Observer,
+    ) -> Result<SweepResult, SweepError> {
+        let (outcomes, work) = self.collect(estimate, observer)?;
+        let report = self.report(estimate, &work);
+        let Job { plan, grid, settings, saved, .. } = self;
+        let store = saved.map(|(store, _)| store);
+        let Some(outcomes) = outcomes else {
+            let Some(store) = store else { return Err(StoreError::Incomplete.into()) };
+            let resumed = report.resumed_cells == report.cells;
+            let folder = store.finish(&report, resumed)?;
+            return Ok(SweepResult::Part(Box::new(PartSweep { folder, report, lost: work.lost })));
+        };
+        let lost = work.lost;
+        let parts = vec![(None, report)];
+        let sweep = MapSweep {
+            plan,
+            grid,
+            method: settings.method,
+            outcomes,
+            parts,
+            lost,
+            verification: None,
+            store,
+        };
+        Ok(SweepResult::Map(Box::new(sweep)))
+    }
+
+    /// The outcomes of all cells, but for a part, which stays on disk.
+    fn collect(
+        &self,
+        estimate: Option<&Estimate>,
+        observer: &dyn Observer,
+    ) -> Result<(Option<Box<dyn Outcomes>>, WorkReport), SweepError> {
+        let mut collector = self.collector()?;
+        let work = self.work(estimate, observer, |first, some| collector.take(first, some));
+        self.plan.forget();
+        let work = match work {
+            Ok(work) => work,
+            Err(error) => {
+                // What was done is to be found again; where it cannot be saved, that error was the first.
+                let _ = collector.rescue();
+                let saved = collector.cells_on_disk();
+                return Err(self.stopped(error, saved));
+            }
+        };
+        let part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+        if part {
+            collector.finish_part()?;
+            return Ok((None, work));
+        }
+        Ok((Some(collector.finish()?), work))
+    }
+
+    fn collector(&self) -> Result<OutcomeCollector<'_>, SweepError> {
+        let wanted = self.wanted.clone();
+        let (Some((store, found)), Some(saving)) = (&self.saved, &self.settings.saving) else {
+            let tiling = Tiling::of(&self.grid);
+            return Ok(OutcomeCollector::in_memory(tiling, self.columns(), wanted));
+        };
+        let saver = Saver { store, patience: saving.every, holds: self.holds() };
+        Ok(OutcomeCollector::saving(saver, found, wanted)?)
+    }
+
+    /// An error of a run of which so many cells are saved.
+    fn stopped(&self, error: SweepError, saved: usize) -> SweepError {
+        match &self.saved {
+            Some((store, _)) if saved > 0 => SweepError::Stopped {
+                error: Box::new(error),
+                saved,
+                cells: self.wanted.len(),
+                folder: store.path().to_path_buf(),
+            },
+            _ => error,
+        }
+    }
+
+    /// Runs what is left on all backends; `keep` is handed outcomes with the number of the first cell.
+    fn work(
+        &self,
+        estimate: Option<&Estimate>,
+        observer: &dyn Observer,
+        keep: impl FnMut(usize, &[Outcome]) -> Result<(), StoreError> + Send,
+    ) -> Result<WorkReport, SweepError> {
+        let Job { plan, grid, backends, .. } = self;
+        let Method { precision, resolve, .. } = self.settings.method;
+        let cells = self.left();
+        observer.begins(Phase::Sweeping, if resolve { 2 * cells } else { cells });
+        let saving = self.settings.saving.as_ref();
+        let every = saving.map(|saving| saving.every);
+        let worker = |backend| -> Worker<'_> {
+            let backend: &Backend = backend;
+            Box::new(move |cells, hand_over| {
+                let (first, last) = (cells.start, Mutex::new(Instant::now()));
+                let watch = BatchWatch { observer, first, hand_over, every, last };
+                backend.sweep_range(plan, grid, cells, precision, resolve, &watch)
+            })
+        };
+        let workers: Vec<Worker> = backends.iter().map(worker).collect();
+        // Several workers are all to have some, and to end together.
+        let most = match workers.len() {
+            1 => backends[0].batch(),
+            several => backends[0].batch().min(cells.div_ceil(4 * several).max(1)),
+        };
+        let takes = saving.map_or(BATCH, |saving| saving.every.max(SHORTEST_BATCH));
+        // Cells that are slow are to be saved in time, too.
+        let first = estimate.map_or(UNKNOWN, |estimate| {
+            (SAMPLE_SLOWER * estimate.rate * takes.as_secs_f64()) as usize
+        });
+        let sizes = match backends[0].gives_snapshots() {
+            true => Sizes::fixed(most),
+            false => Sizes { first, most, takes },
+        };
+        batches::sweep(&workers, &self.left, sizes, keep).map_err(|error| match error {
+            BatchError::Backend(error) => error.into(),
+            BatchError::Keep(error) => SweepError::from(error),
+        })
+    }
+
+    fn report(&self, estimate: Option<&Estimate>, work: &WorkReport) -> Report {
+        let sampled = estimate.map_or(Duration::ZERO, |estimate| estimate.compile);
+        let backend = &self.backends[0];
+        Report {
+            first: self.wanted.start,
+            cells: self.wanted.len(),
+            backend: backend.name().into(),
+            adapter: backend.adapter().cloned(),
+            devices: self.backends.len(),
+            threads: threads(),
+            start: (self.opened + sampled + work.compile).as_secs_f64(),
+            sweep: work.elapsed.as_secs_f64(),
+            resumed_cells: self.wanted.len() - self.left(),
+        }
+    }
+}
+
+/// Hears of a batch: passes on to the observer what it is to know, and outcomes to who saves them.
+struct BatchWatch<'a> {
+    observer: &'a dyn Observer,
+    /// The batch's first cell.
+    first: usize,
+    hand_over: &'a HandOver<'a>,
+    /// Time between two snapshots; none where nothing is saved.
+    every: Option<Duration>,
+    last: Mutex<Instant>,
+}
+
+impl Progress for BatchWatch<'_> {
+    fn advance(&self, cells: usize) {
+        self.observer.advance(cells);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.observer.cancelled()
+    }
+
+    fn wants_snapshot(&self) -> bool {
+        let Some(every) = self.every else { return false };
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        let wants = last.elapsed() >= every.max(SHORTEST_BATCH);
+        if wants {
+            *last = Instant::now();
+        }
+        wants
+    }
+
+    fn snapshot(&self, outcomes: &[Outcome]) {
+        if self.every.is_some() {
+            (self.hand_over)(self.first, outcomes.to_vec());
+        }
+    }
+}
+
+/// The cells to run.
+fn wanted(grid: &Grid, saving: Option<&Saving>) -> Result<Range<usize>, SceneError> {
+    let Some(part) = saving.and_then(|saving| saving.part) else { return Ok(0..grid.len()) };
+    let cells = part.cells(grid.len());
+    if cells.is_empty() {
+        let problem = format!("part {part} of {} cells has none; give fewer parts", grid.len());
+        return Err(SceneError { key: "tile", problem });
+    }
+    Ok(cells)
+}
+
+/// The folder in which the run saves what is done, and what an earlier one left there.
+fn saved(
+    plan: &Plan,
+    grid: &Grid,
+    backend: &Backend,
+    settings: &RunSettings,
+    saving: &Saving,
+) -> Result<(Store, SavedTiles), SweepError> {
+    let content = Content::new(&plan.scene, backend, &settings.method, saving.part);
+    let identity = content.identity().map_err(io::Error::from)?;
+    let source = Source { scene: &plan.scene, precision: content.columns() };
+    let contents = Contents { grid, source };
+    Ok(Store::open(&saving.directory, identity, contents, saving.resume)?)
+}

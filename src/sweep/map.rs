@@ -1,0 +1,175 @@
+//! A finished sweep: outcomes, what ran them, and the reference's word on a sample of them.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::backend::Backend;
+use super::backend_error::BackendError;
+use super::error::SweepError;
+use super::observed::ObservedOutcomes;
+use super::observer::{Observer, Phase};
+use super::parts::Parts;
+use super::plan::Plan;
+use super::report::Report;
+use super::settings::Method;
+use super::verification::{self, Verification};
+use crate::model::precision::Precision;
+use crate::results::about::Source;
+use crate::results::block::Block;
+use crate::results::columns::{Column, Holds};
+use crate::results::outcomes::{Outcomes, each_block};
+use crate::results::saved_tiles::SavedTiles;
+use crate::results::store::Store;
+use crate::results::store_error::StoreError;
+use crate::results::tally::{self, Tally};
+use crate::scene::Grid;
+use crate::stepping::outcome::Outcome;
+
+/// A map that was run.
+pub struct MapSweep {
+    /// Its plan, with the scene.
+    pub plan: Plan,
+    /// Its cells.
+    pub grid: Grid,
+    /// How they were computed.
+    pub method: Method,
+    /// What became of them.
+    pub outcomes: Box<dyn Outcomes>,
+    /// What ran them, part by part; a part of another run has a folder.
+    pub parts: Vec<(Option<PathBuf>, Report)>,
+    /// GPUs that were lost on the way, by their numbers, each with its error.
+    pub lost: Vec<(usize, BackendError)>,
+    /// What the reference says of a sample, where it was asked.
+    pub verification: Option<Verification>,
+    /// Where they are saved.
+    pub(super) store: Option<Store>,
+}
+
+impl MapSweep {
+    /// The map of parts; `store` is the folder of the directory that it is to be written to.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn of_parts(parts: Parts, store: Option<Store>) -> Result<MapSweep, SweepError> {
+        let Parts { content, reports, reader } = parts;
+        let parts = reports.into_iter().map(|(folder, report)| (Some(folder), report)).collect();
+        Ok(MapSweep {
+            plan: content.method.plan(&content.scene)?,
+            grid: Grid::of(&content.scene),
+            method: content.method,
+            outcomes: Box::new(reader),
+            parts,
+            lost: Vec::new(),
+            verification: None,
+            store,
+        })
+    }
+
+    /// The number type of its columns: f64 where the reference ran any of it.
+    pub fn precision(&self) -> Precision {
+        let by_reference = |(_, report): &(_, Report)| report.backend == Backend::Reference.name();
+        if self.parts.iter().any(by_reference) { Precision::F64 } else { self.method.precision }
+    }
+
+    /// What its files are of.
+    pub fn source(&self) -> Source<'_> {
+        Source { scene: &self.plan.scene, precision: self.precision() }
+    }
+
+    /// The outcome of a cell.
+    ///
+    /// # Errors
+    /// Those of reading, where it is on disk.
+    pub fn outcome(&self, cell: usize) -> io::Result<Outcome> {
+        Ok(self.outcomes.read(cell..cell + 1, &Column::ALL)?[0])
+    }
+
+    /// A column as numbers, one a cell in the grid's order: codes by their place in
+    /// [`Class::ALL`](crate::stepping::outcome::Class::ALL) or
+    /// [`STATUS_NAMES`](crate::results::columns::STATUS_NAMES), a time that a cell does not have not a number.
+    ///
+    /// # Errors
+    /// Those of reading, where they are on disk.
+    pub fn column(&self, column: Column) -> io::Result<Vec<f64>> {
+        let mut values = Vec::with_capacity(self.grid.len());
+        let holds: Holds = column.entry().holds;
+        each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
+            values.extend(block.iter().map(|cell| holds.number(cell)));
+            Ok(())
+        })?;
+        Ok(values)
+    }
+
+    /// Counts its cells.
+    ///
+    /// # Errors
+    /// Those of reading; [`SweepError::Read`] where it is cancelled.
+    pub fn tally(&self, observer: &dyn Observer) -> Result<Tally, SweepError> {
+        observer.begins(Phase::Counting, self.grid.len() * tally::COLUMNS.len());
+        Ok(Tally::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
+    }
+
+    /// Runs a sample of its cells again by the reference.
+    ///
+    /// # Errors
+    /// Those of reading; where it is cancelled, [`SweepError::is_cancelled`] is true of it.
+    pub fn verify(&self, size: usize, observer: &dyn Observer) -> Result<Verification, SweepError> {
+        // The sample is chosen in two readings of a column.
+        observer.begins(Phase::Choosing, 2 * self.grid.len());
+        let watched = ObservedOutcomes::new(&*self.outcomes, observer);
+        let sample = verification::sample(&self.grid, &watched, size)?;
+        observer.begins(Phase::Verifying, sample.0.len());
+        let sampled =
+            verification::verify_sample(&self.plan, &self.grid, &*self.outcomes, sample, observer)?;
+        sampled.ok_or(BackendError::Cancelled.into())
+    }
+
+    /// Writes it as a Zarr group, in the place of one that is there. `observer` hears of its tiles' cells. What
+    /// was saved while it ran is used for it, and goes.
+    ///
+    /// # Errors
+    /// Those of the disk; a map without a directory to be saved in has none to be written to.
+    pub fn publish(self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
+        let Some(store) = self.store else { return Err(StoreError::Incomplete.into()) };
+        let whole = SavedTiles::in_folder(store.path(), store.tiling(), store.tag(), &|_| ())?;
+        let tiling = store.tiling().clone();
+        observer.begins(Phase::Writing, self.grid.len());
+        for tile in 0..tiling.count() {
+            let cells = tiling.cells(tile);
+            let saved = whole.tiles.iter().find(|saved| saved.tile == tile);
+            if saved.is_none_or(|saved| saved.done != [cells.clone()]) {
+                let mut block = Block::pending(cells.len(), store.precision());
+                block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
+                store.save(tile, &block)?;
+            }
+            observer.advance(cells.len());
+            if observer.cancelled() {
+                return Err(BackendError::Cancelled.into());
+            }
+        }
+        drop(self.outcomes);
+        Ok(store.publish(place)?)
+    }
+
+    /// An error of the work on it, with where it is saved, if it is.
+    pub fn stopped(&self, error: SweepError) -> SweepError {
+        match &self.store {
+            Some(store) if store.is_used() => SweepError::Stopped {
+                error: Box::new(error),
+                saved: self.grid.len(),
+                cells: self.grid.len(),
+                folder: store.path().to_path_buf(),
+            },
+            _ => error,
+        }
+    }
+
+    /// Takes away what was saved while it ran: its files are written.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn discard_saved(self) -> Result<(), SweepError> {
+        drop(self.outcomes);
+        self.store.map_or(Ok(()), Store::discard).map_err(SweepError::from)
+    }
+}

@@ -1,0 +1,43 @@
+//! Who watches a sweep: its phases and its cells; and may end it.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::progress::{Progress, Unwatched};
+
+/// What a sweep is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Phase {
+    /// Cells run; those that run twice count twice.
+    Sweeping,
+    /// Outcomes are counted, in cells times columns.
+    Counting,
+    /// The reference's sample is chosen: all cells are read twice, and counted so.
+    Choosing,
+    /// The reference runs its sample, in cells.
+    Verifying,
+    /// Files are written, in cells.
+    Writing,
+}
+
+/// Hears of a sweep's phases and progress; its [`Progress::cancelled`] ends the sweep within a tenth of a
+/// second.
+pub trait Observer: Progress {
+    /// Hears that a phase begins, and how much there is to do.
+    fn begins(&self, phase: Phase, total: usize) {
+        let _ = (phase, total);
+    }
+}
+
+impl Observer for Unwatched {}
+
+/// A flag that ends a sweep when it is set.
+impl Progress for AtomicBool {
+    fn advance(&self, _: usize) {}
+
+    fn cancelled(&self) -> bool {
+        self.load(Ordering::Relaxed)
+    }
+}
+
+impl Observer for AtomicBool {}

@@ -1,0 +1,193 @@
+//! Finished parts, joined: all cells once, of one scene, run in one way.
+
+use std::fs;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use super::backend::Backend;
+use super::error::SweepError;
+use super::identity::{Content, FREE};
+use super::parts_error::PartsError;
+use super::progress::Progress;
+use super::report::Report;
+use crate::model::precision::Precision;
+use crate::results::about::Source;
+use crate::results::identity::Identity;
+use crate::results::part;
+use crate::results::reader::{PartFolder, TileReader, missing};
+use crate::results::saved_tiles::SavedTiles;
+use crate::results::store::{Contents, IDENTITY, REPORT, Store};
+use crate::results::store_error::StoreError;
+use crate::results::tiling::Tiling;
+use crate::scene::Grid;
+
+/// A finished part.
+#[derive(Debug)]
+struct Piece {
+    place: PathBuf,
+    identity: Identity,
+    content: Content,
+    report: Report,
+    cells: Range<usize>,
+}
+
+/// All parts of a map.
+#[derive(Debug)]
+pub struct Parts {
+    /// What they are parts of; the first one's in what ran it.
+    pub content: Content,
+    /// The parts' folders and reports, by their first cells.
+    pub reports: Vec<(PathBuf, Report)>,
+    /// Their cells.
+    pub reader: TileReader,
+}
+
+impl Parts {
+    /// Finds the parts in directories, each a run's or a part's own, and joins them; `progress` hears of
+    /// cells that are found whole.
+    ///
+    /// # Errors
+    /// [`PartsError`].
+    pub fn join(directories: &[PathBuf], progress: &dyn Progress) -> Result<Parts, PartsError> {
+        let mut pieces = Vec::new();
+        for directory in directories {
+            for place in folders(directory)? {
+                pieces.push(Piece::read(place, progress)?);
+            }
+        }
+        let first = pieces.first().ok_or_else(|| PartsError::None(PathBuf::new()))?;
+        for piece in &pieces {
+            if let Some(difference) = first.identity.difference_but(piece.identity.text(), &FREE) {
+                let (place, first) = (piece.place.clone(), first.place.clone());
+                return Err(PartsError::Other { place, first, difference });
+            }
+        }
+        let grid = Grid::of(&first.content.scene);
+        pieces.sort_by_key(|piece| piece.cells.start);
+        seamless(&pieces, &grid)?;
+        let content = pieces[0].content.whole();
+        let mut held = Vec::new();
+        let mut reports = Vec::new();
+        for piece in pieces {
+            let precision = piece.content.columns();
+            held.push(PartFolder { cells: piece.cells, folder: piece.place.clone(), precision });
+            reports.push((piece.place, piece.report));
+        }
+        let reader = TileReader::new(Tiling::of(&grid), held, grid.len());
+        let overlap = || PartsError::Unreadable {
+            place: reports[0].0.clone(),
+            reason: "its tiles overlap".into(),
+        };
+        let reader = reader.ok_or_else(overlap)?;
+        Ok(Parts { content, reports, reader })
+    }
+}
+
+impl Parts {
+    /// The folder in a directory that the map is to be written to: no other run writes there, and what an
+    /// earlier, interrupted joining of the same map saved is used.
+    ///
+    /// # Errors
+    /// [`StoreError`]: another run is there, or an unfinished one of something else.
+    pub fn store(&self, directory: &Path) -> Result<Store, SweepError> {
+        let identity = self.content.identity().map_err(io::Error::from)?;
+        let grid = Grid::of(&self.content.scene);
+        let by_reference = |(_, report): &(_, Report)| report.backend == Backend::Reference.name();
+        let mixed = self.reports.iter().any(by_reference);
+        let precision = if mixed { Precision::F64 } else { self.content.columns() };
+        let source = Source { scene: &self.content.scene, precision };
+        let contents = Contents { grid: &grid, source };
+        Ok(Store::open(directory, identity, contents, true)?.0)
+    }
+}
+
+impl Piece {
+    fn read(place: PathBuf, progress: &dyn Progress) -> Result<Piece, PartsError> {
+        let text = |name: &str| {
+            let path = place.join(name);
+            fs::read_to_string(&path).map_err(StoreError::file(&path))
+        };
+        let unreadable = |name: &str, e: serde_json::Error| PartsError::Unreadable {
+            place: place.join(name),
+            reason: e.to_string(),
+        };
+        let written = text(IDENTITY)?;
+        let content = Content::read(&written).map_err(|error| unreadable(IDENTITY, error))?;
+        let identity = Identity::new(written, content.part);
+        let grid = Grid::of(&content.scene);
+        let found = SavedTiles::in_folder(&place, &Tiling::of(&grid), identity.tag(), &|cells| {
+            progress.advance(cells)
+        })?;
+        let done = found.done();
+        if let Some((place, reason)) = found.broken.into_iter().next() {
+            return Err(PartsError::Broken { place, reason });
+        }
+        let cells = content.part.map_or(0..grid.len(), |part| part.cells(grid.len()));
+        if let Some(cells) = missing(&done, &cells).first() {
+            return Err(PartsError::Unfinished { place, cells: words(cells) });
+        }
+        if !place.join(REPORT).exists() {
+            let cells = "its report and perhaps more".into();
+            return Err(PartsError::Unfinished { place, cells });
+        }
+        let report =
+            serde_json::from_str(&text(REPORT)?).map_err(|error| unreadable(REPORT, error))?;
+        Ok(Piece { identity, content, report, cells, place })
+    }
+}
+
+/// The parts' folders in a run's directory, or the directory if it is such a folder itself.
+fn folders(directory: &Path) -> Result<Vec<PathBuf>, PartsError> {
+    if directory.join(IDENTITY).exists() {
+        return Ok(vec![directory.to_path_buf()]);
+    }
+    let failed = StoreError::file(directory);
+    let mut folders = Vec::new();
+    for entry in fs::read_dir(directory).map_err(&failed)? {
+        let entry = entry.map_err(&failed)?;
+        let is_part = entry.file_name().to_string_lossy().starts_with(part::FOLDER);
+        if is_part && entry.path().join(IDENTITY).exists() {
+            folders.push(entry.path());
+        }
+    }
+    if folders.is_empty() {
+        return Err(PartsError::None(directory.to_path_buf()));
+    }
+    folders.sort();
+    Ok(folders)
+}
+
+/// Refuses cells that two parts hold, or none.
+fn seamless(pieces: &[Piece], grid: &Grid) -> Result<(), PartsError> {
+    let gap = |cells: Range<usize>| {
+        let named = pieces.iter().filter_map(|piece| piece.content.part);
+        let lost = named.clone().next().and_then(|part| part.missing_beside(named));
+        let hint = lost.map_or("give every part".into(), |part| format!("part {part} is missing"));
+        Err(PartsError::Gap { cells: words(&cells), hint })
+    };
+    for pair in pieces.windows(2) {
+        let [one, other] = pair else { continue };
+        if other.cells.start < one.cells.end {
+            let both = other.cells.start..one.cells.end.min(other.cells.end);
+            let (one, other) = (one.place.clone(), other.place.clone());
+            return Err(PartsError::Overlap { one, other, cells: words(&both) });
+        }
+        if other.cells.start > one.cells.end {
+            return gap(one.cells.end..other.cells.start);
+        }
+    }
+    let (first, last) = (&pieces[0].cells, &pieces[pieces.len() - 1].cells);
+    if first.start > 0 {
+        return gap(0..first.start);
+    }
+    if last.end < grid.len() {
+        return gap(last.end..grid.len());
+    }
+    Ok(())
+}
+
+/// A run of cells as a reader numbers them: both ends counted in, from 0.
+fn words(cells: &Range<usize>) -> String {
+    format!("cells {} to {}", cells.start, cells.end - 1)
+}

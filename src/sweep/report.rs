@@ -1,0 +1,33 @@
+//! How a sweep, or a part of one, was run.
+
+use serde::{Deserialize, Serialize};
+
+use super::description::AdapterDescription;
+
+/// How a part was run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// The first of its cells.
+    pub first: usize,
+    /// How many they are.
+    pub cells: usize,
+    /// gpu, cpu or reference.
+    pub backend: String,
+    /// The adapter, for a GPU.
+    pub adapter: Option<AdapterDescription>,
+    /// GPUs, or one.
+    pub devices: usize,
+    /// Threads of the CPU.
+    pub threads: usize,
+    /// Seconds to open the backend and compile the shader.
+    pub start: f64,
+    /// Seconds of the sweep, of the cells that the last run of the part had left.
+    pub sweep: f64,
+    /// Cells that an earlier, interrupted run had done.
+    pub resumed_cells: usize,
+}
+
+/// Threads that a sweep on the CPU takes.
+pub fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}

@@ -1,0 +1,55 @@
+//! The one way to run a sweep.
+
+use super::error::SweepError;
+use super::job::{Job, SweepResult};
+use super::map::MapSweep;
+use super::observer::Observer;
+use super::settings::RunSettings;
+use crate::scene::{Parameter, Scene, SceneError, Values};
+
+/// Cells of a run that is over before a sample of it would be.
+pub const SMALL: usize = 10_000;
+
+/// Sweeps a scene over axes, which take the place of its own numbers, and has the reference verify a sample
+/// of the cells. `observer` hears of phases and progress and may end it; [`Unwatched`] does neither, and a
+/// flag ([`AtomicBool`](std::sync::atomic::AtomicBool)) only ends it.
+///
+/// With [`RunSettings::saving`] finished cells are saved as the sweep goes on, and an interrupted one resumes.
+/// What is saved stays until [`MapSweep::discard_saved`] removes it or [`MapSweep::publish`] makes it the
+/// map.zarr; until then only a run that resumes may begin in the same directory. To run a part of a grid use a
+/// [`Job`]: this function returns whole maps only.
+///
+/// # Errors
+/// [`SweepError`]: numbers or settings that make no sense, by their keys; a backend that failed; a directory
+/// that cannot be written; an observer that ended it.
+///
+/// [`Unwatched`]: super::progress::Unwatched
+pub fn sweep(
+    scene: &Scene,
+    axes: &[(Parameter, Values)],
+    settings: &RunSettings,
+    observer: &dyn Observer,
+) -> Result<MapSweep, SweepError> {
+    if settings.saving.as_ref().is_some_and(|saving| saving.part.is_some()) {
+        let problem = "a part is no map; run it as a job".into();
+        return Err(SceneError { key: "tile", problem }.into());
+    }
+    let job = Job::open(scene, axes, settings)?;
+    let estimate = match job.left() {
+        few if few < SMALL => None,
+        _ => Some(job.estimate(observer)?),
+    };
+    match job.run(estimate.as_ref(), observer)? {
+        SweepResult::Map(mut map) => {
+            if settings.verify > 0 {
+                let verified = map.verify(settings.verify, observer);
+                map.verification = Some(verified.map_err(|error| map.stopped(error))?);
+            }
+            Ok(*map)
+        }
+        SweepResult::Part(..) => {
+            let problem = "a part is no map; run it as a job".into();
+            Err(SceneError { key: "tile", problem }.into())
+        }
+    }
+}

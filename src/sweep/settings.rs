@@ -1,0 +1,105 @@
+//! How a sweep is run: on what, how finely, and where what is done is saved.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::clock::DEFAULT_STEP;
+use super::plan::Plan;
+use super::request::BackendRequest;
+use super::verification::SAMPLE;
+use crate::model::precision::Precision;
+use crate::results::part::Part;
+use crate::scene::{Scene, SceneError};
+
+/// How cells are computed: all that a map depends on beside its scene and its backend.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Method {
+    /// Number type.
+    pub precision: Precision,
+    /// Largest step, s.
+    pub largest_step: f64,
+    /// Each cell runs twice, the second time with half the step and in f64; where the outcome changes the
+    /// cell is unresolved.
+    pub resolve: bool,
+    /// The shortcuts that cannot change the result are turned off.
+    pub full_model: bool,
+}
+
+impl Default for Method {
+    fn default() -> Method {
+        let precision = Precision::F32;
+        Method { precision, largest_step: DEFAULT_STEP, resolve: false, full_model: false }
+    }
+}
+
+impl Method {
+    /// The plan of a scene.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
+        let plan = Plan::new(scene, self.largest_step)?;
+        Ok(if self.full_model { plan.full_model() } else { plan })
+    }
+}
+
+/// How a sweep is run.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RunSettings {
+    /// What to compute on.
+    pub backend: BackendRequest,
+    /// GPUs by their numbers; empty: all of the best one's kind.
+    pub adapters: Vec<usize>,
+    /// How cells are computed.
+    pub method: Method,
+    /// Cells that the reference runs again; 0: no verification.
+    pub verify: usize,
+    /// Where what is done is saved; nowhere without it, and the map is held in memory.
+    pub saving: Option<Saving>,
+}
+
+impl Default for RunSettings {
+    fn default() -> RunSettings {
+        RunSettings {
+            backend: BackendRequest::Auto,
+            adapters: Vec::new(),
+            method: Method::default(),
+            verify: SAMPLE,
+            saving: None,
+        }
+    }
+}
+
+/// Where and when what is done is saved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Saving {
+    /// The directory; a folder `unfinished`, or a part's, is made in it.
+    pub directory: PathBuf,
+    /// Go on with an interrupted run there.
+    pub resume: bool,
+    /// Least time between two savings.
+    pub every: Duration,
+    /// Bytes that the columns may take in memory; of a larger map what is done lies on disk only.
+    pub memory: u64,
+    /// Run this part of the grid only, and leave it there.
+    pub part: Option<Part>,
+}
+
+/// Bytes that the columns of a map may take in memory unless told otherwise.
+const MEMORY: u64 = 1 << 30;
+
+impl Saving {
+    /// Saves a whole map in a directory every two seconds, nothing to resume.
+    pub fn to(directory: impl Into<PathBuf>) -> Saving {
+        Saving {
+            directory: directory.into(),
+            resume: false,
+            every: Duration::from_secs(2),
+            memory: MEMORY,
+            part: None,
+        }
+    }
+}
