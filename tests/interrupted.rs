@@ -22,7 +22,7 @@ use topple::results::reader::{PartFolder, TileReader, missing};
 use topple::results::saved_tiles::SavedTiles;
 use topple::results::store::{Contents, Store};
 use topple::results::store_error::StoreError;
-use topple::results::tile::{check, decode_all, encode};
+use topple::results::tile::{check, decode_all, encode, pack};
 use topple::results::tiling::Tiling;
 use topple::results::zarr;
 use topple::scene::{Grid, Scene};
@@ -74,7 +74,8 @@ fn block(outcomes: &[Outcome], precision: Precision) -> Block {
 
 /// The chunks of a block in a tile of 6 cells, by their arrays.
 fn chunks(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
-    zarr::columns().map(|(array, column)| (array, encode(array, column, block, 6, tag))).collect()
+    let chunk = |(array, column)| (array, pack(&encode(array, column, block, 6), tag, array));
+    zarr::columns().map(chunk).collect()
 }
 
 #[test]
@@ -107,17 +108,21 @@ fn a_tile_holds_its_outcomes_bit_by_bit() {
 #[test]
 fn a_damaged_tile_is_refused() {
     for (array, bytes) in chunks(&block(&outcomes(), Precision::F64), 7) {
-        assert_eq!(check(&bytes, 7), Ok(()));
+        assert_eq!(check(&bytes, 7, array), Ok(()));
         for length in 0..bytes.len() {
-            assert!(check(&bytes[..length], 7).is_err(), "{array}: {length} bytes pass for whole");
+            assert!(
+                check(&bytes[..length], 7, array).is_err(),
+                "{array}: {length} bytes pass for whole"
+            );
         }
         for bit in 0..8 * bytes.len() {
             let mut damaged = bytes.clone();
             damaged[bit / 8] ^= 1 << (bit % 8);
-            assert_eq!(check(&damaged, 7), Err("damaged"), "{array}: bit {bit} passes");
+            assert_eq!(check(&damaged, 7, array), Err("damaged"), "{array}: bit {bit} passes");
         }
-        assert!(check(&[&bytes[..], &[0]].concat(), 7).is_err());
-        assert_eq!(check(&bytes, 8), Err("a tile of another run"));
+        assert!(check(&[&bytes[..], &[0]].concat(), 7, array).is_err());
+        assert_eq!(check(&bytes, 8, array), Err("a tile of another run"));
+        assert_eq!(check(&bytes, 7, "other"), Err("a file of another tile or column"));
     }
 }
 
@@ -271,6 +276,75 @@ fn a_damaged_tile_is_run_again() {
         assert_eq!(missing(&found.done(), &(65_000..70_000)), vec![65_000..70_000; 1]);
         assert_eq!(missing(&found.done(), &(0..12)), vec![4..8; 1]);
         assert!(found.broken.contains(&(path.clone(), said)) && !path.exists(), "{array}");
+    }
+}
+
+/// Files of one run that change places are found: of two columns, of two tiles.
+#[test]
+fn files_that_change_places_are_found() {
+    for [one, other] in [["zeta/c/0/0", "max_u/c/0/0"], ["status/c/0/0", "status/c/1/0"]] {
+        let out = TempDir::new().unwrap();
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+        save(&store, 0);
+        save(&store, 1);
+        drop(store);
+        let [one, other] = [one, other].map(|name| out.path().join("unfinished").join(name));
+        let aside = out.path().join("aside");
+        for (from, to) in [(&one, &aside), (&other, &one), (&aside, &other)] {
+            fs::rename(from, to).unwrap();
+        }
+        let (_store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
+        let wrong = |path: &Path| found.broken.iter().any(|(broken, _)| broken == path);
+        assert!(wrong(&one) && wrong(&other), "{:?}", found.broken);
+    }
+}
+
+/// Columns of another width are no values, though every byte is as it was written.
+#[test]
+fn a_chunk_of_another_length_is_refused() {
+    let chunks = chunks(&block(&outcomes(), Precision::F64), 7);
+    let chunk = |array: &str| Ok::<_, ()>(chunks[array].clone());
+    assert!(decode_all((4, 6), Precision::F32, chunk).unwrap().is_none());
+    assert!(decode_all((4, 5), Precision::F64, chunk).unwrap().is_none());
+}
+
+/// What has no identity is no run's: it goes, and is not mixed with the next one's.
+#[test]
+fn a_folder_without_an_identity_is_cleared() {
+    let out = TempDir::new().unwrap();
+    let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+    save(&store, 0);
+    drop(store);
+    fs::remove_file(out.path().join("unfinished/identity.json")).unwrap();
+    let (store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
+    assert!(found.tiles.is_empty() && !out.path().join("unfinished/zeta").exists());
+    save(&store, 0);
+    drop(store);
+    fs::write(out.path().join("unfinished/identity.json"), [0xff, 0x7b]).unwrap();
+    let error = open(out.path(), &scene(0.2), Precision::F32, true).unwrap_err().to_string();
+    assert!(error.contains("its identity cannot be read") && error.len() < 300, "{error}");
+}
+
+/// A map takes the place of the one before as a whole, its documents made anew.
+#[test]
+fn a_published_map_replaces_the_one_before() {
+    let out = TempDir::new().unwrap();
+    let place = out.path().join("map.zarr");
+    fs::create_dir(&place).unwrap();
+    fs::write(place.join("old"), "").unwrap();
+    let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+    save(&store, 0);
+    for name in ["zarr.json", "zeta/zarr.json", "omega/c/0"] {
+        fs::remove_file(out.path().join("unfinished").join(name)).unwrap();
+    }
+    store.publish(&place).unwrap();
+    let names = |place: &Path| fs::read_dir(place).unwrap().count();
+    assert_eq!(names(out.path()), 1, "no leftovers");
+    for name in ["zarr.json", "zeta/zarr.json", "omega/c/0", "status/c/0/0"] {
+        assert!(place.join(name).exists(), "{name}");
+    }
+    for name in ["old", "identity.json", "lock"] {
+        assert!(!place.join(name).exists(), "{name}");
     }
 }
 

@@ -31,6 +31,7 @@ use topple::sweep::backend::{Backend, BackendOutcomes};
 use topple::sweep::backend_error::BackendError;
 use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
 use topple::sweep::identity::Content;
+use topple::sweep::parts::Parts;
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
 use topple::sweep::settings::Method;
@@ -357,6 +358,14 @@ fn parts_may_come_from_different_backends() {
     for name in ["contact.png", "displacement_u.svg", "boundaries.csv"] {
         assert!(merged.join(name).exists(), "{name}");
     }
+    // What a joining saves is no run's: neither takes the other's for its own.
+    let joined = |directories: &[PathBuf]| Parts::join(directories, &Unwatched).unwrap();
+    let both = [dir.path().join("one"), dir.path().join("other")];
+    let parts = joined(&both);
+    let whole = parts.content.whole();
+    let store = parts.store(&dir.path().join("joining")).unwrap();
+    assert_eq!(store.precision(), Precision::F64);
+    assert_ne!(store.tag(), whole.identity().unwrap().tag());
 }
 
 /// Tiles go to each of several devices; here the same adapter's, opened twice.

@@ -35,15 +35,18 @@ pub fn warn(text: impl Display) {
     eprintln!("topple: warning: {text}");
 }
 
+/// Settings that messages of the library name.
+const KEYS: [&str; 5] = ["adapter", "backend", "precision", "resume", "tile"];
+
 /// A message of the library with flags in the place of its keys: `resume` in backquotes is --resume.
 pub fn with_flags(text: &str) -> String {
     let mut flags = String::with_capacity(text.len());
     for (number, piece) in text.split('`').enumerate() {
-        if number % 2 == 1 {
-            flags.push_str("--");
-            flags.push_str(&piece.replace('_', "-"));
-        } else {
-            flags.push_str(piece);
+        match number % 2 {
+            1 if KEYS.contains(&piece) => flags.push_str(&format!("--{piece}")),
+            // What others quote, such as a field of a damaged file.
+            1 => flags.push_str(&format!("`{piece}`")),
+            _ => flags.push_str(piece),
         }
     }
     flags

@@ -152,7 +152,7 @@ impl Values {
     }
 
     /// True of values that a column can hold.
-    fn suit(&self, holds: Holds) -> bool {
+    pub(super) fn suit(&self, holds: Holds) -> bool {
         match (holds, self) {
             (Holds::Class, Values::Codes(codes)) => {
                 codes.iter().all(|code| usize::from(*code) < Class::ALL.len())

@@ -30,6 +30,26 @@ pub enum WriteError {
 /// How the names of files begin that are not whole yet.
 const TEMPORARY: &str = ".topple-";
 
+/// A name for what is not whole yet, or not needed any more: it goes when the next run begins.
+pub fn temporary(name: &str) -> String {
+    format!("{TEMPORARY}{name}.old")
+}
+
+/// Removes a file or a folder, if it is there.
+///
+/// # Errors
+/// Those of the disk.
+pub fn remove(path: &Path) -> io::Result<()> {
+    let removed = match path.symlink_metadata() {
+        Ok(there) if there.is_dir() => fs::remove_dir_all(path),
+        _ => fs::remove_file(path),
+    };
+    match removed {
+        Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
+        removed => removed,
+    }
+}
+
 /// A directory in which files appear whole or not at all.
 #[derive(Debug)]
 pub struct Directory {
@@ -58,11 +78,23 @@ impl Directory {
     /// # Errors
     /// [`WriteError::Directory`].
     pub fn remove_leftovers(&self) -> Result<(), WriteError> {
+        self.remove_those(|name| name.starts_with(TEMPORARY))
+    }
+
+    /// Removes all that is in it, but some names.
+    ///
+    /// # Errors
+    /// [`WriteError::Directory`].
+    pub fn clear(&self, but: &[&str]) -> Result<(), WriteError> {
+        self.remove_those(|name| !but.contains(&name))
+    }
+
+    fn remove_those(&self, goes: impl Fn(&str) -> bool) -> Result<(), WriteError> {
         let refused = |reason| WriteError::Directory { path: self.path.clone(), reason };
         for entry in fs::read_dir(&self.path).map_err(refused)? {
             let entry = entry.map_err(refused)?;
-            if entry.file_name().to_string_lossy().starts_with(TEMPORARY) {
-                fs::remove_file(entry.path()).map_err(refused)?;
+            if goes(&entry.file_name().to_string_lossy()) {
+                remove(&entry.path()).map_err(refused)?;
             }
         }
         Ok(())

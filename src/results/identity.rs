@@ -37,7 +37,9 @@ impl Identity {
         if other == self.text {
             return None;
         }
-        let differs = differ("", &parse(other), &parse(&self.text), &[]);
+        let there = parse(other);
+        let differs =
+            there.is_object().then(|| differ("", &there, &parse(&self.text), &[])).flatten();
         Some(differs.unwrap_or_else(|| "its identity cannot be read".into()))
     }
 

@@ -72,7 +72,8 @@ type Tile = Result<SavedTile, Vec<(PathBuf, &'static str)>>;
 
 /// Finds a tile in a folder, if its status is there.
 fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<Tile>, StoreError> {
-    let path = |array: &str| folder.join(zarr::chunk_path(array, tiling, tile));
+    let name = |array: &str| zarr::chunk_path(array, tiling, tile);
+    let path = |array: &str| folder.join(name(array));
     let status = path(Column::Status.entry().name);
     if !status.exists() {
         return Ok(None);
@@ -81,7 +82,10 @@ fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<
     for (array, _) in zarr::columns() {
         let path = path(array);
         match fs::read(&path) {
-            Ok(bytes) => broken.extend(tile::check(&bytes, tag).err().map(|what| (path, what))),
+            Ok(bytes) => {
+                let problem = tile::check(&bytes, tag, &name(array)).err();
+                broken.extend(problem.map(|what| (path, what)));
+            }
             Err(e) if e.kind() == ErrorKind::NotFound => broken.push((path, "missing")),
             Err(e) => return Err(StoreError::file(&path)(e)),
         }

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::about::Source;
 use super::block::Block;
 use super::columns::Column;
-use super::files::Directory;
+use super::files::{self, Directory};
 use super::identity::Identity;
 use super::lock::{self, lock};
 use super::saved_tiles::SavedTiles;
@@ -88,6 +88,8 @@ impl Store {
         };
         let before = store.path.join(IDENTITY);
         if !before.exists() {
+            // What a run left that was killed while it cleared up, or what is not a run's at all.
+            store.folder.clear(&[lock::NAME])?;
             return Ok((store, SavedTiles::default()));
         }
         if !resume && store.path.join(REPORT).exists() {
@@ -96,7 +98,8 @@ impl Store {
         if !resume {
             return Err(StoreError::Unfinished(place));
         }
-        let text = fs::read_to_string(&before).map_err(StoreError::file(&before))?;
+        let text = fs::read(&before).map_err(StoreError::file(&before))?;
+        let text = String::from_utf8_lossy(&text);
         if let Some(difference) = store.identity.difference(&text) {
             return Err(StoreError::Other { place, difference });
         }
@@ -140,22 +143,50 @@ impl Store {
     /// # Errors
     /// [`StoreError::Write`]; what was saved of the tile before is still there.
     pub fn save(&self, tile: usize, block: &Block) -> Result<(), StoreError> {
+        self.save_while(tile, block, &|| true).map(|_| ())
+    }
+
+    /// The same while it is to `go_on`, which is asked before each file; false where it ended early, and the tile
+    /// is as it was.
+    ///
+    /// # Errors
+    /// Those of [`Store::save`].
+    pub fn save_while(
+        &self,
+        tile: usize,
+        block: &Block,
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<bool, StoreError> {
         if !self.is_used() {
-            for (path, bytes) in &self.frame {
-                self.folder.write(path, |w| w.write_all(bytes))?;
-            }
+            self.write_frame()?;
             self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
         }
         let (cells, tag) = (self.tiling.tile_cells(), self.identity.tag());
-        let write = |(array, column): (&str, Column)| {
-            let bytes = tile::encode(array, column, block, cells, tag);
+        let write = |(array, column): (&str, Column)| -> Result<bool, StoreError> {
+            if !go_on() {
+                return Ok(false);
+            }
             let path = zarr::chunk_path(array, &self.tiling, tile);
-            self.folder.write(&path, |w| w.write_all(&bytes)).map(|_| ())
+            let bytes = tile::pack(&tile::encode(array, column, block, cells), tag, &path);
+            self.folder.write(&path, |w| w.write_all(&bytes))?;
+            Ok(true)
         };
         let mut arrays: Vec<(&str, Column)> = zarr::columns().collect();
         let status = arrays.pop();
-        arrays.into_par_iter().try_for_each(write)?;
-        Ok(status.into_iter().try_for_each(write)?)
+        let written = arrays.into_par_iter().map(write).collect::<Result<Vec<bool>, _>>()?;
+        let whole = written.into_iter().all(|written| written);
+        match status {
+            Some(status) if whole => write(status),
+            _ => Ok(whole),
+        }
+    }
+
+    /// Writes the files of the group, but the chunks of its columns.
+    fn write_frame(&self) -> Result<(), StoreError> {
+        for (path, bytes) in &self.frame {
+            self.folder.write(path, |w| w.write_all(bytes))?;
+        }
+        Ok(())
     }
 
     /// Reads a tile that was found whole.
@@ -196,20 +227,22 @@ impl Store {
     /// takes away what only a running sweep needs.
     ///
     /// # Errors
-    /// [`StoreError::File`].
+    /// [`StoreError::File`]; the map that was there is there still, or the new one is.
     pub fn publish(mut self, place: &Path) -> Result<(), StoreError> {
+        // Whatever became of them while the tiles were looked after.
+        self.write_frame()?;
         // An open file keeps a folder's name on some systems.
         drop(self.lock.take());
         let path = &self.path;
-        if place.exists() {
-            fs::remove_dir_all(place).map_err(StoreError::file(place))?;
+        let aside = place.with_file_name(files::temporary("map.zarr"));
+        if place.symlink_metadata().is_ok() {
+            fs::rename(place, &aside).map_err(StoreError::file(place))?;
         }
         fs::rename(path, place).map_err(StoreError::file(path))?;
         for name in [lock::NAME, IDENTITY] {
-            let file = place.join(name);
-            fs::remove_file(&file).map_err(StoreError::file(&file))?;
+            remove(&place.join(name))?;
         }
-        Ok(())
+        remove(&aside)
     }
 
     /// Removes the folder: its run is finished, or left nothing to go on with.
@@ -219,8 +252,15 @@ impl Store {
     pub fn discard(mut self) -> Result<(), StoreError> {
         // An open file cannot be removed everywhere.
         drop(self.lock.take());
-        fs::remove_dir_all(&self.path).map_err(StoreError::file(&self.path))
+        // First what says that the tiles are a run's: of some of them none is to go on.
+        remove(&self.path.join(IDENTITY))?;
+        remove(&self.path)
     }
+}
+
+/// Removes a file or a folder, if it is there.
+fn remove(path: &Path) -> Result<(), StoreError> {
+    files::remove(path).map_err(StoreError::file(path))
 }
 
 /// A folder in which nothing was saved goes.
@@ -243,7 +283,8 @@ fn frame(contents: &Contents, tag: u32) -> Vec<(String, Vec<u8>)> {
     });
     let axes = contents.grid.axes().iter().map(|axis| {
         let (path, bytes) = zarr::axis_chunk(axis);
-        (path, tile::pack(&bytes, tag))
+        let packed = tile::pack(&bytes, tag, &path);
+        (path, packed)
     });
     documents.chain(axes).collect()
 }

@@ -1,7 +1,7 @@
 //! Tiles on disk: a file for each column, a chunk of its Zarr array.
 //!
 //! A chunk is the values of a whole tile in little-endian bytes, those of a tile at the grid's end filled up,
-//! compressed by gzip, whose header names the run that it is of; at its end the checksum CRC-32C of all
+//! compressed by gzip, whose header names the run, the array and the tile; at its end the checksum CRC-32C of all
 //! that.
 
 use std::io::{Read, Write};
@@ -18,14 +18,14 @@ use crate::stepping::outcome::{Class, Status};
 /// Bytes of the checksum.
 const SUM: usize = 4;
 
-/// The words in a chunk's header that name its run.
-fn owner(tag: u32) -> String {
-    format!("topple {tag:08x}")
+/// The words in a chunk's header that name what it is: its run, by the tag, and its path in the group.
+fn name(tag: u32, path: &str) -> String {
+    format!("topple {tag:08x} {path}")
 }
 
-/// A chunk of bytes, of the run of a tag.
-pub fn pack(bytes: &[u8], tag: u32) -> Vec<u8> {
-    let header = GzBuilder::new().comment(owner(tag));
+/// A chunk of bytes, of the run of a tag and for a path in its group.
+pub fn pack(bytes: &[u8], tag: u32, path: &str) -> Vec<u8> {
+    let header = GzBuilder::new().comment(name(tag, path));
     let mut packed = header.write(Vec::with_capacity(bytes.len() / 4), Compression::new(LEVEL));
     // Nothing that is written to memory fails.
     let _ = packed.write_all(bytes);
@@ -41,28 +41,37 @@ fn is_whole(packed: &[u8]) -> bool {
     crc32c::crc32c(body) == u32::from_le_bytes(*sum)
 }
 
-/// Whether a chunk is whole, and of the run of a tag.
+/// Whether a chunk is whole, of the run of a tag, and the one that belongs to a path in its group.
 ///
 /// # Errors
 /// What is wrong, in a few words.
-pub fn check(packed: &[u8], tag: u32) -> Result<(), &'static str> {
+pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
     if !is_whole(packed) {
         return Err("damaged");
     }
     let decoder = GzDecoder::new(packed);
-    let of = decoder.header().and_then(|header| header.comment());
-    if of == Some(owner(tag).as_bytes()) { Ok(()) } else { Err("a tile of another run") }
+    let of = decoder.header().and_then(|header| header.comment()).unwrap_or_default();
+    match of == name(tag, path).as_bytes() {
+        true => Ok(()),
+        false if of.starts_with(name(tag, "").as_bytes()) => {
+            Err("a file of another tile or column")
+        }
+        false => Err("a tile of another run"),
+    }
 }
 
-/// So many bytes from a chunk; none where it is not whole.
+/// So many bytes from a chunk; none where it is not whole, or has not as many.
 fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     let mut bytes = vec![0; count];
     let mut decoder = GzDecoder::new(packed);
-    (is_whole(packed) && decoder.read_exact(&mut bytes).is_ok()).then_some(bytes)
+    let has_more =
+        |mut decoder: GzDecoder<&[u8]>| decoder.read(&mut [0]).map_or(true, |read| read > 0);
+    let exact = is_whole(packed) && decoder.read_exact(&mut bytes).is_ok() && !has_more(decoder);
+    exact.then_some(bytes)
 }
 
-/// The chunk of an array of a block's column, filled up to so many cells.
-pub fn encode(array: &str, column: Column, block: &Block, cells: usize, tag: u32) -> Vec<u8> {
+/// The bytes of an array's chunk: of a block's column, filled up to so many cells.
+pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u8> {
     fn filled<const N: usize>(
         values: impl Iterator<Item = [u8; N]>,
         cells: usize,
@@ -76,7 +85,7 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize, tag: u32
         bytes
     }
     let proved = |code: &u8| [u8::from(*code == Status::Proved as u8)];
-    let bytes = match (block.column(column), column) {
+    match (block.column(column), column) {
         (Values::Codes(codes), Column::Status) if array == PROVED => {
             filled(codes.iter().map(proved), cells, [0])
         }
@@ -99,8 +108,7 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize, tag: u32
         (Values::Doubles(values), _) => {
             filled(values.iter().map(|x| x.to_le_bytes()), cells, f64::NAN.to_le_bytes())
         }
-    };
-    pack(&bytes, tag)
+    }
 }
 
 /// The values of a column's first `count` cells from the chunks of its arrays, of tiles of so many cells;
@@ -150,7 +158,8 @@ pub fn decode<E>(
         (_, Precision::F64) => bytes(entry.name, 8)?
             .map(|bytes| Values::Doubles(each(&bytes, count, f64::from_le_bytes))),
     };
-    Ok(values)
+    // A code of nothing is no value either.
+    Ok(values.filter(|values| values.suit(entry.holds)))
 }
 
 /// The whole block of a tile.

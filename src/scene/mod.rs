@@ -1,6 +1,6 @@
 //! What is simulated: a block on a base, the excitation, and the grid of parameters.
 //!
-//! A scene is written as flags or as TOML ([`text`]), is checked once on its way into a
+//! A scene is written as flags or as TOML ([`builder`]), is checked once on its way into a
 //! [`Scene`], and is believed from there on. Its numbers stand in one table ([`parameters`]); each may
 //! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 

@@ -21,7 +21,10 @@ pub enum SweepError {
     /// No backend, or one that failed.
     #[error(transparent)]
     Backend(#[from] BackendError),
-    /// What is done cannot be saved or resumed.
+    /// The directory in which finished cells are to be saved cannot be used.
+    #[error(transparent)]
+    Folder(StoreError),
+    /// Finished cells cannot be saved.
     #[error(transparent)]
     Store(#[from] StoreError),
     /// Parts that are no map.
@@ -59,12 +62,7 @@ impl SweepError {
             SweepError::Backend(
                 BackendError::NoSuchAdapter(_) | BackendError::Unlike(..) | BackendError::NoneOfCpu,
             ) => Some("adapter"),
-            SweepError::Store(
-                StoreError::InUse(_)
-                | StoreError::Unfinished(_)
-                | StoreError::Finished(_)
-                | StoreError::Other { .. },
-            ) => Some("out"),
+            SweepError::Folder(_) => Some("out"),
             _ => None,
         }
     }

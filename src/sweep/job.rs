@@ -3,12 +3,13 @@
 use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use super::backend::Backend;
 use super::backend_error::BackendError;
-use super::batches::{self, BatchError, HandOver, Sizes, WorkReport, Worker};
+use super::batch_watch::{BatchWatch, SHORTEST};
+use super::batches::{self, BatchError, Sizes, WorkReport, Worker};
 use super::error::SweepError;
 use super::estimate::Estimate;
 use super::identity::Content;
@@ -68,8 +69,6 @@ pub struct PartSweep {
     pub lost: Vec<(usize, BackendError)>,
 }
 
-/// Time that a batch takes at least, however often what is done is to be saved.
-const SHORTEST_BATCH: Duration = Duration::from_millis(500);
 /// Time that a batch takes where nothing is saved.
 const BATCH: Duration = Duration::from_secs(2);
 /// How much slower than a batch a sample may be: it fills vectors badly, and prepares a record's motions for
@@ -262,7 +261,7 @@ impl Job {
             1 => backends[0].batch(),
             several => backends[0].batch().min(cells.div_ceil(4 * several).max(1)),
         };
-        let takes = saving.map_or(BATCH, |saving| saving.every.max(SHORTEST_BATCH));
+        let takes = saving.map_or(BATCH, |saving| saving.every.max(SHORTEST));
         // Cells that are slow are to be saved in time, too.
         let first = estimate.map_or(UNKNOWN, |estimate| {
             (SAMPLE_SLOWER * estimate.rate * takes.as_secs_f64()) as usize
@@ -294,43 +293,6 @@ impl Job {
     }
 }
 
-/// Hears of a batch: passes on to the observer what it is to know, and outcomes to who saves them.
-struct BatchWatch<'a> {
-    observer: &'a dyn Observer,
-    /// The batch's first cell.
-    first: usize,
-    hand_over: &'a HandOver<'a>,
-    /// Time between two snapshots; none where nothing is saved.
-    every: Option<Duration>,
-    last: Mutex<Instant>,
-}
-
-impl Progress for BatchWatch<'_> {
-    fn advance(&self, cells: usize) {
-        self.observer.advance(cells);
-    }
-
-    fn cancelled(&self) -> bool {
-        self.observer.cancelled()
-    }
-
-    fn wants_snapshot(&self) -> bool {
-        let Some(every) = self.every else { return false };
-        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
-        let wants = last.elapsed() >= every.max(SHORTEST_BATCH);
-        if wants {
-            *last = Instant::now();
-        }
-        wants
-    }
-
-    fn snapshot(&self, outcomes: &[Outcome]) {
-        if self.every.is_some() {
-            (self.hand_over)(self.first, outcomes.to_vec());
-        }
-    }
-}
-
 /// The cells to run.
 fn wanted(grid: &Grid, saving: Option<&Saving>) -> Result<Range<usize>, SceneError> {
     let Some(part) = saving.and_then(|saving| saving.part) else { return Ok(0..grid.len()) };
@@ -354,5 +316,5 @@ fn saved(
     let identity = content.identity().map_err(io::Error::from)?;
     let source = Source { scene: &plan.scene, precision: content.columns() };
     let contents = Contents { grid, source };
-    Ok(Store::open(&saving.directory, identity, contents, saving.resume)?)
+    Store::open(&saving.directory, identity, contents, saving.resume).map_err(SweepError::Folder)
 }

@@ -1,6 +1,7 @@
 //! A finished sweep: outcomes, what ran them, and the reference's word on a sample of them.
 
 use std::io;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::backend::Backend;
@@ -134,17 +135,23 @@ impl MapSweep {
         let whole = SavedTiles::in_folder(store.path(), store.tiling(), store.tag(), &|_| ())?;
         let tiling = store.tiling().clone();
         observer.begins(Phase::Writing, self.grid.len());
+        let go_on = || !observer.cancelled();
+        let mut saved: usize = whole.done().iter().map(Range::len).sum();
         for tile in 0..tiling.count() {
             let cells = tiling.cells(tile);
-            let saved = whole.tiles.iter().find(|saved| saved.tile == tile);
-            if saved.is_none_or(|saved| saved.done != [cells.clone()]) {
+            let found = whole.tiles.iter().find(|saved| saved.tile == tile);
+            if found.is_none_or(|found| found.done != [cells.clone()]) {
                 let mut block = Block::pending(cells.len(), store.precision());
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
-                store.save(tile, &block)?;
+                if store.save_while(tile, &block, &go_on)? {
+                    saved += cells.len();
+                }
             }
             observer.advance(cells.len());
             if observer.cancelled() {
-                return Err(BackendError::Cancelled.into());
+                let (error, cells) = (Box::new(BackendError::Cancelled.into()), self.grid.len());
+                let folder = store.path().to_path_buf();
+                return Err(SweepError::Stopped { error, saved: saved.min(cells), cells, folder });
             }
         }
         drop(self.outcomes);

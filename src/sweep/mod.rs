@@ -7,6 +7,7 @@
 mod at_rest;
 pub mod backend;
 pub mod backend_error;
+mod batch_watch;
 pub mod batches;
 pub mod begin;
 pub mod body;

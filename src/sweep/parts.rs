@@ -1,9 +1,10 @@
 //! Finished parts, joined: all cells once, of one scene, run in one way.
 
 use std::fs;
-use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
 
 use super::backend::Backend;
 use super::error::SweepError;
@@ -86,19 +87,27 @@ impl Parts {
 
 impl Parts {
     /// The folder in a directory that the map is to be written to: no other run writes there, and what an
-    /// earlier, interrupted joining of the same map saved is used.
+    /// earlier, interrupted joining of the same parts saved is used. Its identity names all parts, so that no
+    /// run takes it for its own.
     ///
     /// # Errors
-    /// [`StoreError`]: another run is there, or an unfinished one of something else.
+    /// [`SweepError::Folder`]: another run is there, or an unfinished one of something else.
     pub fn store(&self, directory: &Path) -> Result<Store, SweepError> {
-        let identity = self.content.identity().map_err(io::Error::from)?;
         let grid = Grid::of(&self.content.scene);
         let by_reference = |(_, report): &(_, Report)| report.backend == Backend::Reference.name();
         let mixed = self.reports.iter().any(by_reference);
         let precision = if mixed { Precision::F64 } else { self.content.columns() };
+        let ran = |(_, report): &(_, Report)| {
+            let adapter = report.adapter.as_ref().map(|adapter| &adapter.name);
+            json!([report.first, report.cells, report.backend, adapter])
+        };
+        let parts: Vec<Value> = self.reports.iter().map(ran).collect();
+        let identity = json!({ "columns": precision, "parts": parts, "map": self.content });
+        let identity = Identity::new(format!("{identity:#}"), None);
         let source = Source { scene: &self.content.scene, precision };
         let contents = Contents { grid: &grid, source };
-        Ok(Store::open(directory, identity, contents, true)?.0)
+        let opened = Store::open(directory, identity, contents, true);
+        Ok(opened.map_err(SweepError::Folder)?.0)
     }
 }
 
@@ -106,7 +115,8 @@ impl Piece {
     fn read(place: PathBuf, progress: &dyn Progress) -> Result<Piece, PartsError> {
         let text = |name: &str| {
             let path = place.join(name);
-            fs::read_to_string(&path).map_err(StoreError::file(&path))
+            let bytes = fs::read(&path).map_err(StoreError::file(&path))?;
+            Ok::<_, StoreError>(String::from_utf8_lossy(&bytes).into_owned())
         };
         let unreadable = |name: &str, e: serde_json::Error| PartsError::Unreadable {
             place: place.join(name),
