@@ -148,7 +148,7 @@ fn what_is_saved_is_resumed() {
 }
 
 /// Ended by a flag at some moment, on each backend and in the verification, a sweep is over within a tenth
-/// of a second. Half of that is asked for here as a mean of some moments: a machine may be busy.
+/// of a second. Of three moments the median is asked for: a machine may be busy at one.
 #[test]
 fn a_flag_ends_a_sweep_within_a_tenth_of_a_second() {
     let _alone = alone();
@@ -182,9 +182,9 @@ fn a_flag_ends_a_sweep_within_a_tenth_of_a_second() {
             assert!(error.is_some_and(|error| error.is_cancelled()), "it ran to its end");
             late.push(elapsed.as_secs_f64());
         }
-        let mean = late.iter().sum::<f64>() / late.len() as f64;
         common::say(&format!("{backend:?}: ended after {late:.3?} s"));
-        assert!(mean < 0.1, "{backend:?}: {late:?}");
+        late.sort_by(f64::total_cmp);
+        assert!(late[1] < 0.1, "{backend:?}: {late:?}");
     }
 }
 
