@@ -2,7 +2,6 @@
 
 use topple::scene::Scene;
 use topple::sweep::job::{Job, SweepResult};
-use topple::sweep::run::SMALL;
 
 use super::errors::sweep_error;
 use super::options::{MapOptions, flag_error};
@@ -23,10 +22,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(&job.passed_over, &job.backends[0]);
     let screen = Screen::new(options.run.quiet);
-    let estimate = match job.left() {
-        few if few < SMALL => None,
-        _ => Some(job.estimate(&screen).map_err(sweep_error)?),
-    };
+    let estimate = job.estimate_if_long(&screen).map_err(sweep_error)?;
     let files = options.files(&job.grid);
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;

@@ -12,7 +12,7 @@ use super::description::AdapterDescription;
 use super::gpu::{opened::Gpu, run::Sweeper};
 use super::plan::{Part, Plan};
 use super::progress::Progress;
-use super::snapshots::{FirstRun, OfPart, SecondRun, resolve};
+use super::snapshots::{PassedOn, resolve};
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
@@ -135,12 +135,10 @@ impl Backend {
         let parts = plan.at(precision).parts(grid, cells.clone());
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let progress = OfPart { progress, cells: &cells, part };
-            let mut outcomes = self.part(part, grid, precision, &progress, &mut times)?;
-            if part.vertical_locked {
-                outcomes.iter_mut().for_each(|outcome| *outcome = part.told(*outcome));
-            }
-            ran.push(outcomes);
+            let of_batch = |outcomes| part.among(&cells, part.all_told(outcomes));
+            let progress = PassedOn { progress, change: Some(&of_batch) };
+            let outcomes = self.part(part, grid, precision, &progress, &mut times)?;
+            ran.push(part.all_told(outcomes));
         }
         if progress.cancelled() {
             return Err(BackendError::Cancelled);
@@ -164,14 +162,19 @@ impl Backend {
         precision: Precision,
         progress: &dyn Progress,
     ) -> Result<BackendOutcomes, BackendError> {
-        let first = FirstRun(progress);
+        // Of the first run nobody is to have outcomes.
+        let first = PassedOn { progress, change: None };
         let coarse = self.sweep_cells(plan, grid, cells.clone(), precision, &first)?;
         let finer = match self {
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) if !gpu.description.f64 => precision,
             _ => Precision::F64,
         };
-        let second = SecondRun { progress, first: &coarse.outcomes };
+        let resolved = |mut outcomes: Vec<Outcome>| {
+            resolve(&mut outcomes, &coarse.outcomes);
+            outcomes
+        };
+        let second = PassedOn { progress, change: Some(&resolved) };
         let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, &second)?;
         resolve(&mut fine.outcomes, &coarse.outcomes);
         fine.elapsed += coarse.elapsed;

@@ -45,9 +45,9 @@ impl Progress for BatchWatch<'_> {
         wants
     }
 
-    fn snapshot(&self, outcomes: &[Outcome]) {
+    fn snapshot(&self, outcomes: Vec<Outcome>) {
         if self.every.is_some() {
-            (self.hand_over)(self.first, outcomes.to_vec());
+            (self.hand_over)(self.first, outcomes);
         }
     }
 }

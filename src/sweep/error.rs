@@ -1,7 +1,7 @@
 //! Why a sweep did not come to its end.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::backend_error::BackendError;
 use super::parts_error::PartsError;
@@ -65,6 +65,12 @@ impl SweepError {
             SweepError::Folder(_) => Some("out"),
             _ => None,
         }
+    }
+
+    /// The same of a run of which so many of its cells are saved in a folder.
+    pub(super) fn stopped(self, saved: usize, cells: usize, folder: &Path) -> SweepError {
+        let (error, folder) = (Box::new(self), folder.to_path_buf());
+        SweepError::Stopped { error, saved, cells, folder }
     }
 
     /// True if the observer cancelled the sweep.

@@ -69,6 +69,8 @@ pub struct PartSweep {
     pub lost: Vec<(usize, BackendError)>,
 }
 
+/// Cells of a run that is over before a sample of it would be.
+const SMALL: usize = 10_000;
 /// Time that a batch takes where nothing is saved.
 const BATCH: Duration = Duration::from_secs(2);
 /// How much slower than a batch a sample may be: it fills vectors badly, and prepares a record's motions for
@@ -123,6 +125,21 @@ impl Job {
     /// Files of an earlier run that are not whole, and are run again: each with what is wrong.
     pub fn broken(&self) -> &[(PathBuf, &'static str)] {
         self.saved.as_ref().map_or(&[], |(_, found)| &found.broken)
+    }
+
+    /// What the cells that are left will take, from a sample of them; none where they are so few that they are
+    /// done before a sample would be.
+    ///
+    /// # Errors
+    /// Those of the backend.
+    pub fn estimate_if_long(
+        &self,
+        progress: &dyn Progress,
+    ) -> Result<Option<Estimate>, SweepError> {
+        match self.left() {
+            few if few < SMALL => Ok(None),
+            _ => self.estimate(progress).map(Some),
+        }
     }
 
     /// What the cells that are left will take, from a sample of them.
@@ -200,7 +217,12 @@ impl Job {
                 // What was done is to be found again; where it cannot be saved, that error was the first.
                 let _ = collector.rescue();
                 let saved = collector.cells_on_disk();
-                return Err(self.stopped(error, saved));
+                return Err(match &self.saved {
+                    Some((store, _)) if saved > 0 => {
+                        error.stopped(saved, self.wanted.len(), store.path())
+                    }
+                    _ => error,
+                });
             }
         };
         let part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
@@ -219,19 +241,6 @@ impl Job {
         };
         let saver = Saver { store, patience: saving.every, holds: self.holds() };
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
-    }
-
-    /// An error of a run of which so many cells are saved.
-    fn stopped(&self, error: SweepError, saved: usize) -> SweepError {
-        match &self.saved {
-            Some((store, _)) if saved > 0 => SweepError::Stopped {
-                error: Box::new(error),
-                saved,
-                cells: self.wanted.len(),
-                folder: store.path().to_path_buf(),
-            },
-            _ => error,
-        }
     }
 
     /// Runs what is left on all backends; `keep` is handed outcomes with the number of the first cell.

@@ -46,7 +46,7 @@ impl<R> ThreadFeed<'_, R> {
             outcomes[number] = outcome;
         }
         if self.sweep.progress.wants_snapshot() {
-            self.sweep.progress.snapshot(&outcomes);
+            self.sweep.progress.snapshot(outcomes.clone());
         }
     }
 }
@@ -141,7 +141,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
     if sweep.progress.cancelled() {
         // What was done is not lost.
-        sweep.progress.snapshot(&outcomes);
+        sweep.progress.snapshot(outcomes.clone());
     }
     outcomes
 }

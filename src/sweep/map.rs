@@ -4,14 +4,13 @@ use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::backend::Backend;
 use super::backend_error::BackendError;
 use super::error::SweepError;
 use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
 use super::parts::Parts;
 use super::plan::Plan;
-use super::report::Report;
+use super::report::{self, Report};
 use super::settings::Method;
 use super::verification::{self, Verification};
 use crate::model::precision::Precision;
@@ -68,8 +67,7 @@ impl MapSweep {
 
     /// The number type of its columns: f64 where the reference ran any of it.
     pub fn precision(&self) -> Precision {
-        let by_reference = |(_, report): &(_, Report)| report.backend == Backend::Reference.name();
-        if self.parts.iter().any(by_reference) { Precision::F64 } else { self.method.precision }
+        report::columns(&self.parts, self.method.precision)
     }
 
     /// What its files are of.
@@ -144,14 +142,15 @@ impl MapSweep {
                 let mut block = Block::pending(cells.len(), store.precision());
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
                 if store.save_while(tile, &block, &go_on)? {
-                    saved += cells.len();
+                    // Some of them may have been there.
+                    let before = found.map_or(0, |found| found.done.iter().map(Range::len).sum());
+                    saved += cells.len() - before;
                 }
             }
             observer.advance(cells.len());
             if observer.cancelled() {
-                let (error, cells) = (Box::new(BackendError::Cancelled.into()), self.grid.len());
-                let folder = store.path().to_path_buf();
-                return Err(SweepError::Stopped { error, saved: saved.min(cells), cells, folder });
+                let cancelled = SweepError::from(BackendError::Cancelled);
+                return Err(cancelled.stopped(saved, self.grid.len(), store.path()));
             }
         }
         drop(self.outcomes);
@@ -161,12 +160,9 @@ impl MapSweep {
     /// An error of the work on it, with where it is saved, if it is.
     pub fn stopped(&self, error: SweepError) -> SweepError {
         match &self.store {
-            Some(store) if store.is_used() => SweepError::Stopped {
-                error: Box::new(error),
-                saved: self.grid.len(),
-                cells: self.grid.len(),
-                folder: store.path().to_path_buf(),
-            },
+            Some(store) if store.is_used() => {
+                error.stopped(self.grid.len(), self.grid.len(), store.path())
+            }
             _ => error,
         }
     }

@@ -6,13 +6,11 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::backend::Backend;
 use super::error::SweepError;
 use super::identity::{Content, FREE};
 use super::parts_error::PartsError;
 use super::progress::Progress;
-use super::report::Report;
-use crate::model::precision::Precision;
+use super::report::{self, Report};
 use crate::results::about::Source;
 use crate::results::identity::Identity;
 use crate::results::part;
@@ -94,9 +92,7 @@ impl Parts {
     /// [`SweepError::Folder`]: another run is there, or an unfinished one of something else.
     pub fn store(&self, directory: &Path) -> Result<Store, SweepError> {
         let grid = Grid::of(&self.content.scene);
-        let by_reference = |(_, report): &(_, Report)| report.backend == Backend::Reference.name();
-        let mixed = self.reports.iter().any(by_reference);
-        let precision = if mixed { Precision::F64 } else { self.content.columns() };
+        let precision = report::columns(&self.reports, self.content.method.precision);
         let ran = |(_, report): &(_, Report)| {
             let adapter = report.adapter.as_ref().map(|adapter| &adapter.name);
             json!([report.first, report.cells, report.backend, adapter])

@@ -15,7 +15,7 @@ pub trait Progress: Sync {
 
     /// For the backends: takes the outcomes of a batch's cells so far; of those that have not run [`Outcome::PENDING`].
     #[doc(hidden)]
-    fn snapshot(&self, outcomes: &[Outcome]) {
+    fn snapshot(&self, outcomes: Vec<Outcome>) {
         let _ = outcomes;
     }
 

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::backend::Backend;
 use super::description::AdapterDescription;
+use crate::model::precision::Precision;
 
 /// How a part was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,13 @@ pub struct Report {
     pub sweep: f64,
     /// Cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
+}
+
+/// The number type of the columns of parts, each with what it stands by: f64 where the reference ran any of
+/// them.
+pub fn columns<T>(parts: &[(T, Report)], precision: Precision) -> Precision {
+    let by_reference = |(_, report): &(T, Report)| report.backend == Backend::Reference.name();
+    if parts.iter().any(by_reference) { Precision::F64 } else { precision }
 }
 
 /// Threads that a sweep on the CPU takes.

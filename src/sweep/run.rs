@@ -7,9 +7,6 @@ use super::observer::Observer;
 use super::settings::RunSettings;
 use crate::scene::{Parameter, Scene, SceneError, Values};
 
-/// Cells of a run that is over before a sample of it would be.
-pub const SMALL: usize = 10_000;
-
 /// Sweeps a scene over axes, which take the place of its own numbers, and has the reference verify a sample
 /// of the cells. `observer` hears of phases and progress and may end it; [`Unwatched`] does neither, and a
 /// flag ([`AtomicBool`](std::sync::atomic::AtomicBool)) only ends it.
@@ -30,15 +27,15 @@ pub fn sweep(
     settings: &RunSettings,
     observer: &dyn Observer,
 ) -> Result<MapSweep, SweepError> {
-    if settings.saving.as_ref().is_some_and(|saving| saving.part.is_some()) {
+    let no_map = || {
         let problem = "a part is no map; run it as a job".into();
-        return Err(SceneError { key: "tile", problem }.into());
+        SweepError::from(SceneError { key: "tile", problem })
+    };
+    if settings.saving.as_ref().is_some_and(|saving| saving.part.is_some()) {
+        return Err(no_map());
     }
     let job = Job::open(scene, axes, settings)?;
-    let estimate = match job.left() {
-        few if few < SMALL => None,
-        _ => Some(job.estimate(observer)?),
-    };
+    let estimate = job.estimate_if_long(observer)?;
     match job.run(estimate.as_ref(), observer)? {
         SweepResult::Map(mut map) => {
             if settings.verify > 0 {
@@ -47,9 +44,6 @@ pub fn sweep(
             }
             Ok(*map)
         }
-        SweepResult::Part(..) => {
-            let problem = "a part is no map; run it as a job".into();
-            Err(SceneError { key: "tile", problem }.into())
-        }
+        SweepResult::Part(..) => Err(no_map()),
     }
 }

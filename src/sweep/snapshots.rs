@@ -7,17 +7,18 @@ use super::plan::Part;
 use super::progress::Progress;
 use crate::stepping::outcome::{Class, Outcome, Status};
 
-/// Passes snapshots of a part's cells on as those of the whole batch.
-pub struct OfPart<'a> {
+/// Makes outcomes of a run what they are for who hears.
+type Change<'a> = dyn Fn(Vec<Outcome>) -> Vec<Outcome> + Sync + 'a;
+
+/// Passes on what a run tells, its snapshots changed; or without any, of a run whose outcomes nobody is to have.
+pub struct PassedOn<'a> {
     /// Who hears.
     pub progress: &'a dyn Progress,
-    /// The batch.
-    pub cells: &'a Range<usize>,
-    /// The part, some of its cells.
-    pub part: &'a Part,
+    /// What becomes of snapshots; none are taken without it.
+    pub change: Option<&'a Change<'a>>,
 }
 
-impl Progress for OfPart<'_> {
+impl Progress for PassedOn<'_> {
     fn advance(&self, cells: usize) {
         self.progress.advance(cells);
     }
@@ -27,66 +28,44 @@ impl Progress for OfPart<'_> {
     }
 
     fn wants_snapshot(&self) -> bool {
-        self.progress.wants_snapshot()
+        self.change.is_some() && self.progress.wants_snapshot()
     }
 
-    fn snapshot(&self, outcomes: &[Outcome]) {
-        let mut all = vec![Outcome::PENDING; self.cells.len()];
-        for (&cell, outcome) in self.part.cells.iter().zip(outcomes) {
-            all[cell - self.cells.start] = self.part.told(*outcome);
+    fn snapshot(&self, outcomes: Vec<Outcome>) {
+        if let Some(change) = self.change {
+            self.progress.snapshot(change(outcomes));
         }
-        self.progress.snapshot(&all);
     }
 }
 
 impl Part {
     /// The outcome of a cell of it: one whose vertical direction is locked says so.
-    pub(super) fn told(&self, mut outcome: Outcome) -> Outcome {
+    fn told(&self, mut outcome: Outcome) -> Outcome {
         if self.vertical_locked && matches!(outcome.status, Status::Ok | Status::Proved) {
             outcome.status = Status::VerticalLocked;
         }
         outcome
     }
-}
 
-/// Hears of a first run of cells, whose outcomes nobody is to have.
-pub struct FirstRun<'a>(pub &'a dyn Progress);
-
-impl Progress for FirstRun<'_> {
-    fn advance(&self, cells: usize) {
-        self.0.advance(cells);
+    /// Its outcomes as they are told.
+    pub(super) fn all_told(&self, mut outcomes: Vec<Outcome>) -> Vec<Outcome> {
+        if self.vertical_locked {
+            outcomes.iter_mut().for_each(|outcome| *outcome = self.told(*outcome));
+        }
+        outcomes
     }
 
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
-}
-
-/// Hears of the second run of cells, whose outcomes are compared with those of the first.
-pub struct SecondRun<'a> {
-    /// Who hears.
-    pub progress: &'a dyn Progress,
-    /// The first run's outcomes.
-    pub first: &'a [Outcome],
-}
-
-impl Progress for SecondRun<'_> {
-    fn advance(&self, cells: usize) {
-        self.progress.advance(cells);
-    }
-
-    fn cancelled(&self) -> bool {
-        self.progress.cancelled()
-    }
-
-    fn wants_snapshot(&self) -> bool {
-        self.progress.wants_snapshot()
-    }
-
-    fn snapshot(&self, outcomes: &[Outcome]) {
-        let mut all = outcomes.to_vec();
-        resolve(&mut all, self.first);
-        self.progress.snapshot(&all);
+    /// Its outcomes among those of all `cells`, the others pending.
+    pub(super) fn among(&self, cells: &Range<usize>, outcomes: Vec<Outcome>) -> Vec<Outcome> {
+        if outcomes.len() == cells.len() {
+            // A part alone holds every cell, in order.
+            return outcomes;
+        }
+        let mut all = vec![Outcome::PENDING; cells.len()];
+        for (&cell, outcome) in self.cells.iter().zip(outcomes) {
+            all[cell - cells.start] = outcome;
+        }
+        all
     }
 }
 
