@@ -108,9 +108,16 @@ impl<'de> Deserialize<'de> for Numbers {
     }
 }
 
-/// One value of each parameter, or none.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// One value of each parameter, or none, which is not a number here.
+#[derive(Debug, Clone, Copy)]
 pub struct Point([f64; Parameter::COUNT]);
+
+/// By bits: what is not a number is equal to itself, too.
+impl PartialEq for Point {
+    fn eq(&self, other: &Point) -> bool {
+        self.0.map(f64::to_bits) == other.0.map(f64::to_bits)
+    }
+}
 
 impl Default for Point {
     /// None of any.

@@ -40,3 +40,29 @@ impl Plan {
         self.motion_cache.clear();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Parameter, Range, SceneBuilder};
+    use crate::sweep::progress::Unwatched;
+
+    /// The batches of a sweep have grids of their own, which are alike: later ones find the first one's motions.
+    #[test]
+    fn motions_are_integrated_once() {
+        let range = |from, to| Range::even(from, to, 8);
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::Omega, range(1.0, 8.0))
+            .with(Parameter::AH, range(1.0, 8.0))
+            .check()
+            .unwrap();
+        let plan = Plan::new(&scene, 0.01).unwrap();
+        let record: Vec<Ground<f32>> = plan.record();
+        let motions = || plan.clone().full_contact_motions(&Grid::of(&scene), &record, &Unwatched);
+        let first = motions();
+        assert!(first.is_some(), "they are shared");
+        assert!(Arc::ptr_eq(&first, &motions()));
+    }
+}
