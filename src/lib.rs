@@ -116,8 +116,8 @@ pub use sweep::progress::{Progress, Unwatched};
 pub use sweep::report::Report;
 pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;
-pub use sweep::settings::{Method, RunSettings, Saving};
-pub use sweep::verification::{Difference, Verification};
+pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
+pub use sweep::verification::{Difference, Region, Verdict, Verification};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

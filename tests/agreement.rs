@@ -21,7 +21,8 @@ use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
-use topple::sweep::verification::compare;
+use topple::sweep::sample::Chosen;
+use topple::sweep::verification::{self, compare};
 
 /// Points of an axis.
 const SIDE: usize = 60;
@@ -45,6 +46,12 @@ static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
     MAPS.into_iter().map(judge).collect()
 });
 
+/// A cell by the sweep and by the reference; where it lies is not asked.
+fn both(cell: usize, outcome: Outcome, reference: Outcome) -> verification::Judged {
+    let chosen = Chosen { cell, beside_boundary: false, outcome };
+    verification::Judged { chosen, reference }
+}
+
 /// Median error of zeta that a map may have over its rocking cells. Seen: 2e-6 in f32 (rounding),
 /// 9e-7 in f64; one wrong sign in the smallest term of (9) gives 4e-4.
 const MEDIAN_ZETA: f64 = 1.0e-5;
@@ -56,7 +63,7 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
         let outcomes = sweep(&Plan::new(scene, DEFAULT_STEP).unwrap(), &grid);
         let report = compare(
             &grid,
-            judged.iter().map(|&(index, reference)| (index, outcomes[index], reference)),
+            judged.iter().map(|&(index, reference)| both(index, outcomes[index], reference)),
         );
         let case = scene.case();
         say(&format!(
@@ -119,7 +126,7 @@ fn a_wrong_sign_in_the_shader_shows() {
         let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
         let report = compare(
             &grid,
-            judged.iter().map(|&(index, reference)| (index, cells[index], reference)),
+            judged.iter().map(|&(index, reference)| both(index, cells[index], reference)),
         );
         (report.differ + report.unresolved, report.median_zeta)
     };
@@ -165,7 +172,7 @@ fn locked_directions_agree_with_the_reference() {
         let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         let report = compare(
             &grid,
-            judged.iter().map(|&(index, reference)| (index, twin[index], reference)),
+            judged.iter().map(|&(index, reference)| both(index, twin[index], reference)),
         );
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
@@ -174,7 +181,7 @@ fn locked_directions_agree_with_the_reference() {
                 sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
             let report = compare(
                 &grid,
-                judged.iter().map(|&(index, reference)| (index, shader[index], reference)),
+                judged.iter().map(|&(index, reference)| both(index, shader[index], reference)),
             );
             assert!(
                 report.differ + report.unresolved <= 1,

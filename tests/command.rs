@@ -89,6 +89,12 @@ fn a_map_leaves_the_files_of_the_contract() {
     assert_eq!(json["backend"], "cpu");
     assert_eq!(json["verification"]["sampled"], 63);
     assert_eq!(json["verification"]["differ"], 0);
+    assert_eq!(json["verification"]["verdict"], "right");
+    assert_eq!(json["files"], serde_json::json!(["map.csv", "map.npz", "map.svg", "map.png"]));
+    for phase in ["start", "estimate", "sweep", "counting", "drawing", "writing", "verification"] {
+        assert!(json["timings"][phase].is_f64(), "{phase}: {}", json["timings"]);
+    }
+    assert!(said.contains("the map is right in every cell of the sample"), "{said}");
     assert!(json["cells_per_second"].as_f64().unwrap() > 0.0);
 
     let png = fs::read(out.path().join("map.png")).unwrap();
@@ -97,6 +103,61 @@ fn a_map_leaves_the_files_of_the_contract() {
 
 fn run_json(out: &Path) -> serde_json::Value {
     serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap()
+}
+
+/// As many cells as asked for are verified, or none.
+#[test]
+fn verification_is_asked_for() {
+    let (out, said) = small_map(&["--verify", "9"]);
+    assert_eq!(run_json(out.path())["verification"]["sampled"], 9);
+    assert!(said.contains("reference  9 cells again, "), "{said}");
+    let (out, said) = small_map(&["--verify", "none"]);
+    assert!(run_json(out.path())["verification"].is_null());
+    assert!(run_json(out.path())["timings"]["verification"].is_null());
+    assert!(!said.contains("reference"), "{said}");
+}
+
+/// Files of two runs do not lie side by side: those of the one before are removed by name, and a directory of
+/// something else is refused.
+#[test]
+fn a_directory_tells_one_story() {
+    let (out, _) = small_map(&["--files", "csv,zarr"]);
+    fs::write(out.path().join("notes.txt"), "mine").unwrap();
+    let again = |arguments: &[&str]| {
+        let run = topple().args(PULSE).args(arguments).arg("--out").arg(out.path()).assert();
+        let run = run.get_output().clone();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        (run.status.code().unwrap(), text(run.stdout), text(run.stderr))
+    };
+    let small = ["--omega", "3:12:5", "--a-h", "2:3:3", "--backend", "cpu", "--files", "npz"];
+    let (status, said, _) = again(&small);
+    assert_eq!(status, 0);
+    assert!(said.contains("removed    map.csv, map.zarr of the run before"), "{said}");
+    let left = ["map.npz", "map.png", "map.svg", "notes.txt", "run.json"];
+    assert_eq!(names(out.path()), left);
+
+    let before = fs::read(out.path().join("run.json")).unwrap();
+    let history = topple()
+        .args(["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75"])
+        .args(["--omega", "4", "--a-h", "5", "--out"])
+        .arg(out.path())
+        .assert()
+        .code(2);
+    let told = String::from_utf8(history.get_output().stderr.clone()).unwrap();
+    assert!(told.contains("holds a map; give a time history a directory of its own"), "{told}");
+    assert_eq!(names(out.path()), left);
+    assert_eq!(fs::read(out.path().join("run.json")).unwrap(), before);
+
+    // Another's run.json, and one that names files elsewhere, do no harm.
+    let elsewhere = TempDir::new().unwrap();
+    let precious = elsewhere.path().join("precious");
+    fs::write(&precious, "mine").unwrap();
+    let names_it = serde_json::json!({ "kind": "map", "files": [precious, "../x", "..", ""] });
+    for text in [names_it.to_string(), "no JSON".into(), "[1]".into()] {
+        fs::write(out.path().join("run.json"), text).unwrap();
+        assert_eq!(again(&small).0, 0);
+    }
+    assert!(precious.exists());
 }
 
 /// run.json says which model was run, and how much of it.
@@ -518,4 +579,52 @@ fn bench_refuses_what_it_cannot_measure() {
         assert_eq!(text.lines().count(), 1, "{text}");
         assert!(text.contains(said), "{text}");
     }
+}
+
+/// A reader that closes the pipe ends nothing: the files are there, and nothing is said of it.
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let out = TempDir::new().unwrap();
+    let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("topple"))
+        .args(PULSE)
+        .args(["--omega", "3:12:5", "--a-h", "2:3:3", "--backend", "cpu", "--out"])
+        .arg(out.path())
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(run.stdout.take());
+    let done = run.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&done.stderr), "");
+    assert!(out.path().join("run.json").exists());
+}
+
+/// Plates without mass take no momentum: by (17) an impact then leaves all of the angular velocity.
+#[test]
+fn impacts_without_loss_are_told() {
+    let told = |plates: &[&str]| {
+        let out = TempDir::new().unwrap();
+        let run = topple()
+            .args([
+                "pulse",
+                "--half-width",
+                "0.3",
+                "--height",
+                "0.95",
+                "--mass",
+                "900",
+                "--t-h",
+                "2",
+            ])
+            .args(["--t-v", "0.5", "--omega", "5", "--a-h", "3", "--t-max", "2", "--out"])
+            .arg(out.path())
+            .args(plates)
+            .assert()
+            .success();
+        String::from_utf8(run.get_output().stderr.clone()).unwrap()
+    };
+    assert!(told(&[]).contains("impacts take no speed"), "{}", told(&[]));
+    assert_eq!(told(&["--plate-h", "90", "--plate-v", "90"]), "");
 }

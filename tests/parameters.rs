@@ -86,7 +86,7 @@ fn refused(more: &[&str], said: &[&str]) {
 }
 
 #[test]
-fn what_a_person_mistypes_is_questioned_and_believed_when_forced() {
+fn what_a_person_mistypes_is_refused_and_accepted_when_forced() {
     for (flag, value, said) in [
         ("--half-width", "300", "metres"),
         ("--xi-h", "5", "percent"),
@@ -97,7 +97,7 @@ fn what_a_person_mistypes_is_questioned_and_believed_when_forced() {
     }
     run(&["--half-width", "300", "--height", "900", "--force"]).success();
     run(&["--xi-h", "5", "--force"]).success();
-    // Beyond what makes sense at all nothing is believed.
+    // Beyond what makes sense at all nothing is accepted.
     refused(&["--xi-h", "50", "--force"], &["--xi-h", "between 0 and 10"]);
 }
 

@@ -137,7 +137,16 @@ fn every_other_format() {
         let two = read::bytes(text.as_bytes(), &units).unwrap();
         assert_abs_diff_eq!(two.dt, 0.01, epsilon = 1e-12);
         assert_eq!(two.samples, [1.0, 2.0, 3.0]);
+        assert!(two.notes.is_empty());
     }
+    // As spreadsheets of half the world write it.
+    let commas = read::bytes(b"Zeit;a\n0;1,5\n0,01;-2,5\n0,02;3\n", &units).unwrap();
+    assert_abs_diff_eq!(commas.dt, 0.01, epsilon = 1e-12);
+    assert_eq!(commas.samples, [1.5, -2.5, 3.0]);
+    assert_eq!(commas.notes, ["decimal commas"]);
+    // What a terminal would obey, and an SVG may not hold, is no part of a title.
+    let coloured = read::bytes(b"\x1b[31mred\x07\n0 1\n0.01 2\n", &units).unwrap();
+    assert_eq!(coloured.title, "[31mred");
 }
 
 #[test]
@@ -162,7 +171,15 @@ fn what_is_no_record_is_refused_with_its_line() {
     refused(&esm().replace("DATA_TYPE: ACC", "DATA_TYPE: VEL"), &nothing, "line 64");
     refused(&KNET.replace("(gal)/", " per "), &nothing, "line 14");
     refused(AT2, &hints(Some(0.02), None), "leave dt out");
-    // Numbers in the wrong units are questioned, not believed.
+    refused(
+        AT2,
+        &hints(None, Some(Units::MetresPerSecondSquared)),
+        "the file's units are g, units says m/s2; leave units out",
+    );
+    assert!(read::bytes(AT2.as_bytes(), &hints(None, Some(Units::G))).is_ok());
+    let metres = hints(Some(0.01), Some(Units::MetresPerSecondSquared));
+    refused("0,5\n0,7\n", &metres, "if its commas are decimal ones, write points");
+    // Numbers in the wrong units are refused.
     refused("100\n-150\n20\n", &hints(Some(0.01), Some(Units::G)), "not plausible");
     refused(
         "1e-4\n-2e-5\n",
@@ -368,7 +385,7 @@ fn a_vertical_that_is_positive_down_is_turned_over() {
 }
 
 #[test]
-fn pairs_that_are_none_are_questioned_and_believed_when_forced() {
+fn pairs_that_are_none_are_refused_and_accepted_when_forced() {
     for (horizontal, vertical, said) in [
         ("A QUAKE, HERE, UP", "A QUAKE, HERE, UP", "horizontal: 'A QUAKE, HERE, UP' is a vertical"),
         ("A QUAKE, HERE, 90", "A QUAKE, THERE, UP", "vertical: 'A QUAKE, THERE, UP' is of another"),
@@ -383,4 +400,20 @@ fn pairs_that_are_none_are_questioned_and_believed_when_forced() {
                  [record]\nhorizontal = \"h.at2\"\nvertical = \"h.at2\"\n";
     let error = SceneBuilder::from_toml(twice).unwrap().check_in(directory.path()).unwrap_err();
     assert!(error.to_string().starts_with("vertical: the same motion"), "{error}");
+    // Multiples of g taken for m/s^2: 0.07 g where 0.7 g was meant.
+    std::fs::write(directory.path().join("h.txt"), "0.1\n-0.7\n0.2\n").unwrap();
+    let weak = |more: &str, force: &str| {
+        let text = format!(
+            "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n{force}\
+             [record]\nhorizontal = \"h.txt\"\ndt = 0.01\n{more}\n"
+        );
+        SceneBuilder::from_toml(&text).unwrap().check_in(directory.path())
+    };
+    let error = weak("units = \"m/s2\"", "").unwrap_err().to_string();
+    let said = "units: in m/s2 the peak is 7.14e-2 g, a weak motion; if the numbers are in g, it is 0.70 g";
+    assert!(error.starts_with(said) && error.contains("--force"), "{error}");
+    assert!(weak("units = \"m/s2\"", "[run]\nforce = true\n").is_ok());
+    assert!(weak("units = \"m/s2\"\nscale = 3", "").is_err());
+    assert!(weak("units = \"m/s2\"\npga = 3", "").is_ok());
+    assert!(weak("units = \"g\"", "").is_ok());
 }

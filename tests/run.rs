@@ -21,7 +21,8 @@ use topple::sweep::plan::Plan;
 use topple::sweep::progress::{Progress, Unwatched};
 use topple::sweep::request::BackendRequest;
 use topple::sweep::run::sweep;
-use topple::sweep::settings::{RunSettings, Saving};
+use topple::sweep::settings::{RunSettings, Saving, VerifySettings};
+use topple::sweep::verification::Verdict;
 
 /// Sweeps share the threads of one pool: of two at once each waits for the other.
 static ALONE: Mutex<()> = Mutex::new(());
@@ -37,7 +38,7 @@ fn scene() -> Scene {
 fn settings() -> RunSettings {
     let mut settings = RunSettings::default();
     settings.backend = BackendRequest::Cpu;
-    settings.verify = 16;
+    settings.verify = VerifySettings::cells(16);
     settings
 }
 
@@ -123,7 +124,7 @@ fn what_is_saved_is_resumed() {
         let mut settings = settings();
         settings.backend = backend;
         settings.method.resolve = resolve;
-        settings.verify = 0;
+        settings.verify = VerifySettings::cells(0);
         let whole = sweep(&scene, &[], &settings, &Unwatched).unwrap();
         let saving = Saving { every: Duration::ZERO, resume: true, ..Saving::to(out.path()) };
         settings.saving = Some(saving);
@@ -134,7 +135,7 @@ fn what_is_saved_is_resumed() {
         let said = error.to_string();
         assert!(said.contains(&format!("{saved} of 600 cells are saved in")), "{said}");
         let ear = Ear::ending_at(usize::MAX);
-        let map = sweep(&scene, &[], &settings, &ear).unwrap();
+        let mut map = sweep(&scene, &[], &settings, &ear).unwrap();
         let left = (600 - saved) * if resolve { 2 } else { 1 };
         assert_eq!(*ear.phases.lock().unwrap(), [(Phase::Sweeping, left)]);
         for column in Column::ALL {
@@ -145,6 +146,18 @@ fn what_is_saved_is_resumed() {
         map.discard_saved().unwrap();
         assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
     }
+}
+
+/// A verification without time says that nothing is verified; the map is there.
+#[test]
+fn a_verification_keeps_to_its_time() {
+    let _alone = alone();
+    let mut settings = settings();
+    settings.verify.within = Duration::ZERO;
+    let map = sweep(&scene(), &[], &settings, &Unwatched).unwrap();
+    let verification = map.verification.unwrap();
+    assert_eq!((verification.chosen, verification.sampled), (16, 0));
+    assert_eq!(verification.verdict, Verdict::Nothing);
 }
 
 /// Ended by a flag at some moment, on each backend and in the verification, a sweep is over within a tenth

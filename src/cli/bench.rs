@@ -19,6 +19,7 @@ use topple::sweep::progress::{Progress, Unwatched};
 use topple::sweep::report::threads;
 use topple::sweep::{clock, cpu, lanes};
 
+use super::print::print_line;
 use super::progress::Bar;
 use super::{InputError, ratios, words};
 
@@ -88,7 +89,7 @@ impl BenchCommand {
             System::new_with_specifics(RefreshKind::nothing().with_cpu(CpuRefreshKind::nothing()));
         let brand = cpus.ok().and_then(|system| Some(system.cpus().first()?.brand().to_string()));
         let brand = brand.unwrap_or_else(|| "processor".into());
-        println!("{brand}, {} threads, topple {}", threads(), env!("CARGO_PKG_VERSION"));
+        print_line!("{brand}, {} threads, topple {}", threads(), env!("CARGO_PKG_VERSION"));
         if !self.peer.is_empty() {
             return ratios::print(&self.peer);
         }
@@ -190,14 +191,14 @@ impl BenchCommand {
         // A cell at a time in f64, which everything is told as a multiple of.
         let base = rows[0].seconds;
         let steps = steps(&courses[1]) as f64;
-        println!("cells a second, and times a cell at a time in f64:\n");
-        println!(
+        print_line!("cells a second, and times a cell at a time in f64:\n");
+        print_line!(
             "| {:<40} | numbers | default map {1}² |      × | all 30 s {2}² |     × | record {2}² |     × | Gflop/s |",
             "backend",
             self.side,
             courses[1].grid.shape().0
         );
-        println!("|{}|---|--:|--:|--:|--:|--:|--:|--:|", "-".repeat(42));
+        print_line!("|{}|---|--:|--:|--:|--:|--:|--:|--:|", "-".repeat(42));
         for row in rows {
             let rate = |i: usize| match cells[i] / row.seconds[i] {
                 // A slow machine has some, too.
@@ -207,7 +208,7 @@ impl BenchCommand {
             let times = |i: usize| base[i] / row.seconds[i];
             let flops = f64::from(self.flops(&courses[1], row.precision));
             let giga = flops * steps / row.seconds[1] / 1.0e9;
-            println!(
+            print_line!(
                 "| {:<40} | {:<7} | {:>17} | {:>6.2} | {:>14} | {:>5.2} | {:>10} | {:>5.2} | {:>7.3} |",
                 row.name,
                 row.precision.name(),
@@ -223,7 +224,7 @@ impl BenchCommand {
         let variant = courses[1].plan.variant();
         for (phase, rocking) in [("full contact", false), ("rocking", true)] {
             let one = of_step(variant, rocking, false);
-            println!(
+            print_line!(
                 "\na step in {phase}: {} flops ({} sums, {} products, {} fused, {} divisions)",
                 one.flops(),
                 one.sums,
@@ -232,7 +233,7 @@ impl BenchCommand {
                 one.divisions
             );
         }
-        println!(
+        print_line!(
             "Gflop/s are those of the equations in full contact over all steps: a lower bound"
         );
         let shader = rows.iter().find(|row| row.shader && row.precision == Precision::F32);
@@ -240,10 +241,10 @@ impl BenchCommand {
             (Some(row), Some(peak)) => {
                 let flops = f64::from(self.flops(&courses[1], row.precision));
                 let share = flops * steps / row.seconds[1] / (peak * 1.0e12);
-                println!("share of the card's peak of {peak} Tflop/s: {:.1} %", 100.0 * share);
+                print_line!("share of the card's peak of {peak} Tflop/s: {:.1} %", 100.0 * share);
             }
-            (Some(_), None) => println!("share of the card's peak: ____ (give --peak TFLOPS)"),
-            (None, _) => println!("no shader was run: without a GPU there is none to measure"),
+            (Some(_), None) => print_line!("share of the card's peak: ____ (give --peak TFLOPS)"),
+            (None, _) => print_line!("no shader was run: without a GPU there is none to measure"),
         }
     }
 

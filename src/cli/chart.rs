@@ -21,6 +21,7 @@ use topple::sweep::report::threads;
 use super::InputError;
 use super::options::flag_error;
 use super::output::{self, PNG_SCALE, write_figure};
+use super::print::print_line;
 use super::progress::Bar;
 use super::seismic::write_synthetic;
 
@@ -94,7 +95,7 @@ impl ChartCommand {
 
     fn say(&self, line: String) {
         if !self.quiet {
-            println!("{line}");
+            print_line!("{line}");
         }
     }
 

@@ -10,6 +10,16 @@ use super::words::with_flags;
 #[error("{0}")]
 pub struct Interrupted(String);
 
+/// An error of the verification of a map whose files are written.
+pub fn not_verified(error: SweepError) -> anyhow::Error {
+    match error.is_cancelled() {
+        true => {
+            Interrupted("cancelled; the map's files are written, it is not verified".into()).into()
+        }
+        false => sweep_error(error),
+    }
+}
+
 /// An error of a sweep: bad input names the flag at fault.
 pub fn sweep_error(error: SweepError) -> anyhow::Error {
     let problem = match &error {

@@ -1,14 +1,17 @@
 //! What a run will take, in words: said before it starts, and all that `--dry-run` does.
 
+use std::time::Duration;
+
 use topple::results::size::room;
 use topple::scene::{Parameter, Scene};
 use topple::sweep::estimate::Estimate;
 use topple::sweep::job::Job;
-use topple::sweep::settings::RunSettings;
+use topple::sweep::settings::{RunSettings, VerifySettings};
 
 use super::disk::{self, size};
 use super::errors::sweep_error;
-use super::options::{MapFile, MapOptions};
+use super::options::{MapFile, MapOptions, Verify};
+use super::print::print_line;
 use super::progress::Screen;
 use super::{memory, words};
 
@@ -28,9 +31,9 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         Some(part) => format!(", part {part} of them {}", wanted.len()),
     };
     let workers = job.backends.len() as f64;
-    println!("cells      {} = {}{part}", words::sides(grid), grid.len());
-    println!("motion     {:.3e} s simulated at the most", motion(&job, wanted.len()));
-    println!(
+    print_line!("cells      {} = {}{part}", words::sides(grid), grid.len());
+    print_line!("motion     {:.3e} s simulated at the most", motion(&job, wanted.len()));
+    print_line!(
         "time       about {} of sweep by {} {}, {:.0} cells/s on {} cells",
         duration(wanted.len() as f64 / takes.rate / workers),
         backend.name(),
@@ -38,7 +41,11 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         takes.rate * workers,
         takes.sampled
     );
-    println!(
+    let verification = verification(options);
+    if !verification.is_empty() {
+        print_line!("          {verification}");
+    }
+    print_line!(
         "memory     up to {}",
         size(memory::of_run(&job, (options.tile.is_some(), options.run.resolve)) as f64)
     );
@@ -62,7 +69,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         Some(room) => format!("; {} are free", size(room as f64)),
         None => String::new(),
     };
-    println!("disk       {files}{room}");
+    print_line!("disk       {files}{room}");
     Ok(())
 }
 
@@ -73,7 +80,19 @@ pub fn line(job: &Job, estimate: Option<&Estimate>, options: &MapOptions) -> Str
     let Some(estimate) = estimate else { return motion };
     let time = left as f64 / estimate.rate / job.backends.len() as f64;
     let disk = size(disk::of_run(job, estimate, options));
-    format!("{motion}, about {}, up to {disk} of disk", duration(time))
+    let verify = verification(options);
+    format!("{motion}, about {}{verify}, up to {disk} of disk", duration(time))
+}
+
+/// What the reference takes beside it, in words.
+fn verification(options: &MapOptions) -> String {
+    let VerifySettings { cells, within } = Verify::settings(options.verify);
+    match (cells, within) {
+        _ if options.tile.is_some() => String::new(),
+        (0, _) => String::new(),
+        (_, Duration::MAX) => format!(" and the time of {cells} cells by the reference"),
+        _ => format!(" and up to {} of verification", duration(within.as_secs_f64())),
+    }
 }
 
 /// Time that cells simulate if none ends early, s.

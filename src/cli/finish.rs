@@ -1,52 +1,86 @@
 //! From a finished sweep to files, and what is said about it.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use topple::map::manifest::Manifest;
+use topple::map::earlier::{Earlier, RUN};
+use topple::map::manifest::{Manifest, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
 use topple::results::files::Directory;
 use topple::scene::Parameter;
+use topple::sweep::backend_error::BackendError;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
-use topple::sweep::verification::SAMPLE;
+use topple::sweep::settings::VerifySettings;
 
-use super::errors::sweep_error;
+use super::errors::{not_verified, sweep_error};
 use super::options::MapFile;
 use super::output;
 use super::progress::Screen;
 use super::words::{self, Say};
 
-/// Judges a map by the reference and writes its files.
-pub fn write(
-    out: &Directory,
-    map: MapSweep,
-    files: &[MapFile],
-    say: &Say,
-    screen: &Screen,
-) -> anyhow::Result<()> {
-    // What Ctrl-C ends here can go on from what is saved.
-    let stopped = |error: SweepError| sweep_error(map.stopped(error));
-    let tally = map.tally(screen).map_err(stopped)?;
-    let judging = Instant::now();
-    let verification = map.verify(SAMPLE, screen).map_err(stopped)?;
-    let verified = judging.elapsed().as_secs_f64();
+/// How a map is finished.
+pub struct Finish<'a> {
+    /// Where to.
+    pub out: &'a Directory,
+    /// The files of the whole map.
+    pub files: &'a [MapFile],
+    /// Files that are there beside those of the map.
+    pub written: &'a [&'a str],
+    /// What an earlier command left there.
+    pub earlier: &'a Earlier,
+    /// What the reference runs again.
+    pub verify: VerifySettings,
+    /// How long the estimate took.
+    pub estimate: Duration,
+}
+
+/// Seconds of what is done, which began at a time; the next begins now.
+fn lap(began: &mut Instant) -> f64 {
+    let seconds = began.elapsed().as_secs_f64();
+    *began = Instant::now();
+    seconds
+}
+
+/// Writes a map's files, and has the reference verify it.
+pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyhow::Result<()> {
+    let Finish { out, files, .. } = *to;
+    let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
+    let mut began = Instant::now();
+    let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
+    // What lies on disk only is gone when its files are written.
+    let chosen = match to.verify.cells {
+        0 => Vec::new(),
+        cells => map.choose(cells, screen).map_err(|error| sweep_error(map.stopped(error)))?,
+    };
     screen.clear();
     say.line("outcomes", words::shares(&tally, map.plan.scene.numbers.get(Parameter::Friction)));
-    say.line("reference", words::agreement(&verification));
+    took.counting = lap(&mut began);
     let slices = slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?;
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
-    let manifest = Manifest::of(&map, &tally, (&verification, verified), drawn);
-    let pictures = output::write(out, &map, &slices, (&manifest, files), screen);
-    let pictures = match pictures {
+    let figures = output::draw(&slices)?;
+    took.drawing = lap(&mut began);
+    let mut names = output::names(&map, &slices, &figures, files);
+    names.extend(to.written.iter().map(|name| name.to_string()));
+    output::replace(out.path(), to.earlier, &names, say)?;
+    let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
         Err(_) if super::interrupt::asked() => {
-            return Err(stopped(topple::sweep::backend_error::BackendError::Cancelled.into()));
+            let cancelled: SweepError = BackendError::Cancelled.into();
+            return Err(sweep_error(map.stopped(cancelled)));
         }
         Err(error) => return Err(error),
     };
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
+    drop((slices, figures));
+    if files.contains(&MapFile::Zarr) {
+        map.publish(&out.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
+        screen.clear();
+    }
+    took.writing = lap(&mut began);
+    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
+    map.discard_saved().map_err(sweep_error)?;
     let thinned = match cells == map.grid.len() {
         true => String::new(),
         false => format!(", {DRAWN} cells a side of them"),
@@ -61,14 +95,19 @@ pub fn write(
             say.line("pictures", format!("{} to {}{thinned}", first.display(), last.display()));
         }
     }
-    drop(slices);
-    let names: Vec<&str> = files.iter().map(|file| file.name()).chain(["run.json"]).collect();
-    if files.contains(&MapFile::Zarr) {
-        map.publish(&out.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
-        screen.clear();
-    } else {
-        map.discard_saved().map_err(sweep_error)?;
+    let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
+    say.line("data", format!("{} with {}", out.file(data[0]).display(), data[1..].join(", ")));
+    if to.verify.cells == 0 {
+        return Ok(());
     }
-    say.line("data", format!("{} with {}", out.file(names[0]).display(), names[1..].join(", ")));
+    let mut began = Instant::now();
+    let verified = map.verify_chosen(&chosen, to.verify.within, screen);
+    screen.clear();
+    let verification = verified.map_err(not_verified)?;
+    took.verification = Some(lap(&mut began));
+    say.line("reference", words::agreement(&verification, to.verify.within));
+    say.line("", words::verdict(&verification));
+    map.verification = Some(verification);
+    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
     Ok(())
 }

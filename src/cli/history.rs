@@ -1,6 +1,7 @@
 //! `topple history`.
 
 use serde::Serialize;
+use topple::map::earlier::Kind;
 use topple::map::figure::{document, history as figure};
 use topple::map::history::{self as table};
 use topple::model::precision::Precision;
@@ -14,7 +15,9 @@ use topple::sweep::request::BackendRequest;
 use super::InputError;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
-use super::{output, words};
+use super::output;
+use super::print::print_line;
+use super::words::{self, Say};
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]
@@ -34,12 +37,14 @@ pub struct HistoryCommand {
 /// run.json of a history.
 #[derive(Serialize)]
 struct Manifest<'a> {
+    kind: Kind,
     version: &'static str,
     scene: &'a Scene,
     backend: &'static str,
     precision: Precision,
     largest_step: f64,
     outcome: &'a Outcome,
+    files: &'a [String],
 }
 
 impl HistoryCommand {
@@ -67,6 +72,8 @@ impl HistoryCommand {
         // A history is the motion to its end, proved or not.
         plan.reductions.certificate = false;
         words::warn_of_cut_pulses(&Grid::of(&scene));
+        words::warn_of_lossless_impacts(&plan, &Grid::of(&scene));
+        let earlier = output::refuse_other(&options.out, Kind::History)?;
         let out = output::open(&options.out)?;
         let case = scene.case();
         let (rows, outcome) = match (options.backend, options.precision) {
@@ -76,30 +83,38 @@ impl HistoryCommand {
         };
         let svg = figure::draw(&scene, &case, &rows, &outcome)?;
         let png = document::render(&svg, output::PNG_SCALE)?;
+        let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
+        output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
         out.write("history.csv", |w| table::write(&rows, w))?;
         output::write_figure(&out, "history", &svg, &png)?;
         let backend =
             if options.backend == BackendRequest::Reference { "reference" } else { "cpu" };
         let manifest = Manifest {
+            kind: Kind::History,
             version: env!("CARGO_PKG_VERSION"),
             scene: &scene,
             backend,
             precision: options.precision,
             largest_step: options.step,
             outcome: &outcome,
+            files: &files,
         };
         output::write_json(&out, &manifest)?;
         if !options.quiet {
             let name = outcome.class.name().replace('_', " ");
-            println!(
+            print_line!(
                 "outcome    {name} after {} impacts, t_end = {:.6} s",
-                outcome.impacts, outcome.t_end
+                outcome.impacts,
+                outcome.t_end
             );
             if let Some(t) = outcome.t_uplift {
-                println!("uplift     {t:.6} s, zeta = {:.6}", outcome.zeta);
+                print_line!("uplift     {t:.6} s, zeta = {:.6}", outcome.zeta);
             }
-            println!("picture    {}", out.file("history.png").display());
-            println!("data       {} with history.svg, run.json", out.file("history.csv").display());
+            print_line!("picture    {}", out.file("history.png").display());
+            print_line!(
+                "data       {} with history.svg, run.json",
+                out.file("history.csv").display()
+            );
         }
         Ok(())
     }

@@ -1,7 +1,9 @@
 //! `topple merge`.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
+use topple::map::earlier::Kind;
 use topple::map::thinned::thinned;
 use topple::results::size::FileSizes;
 use topple::sweep::map::MapSweep;
@@ -9,8 +11,8 @@ use topple::sweep::parts::Parts;
 
 use super::disk::{self, size};
 use super::errors::sweep_error;
-use super::finish;
-use super::options::MapFile;
+use super::finish::{self, Finish};
+use super::options::{MapFile, Verify};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
 use super::{InputError, interrupt, output};
@@ -30,6 +32,9 @@ pub struct MergeCommand {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     files: Vec<MapFile>,
+    /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none")]
+    verify: Option<Verify>,
     /// Print nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -44,6 +49,7 @@ impl MergeCommand {
         let joined = Parts::join(&self.parts, &bar);
         bar.finish();
         let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
+        let earlier = output::refuse_other(&self.out, Kind::Map)?;
         let out = output::open(&self.out)?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
@@ -64,6 +70,9 @@ impl MergeCommand {
             say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
         }
         say.line("takes", format!("{} of disk", size(bytes)));
-        finish::write(&out, map, &files, &say, &Screen::new(self.quiet))
+        let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
+        let (out, files, earlier) = (&out, &files[..], &earlier);
+        let to = Finish { out, files, written: &[], earlier, verify, estimate };
+        finish::write(map, &to, &say, &Screen::new(self.quiet))
     }
 }

@@ -15,6 +15,7 @@ mod merge;
 mod numbers;
 mod options;
 mod output;
+mod print;
 mod progress;
 mod pulse;
 mod ratios;
@@ -26,6 +27,7 @@ mod words;
 use clap::{Parser, Subcommand};
 pub use errors::Interrupted;
 pub use interrupt::STATUS as INTERRUPTED;
+pub use print::error_line;
 
 /// Bad input, in one line: what is wrong, where, and what to do. Exit status 2.
 #[derive(Debug, thiserror::Error)]
@@ -72,7 +74,8 @@ pub fn run() -> anyhow::Result<()> {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() => return Err(InputError(one_line(&error)).into()),
         Err(help) => {
-            help.print()?;
+            // As with every other line, a reader that is gone is no failure.
+            let _ = help.print();
             return Ok(());
         }
     };

@@ -1,6 +1,7 @@
 //! Options that every run has.
 
 use std::path::PathBuf;
+use std::str::FromStr;
 use std::time::Duration;
 
 use topple::model::precision::Precision;
@@ -13,7 +14,7 @@ use topple::sweep::backend_error::BackendError;
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 use topple::sweep::request::{BackendRequest, OpenBackends};
-use topple::sweep::settings::{Method, RunSettings, Saving};
+use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 
 use super::errors::sweep_error;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
@@ -43,7 +44,7 @@ pub struct RunOptions {
     /// Turn off the shortcuts that cannot change the result
     #[arg(long)]
     pub full_model: bool,
-    /// Believe numbers that are not plausible
+    /// Accept numbers that are not plausible
     #[arg(long)]
     pub force: bool,
     /// Print nothing but warnings and errors
@@ -71,9 +72,35 @@ pub struct MapOptions {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
+    /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none")]
+    pub verify: Option<Verify>,
     /// Say what the run would take, and run nothing but a sample
     #[arg(long)]
     pub dry_run: bool,
+}
+
+/// What the reference is to run again.
+#[derive(Debug, Clone, Copy)]
+pub struct Verify(VerifySettings);
+
+impl Verify {
+    /// As settings; those of a run that asks for none in particular where nothing is said.
+    pub fn settings(asked: Option<Verify>) -> VerifySettings {
+        asked.map_or_else(VerifySettings::default, |Verify(settings)| settings)
+    }
+}
+
+impl FromStr for Verify {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Verify, String> {
+        match (text, text.parse::<usize>()) {
+            ("none", _) => Ok(Verify(VerifySettings::cells(0))),
+            (_, Ok(cells)) => Ok(Verify(VerifySettings::cells(cells))),
+            _ => Err("must be a number of cells or none".into()),
+        }
+    }
 }
 
 /// A file that holds a whole map.
@@ -117,7 +144,7 @@ impl RunOptions {
             let key = "step";
             let problem = format!(
                 "{step} s is not plausible (up to {LARGEST_STEP}; seconds are meant, not \
-                 milliseconds); --force believes it"
+                 milliseconds); --force accepts it"
             );
             return Err(SceneError { key, problem });
         }

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
+use topple::map::earlier::{Earlier, Kind, RUN};
 use topple::map::figure::FigureError;
 use topple::map::figure::{curves, document, field, fields, frame, overturning};
-use topple::map::manifest::Manifest;
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::results::columns::Column;
@@ -18,7 +18,10 @@ use topple::sweep::observer::{Observer, Phase};
 use super::InputError;
 use super::options::MapFile;
 use super::progress::Screen;
+use super::words::Say;
 
+/// Name of the file of the boundaries between outcomes.
+const BOUNDARIES: &str = "boundaries.csv";
 /// Pixels of a PNG for each of its SVG's units.
 pub const PNG_SCALE: f32 = 2.0;
 
@@ -27,22 +30,72 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
     Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
 }
 
-/// Writes the files of a map, of which `slices` are drawn, but map.zarr; the paths of its pictures.
-pub fn write(
-    out: &Directory,
-    map: &MapSweep,
-    slices: &[Slice],
-    (manifest, files): (&Manifest, &[MapFile]),
-    screen: &Screen,
-) -> anyhow::Result<Vec<PathBuf>> {
-    let figures: Vec<Figure> = match slices {
-        [whole] => figures(&whole.map)?,
+/// Refuses a directory that holds something of another kind: its files are not to lie beside the new ones.
+pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
+    let earlier = Earlier::of(out);
+    match earlier.kind {
+        Some(other) if earlier.is_other_than(kind) => {
+            let (other, new) = (other.name(), kind.name());
+            let problem =
+                format!("{} holds {other}; give {new} a directory of its own", out.display());
+            Err(InputError(format!("--out: {problem}")))
+        }
+        _ => Ok(earlier),
+    }
+}
+
+/// Removes what an earlier command left that a new one does not write, and says it.
+pub fn replace(out: &Path, earlier: &Earlier, files: &[String], say: &Say) -> anyhow::Result<()> {
+    let removed = earlier.remove_but(files, out);
+    let removed = removed.map_err(|error| anyhow::anyhow!("{}: {error}", out.display()))?;
+    if !removed.is_empty() {
+        say.line("removed", format!("{} of the run before", removed.join(", ")));
+    }
+    Ok(())
+}
+
+/// Draws the slices of a map.
+pub fn draw(slices: &[Slice]) -> Result<Vec<Figure>, FigureError> {
+    match slices {
+        [whole] => figures(&whole.map),
         slices => slices
             .par_iter()
             .enumerate()
             .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number)))
-            .collect::<Result<_, _>>()?,
-    };
+            .collect(),
+    }
+}
+
+/// True where the boundaries between outcomes are written as curves: of a record's map with two axes.
+fn has_boundaries(map: &MapSweep, slices: &[Slice]) -> bool {
+    let grid = &map.grid;
+    matches!(slices, [_])
+        && map.plan.scene.excitation.record().is_some()
+        && grid.axes().len() == 2
+        && grid.line().is_none()
+}
+
+/// The names of a map's files, but run.json.
+pub fn names(
+    map: &MapSweep,
+    slices: &[Slice],
+    figures: &[Figure],
+    files: &[MapFile],
+) -> Vec<String> {
+    let pictures =
+        figures.iter().flat_map(|(name, ..)| [format!("{name}.svg"), format!("{name}.png")]);
+    let boundaries = has_boundaries(map, slices).then(|| BOUNDARIES.to_string());
+    files.iter().map(|file| file.name().to_string()).chain(boundaries).chain(pictures).collect()
+}
+
+/// Writes the files of a map, but map.zarr and run.json; the paths of its pictures.
+pub fn write(
+    out: &Directory,
+    map: &MapSweep,
+    (slices, figures): (&[Slice], &[Figure]),
+    files: &[MapFile],
+    screen: &Screen,
+) -> anyhow::Result<Vec<PathBuf>> {
     let grid = &map.grid;
     let tables = files.iter().filter(|file| **file != MapFile::Zarr).count();
     screen.begins(Phase::Writing, grid.len() * tables * Column::ALL.len());
@@ -54,22 +107,19 @@ pub fn write(
         out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
     }
     if let [whole] = slices
-        && whole.map.scene.excitation.record().is_some()
-        && grid.axes().len() == 2
-        && grid.line().is_none()
+        && has_boundaries(map, slices)
     {
-        out.write("boundaries.csv", |w| map::boundaries::write(&whole.map, w))?;
+        out.write(BOUNDARIES, |w| map::boundaries::write(&whole.map, w))?;
     }
-    for (name, svg, png) in &figures {
+    for (name, svg, png) in figures {
         write_figure(out, name, svg, png)?;
     }
-    write_json(out, manifest)?;
     let maps = figures.iter().filter(|(name, ..)| name.starts_with("map"));
     Ok(maps.map(|(name, ..)| out.file(&format!("{name}.png"))).collect())
 }
 
 /// A picture's name, its SVG and its PNG.
-type Figure = (String, String, Vec<u8>);
+pub type Figure = (String, String, Vec<u8>);
 
 /// The name of a slice's picture.
 fn name_of(number: usize) -> String {
@@ -121,6 +171,6 @@ pub fn write_figure(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Resul
 
 /// Writes run.json.
 pub fn write_json(out: &Directory, manifest: &impl serde::Serialize) -> Result<(), WriteError> {
-    out.write("run.json", |w| serde_json::to_writer_pretty(w, manifest))?;
+    out.write(RUN, |w| serde_json::to_writer_pretty(w, manifest))?;
     Ok(())
 }

@@ -25,6 +25,6 @@ impl PulseCommand {
         let text = self.common.text(None, self.pulse.numbers.placed());
         let text = SceneBuilder { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        run::run_map(&scene, &self.options)
+        run::run_map(&scene, &self.options, &[])
     }
 }

@@ -16,6 +16,7 @@ use topple::sweep::report::threads;
 
 use super::InputError;
 use super::options::flag_error;
+use super::print::print_line;
 
 /// Points of an axis of the map that topple is timed on, beside the peers' cells.
 const SIDE: u32 = 400;
@@ -44,12 +45,12 @@ pub fn print(files: &[PathBuf]) -> anyhow::Result<()> {
         truth.iter().zip(&outcomes).filter(|(truth, ours)| truth.outcome.class != ours.class);
     let wrong = wrong.count();
     let threads = threads();
-    println!("\n{}\n", small.title);
-    println!("| program | setting | threads | cells/s | wrong of {count} | topple's map is |");
-    println!("|---|---|--:|--:|--:|--:|");
-    println!("| topple f32, {SIDE}² cells | 1/128 s | {threads} | {many:.0} | – | 1 |");
+    print_line!("\n{}\n", small.title);
+    print_line!("| program | setting | threads | cells/s | wrong of {count} | topple's map is |");
+    print_line!("|---|---|--:|--:|--:|--:|");
+    print_line!("| topple f32, {SIDE}² cells | 1/128 s | {threads} | {many:.0} | – | 1 |");
     let share = many / few;
-    println!(
+    print_line!(
         "| topple f32, the peers' cells | 1/128 s | {threads} | {few:.0} | {wrong} | {share:.1} |"
     );
     let truths = [truth];
@@ -60,7 +61,7 @@ pub fn print(files: &[PathBuf]) -> anyhow::Result<()> {
         } else {
             format!("{:.0e}", row.setting)
         };
-        println!(
+        print_line!(
             "| {} | {setting} | {} | {:.1} | {} | {:.0} |",
             row.method,
             row.threads,

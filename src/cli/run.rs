@@ -1,16 +1,21 @@
 //! From a scene to files: a map, or a part of one.
 
+use std::time::Instant;
+
+use topple::map::earlier::Kind;
 use topple::scene::Scene;
 use topple::sweep::job::{Job, SweepResult};
 
 use super::errors::sweep_error;
-use super::options::{MapOptions, flag_error};
+use super::finish::{self, Finish};
+use super::options::{MapOptions, Verify, flag_error};
 use super::progress::Screen;
 use super::words::{self, Say};
-use super::{disk, estimate, finish, interrupt, output};
+use super::{disk, estimate, interrupt, output};
 
-/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
-pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
+/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles. `written` are files in the
+/// directory that the command has written before.
+pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow::Result<()> {
     // What is wrong with the scene is told before anything is made.
     options.run.plan(scene).map_err(|error| flag_error(&error))?;
     let settings = options.settings(scene);
@@ -18,11 +23,14 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         return estimate::tell(scene, options, &settings);
     }
     interrupt::listen();
+    let earlier = output::refuse_other(&options.run.out, Kind::Map)?;
     let out = output::open(&options.run.out)?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(&job.passed_over, &job.backends[0]);
     let screen = Screen::new(options.run.quiet);
+    let sampling = Instant::now();
     let estimate = job.estimate_if_long(&screen).map_err(sweep_error)?;
+    let sampling = sampling.elapsed();
     let files = options.files(&job.grid);
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
@@ -30,6 +38,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let say = Say::unless(options.run.quiet);
     words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision);
     words::warn_of_cut_pulses(&job.grid);
+    words::warn_of_lossless_impacts(&job.plan, &job.grid);
     begin(&say, &job, options);
     let left = job.left();
     if left > 0 {
@@ -53,7 +62,12 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         say.line("sweep", words::speed(left, seconds));
     }
     match ended {
-        SweepResult::Map(map) => finish::write(&out, *map, &files, &say, &screen),
+        SweepResult::Map(map) => {
+            let (verify, estimate) = (Verify::settings(options.verify), sampling);
+            let (out, files, earlier) = (&out, &files[..], &earlier);
+            let to = Finish { out, files, written, earlier, verify, estimate };
+            finish::write(*map, &to, &say, &screen)
+        }
         SweepResult::Part(part) => {
             say.line("tiles", format!("{}; topple merge joins the parts", part.folder.display()));
             Ok(())

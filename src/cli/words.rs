@@ -1,17 +1,20 @@
 //! What is said about a run.
 
 use std::fmt::Display;
+use std::time::Duration;
 
+use super::print::{error_line, print_line};
 use topple::map::figure::frame;
+use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::results::tally::Tally;
-use topple::scene::{Case, Excitation, Grid, Scene, Values};
+use topple::scene::{Case, Directions, Excitation, Grid, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
-use topple::sweep::verification::Verification;
+use topple::sweep::verification::{Verdict, Verification};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
 pub struct Say(bool);
@@ -25,14 +28,14 @@ impl Say {
     /// Says a line.
     pub fn line(&self, name: &str, text: impl Display) {
         if self.0 {
-            println!("{name:<10} {text}");
+            print_line!("{name:<10} {text}");
         }
     }
 }
 
 /// Says on stderr what the user should know though the run goes on.
 pub fn warn(text: impl Display) {
-    eprintln!("topple: warning: {text}");
+    error_line(format_args!("topple: warning: {text}"));
 }
 
 /// Settings that messages of the library name.
@@ -78,6 +81,28 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
             "the longest pulse lasts {longest:.1} s, but its run ends at {t_max} s; t_max = {whole} covers it"
         ));
     }
+}
+
+/// Share of the angular velocity that an impact takes below which it takes none.
+const NO_LOSS: f64 = 1.0e-9;
+
+/// Warns of blocks whose impacts take no angular velocity, as where the plates have no mass: they chatter for
+/// long, and only the base damps their rocking.
+pub fn warn_of_lossless_impacts(plan: &Plan, grid: &Grid) {
+    let loss = |case: &Case| {
+        let model: Model<f64> = plan.model(case);
+        1.0 - model.left.eta_phi.min(model.right.eta_phi)
+    };
+    if !grid.corners().any(|case| loss(&case) < NO_LOSS) {
+        return;
+    }
+    warn(match plan.scene.isolation {
+        Directions::None => "impacts take no speed: restitution is 1",
+        _ => {
+            "impacts take no speed, as (17) has it for plates without mass: the block chatters for long; \
+             give plate_h and plate_v"
+        }
+    });
 }
 
 /// Share of a pulse without which it is said to be cut.
@@ -174,15 +199,52 @@ pub fn part(report: &Report) -> String {
     format!("{} cells from number {} on, {on}", report.cells, report.first)
 }
 
-/// How the reference's sample came out.
-pub fn agreement(v: &Verification) -> String {
+/// How the reference's sample came out, which had so much time.
+pub fn agreement(v: &Verification, within: Duration) -> String {
+    let left_out = match v.chosen - v.sampled {
+        0 => String::new(),
+        _ => format!(" of {}, as many as {} s allowed", v.chosen, within.as_secs()),
+    };
     let unresolved = match v.unresolved {
         0 => String::new(),
         count => format!("{count} unresolved, "),
     };
     format!(
-        "{} cells again, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
+        "{} cells again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
          t_end within {:.0e} s, zeta within {:.0e}",
         v.sampled, v.beside_boundary, v.differ, v.impacts_differ, v.worst_t_end, v.worst_zeta
     )
+}
+
+/// What the sample says of the map, in a sentence.
+pub fn verdict(v: &Verification) -> String {
+    let places = [
+        (v.differ_tensile, "where the contact force is tensile (hatched)"),
+        (v.differ_beside_boundary, "beside a boundary"),
+        (v.differ_inside(), "amid cells of one outcome"),
+    ];
+    let places: Vec<String> = places
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, place)| format!("{count} {place}"))
+        .collect();
+    let places = places.join(", ");
+    match v.verdict {
+        Verdict::Right => "the map is right in every cell of the sample".into(),
+        Verdict::AsExpected => {
+            format!("the map is right within what to expect: {places} have another outcome")
+        }
+        Verdict::Wrong if v.differ == 0 => format!(
+            "the map is not right: half of the rocking cells are off by {:.0e} in zeta or more; \
+             try a smaller --step or --precision f64",
+            v.median_zeta
+        ),
+        Verdict::Wrong => format!(
+            "the map is not right: {places} have another outcome; try a smaller --step, --precision f64 \
+             or --resolve"
+        ),
+        Verdict::Nothing => {
+            format!("nothing is verified; --verify {} takes the time that it needs", v.chosen)
+        }
+    }
 }

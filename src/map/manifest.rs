@@ -6,6 +6,7 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::earlier::Kind;
 use crate::model::precision::Precision;
 use crate::results::tally::Tally;
 use crate::scene::{Grid, Scene};
@@ -19,6 +20,8 @@ use crate::sweep::verification::Verification;
 /// Everything about a run that its data do not hold.
 #[derive(Debug, Serialize)]
 pub struct Manifest<'a> {
+    /// What the files are of.
+    pub kind: Kind,
     /// Version of topple.
     pub version: &'static str,
     /// The scene as run, defaults filled in.
@@ -52,12 +55,14 @@ pub struct Manifest<'a> {
     pub sliding_cells: Option<usize>,
     /// What was left out of the model.
     pub model: Reduced,
-    /// The sample that the reference ran again.
-    pub verification: &'a Verification,
+    /// The sample that the reference ran again; none before, and where none was asked for.
+    pub verification: Option<&'a Verification>,
     /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
     pub drawn: (usize, usize),
     /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
     pub parts: Vec<Origin<'a>>,
+    /// The files beside this one.
+    pub files: &'a [String],
 }
 
 /// A run of cells and what ran them.
@@ -95,12 +100,13 @@ pub struct Reduced {
 }
 
 impl<'a> Manifest<'a> {
-    /// What is known of a map that was counted and verified, of which `drawn` columns and rows are drawn.
+    /// What is known of a map that was counted, of which `drawn` columns and rows are drawn. `took` has the times of
+    /// what came beside the sweep.
     pub fn of(
         map: &'a MapSweep,
         tally: &Tally,
-        (verification, seconds): (&'a Verification, f64),
-        drawn: (usize, usize),
+        took: Timings,
+        (drawn, files): ((usize, usize), &'a [String]),
     ) -> Manifest<'a> {
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
@@ -108,7 +114,7 @@ impl<'a> Manifest<'a> {
         let timings = Timings {
             start: sum(|report| report.start),
             sweep: sum(|report| report.sweep),
-            verification: seconds,
+            ..took
         };
         let mut backends: Vec<&str> =
             parts.iter().map(|(_, report)| report.backend.as_str()).collect();
@@ -118,6 +124,7 @@ impl<'a> Manifest<'a> {
         let adapter = parts[0].1.adapter.as_ref();
         let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
         Manifest {
+            kind: Kind::Map,
             version: env!("CARGO_PKG_VERSION"),
             scene: &plan.scene,
             cells: grid.len(),
@@ -134,12 +141,13 @@ impl<'a> Manifest<'a> {
             tensile_cells: tally.tensile,
             sliding_cells: tally.sliding,
             model: Reduced::of(plan, tally),
-            verification,
+            verification: map.verification.as_ref(),
             drawn,
             parts: parts
                 .iter()
                 .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
                 .collect(),
+            files,
         }
     }
 }
@@ -181,12 +189,20 @@ impl Reduced {
 }
 
 /// Seconds of each part of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Timings {
     /// Opening the backend and compiling the shader.
     pub start: f64,
+    /// The estimate of what the sweep will take, from a sample of cells.
+    pub estimate: f64,
     /// The sweep.
     pub sweep: f64,
-    /// The reference's sample.
-    pub verification: f64,
+    /// Counting outcomes, and choosing the reference's sample.
+    pub counting: f64,
+    /// Drawing the pictures.
+    pub drawing: f64,
+    /// Writing the files.
+    pub writing: f64,
+    /// The reference's sample; none before, and where none was asked for.
+    pub verification: Option<f64>,
 }

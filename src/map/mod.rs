@@ -1,6 +1,7 @@
 //! A map as it is drawn, and what is said about it.
 
 pub mod boundaries;
+pub mod earlier;
 pub mod figure;
 pub mod history;
 pub mod manifest;

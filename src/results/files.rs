@@ -68,6 +68,11 @@ impl Directory {
         Ok(Directory { path: path.to_path_buf() })
     }
 
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Path of a file in the directory.
     pub fn file(&self, name: &str) -> PathBuf {
         self.path.join(name)

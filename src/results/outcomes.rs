@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
+use std::path::Path;
 
 use super::columns::Column;
 use crate::scene::Grid;
@@ -18,6 +19,11 @@ pub trait Outcomes: Sync {
     /// # Errors
     /// Those of the disk.
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>>;
+
+    /// Hears that a folder has another name now.
+    fn moved(&mut self, from: &Path, to: &Path) {
+        let _ = (from, to);
+    }
 }
 
 impl Outcomes for [Outcome] {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::block::{Block, Values};
@@ -145,6 +145,12 @@ impl Outcomes for TileReader {
             })?;
         }
         Ok(Cow::Owned(outcomes))
+    }
+
+    fn moved(&mut self, from: &Path, to: &Path) {
+        for held in self.held.iter_mut().filter(|held| held.folder == from) {
+            held.folder = to.to_path_buf();
+        }
     }
 }
 

@@ -27,7 +27,7 @@ pub struct SceneBuilder {
     pub record: Option<RecordText>,
     /// All numbers.
     pub numbers: Numbers,
-    /// Numbers are believed, however improbable.
+    /// Numbers are accepted, however improbable.
     pub force: bool,
     /// The parameter along the picture's horizontal axis.
     pub x: Option<Parameter>,

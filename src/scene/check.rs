@@ -3,7 +3,7 @@
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
-use super::parameters::{BELIEVED, Entry, Parameter};
+use super::parameters::{ACCEPTED, Entry, Parameter};
 use super::{Directions, Grid, Scene, SceneError};
 
 /// Parameters that say the same: one of each row.
@@ -16,7 +16,7 @@ const ALTERNATIVES: [&[Parameter]; 3] = [
 /// Most cells of a grid.
 const MOST_CELLS: usize = 1 << 40;
 
-/// Checks every number by itself; `force` believes what is improbable.
+/// Checks every number by itself; `force` accepts what is improbable.
 ///
 /// # Errors
 /// The first key at fault.
@@ -54,7 +54,7 @@ fn questioned(entry: &Entry, value: f64) -> String {
     // Magnitudes are meant.
     let low = if low == 0.0 && entry.legal.holds(-high) { -high } else { low };
     format!(
-        "{value}{unit}{} is not plausible ({low} to {high}; {}); {BELIEVED}",
+        "{value}{unit}{} is not plausible ({low} to {high}; {}); {ACCEPTED}",
         entry.unit, entry.perhaps
     )
 }

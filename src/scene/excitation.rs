@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::numbers::Numbers;
-use super::parameters::{BELIEVED, Parameter};
+use super::parameters::{ACCEPTED, Parameter};
 use super::record::read::{self, RecordHints};
 use super::record::{Pair, Record, Units, component};
-use super::{SceneError, Values, positive};
+use super::{GRAVITY, SceneError, Values, positive};
 use crate::model::pulse::Shape;
 
 /// What shakes the base.
@@ -58,15 +58,35 @@ pub struct RecordText {
     pub units: Option<Units>,
 }
 
+/// Peak below which units that were given by hand are questioned, g: maps are asked for of stronger motions.
+const WEAK: f64 = 0.1;
+
 /// What makes a pair of records improbable.
-fn questioned(horizontal: &Record, vertical: Option<&Record>) -> Option<SceneError> {
-    let asked = |key, problem: String| Some(SceneError::new(key, format!("{problem}; {BELIEVED}")));
+fn questioned(
+    horizontal: &Record,
+    vertical: Option<&Record>,
+    hints: &RecordHints,
+) -> Option<SceneError> {
+    let asked = |key, problem: String| Some(SceneError::new(key, format!("{problem}; {ACCEPTED}")));
     let (h, v) = (&horizontal.title, vertical.map_or("", |record| &record.title));
     if component::vertical(h).is_some() {
         return asked("horizontal", format!("'{h}' is a vertical component"));
     }
     if component::apart(h, v) {
         return asked("vertical", format!("'{v}' is of another place or time than '{h}'"));
+    }
+    if let Some(units) = hints.units
+        && units != Units::G
+        && !hints.scaled
+        && horizontal.peak() < WEAK * GRAVITY
+    {
+        let peak = horizontal.peak() / GRAVITY;
+        let in_g = horizontal.peak() / units.factor();
+        let problem = format!(
+            "in {} the peak is {peak:.2e} g, a weak motion; if the numbers are in g, it is {in_g:.2} g",
+            units.name()
+        );
+        return asked("units", problem);
     }
     if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
         return asked("vertical", "the same motion as the horizontal one".into());
@@ -129,7 +149,7 @@ pub(super) fn check_record(
     };
     let horizontal = read("horizontal", horizontal)?;
     let mut vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
-    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref()), force) {
+    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), &hints), force) {
         return Err(fault);
     }
     if let Some(vertical) = &mut vertical

@@ -24,7 +24,7 @@ A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashe
 
 Numbers of several values are the axes of the sweep, six at most. `--x KEY` and `--y KEY` choose those of the picture;
 else omega, a_h, t_h and t_v come first, then the others as given. A magnitude outside of the plausible ones is
-questioned; `--force` (in a file `force = true` under `[run]`) believes it.
+refused; `--force` (in a file `force = true` under `[run]`) accepts it.
 ";
 
 const SHAPES: &str = "

@@ -1,7 +1,7 @@
 //! What is simulated: a block on a base, the excitation, and the grid of parameters.
 //!
 //! A scene is written as flags or as TOML ([`builder`]), is checked once on its way into a
-//! [`Scene`], and is believed from there on. Its numbers stand in one table ([`parameters`]); each may
+//! [`Scene`], and is not checked again from there on. Its numbers stand in one table ([`parameters`]); each may
 //! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 
 pub mod block;
@@ -97,7 +97,7 @@ impl Scene {
         Choices::of(self).case(&self.numbers.first())
     }
 
-    /// Checks a scene whose numbers were set one by one: each by itself, improbable ones believed, and all
+    /// Checks a scene whose numbers were set one by one: each by itself, improbable ones accepted, and all
     /// together.
     ///
     /// # Errors

@@ -211,8 +211,8 @@ pub enum Caption {
     Never,
 }
 
-/// How what is improbable is believed.
-pub(super) const BELIEVED: &str = "--force believes it, in a file force = true under [run]";
+/// How what is improbable is accepted.
+pub(super) const ACCEPTED: &str = "--force accepts it, in a file force = true under [run]";
 
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 

@@ -3,6 +3,7 @@
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::backend_error::BackendError;
 use super::error::SweepError;
@@ -11,7 +12,8 @@ use super::observer::{Observer, Phase};
 use super::parts::Parts;
 use super::plan::Plan;
 use super::report::{self, Report};
-use super::settings::Method;
+use super::sample::{self, Chosen};
+use super::settings::{Method, VerifySettings};
 use super::verification::{self, Verification};
 use crate::model::precision::Precision;
 use crate::results::about::Source;
@@ -108,28 +110,54 @@ impl MapSweep {
         Ok(Tally::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
     }
 
-    /// Runs a sample of its cells again by the reference.
+    /// Runs a sample of its cells again by the reference; those that are not done in the time of the settings
+    /// are left out.
     ///
     /// # Errors
     /// Those of reading; where it is cancelled, [`SweepError::is_cancelled`] is true of it.
-    pub fn verify(&self, size: usize, observer: &dyn Observer) -> Result<Verification, SweepError> {
-        // The sample is chosen in two readings of a column.
+    pub fn verify(
+        &self,
+        settings: &VerifySettings,
+        observer: &dyn Observer,
+    ) -> Result<Verification, SweepError> {
+        let chosen = self.choose(settings.cells, observer)?;
+        self.verify_chosen(&chosen, settings.within, observer)
+    }
+
+    /// The cells for the reference to run again, with their outcomes.
+    ///
+    /// # Errors
+    /// Those of reading; [`SweepError::Read`] where it is cancelled.
+    pub fn choose(&self, cells: usize, observer: &dyn Observer) -> Result<Vec<Chosen>, SweepError> {
+        // They are chosen in two readings of a column.
         observer.begins(Phase::Choosing, 2 * self.grid.len());
         let watched = ObservedOutcomes::new(&*self.outcomes, observer);
-        let sample = verification::sample(&self.grid, &watched, size)?;
-        observer.begins(Phase::Verifying, sample.0.len());
-        let sampled =
-            verification::verify_sample(&self.plan, &self.grid, &*self.outcomes, sample, observer)?;
-        sampled.ok_or(BackendError::Cancelled.into())
+        Ok(sample::sample(&self.grid, &watched, cells)?)
+    }
+
+    /// Runs cells again that were chosen; those that are not done `within` a time are left out.
+    ///
+    /// # Errors
+    /// That it was cancelled.
+    pub fn verify_chosen(
+        &self,
+        chosen: &[Chosen],
+        within: Duration,
+        observer: &dyn Observer,
+    ) -> Result<Verification, SweepError> {
+        observer.begins(Phase::Verifying, chosen.len());
+        let verified = verification::verify(&self.plan, &self.grid, (chosen, within), observer);
+        verified.ok_or(BackendError::Cancelled.into())
     }
 
     /// Writes it as a Zarr group, in the place of one that is there. `observer` hears of its tiles' cells. What
-    /// was saved while it ran is used for it, and goes.
+    /// was saved while it ran is used for it, and goes; outcomes that are not in memory are read from the group
+    /// from then on.
     ///
     /// # Errors
     /// Those of the disk; a map without a directory to be saved in has none to be written to.
-    pub fn publish(self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
-        let Some(store) = self.store else { return Err(StoreError::Incomplete.into()) };
+    pub fn publish(&mut self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
+        let Some(store) = &self.store else { return Err(StoreError::Incomplete.into()) };
         let whole = SavedTiles::in_folder(store.path(), store.tiling(), store.tag(), &|_| ())?;
         let tiling = store.tiling().clone();
         observer.begins(Phase::Writing, self.grid.len());
@@ -153,8 +181,12 @@ impl MapSweep {
                 return Err(cancelled.stopped(saved, self.grid.len(), store.path()));
             }
         }
-        drop(self.outcomes);
-        Ok(store.publish(place)?)
+        let from = store.path().to_path_buf();
+        if let Some(store) = self.store.take() {
+            store.publish(place)?;
+            self.outcomes.moved(&from, place);
+        }
+        Ok(())
     }
 
     /// An error of the work on it, with where it is saved, if it is.
@@ -167,12 +199,12 @@ impl MapSweep {
         }
     }
 
-    /// Takes away what was saved while it ran: its files are written.
+    /// Takes away what was saved while it ran: its files are written. Outcomes that are not in memory cannot be
+    /// read from then on.
     ///
     /// # Errors
     /// Those of the disk.
-    pub fn discard_saved(self) -> Result<(), SweepError> {
-        drop(self.outcomes);
-        self.store.map_or(Ok(()), Store::discard).map_err(SweepError::from)
+    pub fn discard_saved(&mut self) -> Result<(), SweepError> {
+        self.store.take().map_or(Ok(()), Store::discard).map_err(SweepError::from)
     }
 }

@@ -44,6 +44,7 @@ pub mod reader;
 pub mod report;
 pub mod request;
 pub mod run;
+pub mod sample;
 pub mod settings;
 pub mod shared;
 pub mod shared_contact;

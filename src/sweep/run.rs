@@ -38,8 +38,8 @@ pub fn sweep(
     let estimate = job.estimate_if_long(observer)?;
     match job.run(estimate.as_ref(), observer)? {
         SweepResult::Map(mut map) => {
-            if settings.verify > 0 {
-                let verified = map.verify(settings.verify, observer);
+            if settings.verify.cells > 0 {
+                let verified = map.verify(&settings.verify, observer);
                 map.verification = Some(verified.map_err(|error| map.stopped(error))?);
             }
             Ok(*map)

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use super::clock::DEFAULT_STEP;
 use super::plan::Plan;
 use super::request::BackendRequest;
-use super::verification::SAMPLE;
 use crate::model::precision::Precision;
 use crate::results::part::Part;
 use crate::scene::{Scene, SceneError};
@@ -45,6 +44,29 @@ impl Method {
     }
 }
 
+/// How much of a sweep the reference runs again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct VerifySettings {
+    /// Cells; 0: no verification.
+    pub cells: usize,
+    /// Time that it may take: cells that are not done by then are left out.
+    pub within: Duration,
+}
+
+impl Default for VerifySettings {
+    /// 128 cells, or as many as 30 s allow.
+    fn default() -> VerifySettings {
+        VerifySettings { cells: 128, within: Duration::from_secs(30) }
+    }
+}
+
+impl VerifySettings {
+    /// So many cells, however long they take.
+    pub fn cells(cells: usize) -> VerifySettings {
+        VerifySettings { cells, within: Duration::MAX }
+    }
+}
+
 /// How a sweep is run.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -55,8 +77,8 @@ pub struct RunSettings {
     pub adapters: Vec<usize>,
     /// How cells are computed.
     pub method: Method,
-    /// Cells that the reference runs again; 0: no verification.
-    pub verify: usize,
+    /// What the reference runs again.
+    pub verify: VerifySettings,
     /// Where what is done is saved; nowhere without it, and the map is held in memory.
     pub saving: Option<Saving>,
 }
@@ -67,7 +89,7 @@ impl Default for RunSettings {
             backend: BackendRequest::Auto,
             adapters: Vec::new(),
             method: Method::default(),
-            verify: SAMPLE,
+            verify: VerifySettings::default(),
             saving: None,
         }
     }

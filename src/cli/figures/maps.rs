@@ -1,6 +1,6 @@
 //! Figures of maps.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use serde::Serialize;
 use topple::figures::motions::Motion;
@@ -10,6 +10,8 @@ use topple::map::Map;
 use topple::model::precision::Precision;
 use topple::results;
 use topple::scene::{Grid, Scene};
+use topple::sweep::progress::Unwatched;
+use topple::sweep::sample;
 use topple::sweep::verification::{self, Verification};
 
 use super::super::progress::Bar;
@@ -100,7 +102,10 @@ impl Work<'_> {
     /// A sample of a map's cells by the reference.
     fn judge(&self, map: &Map, place: &str) -> anyhow::Result<Verification> {
         let by_steps = plan(self.options, map.scene, None, place)?;
-        Ok(verification::verify(&by_steps, &map.grid, map, SAMPLE)?)
+        let chosen = sample::sample(&map.grid, map, SAMPLE)?;
+        let sample = (&chosen[..], Duration::MAX);
+        let verified = verification::verify(&by_steps, &map.grid, sample, &Unwatched);
+        verified.ok_or_else(|| anyhow::anyhow!("{place}: the verification was cancelled"))
     }
 
     /// What the paths of a panel meet: a picture and a table each.

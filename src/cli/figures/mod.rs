@@ -22,6 +22,7 @@ use super::InputError;
 use super::memory;
 use super::options::RunOptions;
 use super::output;
+use super::print::print_line;
 use super::progress::Bar;
 use super::scene;
 
@@ -184,7 +185,7 @@ struct Work<'a> {
 impl Work<'_> {
     fn say(&self, line: &str) {
         if !self.options.quiet {
-            println!("{line}");
+            print_line!("{line}");
         }
     }
 

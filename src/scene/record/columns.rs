@@ -1,4 +1,5 @@
-//! Plain numbers: one column of values, or time and value, with blanks, tabs or commas between.
+//! Plain numbers: one column of values, or time and value, with blanks, tabs, commas or semicolons between. Beside
+//! semicolons a comma is a decimal one.
 
 use super::lines::{MOST_SAMPLES, free, number};
 use super::{Raw, RecordError};
@@ -9,14 +10,16 @@ const JITTER: f64 = 0.02;
 pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
     let mut title = String::new();
     let (mut times, mut values) = (Vec::new(), Vec::new());
-    let mut columns = 0;
+    let (mut columns, mut commas) = (0, false);
     for (index, line) in text.lines().enumerate() {
         let at = index + 1;
         let line = line.trim();
         if line.is_empty() || line.starts_with(['#', '%', '!']) {
             continue;
         }
-        let fields = free(line);
+        let point = line.contains(';').then(|| line.replace(',', "."));
+        commas |= point.is_some() && line.contains(',');
+        let fields = free(point.as_deref().unwrap_or(line));
         let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field)).collect();
         let Some(numbers) = numbers else {
             // Words before the first number are a heading.
@@ -52,7 +55,8 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         }
     }
     let dt = if columns == 2 { Some(even_step(&times)?) } else { None };
-    Ok(Raw { title, dt, units: None, values, notes: Vec::new() })
+    let notes = if commas { vec!["decimal commas".to_string()] } else { Vec::new() };
+    Ok(Raw { title, dt, units: None, values, notes })
 }
 
 /// The step of evenly spaced times.
@@ -62,7 +66,9 @@ fn even_step(times: &[f64]) -> Result<f64, RecordError> {
     };
     let step = (last - first) / (times.len().max(2) - 1) as f64;
     if !(step > 0.0) {
-        return Err(RecordError::whole("the times in the first column do not grow"));
+        return Err(RecordError::whole(
+            "the times in the first column do not grow; if its commas are decimal ones, write points",
+        ));
     }
     for (index, time) in times.iter().enumerate() {
         let place = first + step * index as f64;

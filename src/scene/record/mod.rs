@@ -12,6 +12,7 @@ pub mod pair;
 pub mod read;
 pub mod smc;
 pub mod synthetic;
+mod text;
 
 use serde::{Deserialize, Serialize};
 
@@ -67,6 +68,15 @@ impl Units {
             Units::G => super::GRAVITY,
             Units::MetresPerSecondSquared => 1.0,
             Units::CentimetresPerSecondSquared => 0.01,
+        }
+    }
+
+    /// Its name, as it is given: `m/s2`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Units::G => "g",
+            Units::MetresPerSecondSquared => "m/s2",
+            Units::CentimetresPerSecondSquared => "cm/s2",
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::text::{self, LARGEST, printable};
 use super::{Raw, Record, RecordError, Units};
 use super::{at2, columns, cosmos, csmip, esm, knet, smc};
 use crate::scene::GRAVITY;
@@ -16,9 +17,6 @@ pub struct RecordHints {
     /// The record is scaled to a known peak, so that its own is not questioned.
     pub scaled: bool,
 }
-
-/// Largest file that is read, bytes.
-const LARGEST: u64 = 256 << 20;
 
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
@@ -42,9 +40,9 @@ pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
 pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
-    let text = String::from_utf8_lossy(bytes);
-    let text = text.trim_start_matches('\u{feff}');
-    let raw = if knet::matches(text) {
+    let (text, note) = text::of(bytes)?;
+    let text = text.as_str();
+    let mut raw = if knet::matches(text) {
         knet::read(text)?
     } else if esm::matches(text) {
         esm::read(text)?
@@ -59,11 +57,13 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
     } else {
         columns::read(text)?
     };
+    raw.notes.extend(note);
     check(raw, hints)
 }
 
 fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
-    let Raw { title, dt, units, values, mut notes } = raw;
+    let Raw { title, dt, units, values, notes } = raw;
+    let title = printable(&title);
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }
@@ -83,8 +83,10 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
     }
     let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {
-            notes.push(format!("read as {given:?}, though the file says {read:?}"));
-            given
+            let (read, given) = (read.name(), given.name());
+            let problem =
+                format!("the file's units are {read}, units says {given}; leave units out");
+            return Err(RecordError::whole(problem));
         }
         (Some(units), _) | (None, Some(units)) => units,
         (None, None) => {

@@ -1,0 +1,158 @@
+//! From the bytes of a file to its text: packed files are unpacked, other encodings turned into UTF-8.
+
+use std::io::{Cursor, Read};
+
+use flate2::read::MultiGzDecoder;
+use zip::ZipArchive;
+
+use super::RecordError;
+
+/// Largest file that is read, bytes; of a packed one also what is in it.
+pub(crate) const LARGEST: u64 = 256 << 20;
+
+/// The text of a file: of a gzip file what is packed, of a zip its one file; in UTF-8, UTF-16, or an older encoding of
+/// which only ASCII is told. Says what it had to decide.
+///
+/// # Errors
+/// What it is, where it is no record, and what to do.
+pub(crate) fn of(bytes: &[u8]) -> Result<(String, Option<String>), RecordError> {
+    let (unpacked, note) = match bytes {
+        [0x1f, 0x8b, ..] => {
+            (all(MultiGzDecoder::new(bytes), "gzip")?, Some("unpacked from gzip".into()))
+        }
+        [b'P', b'K', 3, 4, ..] => {
+            let (bytes, name) = only_file(bytes)?;
+            (bytes, Some(format!("{} from a zip", printable(&name))))
+        }
+        _ => return Ok((decoded(bytes)?, None)),
+    };
+    Ok((decoded(&unpacked)?, note))
+}
+
+/// All bytes of a packed stream.
+fn all(packed: impl Read, kind: &str) -> Result<Vec<u8>, RecordError> {
+    let mut bytes = Vec::new();
+    let damaged = |e| RecordError::whole(format!("a damaged {kind} file ({e}); download it again"));
+    packed.take(LARGEST + 1).read_to_end(&mut bytes).map_err(damaged)?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(RecordError::whole("more than 256 MiB are packed in it; this is no record"));
+    }
+    Ok(bytes)
+}
+
+/// The bytes and the name of the only file in a zip.
+fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
+    let damaged = |e| RecordError::whole(format!("a damaged zip file ({e}); download it again"));
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+    let names: Vec<String> =
+        archive.file_names().filter(|name| !name.ends_with('/')).map(String::from).collect();
+    let [name] = &names[..] else {
+        let mut first: Vec<String> = names.iter().take(3).map(|name| printable(name)).collect();
+        if names.len() > first.len() {
+            first.push("…".into());
+        }
+        let problem = match names.len() {
+            0 => "a zip without files".into(),
+            count => {
+                format!("a zip of {count} files ({}); unpack it and give one", first.join(", "))
+            }
+        };
+        return Err(RecordError::whole(problem));
+    };
+    let file = archive.by_name(name).map_err(damaged)?;
+    Ok((all(file, "zip")?, name.clone()))
+}
+
+/// Bytes as text.
+fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
+    let text = match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
+        _ => String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_string(),
+    };
+    let start = text.trim_start().get(..64).unwrap_or(text.trim_start()).to_ascii_lowercase();
+    if ["<!doctype html", "<html", "<?xml", "<head", "<body"]
+        .iter()
+        .any(|tag| start.starts_with(tag))
+    {
+        let problem = "a web page, not a record: perhaps what a site shows in place of the file \
+                       (a login); download the file itself";
+        return Err(RecordError::whole(problem));
+    }
+    if bytes.starts_with(b"%PDF") {
+        return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
+    }
+    Ok(text)
+}
+
+fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
+    let (units, _) = bytes.as_chunks::<2>();
+    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
+    String::from_utf16_lossy(&units)
+}
+
+/// A text without control characters, which a terminal would obey and an SVG may not hold.
+pub(crate) fn printable(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    use super::*;
+
+    fn zipped(files: &[(&str, &str)]) -> Vec<u8> {
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, text) in files {
+            archive.start_file(*name, SimpleFileOptions::default()).unwrap();
+            archive.write_all(text.as_bytes()).unwrap();
+        }
+        archive.finish().unwrap().into_inner()
+    }
+
+    #[test]
+    fn packed_files_are_unpacked() {
+        let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+        packed.write_all(b"1\n2\n").unwrap();
+        let packed = packed.finish().unwrap();
+        assert_eq!(of(&packed).unwrap(), ("1\n2\n".into(), Some("unpacked from gzip".into())));
+        for cut in 2..packed.len() {
+            assert!(of(&packed[..cut]).is_err(), "cut to {cut}");
+        }
+        let one = zipped(&[("dir/", ""), ("dir/a.at2", "1\n")]);
+        assert_eq!(of(&one).unwrap(), ("1\n".into(), Some("dir/a.at2 from a zip".into())));
+        let two = of(&zipped(&[("a.at2", "1"), ("b.at2", "2")])).unwrap_err().to_string();
+        assert!(two.contains("a zip of 2 files (a.at2, b.at2); unpack it"), "{two}");
+        assert!(of(&one[..one.len() - 9]).is_err());
+    }
+
+    #[test]
+    fn other_encodings_are_read() {
+        let text = "\u{feff}Erdbeben ä\n1\n";
+        let (read, _) = of(text.as_bytes()).unwrap();
+        assert_eq!(read, "Erdbeben ä\n1\n");
+        for order in [u16::to_le_bytes, u16::to_be_bytes] {
+            let bytes: Vec<u8> = text.encode_utf16().flat_map(order).collect();
+            assert_eq!(of(&bytes).unwrap().0, "Erdbeben ä\n1\n");
+        }
+    }
+
+    #[test]
+    fn what_is_no_record_is_named() {
+        for (bytes, said) in [
+            (&b"  <!DOCTYPE html><html>"[..], "a web page"),
+            (b"<html><body>Login", "a web page"),
+            (b"%PDF-1.7", "a PDF"),
+        ] {
+            let error = of(bytes).unwrap_err().to_string();
+            assert!(error.contains(said), "{error}");
+        }
+        assert_eq!(printable("a\u{1b}[31mb\u{7}"), "a[31mb");
+    }
+}
