@@ -628,3 +628,20 @@ fn impacts_without_loss_are_told() {
     assert!(told(&[]).contains("impacts take no speed"), "{}", told(&[]));
     assert_eq!(told(&["--plate-h", "90", "--plate-v", "90"]), "");
 }
+
+/// run.json on stdout for who reads it by a program; the phases for who asks for more; threads as many as asked for.
+#[test]
+fn what_is_printed_is_chosen() {
+    let (out, said) = small_map(&["--json", "--threads", "1"]);
+    let told: serde_json::Value = serde_json::from_str(&said).unwrap();
+    assert_eq!(told, run_json(out.path()));
+    assert_eq!(told["threads"], 1);
+    let (_, said) = small_map(&["-v"]);
+    assert!(said.lines().any(|line| line.starts_with("time       start ")), "{said}");
+    let (_, said) = small_map(&["-q"]);
+    assert_eq!(said, "");
+    refused(&["pulse", "--omga", "3"], &["--omga", "see topple pulse --help"]);
+    refused(&["--omga", "3"], &["--omga", "see topple --help"]);
+    refused(&["run", "a.toml", "--threads", "0"], &["--threads"]);
+    refused(&["run", "a.toml", "--json", "-v"], &["--json"]);
+}

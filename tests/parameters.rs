@@ -1,6 +1,6 @@
 //! The table of parameters: flags, keys, help and the page are made of it.
 
-#![allow(missing_docs, clippy::unwrap_used)] // tests
+#![allow(missing_docs, clippy::panic, clippy::unwrap_used)] // tests
 
 use assert_cmd::Command;
 use tempfile::TempDir;
@@ -176,4 +176,28 @@ fn no_number_has_the_name_of_a_column() {
         head(&["--t-h", "1", "--omega", "3", "--a-h", "5", "--friction", "0.1,0.3"]),
         "friction"
     );
+}
+
+/// The scene to start from is the default scene, and has every key there is, each with what it means.
+#[test]
+fn a_scene_to_start_from() {
+    let run = Command::cargo_bin("topple").unwrap().arg("scene").assert().success();
+    let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    let of = |text: &str| SceneBuilder::from_toml(text).unwrap().check().unwrap();
+    let default = include_str!("../scenes/default.toml");
+    assert_eq!(of(&text), of(default));
+    for entry in &PARAMETERS {
+        let given = text
+            .lines()
+            .position(|line| line.trim_start_matches("# ").split(" =").next() == Some(entry.key));
+        let at = given.unwrap_or_else(|| panic!("{} is missing", entry.key));
+        assert!(text.lines().nth(at - 1).unwrap().contains(entry.meaning), "{}", entry.key);
+    }
+    for key in ["object", "isolation", "shape", "horizontal", "units", "overturn", "force", "x"] {
+        assert!(
+            text.contains(&format!("# {key} =")) || text.contains(&format!("{key} =")),
+            "{key}"
+        );
+    }
+    assert!(!text.contains("# \n"), "a key without a meaning:\n{text}");
 }

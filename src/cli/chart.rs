@@ -29,7 +29,7 @@ use super::seismic::write_synthetic;
 #[derive(clap::Args)]
 pub struct ChartCommand {
     /// Directory for the results; made if need be
-    #[arg(long, value_name = "DIR", default_value = "topple-chart")]
+    #[arg(short, long, value_name = "DIR", default_value = "topple-chart")]
     out: PathBuf,
     #[command(flatten, next_help_heading = "Record")]
     record: RecordText,
@@ -46,7 +46,7 @@ pub struct ChartCommand {
     #[arg(long)]
     no_shader: bool,
     /// Print nothing but errors
-    #[arg(long)]
+    #[arg(short, long)]
     quiet: bool,
 }
 

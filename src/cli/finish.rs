@@ -14,8 +14,9 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;
 
 use super::errors::{not_verified, sweep_error};
-use super::options::MapFile;
+use super::options::{MapFile, Talk};
 use super::output;
+use super::print::print_line;
 use super::progress::Screen;
 use super::words::{self, Say};
 
@@ -33,6 +34,8 @@ pub struct Finish<'a> {
     pub verify: VerifySettings,
     /// How long the estimate took.
     pub estimate: Duration,
+    /// What is printed besides.
+    pub talk: Talk,
 }
 
 /// Seconds of what is done, which began at a time; the next begins now.
@@ -97,17 +100,23 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     }
     let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
     say.line("data", format!("{} with {}", out.file(data[0]).display(), data[1..].join(", ")));
-    if to.verify.cells == 0 {
-        return Ok(());
+    if to.verify.cells > 0 {
+        let mut began = Instant::now();
+        let verified = map.verify_chosen(&chosen, to.verify.within, screen);
+        screen.clear();
+        let verification = verified.map_err(not_verified)?;
+        took.verification = Some(lap(&mut began));
+        say.line("reference", words::agreement(&verification, to.verify.within));
+        say.line("", words::verdict(&verification));
+        map.verification = Some(verification);
+        output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
     }
-    let mut began = Instant::now();
-    let verified = map.verify_chosen(&chosen, to.verify.within, screen);
-    screen.clear();
-    let verification = verified.map_err(not_verified)?;
-    took.verification = Some(lap(&mut began));
-    say.line("reference", words::agreement(&verification, to.verify.within));
-    say.line("", words::verdict(&verification));
-    map.verification = Some(verification);
-    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
+    let manifest = Manifest::of(&map, &tally, took, (drawn, &names));
+    if to.talk.verbose {
+        say.line("time", words::phases(&manifest.timings));
+    }
+    if to.talk.json {
+        print_line!("{}", serde_json::to_string_pretty(&manifest)?);
+    }
     Ok(())
 }

@@ -51,6 +51,7 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        options.set_threads()?;
         let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
         let text = SceneBuilder {
             force: options.force,

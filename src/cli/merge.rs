@@ -12,7 +12,7 @@ use topple::sweep::parts::Parts;
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::options::{MapFile, Verify};
+use super::options::{MapFile, Talk, Verify};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
 use super::{InputError, interrupt, output};
@@ -27,7 +27,7 @@ pub struct MergeCommand {
     #[arg(value_name = "DIR", required = true)]
     parts: Vec<PathBuf>,
     /// Directory for the map; made if need be
-    #[arg(long, value_name = "DIR", default_value = "topple-out")]
+    #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
@@ -36,8 +36,10 @@ pub struct MergeCommand {
     #[arg(long, value_name = "N|none")]
     verify: Option<Verify>,
     /// Print nothing but errors
-    #[arg(long)]
+    #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    talk: Talk,
 }
 
 impl MergeCommand {
@@ -63,7 +65,7 @@ impl MergeCommand {
         let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
         let bytes = disk::of_files(&sizes, &files);
         disk::fits(bytes, &self.out)?;
-        let say = Say::unless(self.quiet);
+        let say = Say::unless(self.quiet || self.talk.json);
         words::scene(&say, &map.plan.scene, grid);
         for (folder, report) in &map.parts {
             let folder = folder.as_ref().map(|folder| folder.display().to_string());
@@ -72,7 +74,7 @@ impl MergeCommand {
         say.line("takes", format!("{} of disk", size(bytes)));
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
-        let to = Finish { out, files, written: &[], earlier, verify, estimate };
+        let to = Finish { out, files, written: &[], earlier, verify, estimate, talk: self.talk };
         finish::write(map, &to, &say, &Screen::new(self.quiet))
     }
 }

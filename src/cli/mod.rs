@@ -22,9 +22,10 @@ mod ratios;
 mod run;
 mod scene;
 mod seismic;
+mod template;
 mod words;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 pub use errors::Interrupted;
 pub use interrupt::STATUS as INTERRUPTED;
 pub use print::error_line;
@@ -64,6 +65,8 @@ enum Command {
     Figures(figures::FiguresCommand),
     /// Measure every backend of this machine on the same maps, and print the table
     Bench(bench::BenchCommand),
+    /// Print a scene file to start from, with every key
+    Scene,
     /// List the GPU adapters of this machine
     Adapters,
 }
@@ -88,6 +91,10 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Chart(command)) => command.run(),
         Some(Command::Figures(command)) => command.run(),
         Some(Command::Bench(command)) => command.run(),
+        Some(Command::Scene) => {
+            template::run();
+            Ok(())
+        }
         Some(Command::Adapters) => adapters::run(),
         None => scene::run_default(&arguments.options),
     }
@@ -101,5 +108,8 @@ fn one_line(error: &clap::Error) -> String {
     let words: Vec<&str> = said.split_whitespace().collect();
     let line = words.join(" ");
     let line = line.strip_prefix("error: ").unwrap_or(&line);
-    format!("{line}; see topple --help")
+    let command =
+        std::env::args().nth(1).filter(|name| Arguments::command().find_subcommand(name).is_some());
+    let command = command.map(|name| format!(" {name}")).unwrap_or_default();
+    format!("{line}; see topple{command} --help")
 }

@@ -1,5 +1,6 @@
 //! Options that every run has.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
@@ -24,7 +25,7 @@ use super::{InputError, memory, words};
 #[derive(clap::Args)]
 pub struct RunOptions {
     /// Directory for the results; made if need be
-    #[arg(long, value_name = "DIR", default_value = "topple-out")]
+    #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     pub out: PathBuf,
     /// What to compute on; auto takes a real GPU, else the CPU
     #[arg(long, default_value = "auto")]
@@ -47,9 +48,23 @@ pub struct RunOptions {
     /// Accept numbers that are not plausible
     #[arg(long)]
     pub force: bool,
+    /// Threads of the CPU [default: as many as it has cores]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
     /// Print nothing but warnings and errors
-    #[arg(long)]
+    #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// What a map prints besides.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub struct Talk {
+    /// Print the time of each phase, too
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub verbose: bool,
+    /// Print run.json in the place of words
+    #[arg(long, conflicts_with_all = ["quiet", "verbose"])]
+    pub json: bool,
 }
 
 /// The largest step that is not questioned, s.
@@ -78,6 +93,8 @@ pub struct MapOptions {
     /// Say what the run would take, and run nothing but a sample
     #[arg(long)]
     pub dry_run: bool,
+    #[command(flatten)]
+    pub talk: Talk,
 }
 
 /// What the reference is to run again.
@@ -149,6 +166,16 @@ impl RunOptions {
             return Err(SceneError { key, problem });
         }
         Ok(())
+    }
+
+    /// Sets the number of threads that work on the CPU. Call it before any does.
+    ///
+    /// # Errors
+    /// More threads than the system gives.
+    pub fn set_threads(&self) -> Result<(), InputError> {
+        let Some(count) = self.threads else { return Ok(()) };
+        let built = rayon::ThreadPoolBuilder::new().num_threads(count.get()).build_global();
+        built.map_err(|error| InputError(format!("--threads: {error}; give fewer")))
     }
 
     /// The plan of a scene.

@@ -16,6 +16,7 @@ use super::{disk, estimate, interrupt, output};
 /// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles. `written` are files in the
 /// directory that the command has written before.
 pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow::Result<()> {
+    options.run.set_threads()?;
     // What is wrong with the scene is told before anything is made.
     options.run.plan(scene).map_err(|error| flag_error(&error))?;
     let settings = options.settings(scene);
@@ -35,7 +36,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow:
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
     }
-    let say = Say::unless(options.run.quiet);
+    let say = Say::unless(options.run.quiet || options.talk.json);
     words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision);
     words::warn_of_cut_pulses(&job.grid);
     words::warn_of_lossless_impacts(&job.plan, &job.grid);
@@ -65,7 +66,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow:
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
-            let to = Finish { out, files, written, earlier, verify, estimate };
+            let to = Finish { out, files, written, earlier, verify, estimate, talk: options.talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {

@@ -9,7 +9,8 @@ use super::InputError;
 use super::options::MapOptions;
 use super::run;
 
-const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
+/// The scene that `topple` alone runs.
+pub const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
 
 /// What only a figure's file has.
 pub const FIGURE: &str = "[[panel]]";

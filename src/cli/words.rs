@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use super::print::{error_line, print_line};
 use topple::map::figure::frame;
+use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::results::tally::Tally;
@@ -197,6 +198,22 @@ pub fn part(report: &Report) -> String {
         None => report.backend.clone(),
     };
     format!("{} cells from number {} on, {on}", report.cells, report.first)
+}
+
+/// The time of each phase of a map.
+pub fn phases(took: &Timings) -> String {
+    let Timings { start, estimate, sweep, counting, drawing, writing, verification } = *took;
+    let phases = [
+        ("start", Some(start)),
+        ("estimate", Some(estimate)),
+        ("sweep", Some(sweep)),
+        ("counting", Some(counting)),
+        ("drawing", Some(drawing)),
+        ("writing", Some(writing)),
+        ("verification", verification),
+    ];
+    let told = phases.iter().filter_map(|(name, took)| Some(format!("{name} {:.2} s", (*took)?)));
+    told.collect::<Vec<_>>().join(", ")
 }
 
 /// How the reference's sample came out, which had so much time.

@@ -19,7 +19,7 @@ enum Key {
 }
 
 /// The keys of a section that are no numbers of the table.
-fn words(section: Section) -> &'static [&'static str] {
+pub fn words(section: Section) -> &'static [&'static str] {
     match section {
         Section::Block => &["object"],
         Section::Base => &["isolation"],

@@ -11,7 +11,7 @@ mod check;
 pub mod excitation;
 pub mod grid;
 pub mod isolation;
-mod keys;
+pub mod keys;
 #[cfg(feature = "cli")]
 pub mod manual;
 pub mod numbers;

@@ -38,5 +38,5 @@ pub fn columns<T>(parts: &[(T, Report)], precision: Precision) -> Precision {
 
 /// Threads that a sweep on the CPU takes.
 pub fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+    rayon::current_num_threads()
 }

@@ -79,6 +79,7 @@ pub struct FiguresCommand {
 impl FiguresCommand {
     /// Makes the figures.
     pub fn run(&self) -> anyhow::Result<()> {
+        self.options.set_threads()?;
         if let Some(records) = &self.records
             && !records.is_dir()
         {
