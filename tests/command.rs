@@ -94,7 +94,7 @@ fn a_map_leaves_the_files_of_the_contract() {
     for phase in ["start", "estimate", "sweep", "counting", "drawing", "writing", "verification"] {
         assert!(json["timings"][phase].is_f64(), "{phase}: {}", json["timings"]);
     }
-    assert!(said.contains("the map is right in every cell of the sample"), "{said}");
+    assert!(said.contains("every outcome of the sample is right"), "{said}");
     assert!(json["cells_per_second"].as_f64().unwrap() > 0.0);
 
     let png = fs::read(out.path().join("map.png")).unwrap();
@@ -148,16 +148,42 @@ fn a_directory_tells_one_story() {
     assert_eq!(names(out.path()), left);
     assert_eq!(fs::read(out.path().join("run.json")).unwrap(), before);
 
+    // Nor into one in which a map runs, or was interrupted.
+    let begun = TempDir::new().unwrap();
+    fs::create_dir(begun.path().join("unfinished")).unwrap();
+    let history = topple()
+        .args(["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75"])
+        .args(["--omega", "4", "--a-h", "5", "--out"])
+        .arg(begun.path())
+        .assert()
+        .code(2);
+    let told = String::from_utf8(history.get_output().stderr.clone()).unwrap();
+    assert!(told.contains("a map runs in "), "{told}");
+    assert_eq!(names(begun.path()), ["unfinished"]);
+
     // Another's run.json, and one that names files elsewhere, do no harm.
     let elsewhere = TempDir::new().unwrap();
     let precious = elsewhere.path().join("precious");
     fs::write(&precious, "mine").unwrap();
-    let names_it = serde_json::json!({ "kind": "map", "files": [precious, "../x", "..", ""] });
-    for text in [names_it.to_string(), "no JSON".into(), "[1]".into()] {
+    let mine = ["notes.txt", "data.csv"].map(|name| out.path().join(name));
+    fs::create_dir(out.path().join("photos.png")).unwrap();
+    let ours = serde_json::json!({
+        "kind": "map", "version": "0.1.0", "files": [precious, "../x", "..", "", "notes.txt", "photos.png"]
+    });
+    let theirs = serde_json::json!({ "files": ["data.csv"], "experiment": 7 });
+    for text in [ours.to_string(), theirs.to_string(), "no JSON".into(), "[1]".into()] {
+        mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
         fs::write(out.path().join("run.json"), text).unwrap();
         assert_eq!(again(&small).0, 0);
+        assert!(mine.iter().all(|path| path.exists()));
     }
-    assert!(precious.exists());
+    assert!(precious.exists() && out.path().join("photos.png").exists());
+    // A folder of that name is nothing that a run has written.
+    fs::remove_file(out.path().join("run.json")).unwrap();
+    fs::create_dir(out.path().join("run.json")).unwrap();
+    fs::write(out.path().join("run.json/precious"), "mine").unwrap();
+    assert_eq!(again(&small).0, 1);
+    assert!(out.path().join("run.json/precious").exists());
 }
 
 /// run.json says which model was run, and how much of it.
@@ -625,8 +651,36 @@ fn impacts_without_loss_are_told() {
             .success();
         String::from_utf8(run.get_output().stderr.clone()).unwrap()
     };
-    assert!(told(&[]).contains("impacts take no speed"), "{}", told(&[]));
+    assert!(told(&[]).contains("the law of impact (17) takes no energy"), "{}", told(&[]));
     assert_eq!(told(&["--plate-h", "90", "--plate-v", "90"]), "");
+}
+
+/// A finished map is not run again by --resume, and another one does not take its place.
+#[test]
+fn resuming_a_finished_map_does_nothing() {
+    let (out, _) = small_map(&[]);
+    let before = fs::read(out.path().join("run.json")).unwrap();
+    let again = |extra: &[&str]| {
+        let run = topple()
+            .args(PULSE)
+            .args(["--omega", "3:12:7", "--a-h", "1:12:9", "--backend", "cpu", "--resume", "--out"])
+            .arg(out.path())
+            .args(extra)
+            .assert();
+        let run = run.get_output().clone();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        (run.status.code().unwrap(), text(run.stdout), text(run.stderr))
+    };
+    let (status, said, _) = again(&[]);
+    assert_eq!(status, 0);
+    assert!(said.contains("nothing to do: ") && said.contains("run.json is finished"), "{said}");
+    for other in [["--psi", "0.5"], ["--precision", "f64"], ["--step", "0.001"]] {
+        let (status, _, told) = again(&other);
+        assert_eq!(status, 2);
+        assert!(told.contains("holds a finished map of another run"), "{told}");
+    }
+    assert_eq!(fs::read(out.path().join("run.json")).unwrap(), before);
+    assert_eq!(names(out.path()), ["map.csv", "map.npz", "map.png", "map.svg", "run.json"]);
 }
 
 /// run.json on stdout for who reads it by a program; the phases for who asks for more; threads as many as asked for.
@@ -644,4 +698,43 @@ fn what_is_printed_is_chosen() {
     refused(&["--omga", "3"], &["--omga", "see topple --help"]);
     refused(&["run", "a.toml", "--threads", "0"], &["--threads"]);
     refused(&["run", "a.toml", "--json", "-v"], &["--json"]);
+}
+
+/// Ctrl-C while the reference verifies: the map is there, and says that it is not verified.
+#[cfg(unix)]
+#[test]
+fn a_verification_that_is_interrupted_leaves_the_map() {
+    let out = TempDir::new().unwrap();
+    let run = std::process::Command::new(assert_cmd::cargo::cargo_bin("topple"))
+        .args(&PULSE[..PULSE.len() - 2])
+        .args(["--omega", "3:12:150", "--a-h", "1:12:150", "--backend", "cpu"])
+        .args(["--verify", "22500", "--out"])
+        .arg(out.path())
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let manifest = out.path().join("run.json");
+    while !manifest.exists() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let status = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status();
+    assert!(status.unwrap().success());
+    let done = run.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(130));
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(said, "topple: cancelled; the map's files are written, it is not verified\n");
+    assert_eq!(names(out.path()), ["map.csv", "map.npz", "map.png", "map.svg", "run.json"]);
+    let json = run_json(out.path());
+    assert!(json["verification"].is_null() && json["cells"] == 22500);
+}
+
+/// Without a file of a record, nothing is written before the scene is known to be right.
+#[test]
+fn a_synthetic_pair_is_not_left_by_a_scene_that_is_refused() {
+    let out = TempDir::new().unwrap();
+    let seismic =
+        ["seismic", "--object", "1", "--t-h", "1", "--t-v", "0.5", "--t-max", "5", "--out"];
+    topple().args(seismic).arg(out.path()).assert().code(2);
+    assert!(names(out.path()).is_empty());
 }

@@ -144,6 +144,15 @@ fn every_other_format() {
     assert_abs_diff_eq!(commas.dt, 0.01, epsilon = 1e-12);
     assert_eq!(commas.samples, [1.5, -2.5, 3.0]);
     assert_eq!(commas.notes, ["decimal commas"]);
+    // A heading that has units needs none, and allows no others.
+    let headed = b"Time (s);Acc (cm/s^2)\n0;150\n0,01;-250\n0,02;300\n";
+    let none = hints(None, None);
+    assert_eq!(read::bytes(headed, &none).unwrap().samples, [1.5, -2.5, 3.0]);
+    let error = read::bytes(headed, &units).unwrap_err().to_string();
+    assert!(error.contains("the file's units are cm/s2, units says m/s2"), "{error}");
+    let gap = read::bytes(b"0 1\n0.01 2\n; ,\n0.02 3\n", &units).unwrap_err().to_string();
+    assert!(gap.starts_with("line 3: an empty row amid the samples"), "{gap}");
+    assert!(read::bytes(b"0 1\n0.01 2\n; ,\n;\n", &units).is_ok());
     // What a terminal would obey, and an SVG may not hold, is no part of a title.
     let coloured = read::bytes(b"\x1b[31mred\x07\n0 1\n0.01 2\n", &units).unwrap();
     assert_eq!(coloured.title, "[31mred");

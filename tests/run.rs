@@ -99,7 +99,11 @@ fn a_call_gives_columns_and_tells_its_phases() {
         assert_eq!(map.outcome(cell).unwrap().impacts, expected.impacts);
     }
     let told = ear.phases.into_inner().unwrap();
-    let expected = [(Phase::Sweeping, 175), (Phase::Choosing, 350), (Phase::Verifying, 16)];
+    let expected = [
+        (Phase::Sweeping, 175),
+        (Phase::Choosing, 350 + 16 * Column::ALL.len()),
+        (Phase::Verifying, 16),
+    ];
     assert_eq!(told, expected);
     assert_eq!(ear.heard.into_inner(), expected.iter().map(|(_, cells)| cells).sum::<usize>());
     assert_eq!(map.verification.unwrap().sampled, 16);

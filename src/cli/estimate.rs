@@ -77,7 +77,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
 pub fn line(job: &Job, estimate: Option<&Estimate>, options: &MapOptions) -> String {
     let left = job.left();
     let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(job, left));
-    let Some(estimate) = estimate else { return motion };
+    let Some(estimate) = estimate else { return format!("{motion}{}", verification(options)) };
     let time = left as f64 / estimate.rate / job.backends.len() as f64;
     let disk = size(disk::of_run(job, estimate, options));
     let verify = verification(options);

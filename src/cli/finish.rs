@@ -26,14 +26,14 @@ pub struct Finish<'a> {
     pub out: &'a Directory,
     /// The files of the whole map.
     pub files: &'a [MapFile],
-    /// Files that are there beside those of the map.
-    pub written: &'a [&'a str],
     /// What an earlier command left there.
     pub earlier: &'a Earlier,
     /// What the reference runs again.
     pub verify: VerifySettings,
     /// How long the estimate took.
     pub estimate: Duration,
+    /// A checksum of what is run.
+    pub tag: Option<u32>,
     /// What is printed besides.
     pub talk: Talk,
 }
@@ -63,8 +63,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
     let figures = output::draw(&slices)?;
     took.drawing = lap(&mut began);
-    let mut names = output::names(&map, &slices, &figures, files);
-    names.extend(to.written.iter().map(|name| name.to_string()));
+    let names = output::names(&map, &slices, &figures, files);
     output::replace(out.path(), to.earlier, &names, say)?;
     let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
@@ -82,7 +81,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         screen.clear();
     }
     took.writing = lap(&mut began);
-    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
+    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names), to.tag))?;
     map.discard_saved().map_err(sweep_error)?;
     let thinned = match cells == map.grid.len() {
         true => String::new(),
@@ -109,9 +108,9 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         say.line("reference", words::agreement(&verification, to.verify.within));
         say.line("", words::verdict(&verification));
         map.verification = Some(verification);
-        output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names)))?;
+        output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names), to.tag))?;
     }
-    let manifest = Manifest::of(&map, &tally, took, (drawn, &names));
+    let manifest = Manifest::of(&map, &tally, took, (drawn, &names), to.tag);
     if to.talk.verbose {
         say.line("time", words::phases(&manifest.timings));
     }

@@ -74,7 +74,7 @@ impl MergeCommand {
         say.line("takes", format!("{} of disk", size(bytes)));
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
-        let to = Finish { out, files, written: &[], earlier, verify, estimate, talk: self.talk };
+        let to = Finish { out, files, earlier, verify, estimate, tag: None, talk: self.talk };
         finish::write(map, &to, &say, &Screen::new(self.quiet))
     }
 }

@@ -49,7 +49,7 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Map the outcomes of pulses over any of their numbers, (omega, a_h) for one
+    /// Map the outcomes of pulses over any of their numbers, for example (omega, a_h)
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record over (T_h, T_v)
     Seismic(seismic::SeismicCommand),
@@ -106,7 +106,7 @@ fn one_line(error: &clap::Error) -> String {
     let said = text.split("Usage:").next().unwrap_or_default();
     let said = said.split("For more information").next().unwrap_or_default();
     let words: Vec<&str> = said.split_whitespace().collect();
-    let line = words.join(" ");
+    let line = words.join(" ").replace(" tip: ", "; ");
     let line = line.strip_prefix("error: ").unwrap_or(&line);
     let command =
         std::env::args().nth(1).filter(|name| Arguments::command().find_subcommand(name).is_some());

@@ -10,6 +10,7 @@ use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::results::columns::Column;
 use topple::results::files::{Directory, WriteError};
+use topple::results::store::Store;
 use topple::results::{csv, npz};
 use topple::sweep::map::MapSweep;
 use topple::sweep::observed::ObservedOutcomes;
@@ -33,6 +34,11 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
 /// Refuses a directory that holds something of another kind: its files are not to lie beside the new ones.
 pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
     let earlier = Earlier::of(out);
+    if kind != Kind::Map && Store::is_begun(out) {
+        let problem =
+            format!("a map runs in {}, or was interrupted; give another directory", out.display());
+        return Err(InputError(format!("--out: {problem}")));
+    }
     match earlier.kind {
         Some(other) if earlier.is_other_than(kind) => {
             let (other, new) = (other.name(), kind.name());

@@ -6,7 +6,7 @@ use super::numbers::PulseFlags;
 use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
 use super::run;
 
-/// Map the outcomes of pulses over any of their numbers, (omega, a_h) for one.
+/// Map the outcomes of pulses over any of their numbers, for example (omega, a_h).
 #[derive(clap::Args)]
 #[command(after_help = VALUES)]
 pub struct PulseCommand {
@@ -25,6 +25,6 @@ impl PulseCommand {
         let text = self.common.text(None, self.pulse.numbers.placed());
         let text = SceneBuilder { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        run::run_map(&scene, &self.options, &[])
+        run::run_map(&scene, &self.options)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use topple::map::earlier::Kind;
+use topple::map::earlier::{Kind, RUN};
 use topple::scene::Scene;
 use topple::sweep::job::{Job, SweepResult};
 
@@ -11,11 +11,10 @@ use super::finish::{self, Finish};
 use super::options::{MapOptions, Verify, flag_error};
 use super::progress::Screen;
 use super::words::{self, Say};
-use super::{disk, estimate, interrupt, output};
+use super::{InputError, disk, estimate, interrupt, output};
 
-/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles. `written` are files in the
-/// directory that the command has written before.
-pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow::Result<()> {
+/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
+pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     options.run.set_threads()?;
     // What is wrong with the scene is told before anything is made.
     options.run.plan(scene).map_err(|error| flag_error(&error))?;
@@ -28,6 +27,27 @@ pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow:
     let out = output::open(&options.run.out)?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(&job.passed_over, &job.backends[0]);
+    let tag = job.tag();
+    if options.resume && options.tile.is_none() && job.left() == job.wanted.len() {
+        match earlier.tag {
+            Some(finished) if Some(finished) == tag => {
+                let say = Say::unless(options.run.quiet || options.talk.json);
+                say.line(
+                    "resumed",
+                    format!("nothing to do: {} is finished", out.file(RUN).display()),
+                );
+                return Ok(());
+            }
+            Some(_) => {
+                let problem = format!(
+                    "--resume: {} holds a finished map of another run; leave --resume out to replace it",
+                    options.run.out.display()
+                );
+                return Err(InputError(problem).into());
+            }
+            None => {}
+        }
+    }
     let screen = Screen::new(options.run.quiet);
     let sampling = Instant::now();
     let estimate = job.estimate_if_long(&screen).map_err(sweep_error)?;
@@ -66,7 +86,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions, written: &[&str]) -> anyhow:
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
-            let to = Finish { out, files, written, earlier, verify, estimate, talk: options.talk };
+            let to = Finish { out, files, earlier, verify, estimate, tag, talk: options.talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {

@@ -42,7 +42,7 @@ impl RunCommand {
         scene.force |= self.options.run.force;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
         let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
-        run::run_map(&scene, &self.options, &[])
+        run::run_map(&scene, &self.options)
     }
 }
 
@@ -51,7 +51,7 @@ pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     // The scene is part of the binary; a test reads it.
     let text = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
-    run::run_map(&scene, options, &[])
+    run::run_map(&scene, options)
 }
 
 /// Reads a scene's file.

@@ -12,9 +12,6 @@ use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
 use super::output;
 use super::run;
 
-/// Names of the files of the synthetic pair.
-const SYNTHETIC: [&str; 2] = ["synthetic_h.at2", "synthetic_v.at2"];
-
 /// Map the response to a ground-motion record over (T_h, T_v).
 #[derive(clap::Args)]
 #[command(after_help = VALUES)]
@@ -34,25 +31,23 @@ impl SeismicCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut record = self.record.clone();
         let force = self.options.run.force;
-        if self.options.dry_run && record.horizontal.is_none() && record.vertical.is_none() {
-            // Nothing is written, the synthetic pair neither.
-            let text = SceneBuilder { force, ..self.common.text(None, self.numbers.placed()) };
-            let scene = text
-                .check_under(Excitation::Record(synthetic::pair()))
-                .map_err(|e| flag_error(&e))?;
-            return run::run_map(&scene, &self.options, &[]);
-        }
-        let mut written = Vec::new();
         if record.horizontal.is_none() && record.vertical.is_none() {
+            // Nothing is written, the synthetic pair neither, before the scene is known to be right.
+            let text = SceneBuilder { force, ..self.common.text(None, self.numbers.placed()) };
+            let synthetic = Excitation::Record(synthetic::pair());
+            let scene = text.check_under(synthetic).map_err(|e| flag_error(&e))?;
+            if self.options.dry_run {
+                return run::run_map(&scene, &self.options);
+            }
+            self.options.run.plan(&scene).map_err(|error| flag_error(&error))?;
             output::refuse_other(&self.options.run.out, Kind::Map)?;
-            written = SYNTHETIC.to_vec();
             let out = output::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }
         let text = self.common.text(None, self.numbers.placed());
         let text = SceneBuilder { record: Some(record), force, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        run::run_map(&scene, &self.options, &written)
+        run::run_map(&scene, &self.options)
     }
 }
 
@@ -60,8 +55,8 @@ impl SeismicCommand {
 pub fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Result<RecordText> {
     use std::io::Write;
     for (name, title, parameters, place) in [
-        (SYNTHETIC[0], "SYNTHETIC, HORIZONTAL", synthetic::HORIZONTAL, &mut record.horizontal),
-        (SYNTHETIC[1], "SYNTHETIC, VERTICAL", synthetic::VERTICAL, &mut record.vertical),
+        ("synthetic_h.at2", "SYNTHETIC, HORIZONTAL", synthetic::HORIZONTAL, &mut record.horizontal),
+        ("synthetic_v.at2", "SYNTHETIC, VERTICAL", synthetic::VERTICAL, &mut record.vertical),
     ] {
         let text = synthetic::at2(&synthetic::make(title, &parameters));
         *place = Some(out.write(name, |w| w.write_all(text.as_bytes()))?);

@@ -15,7 +15,7 @@ use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
-use topple::sweep::verification::{Verdict, Verification};
+use topple::sweep::verification::{Verdict, Verification, ZETA_OFF};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
 pub struct Say(bool);
@@ -100,8 +100,8 @@ pub fn warn_of_lossless_impacts(plan: &Plan, grid: &Grid) {
     warn(match plan.scene.isolation {
         Directions::None => "impacts take no speed: restitution is 1",
         _ => {
-            "impacts take no speed, as (17) has it for plates without mass: the block chatters for long; \
-             give plate_h and plate_v"
+            "without masses of the plates the law of impact (17) takes no energy, so that the block chatters for \
+             long; give plate_h and plate_v"
         }
     });
 }
@@ -158,7 +158,7 @@ fn model(plan: &Plan) -> String {
         parts.push("nothing left out".into());
     }
     if reductions.certificate {
-        parts.push("cells end where energy proves them final".into());
+        parts.push("cells stop early when energy proves their outcome final".into());
     }
     if reductions.full_contact && !Grid::of(&plan.scene).tilts() {
         parts.push("full contact shared".into());
@@ -233,6 +233,11 @@ pub fn agreement(v: &Verification, within: Duration) -> String {
     )
 }
 
+/// So many cells.
+fn cells(count: usize) -> String {
+    if count == 1 { "1 cell".into() } else { format!("{count} cells") }
+}
+
 /// What the sample says of the map, in a sentence.
 pub fn verdict(v: &Verification) -> String {
     let places = [
@@ -247,9 +252,16 @@ pub fn verdict(v: &Verification) -> String {
         .collect();
     let places = places.join(", ");
     match v.verdict {
-        Verdict::Right => "the map is right in every cell of the sample".into(),
+        Verdict::Right if v.worst_zeta > ZETA_OFF => format!(
+            "every outcome of the sample is right, but zeta of one cell at least is off by {:.0e}",
+            v.worst_zeta
+        ),
+        Verdict::Right => "every outcome of the sample is right".into(),
         Verdict::AsExpected => {
-            format!("the map is right within what to expect: {places} have another outcome")
+            format!(
+                "the map is right as far as can be expected: {} differ, {places}",
+                cells(v.differ)
+            )
         }
         Verdict::Wrong if v.differ == 0 => format!(
             "the map is not right: half of the rocking cells are off by {:.0e} in zeta or more; \
@@ -257,8 +269,8 @@ pub fn verdict(v: &Verification) -> String {
             v.median_zeta
         ),
         Verdict::Wrong => format!(
-            "the map is not right: {places} have another outcome; try a smaller --step, --precision f64 \
-             or --resolve"
+            "the map is not right: {} differ, {places}; try a smaller --step, --precision f64 or --resolve",
+            cells(v.differ)
         ),
         Verdict::Nothing => {
             format!("nothing is verified; --verify {} takes the time that it needs", v.chosen)

@@ -32,21 +32,41 @@ impl Kind {
 }
 
 /// What an earlier command left in a directory, as its run.json says.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default)]
 pub struct Earlier {
-    /// What it is of; none where it does not say.
+    /// What it is of; none where no run.json of topple is there.
     pub kind: Option<Kind>,
+    /// What was run, in short: of a map the tag of its identity.
+    pub tag: Option<u32>,
     /// The names of its files, but run.json.
-    #[serde(default)]
     files: Vec<String>,
 }
+
+/// Of a run.json of topple, what is asked for here. All of it must be there: other programs have a run.json, too.
+#[derive(Deserialize)]
+struct Written {
+    kind: Kind,
+    #[serde(rename = "version")]
+    _version: String,
+    tag: Option<u32>,
+    files: Vec<String>,
+}
+
+/// Kinds of files that a run writes and the next may remove.
+const ENDINGS: [&str; 4] = ["csv", "npz", "png", "svg"];
+/// The one folder among them, and a file of it.
+const FOLDER: (&str, &str) = ("map.zarr", "zarr.json");
 
 impl Earlier {
     /// That of a directory; nothing where no run.json of topple is there.
     pub fn of(directory: &Path) -> Earlier {
-        // A file that cannot be read or is something else's says nothing; it will be told when it is replaced.
+        // One that cannot be read says nothing; what is wrong is told when it is to be replaced.
         let text = fs::read(directory.join(RUN)).unwrap_or_default();
-        serde_json::from_slice(&text).unwrap_or_default()
+        let written = serde_json::from_slice::<Written>(&text);
+        written.map_or_else(
+            |_| Earlier::default(),
+            |Written { kind, tag, files, .. }| Earlier { kind: Some(kind), tag, files },
+        )
     }
 
     /// True where it is of something else than a new command's files.
@@ -54,23 +74,38 @@ impl Earlier {
         self.kind.is_some_and(|earlier| earlier != kind)
     }
 
-    /// Removes its files that a new command does not write, and its run.json first; those that were there.
+    /// Removes its files that a new command does not write, and run.json first; those that were there.
     ///
     /// # Errors
     /// Those of the disk.
     pub fn remove_but(&self, new: &[String], directory: &Path) -> io::Result<Vec<String>> {
         // Files without it are a run's that was interrupted.
-        files::remove(&directory.join(RUN))?;
+        match fs::remove_file(directory.join(RUN)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(io::Error::new(error.kind(), format!("{RUN}: {error}")));
+            }
+            _ => {}
+        }
         let mut removed = Vec::new();
         for name in self.files.iter().filter(|name| !new.contains(name)) {
-            // Nothing outside of the directory, whatever somebody wrote there.
-            let is_name = Path::new(name).file_name().is_some_and(|only| only == name.as_str());
             let path = directory.join(name);
-            if is_name && path.symlink_metadata().is_ok() {
+            if is_results(name, &path) {
                 files::remove(&path)?;
                 removed.push(name.clone());
             }
         }
         Ok(removed)
     }
+}
+
+/// True of a file, or the folder of a map, that a run of topple may have written into its directory: whatever
+/// somebody wrote into run.json, nothing else is removed.
+fn is_results(name: &str, path: &Path) -> bool {
+    let plain = Path::new(name);
+    let is_name = plain.file_name().is_some_and(|only| only == name);
+    let Ok(there) = path.symlink_metadata() else { return false };
+    let (folder, inside) = FOLDER;
+    let ending = plain.extension().and_then(|ending| ending.to_str());
+    let is_file = there.is_file() && ending.is_some_and(|ending| ENDINGS.contains(&ending));
+    is_name && (is_file || (name == folder && there.is_dir() && path.join(inside).exists()))
 }

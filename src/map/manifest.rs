@@ -22,6 +22,8 @@ use crate::sweep::verification::Verification;
 pub struct Manifest<'a> {
     /// What the files are of.
     pub kind: Kind,
+    /// A checksum of all that the map depends on; none of a map that was joined.
+    pub tag: Option<u32>,
     /// Version of topple.
     pub version: &'static str,
     /// The scene as run, defaults filled in.
@@ -107,6 +109,7 @@ impl<'a> Manifest<'a> {
         tally: &Tally,
         took: Timings,
         (drawn, files): ((usize, usize), &'a [String]),
+        tag: Option<u32>,
     ) -> Manifest<'a> {
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
@@ -125,6 +128,7 @@ impl<'a> Manifest<'a> {
         let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
         Manifest {
             kind: Kind::Map,
+            tag,
             version: env!("CARGO_PKG_VERSION"),
             scene: &plan.scene,
             cells: grid.len(),

@@ -113,6 +113,11 @@ impl Store {
         Ok((store, found))
     }
 
+    /// True where a directory has the folder of a map that runs, or was interrupted.
+    pub fn is_begun(out: &Path) -> bool {
+        out.join(FOLDER).exists()
+    }
+
     /// The tiles of its grid.
     pub fn tiling(&self) -> &Tiling {
         &self.tiling

@@ -112,6 +112,11 @@ impl Job {
         Ok(Job { plan, grid, backends, passed_over, wanted, settings, opened, saved, left })
     }
 
+    /// A checksum of all that its outcomes depend on; none where nothing is saved.
+    pub fn tag(&self) -> Option<u32> {
+        self.saved.as_ref().map(|(store, _)| store.tag())
+    }
+
     /// How cells are computed.
     pub fn method(&self) -> &Method {
         &self.settings.method

@@ -129,8 +129,9 @@ impl MapSweep {
     /// # Errors
     /// Those of reading; [`SweepError::Read`] where it is cancelled.
     pub fn choose(&self, cells: usize, observer: &dyn Observer) -> Result<Vec<Chosen>, SweepError> {
-        // They are chosen in two readings of a column.
-        observer.begins(Phase::Choosing, 2 * self.grid.len());
+        // They are chosen in two readings of a column, and read.
+        let (all, columns) = (self.grid.len(), Column::ALL.len());
+        observer.begins(Phase::Choosing, 2 * all + columns * cells.min(all));
         let watched = ObservedOutcomes::new(&*self.outcomes, observer);
         Ok(sample::sample(&self.grid, &watched, cells)?)
     }

@@ -12,7 +12,7 @@ pub enum Phase {
     Sweeping,
     /// Outcomes are counted, in cells times columns.
     Counting,
-    /// The reference's sample is chosen: all cells are read twice, and counted so.
+    /// The reference's sample is chosen, in cells times columns: one of all cells twice, and all of the sample.
     Choosing,
     /// The reference runs its sample, in cells.
     Verifying,

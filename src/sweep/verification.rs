@@ -62,14 +62,14 @@ pub struct Difference {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// No outcome differs.
+    /// No outcome differs. Impacts, times and zeta of single cells may.
     Right,
     /// Outcomes differ no more than is to be expected: where the model does not hold, or in few of the cells
     /// beside a boundary.
     AsExpected,
     /// Outcomes differ where they should not, or zeta does.
     Wrong,
-    /// No cell was run again.
+    /// No cell that the sweep calls something was run again.
     Nothing,
 }
 
@@ -116,7 +116,7 @@ const LISTED: usize = 16;
 /// moves so many of them to the other side.
 const OFF: f64 = 0.1;
 /// Largest median error of zeta: a hundredth of its scale from full contact to overturning.
-const ZETA_OFF: f64 = 0.01;
+pub const ZETA_OFF: f64 = 0.01;
 
 impl Verification {
     /// Cells that differ neither where the model does not hold nor beside a boundary.
@@ -130,7 +130,7 @@ impl Verification {
         let wrong = self.differ_inside() > 0
             || self.differ_beside_boundary as f64 > few
             || self.median_zeta > ZETA_OFF;
-        match (self.sampled, self.differ) {
+        match (self.sampled - self.unresolved, self.differ) {
             (0, _) => Verdict::Nothing,
             _ if wrong => Verdict::Wrong,
             (_, 0) => Verdict::Right,
@@ -221,6 +221,8 @@ pub fn compare(grid: &Grid, judged: impl IntoIterator<Item = Judged>) -> Verific
             }
         } else {
             let error = (cell.zeta - reference.zeta).abs();
+            // No number at all is as wrong as can be.
+            let error = if error.is_nan() { f64::INFINITY } else { error };
             report.worst_zeta = report.worst_zeta.max(error);
             if cell.class == Class::Rocking {
                 zeta_errors.push(error);

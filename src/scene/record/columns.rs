@@ -2,7 +2,7 @@
 //! semicolons a comma is a decimal one.
 
 use super::lines::{MOST_SAMPLES, free, number};
-use super::{Raw, RecordError};
+use super::{Raw, RecordError, Units, rounded};
 
 /// Largest part of a step by which a time may miss its place.
 const JITTER: f64 = 0.02;
@@ -11,13 +11,15 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
     let mut title = String::new();
     let (mut times, mut values) = (Vec::new(), Vec::new());
     let (mut columns, mut commas) = (0, false);
+    let (mut units, mut empty) = (None, None);
     for (index, line) in text.lines().enumerate() {
         let at = index + 1;
         let line = line.trim();
         if line.is_empty() || line.starts_with(['#', '%', '!']) {
             continue;
         }
-        let point = line.contains(';').then(|| line.replace(',', "."));
+        let is_row = line.contains(';') && line.contains(|c: char| c.is_ascii_digit());
+        let point = is_row.then(|| line.replace(',', "."));
         commas |= point.is_some() && line.contains(',');
         let fields = free(point.as_deref().unwrap_or(line));
         let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field)).collect();
@@ -25,6 +27,7 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             // Words before the first number are a heading.
             if values.is_empty() && title.is_empty() {
                 title = line.chars().take(80).collect();
+                units = units_in(line);
                 continue;
             }
             return Err(RecordError::line(
@@ -34,7 +37,12 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         };
         if numbers.is_empty() {
             // Nothing but separators, as a spreadsheet leaves below its last row.
+            empty.get_or_insert(at);
             continue;
+        }
+        if let (Some(empty), false) = (empty, values.is_empty()) {
+            let problem = "an empty row amid the samples; fill it in, or cut the record there";
+            return Err(RecordError::line(empty, problem));
         }
         if columns == 0 {
             columns = numbers.len();
@@ -56,7 +64,13 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
     }
     let dt = if columns == 2 { Some(even_step(&times)?) } else { None };
     let notes = if commas { vec!["decimal commas".to_string()] } else { Vec::new() };
-    Ok(Raw { title, dt, units: None, values, notes })
+    Ok(Raw { title, dt, units, values, notes })
+}
+
+/// The units of an acceleration that a heading has in brackets: `time (s), acc (cm/s^2)`.
+fn units_in(heading: &str) -> Option<Units> {
+    let inside = heading.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next());
+    inside.filter_map(Units::named).last()
 }
 
 /// The step of evenly spaced times.
@@ -64,7 +78,7 @@ fn even_step(times: &[f64]) -> Result<f64, RecordError> {
     let (Some(first), Some(last)) = (times.first(), times.last()) else {
         return Err(RecordError::whole("no samples"));
     };
-    let step = (last - first) / (times.len().max(2) - 1) as f64;
+    let step = rounded((last - first) / (times.len().max(2) - 1) as f64);
     if !(step > 0.0) {
         return Err(RecordError::whole(
             "the times in the first column do not grow; if its commas are decimal ones, write points",

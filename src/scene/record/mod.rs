@@ -39,8 +39,19 @@ impl Record {
 
     /// Time of the last sample, s.
     pub fn duration(&self) -> f64 {
-        self.dt * (self.samples.len().saturating_sub(1)) as f64
+        time_of(self.samples.len().saturating_sub(1), self.dt)
     }
+}
+
+/// The time of a sample, s: without the last digits, in which a product of binary numbers misses a decimal one.
+fn time_of(sample: usize, dt: f64) -> f64 {
+    rounded(sample as f64 * dt)
+}
+
+/// A number to 13 digits.
+fn rounded(number: f64) -> f64 {
+    // What was written as a number is one.
+    format!("{number:.12e}").parse().unwrap_or(number)
 }
 
 /// Units of the numbers in a file.
@@ -56,8 +67,8 @@ pub enum Units {
     #[cfg_attr(feature = "cli", value(name = "m/s2"))]
     MetresPerSecondSquared,
     /// cm/s^2, gal.
-    #[serde(rename = "cm/s2")]
-    #[cfg_attr(feature = "cli", value(name = "cm/s2"))]
+    #[serde(rename = "cm/s2", alias = "gal")]
+    #[cfg_attr(feature = "cli", value(name = "cm/s2", alias = "gal"))]
     CentimetresPerSecondSquared,
 }
 

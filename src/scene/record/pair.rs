@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::Record;
+use super::{Record, time_of};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -96,7 +96,7 @@ impl Pair {
 
     /// Time of the last sample, s.
     pub fn duration(&self) -> f64 {
-        self.dt * (self.horizontal.len().saturating_sub(1)) as f64
+        time_of(self.horizontal.len().saturating_sub(1), self.dt)
     }
 
     /// Number of samples.

@@ -1,5 +1,6 @@
 //! From bytes to a record: which format, which units, and is it plausible.
 
+use std::io::Read;
 use std::path::Path;
 
 use super::text::{self, LARGEST, printable};
@@ -28,11 +29,14 @@ const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
     let refused =
         |e: std::io::Error| RecordError::whole(format!("{e}; give a file that can be read"));
-    let size = std::fs::metadata(path).map_err(refused)?.len();
-    if size > LARGEST {
+    // A device or a pipe has no length to be asked for.
+    let mut read = Vec::new();
+    let file = std::fs::File::open(path).map_err(refused)?;
+    file.take(LARGEST + 1).read_to_end(&mut read).map_err(refused)?;
+    if read.len() as u64 > LARGEST {
         return Err(RecordError::whole("larger than 256 MiB; this is no record"));
     }
-    bytes(&std::fs::read(path).map_err(refused)?, hints)
+    bytes(&read, hints)
 }
 
 /// Reads the bytes of a file.
