@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use topple::map::earlier::{Earlier, RUN};
-use topple::map::manifest::{Manifest, Timings};
+use topple::map::manifest::{Facts, Manifest, Steps, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
 use topple::results::files::Directory;
@@ -81,7 +81,9 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         screen.clear();
     }
     took.writing = lap(&mut began);
-    output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names), to.tag))?;
+    let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
+    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag };
+    output::write_json(out, &Manifest::of(&map, &facts, took))?;
     map.discard_saved().map_err(sweep_error)?;
     let thinned = match cells == map.grid.len() {
         true => String::new(),
@@ -108,9 +110,11 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         say.line("reference", words::agreement(&verification, to.verify.within));
         say.line("", words::verdict(&verification));
         map.verification = Some(verification);
-        output::write_json(out, &Manifest::of(&map, &tally, took, (drawn, &names), to.tag))?;
     }
-    let manifest = Manifest::of(&map, &tally, took, (drawn, &names), to.tag);
+    let manifest = Manifest::of(&map, &facts, took);
+    if map.verification.is_some() {
+        output::write_json(out, &manifest)?;
+    }
     if to.talk.verbose {
         say.line("time", words::phases(&manifest.timings));
     }

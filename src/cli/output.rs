@@ -40,7 +40,7 @@ pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
         return Err(InputError(format!("--out: {problem}")));
     }
     match earlier.kind {
-        Some(other) if earlier.is_other_than(kind) => {
+        Some(other) if other != kind => {
             let (other, new) = (other.name(), kind.name());
             let problem =
                 format!("{} holds {other}; give {new} a directory of its own", out.display());

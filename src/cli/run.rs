@@ -23,6 +23,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         return estimate::tell(scene, options, &settings);
     }
     interrupt::listen();
+    let say = Say::unless(options.run.quiet || options.talk.json);
     let earlier = output::refuse_other(&options.run.out, Kind::Map)?;
     let out = output::open(&options.run.out)?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
@@ -31,7 +32,6 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if options.resume && options.tile.is_none() && job.left() == job.wanted.len() {
         match earlier.tag {
             Some(finished) if Some(finished) == tag => {
-                let say = Say::unless(options.run.quiet || options.talk.json);
                 say.line(
                     "resumed",
                     format!("nothing to do: {} is finished", out.file(RUN).display()),
@@ -56,7 +56,6 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
     }
-    let say = Say::unless(options.run.quiet || options.talk.json);
     words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision);
     words::warn_of_cut_pulses(&job.grid);
     words::warn_of_lossless_impacts(&job.plan, &job.grid);

@@ -69,11 +69,6 @@ impl Earlier {
         )
     }
 
-    /// True where it is of something else than a new command's files.
-    pub fn is_other_than(&self, kind: Kind) -> bool {
-        self.kind.is_some_and(|earlier| earlier != kind)
-    }
-
     /// Removes its files that a new command does not write, and run.json first; those that were there.
     ///
     /// # Errors

@@ -101,16 +101,25 @@ pub struct Reduced {
     pub mean_time: f64,
 }
 
+/// What is known of a map beside its sweep: it stays the same while files are written and cells verified.
+#[derive(Debug)]
+pub struct Facts<'a> {
+    /// How its cells were counted.
+    pub tally: Tally,
+    /// The steps of its cells.
+    pub steps: Steps,
+    /// Columns and rows that are drawn.
+    pub drawn: (usize, usize),
+    /// The files beside run.json.
+    pub files: &'a [String],
+    /// A checksum of all that it depends on.
+    pub tag: Option<u32>,
+}
+
 impl<'a> Manifest<'a> {
-    /// What is known of a map that was counted, of which `drawn` columns and rows are drawn. `took` has the times of
-    /// what came beside the sweep.
-    pub fn of(
-        map: &'a MapSweep,
-        tally: &Tally,
-        took: Timings,
-        (drawn, files): ((usize, usize), &'a [String]),
-        tag: Option<u32>,
-    ) -> Manifest<'a> {
+    /// What is known of a map; `took` has the times of what came beside the sweep.
+    pub fn of(map: &'a MapSweep, facts: &Facts<'a>, took: Timings) -> Manifest<'a> {
+        let Facts { tally, steps, drawn, files, tag } = facts;
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
         let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -128,7 +137,7 @@ impl<'a> Manifest<'a> {
         let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
         Manifest {
             kind: Kind::Map,
-            tag,
+            tag: *tag,
             version: env!("CARGO_PKG_VERSION"),
             scene: &plan.scene,
             cells: grid.len(),
@@ -138,7 +147,7 @@ impl<'a> Manifest<'a> {
             threads: threads(),
             precision: method.precision,
             resolve: method.resolve,
-            steps: Steps::of(&plan.at(method.precision), grid),
+            steps: *steps,
             cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
             timings,
             outcomes: tally.classes(),
@@ -146,7 +155,7 @@ impl<'a> Manifest<'a> {
             sliding_cells: tally.sliding,
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),
-            drawn,
+            drawn: *drawn,
             parts: parts
                 .iter()
                 .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
@@ -157,8 +166,8 @@ impl<'a> Manifest<'a> {
 }
 
 impl Steps {
-    /// The steps of a grid's cells.
-    fn of(plan: &Plan, grid: &Grid) -> Steps {
+    /// The steps of a grid's cells. It goes through all of them.
+    pub fn of(plan: &Plan, grid: &Grid) -> Steps {
         let of = |cell: usize| {
             let clock = plan.clock(&grid.case(cell));
             let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };
