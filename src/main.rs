@@ -10,7 +10,7 @@ fn main() -> ExitCode {
     match cli::run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            cli::error_line(format_args!("topple: {error:#}"));
+            cli::error_line(format_args!("{error:#}"));
             ExitCode::from(match &error {
                 error if error.is::<cli::InputError>() => 2,
                 error if error.is::<cli::Interrupted>() => cli::INTERRUPTED,

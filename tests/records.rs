@@ -149,7 +149,7 @@ fn every_other_format() {
     let none = hints(None, None);
     assert_eq!(read::bytes(headed, &none).unwrap().samples, [1.5, -2.5, 3.0]);
     let error = read::bytes(headed, &units).unwrap_err().to_string();
-    assert!(error.contains("the file's units are cm/s2, units says m/s2"), "{error}");
+    assert!(error.contains("the file's units are cm/s2, `units` says m/s2"), "{error}");
     let gap = read::bytes(b"0 1\n0.01 2\n; ,\n0.02 3\n", &units).unwrap_err().to_string();
     assert!(gap.starts_with("line 3: an empty row amid the samples"), "{gap}");
     assert!(read::bytes(b"0 1\n0.01 2\n; ,\n;\n", &units).is_ok());
@@ -179,11 +179,11 @@ fn what_is_no_record_is_refused_with_its_line() {
     refused(&AT2.replace("ACCELERATION", "VELOCITY"), &nothing, "line 3");
     refused(&esm().replace("DATA_TYPE: ACC", "DATA_TYPE: VEL"), &nothing, "line 64");
     refused(&KNET.replace("(gal)/", " per "), &nothing, "line 14");
-    refused(AT2, &hints(Some(0.02), None), "leave dt out");
+    refused(AT2, &hints(Some(0.02), None), "leave `dt` out");
     refused(
         AT2,
         &hints(None, Some(Units::MetresPerSecondSquared)),
-        "the file's units are g, units says m/s2; leave units out",
+        "the file's units are g, `units` says m/s2; leave `units` out",
     );
     assert!(read::bytes(AT2.as_bytes(), &hints(None, Some(Units::G))).is_ok());
     let metres = hints(Some(0.01), Some(Units::MetresPerSecondSquared));
@@ -276,8 +276,10 @@ fn real_files_of_each_format() {
     ];
     for (name, hints, count, dt, peak) in cases {
         let Some(path) = record("real files", &format!("formats/{name}")) else { return };
-        let record = read::file(&path, &hints).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let (record, file) = read::file(&path, &hints).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert_eq!(record.samples.len(), count, "{name}");
+        assert_eq!((file.samples, file.dt, file.peak), (count, record.dt, record.peak()), "{name}");
+        assert!(file.path.is_absolute() && file.sha256.len() == 64, "{file:?}");
         assert_abs_diff_eq!(record.dt, dt, epsilon = 1e-9);
         if !peak.is_nan() {
             // The check values have four digits.
@@ -400,7 +402,7 @@ fn pairs_that_are_none_are_refused_and_accepted_when_forced() {
         ("A QUAKE, HERE, 90", "A QUAKE, THERE, UP", "vertical: 'A QUAKE, THERE, UP' is of another"),
     ] {
         let error = pair_of(horizontal, vertical, false).unwrap_err();
-        assert!(error.starts_with(said) && error.contains("--force"), "{error}");
+        assert!(error.starts_with(said) && error.contains("; `force` accepts it"), "{error}");
         assert!(pair_of(horizontal, vertical, true).is_ok());
     }
     let directory = tempfile::TempDir::new().unwrap();
@@ -419,8 +421,9 @@ fn pairs_that_are_none_are_refused_and_accepted_when_forced() {
         SceneBuilder::from_toml(&text).unwrap().check_in(directory.path())
     };
     let error = weak("units = \"m/s2\"", "").unwrap_err().to_string();
-    let said = "units: in m/s2 the peak is 7.14e-2 g, a weak motion; if the numbers are in g, it is 0.70 g";
-    assert!(error.starts_with(said) && error.contains("--force"), "{error}");
+    let said =
+        "units: in m/s2 the peak is 0.071 g, a weak motion; if the numbers are in g, it is 0.70 g";
+    assert!(error.starts_with(said) && error.contains("; `force` accepts it"), "{error}");
     assert!(weak("units = \"m/s2\"", "[run]\nforce = true\n").is_ok());
     assert!(weak("units = \"m/s2\"\nscale = 3", "").is_err());
     assert!(weak("units = \"m/s2\"\npga = 3", "").is_ok());

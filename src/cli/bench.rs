@@ -21,13 +21,14 @@ use topple::sweep::{clock, cpu, lanes};
 
 use super::print::print_line;
 use super::progress::Bar;
-use super::{InputError, ratios, words};
+use super::{InputError, examples, ratios, words};
 
 /// Most points of an axis: a map of 4096 x 4096 takes two gigabytes.
 const MOST: u32 = 4096;
 
 /// Measure every backend of this machine on the same maps, and print the table.
 #[derive(clap::Args)]
+#[command(after_help = examples::BENCH)]
 pub struct BenchCommand {
     /// Points of an axis of the default map; the other maps have a quarter of that
     #[arg(long, value_name = "N", default_value_t = 400)]

@@ -18,15 +18,16 @@ use topple::sweep::gpu::opened::Gpu;
 use topple::sweep::progress::Progress;
 use topple::sweep::report::threads;
 
-use super::InputError;
 use super::options::flag_error;
 use super::output::{self, PNG_SCALE, write_figure};
 use super::print::print_line;
 use super::progress::Bar;
 use super::seismic::write_synthetic;
+use super::{InputError, examples};
 
 /// Chart speed against accuracy: every method, over its steps or tolerances.
 #[derive(clap::Args)]
+#[command(after_help = examples::CHART)]
 pub struct ChartCommand {
     /// Directory for the results; made if need be
     #[arg(short, long, value_name = "DIR", default_value = "topple-chart")]

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use topple::results::size::room;
 use topple::scene::{Parameter, Scene};
+use topple::sweep::backend::Backend;
 use topple::sweep::estimate::Estimate;
 use topple::sweep::job::Job;
 use topple::sweep::settings::{RunSettings, VerifySettings};
@@ -11,8 +12,8 @@ use topple::sweep::settings::{RunSettings, VerifySettings};
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::options::{MapFile, MapOptions, Verify};
-use super::print::print_line;
 use super::progress::Screen;
+use super::words::Say;
 use super::{memory, words};
 
 /// Says what a run takes, and runs no more than the sample.
@@ -26,29 +27,30 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let wanted = options.tile.map_or(0..grid.len(), |part| part.cells(grid.len()));
     let screen = Screen::new(options.run.quiet);
     let takes = job.estimate(&screen).map_err(sweep_error)?;
+    // What is asked for is told, however quiet.
+    let say = Say::unless(false);
     let part = match options.tile {
         None => String::new(),
         Some(part) => format!(", part {part} of them {}", wanted.len()),
     };
     let workers = job.backends.len() as f64;
-    print_line!("cells      {} = {}{part}", words::sides(grid), grid.len());
-    print_line!("motion     {:.3e} s simulated at the most", motion(&job, wanted.len()));
-    print_line!(
-        "time       about {} of sweep by {} {}, {:.0} cells/s on {} cells",
+    say.line("cells", format!("{} = {}{part}", words::sides(grid), grid.len()));
+    say.line("motion", format!("{:.3e} s simulated at the most", motion(&job, wanted.len())));
+    let time = format!(
+        "about {} of sweep by {} {}, {:.0} cells/s on {} cells",
         duration(wanted.len() as f64 / takes.rate / workers),
         backend.name(),
-        backend.columns(options.run.precision).name(),
+        backend.columns(options.run.precision()).name(),
         takes.rate * workers,
         takes.sampled
     );
-    let verification = verification(options);
+    say.line("time", time);
+    let verification = verification(&job, options);
     if !verification.is_empty() {
-        print_line!("          {verification}");
+        say.line("", verification.trim_start());
     }
-    print_line!(
-        "memory     up to {}",
-        size(memory::of_run(&job, (options.tile.is_some(), options.run.resolve)) as f64)
-    );
+    let memory = memory::of_run(&job, (options.tile.is_some(), options.run.resolve));
+    say.line("memory", format!("up to {}", size(memory as f64)));
     let files = if options.tile.is_some() {
         format!("{} of tiles at the most", size(job.bytes(wanted.len()) as f64))
     } else {
@@ -69,7 +71,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         Some(room) => format!("; {} are free", size(room as f64)),
         None => String::new(),
     };
-    print_line!("disk       {files}{room}");
+    say.line("disk", format!("{files}{room}"));
     Ok(())
 }
 
@@ -77,18 +79,19 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
 pub fn line(job: &Job, estimate: Option<&Estimate>, options: &MapOptions) -> String {
     let left = job.left();
     let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(job, left));
-    let Some(estimate) = estimate else { return format!("{motion}{}", verification(options)) };
+    let Some(estimate) = estimate else { return format!("{motion}{}", verification(job, options)) };
     let time = left as f64 / estimate.rate / job.backends.len() as f64;
     let disk = size(disk::of_run(job, estimate, options));
-    let verify = verification(options);
+    let verify = verification(job, options);
     format!("{motion}, about {}{verify}, up to {disk} of disk", duration(time))
 }
 
 /// What the reference takes beside it, in words.
-fn verification(options: &MapOptions) -> String {
+fn verification(job: &Job, options: &MapOptions) -> String {
     let VerifySettings { cells, within } = Verify::settings(options.verify);
     match (cells, within) {
         _ if options.tile.is_some() => String::new(),
+        _ if matches!(job.backends[0], Backend::Reference) => String::new(),
         (0, _) => String::new(),
         (_, Duration::MAX) => format!(" and the time of {cells} cells by the reference"),
         _ => format!(" and up to {} of verification", duration(within.as_secs_f64())),

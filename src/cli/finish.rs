@@ -52,7 +52,8 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let mut began = Instant::now();
     let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
     // What lies on disk only is gone when its files are written.
-    let chosen = match to.verify.cells {
+    let cells = if map.by_reference() { 0 } else { to.verify.cells };
+    let chosen = match cells {
         0 => Vec::new(),
         cells => map.choose(cells, screen).map_err(|error| sweep_error(map.stopped(error)))?,
     };
@@ -101,14 +102,16 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     }
     let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
     say.line("data", format!("{} with {}", out.file(data[0]).display(), data[1..].join(", ")));
-    if to.verify.cells > 0 {
+    if to.verify.cells > 0 && map.by_reference() {
+        say.line("reference", "it computed the map: there is nothing to verify");
+    } else if to.verify.cells > 0 {
         let mut began = Instant::now();
         let verified = map.verify_chosen(&chosen, to.verify.within, screen);
         screen.clear();
         let verification = verified.map_err(not_verified)?;
         took.verification = Some(lap(&mut began));
         say.line("reference", words::agreement(&verification, to.verify.within));
-        say.line("", words::verdict(&verification));
+        say.styled("", words::verdict(&verification), words::style(&verification));
         map.verification = Some(verification);
     }
     let manifest = Manifest::of(&map, &facts, took);

@@ -7,20 +7,23 @@ use topple::map::history::{self as table};
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
+use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::history as motion;
 use topple::sweep::request::BackendRequest;
+use topple::sweep::settings::Method;
 
-use super::InputError;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
-use super::print::print_line;
+use super::scene::save;
 use super::words::{self, Say};
+use super::{InputError, examples};
 
 /// The motion of one cell: every parameter a single number.
 #[derive(clap::Args)]
+#[command(after_help = examples::HISTORY)]
 pub struct HistoryCommand {
     #[command(flatten)]
     common: CommonFlags,
@@ -41,8 +44,9 @@ struct Manifest<'a> {
     version: &'static str,
     scene: &'a Scene,
     backend: &'static str,
-    precision: Precision,
-    largest_step: f64,
+    record: Option<&'a Provenance>,
+    #[serde(flatten)]
+    method: Method,
     outcome: &'a Outcome,
     files: &'a [String],
 }
@@ -51,7 +55,6 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        options.set_threads()?;
         let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
         let text = SceneBuilder {
             force: options.force,
@@ -60,63 +63,67 @@ impl HistoryCommand {
             ..self.common.text(Some("Time history"), numbers)
         };
         let scene = text.check().map_err(|error| flag_error(&error))?;
-        if let Some(swept) = scene.swept().first() {
-            let flag = swept.entry().flag();
-            let problem = format!("{flag}: a history is of one cell; give a single number");
-            return Err(InputError(problem).into());
+        if let Some(path) = &self.common.save_scene {
+            return save(path, text);
         }
-        if options.backend == BackendRequest::Gpu {
-            let problem = "--backend: the shader keeps no history; use cpu or reference";
-            return Err(InputError(problem.into()).into());
-        }
-        let mut plan = options.plan(&scene).map_err(|e| flag_error(&e))?;
-        // A history is the motion to its end, proved or not.
-        plan.reductions.certificate = false;
-        words::warn_of_cut_pulses(&Grid::of(&scene));
-        words::warn_of_lossless_impacts(&plan, &Grid::of(&scene));
-        let earlier = output::refuse_other(&options.out, Kind::History)?;
-        let out = output::open(&options.out)?;
-        let case = scene.case();
-        let (rows, outcome) = match (options.backend, options.precision) {
-            (BackendRequest::Reference, _) => motion::by_reference(&scene, &case),
-            (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
-            (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
-        };
-        let svg = figure::draw(&scene, &case, &rows, &outcome)?;
-        let png = document::render(&svg, output::PNG_SCALE)?;
-        let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
-        output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
-        out.write("history.csv", |w| table::write(&rows, w))?;
-        output::write_figure(&out, "history", &svg, &png)?;
-        let backend =
-            if options.backend == BackendRequest::Reference { "reference" } else { "cpu" };
-        let manifest = Manifest {
-            kind: Kind::History,
-            version: env!("CARGO_PKG_VERSION"),
-            scene: &scene,
-            backend,
-            precision: options.precision,
-            largest_step: options.step,
-            outcome: &outcome,
-            files: &files,
-        };
-        output::write_json(&out, &manifest)?;
-        if !options.quiet {
-            let name = outcome.class.name().replace('_', " ");
-            print_line!(
-                "outcome    {name} after {} impacts, t_end = {:.6} s",
-                outcome.impacts,
-                outcome.t_end
-            );
-            if let Some(t) = outcome.t_uplift {
-                print_line!("uplift     {t:.6} s, zeta = {:.6}", outcome.zeta);
-            }
-            print_line!("picture    {}", out.file("history.png").display());
-            print_line!(
-                "data       {} with history.svg, run.json",
-                out.file("history.csv").display()
-            );
-        }
-        Ok(())
+        run_cell(&scene, options)
     }
+}
+
+/// Runs a cell and writes its history.
+pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
+    options.set_threads()?;
+    if let Some(swept) = scene.swept().first() {
+        let flag = swept.entry().flag();
+        let problem = format!("{flag}: a history is of one cell; give a single number");
+        return Err(InputError(problem).into());
+    }
+    if options.backend == BackendRequest::Gpu {
+        let problem = "--backend: the shader keeps no history; use cpu or reference";
+        return Err(InputError(problem.into()).into());
+    }
+    let mut plan = options.plan(scene).map_err(|e| flag_error(&e))?;
+    // A history is the motion to its end, proved or not.
+    plan.reductions.certificate = false;
+    words::warn_of_cut_pulses(&Grid::of(scene));
+    words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
+    let earlier = output::refuse_other(&options.out, Kind::History)?;
+    let out = output::open(&options.out)?;
+    let case = scene.case();
+    let (rows, outcome) = match (options.backend, options.precision()) {
+        (BackendRequest::Reference, _) => motion::by_reference(scene, &case),
+        (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
+        (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
+    };
+    let svg = figure::draw(scene, &case, &rows, &outcome)?;
+    let png = document::render(&svg, output::PNG_SCALE)?;
+    let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
+    output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
+    out.write("history.csv", |w| table::write(&rows, w))?;
+    output::write_figure(&out, "history", &svg, &png)?;
+    let backend = if options.backend == BackendRequest::Reference { "reference" } else { "cpu" };
+    let manifest = Manifest {
+        kind: Kind::History,
+        version: env!("CARGO_PKG_VERSION"),
+        scene,
+        backend,
+        record: scene.excitation.provenance(),
+        method: options.method(),
+        outcome: &outcome,
+        files: &files,
+    };
+    output::write_json(&out, &manifest)?;
+    let say = Say::unless(options.quiet);
+    let name = outcome.class.name().replace('_', " ");
+    let impacts = match outcome.impacts {
+        1 => "1 impact".into(),
+        impacts => format!("{impacts} impacts"),
+    };
+    say.line("outcome", format!("{name} after {impacts}, t_end = {:.6} s", outcome.t_end));
+    if let Some(t) = outcome.t_uplift {
+        say.line("uplift", format!("{t:.6} s, zeta = {:.6}", outcome.zeta));
+    }
+    say.line("picture", out.file("history.png").display());
+    say.line("data", format!("{} with history.svg, run.json", out.file("history.csv").display()));
+    Ok(())
 }

@@ -15,13 +15,14 @@ use super::finish::{self, Finish};
 use super::options::{MapFile, Talk, Verify};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
-use super::{InputError, interrupt, output};
+use super::{InputError, examples, interrupt, output};
 
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
 
 /// Join the parts of a map that runs with --tile left, and write its files.
 #[derive(clap::Args)]
+#[command(after_help = examples::MERGE)]
 pub struct MergeCommand {
     /// Directories of the runs with --tile, or the parts' own
     #[arg(value_name = "DIR", required = true)]
@@ -33,7 +34,7 @@ pub struct MergeCommand {
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     files: Vec<MapFile>,
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
-    #[arg(long, value_name = "N|none")]
+    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
     /// Print nothing but errors
     #[arg(short, long)]

@@ -1,11 +1,14 @@
 //! The command line: one file a command.
 
 mod adapters;
+mod again;
 mod bench;
 mod chart;
+mod completions;
 mod disk;
 mod errors;
 mod estimate;
+mod examples;
 mod figures;
 mod finish;
 mod history;
@@ -39,7 +42,7 @@ pub struct InputError(pub String);
 ///
 /// Without a command, runs the default scene into ./topple-out.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true)]
+#[command(version, args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -51,17 +54,17 @@ struct Arguments {
 enum Command {
     /// Map the outcomes of pulses over any of their numbers, for example (omega, a_h)
     Pulse(pulse::PulseCommand),
-    /// Map the response to a ground-motion record over (T_h, T_v)
+    /// Map the response to a ground-motion record, for example over (t_h, t_v)
     Seismic(seismic::SeismicCommand),
     /// Join the parts of a map that runs with --tile left
     Merge(merge::MergeCommand),
-    /// The motion of one cell: every parameter a single number
+    /// Integrate the motion of one cell: every parameter a single number
     History(history::HistoryCommand),
-    /// Run a scene from a TOML file
+    /// Run a scene from a file, or an earlier run again
     Run(scene::RunCommand),
     /// Chart speed against accuracy: every method, over its steps or tolerances
     Chart(chart::ChartCommand),
-    /// Every figure of the paper, and what goes beyond it
+    /// Draw every figure of the paper, and what goes beyond it
     Figures(figures::FiguresCommand),
     /// Measure every backend of this machine on the same maps, and print the table
     Bench(bench::BenchCommand),
@@ -69,6 +72,10 @@ enum Command {
     Scene,
     /// List the GPU adapters of this machine
     Adapters,
+    /// Print the completions of a shell
+    Completions(completions::CompletionsCommand),
+    /// Print the manual page of topple or of one of its commands
+    Man(completions::ManCommand),
 }
 
 /// Parses the command line and does what it says.
@@ -96,6 +103,8 @@ pub fn run() -> anyhow::Result<()> {
             Ok(())
         }
         Some(Command::Adapters) => adapters::run(),
+        Some(Command::Completions(command)) => command.run(),
+        Some(Command::Man(command)) => command.run(),
         None => scene::run_default(&arguments.options),
     }
 }

@@ -31,7 +31,7 @@ pub struct PulseFlags {
     pub numbers: PulseNumbers,
 }
 
-/// A flag's help: symbol, meaning, unit, default, source.
+/// A flag's help: symbol, meaning, unit, source, range, default.
 fn help(entry: &Entry) -> String {
     let mut text = format!("{}: {}", entry.symbol, entry.meaning);
     match (entry.unit, entry.source) {
@@ -39,6 +39,10 @@ fn help(entry: &Entry) -> String {
         ("", source) => text.push_str(&format!("; {source} of the paper")),
         (unit, "") => text.push_str(&format!(", {unit}")),
         (unit, source) => text.push_str(&format!(", {unit}; {source} of the paper")),
+    }
+    let range = entry.range();
+    if !range.is_empty() {
+        text.push_str(&format!(" [range: {range}]"));
     }
     if !entry.default.is_empty() {
         text.push_str(&format!(" [default: {}]", entry.default));

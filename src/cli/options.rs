@@ -12,17 +12,17 @@ use topple::scene::parameters::PARAMETERS;
 use topple::scene::{Directions, Grid, Overturn, Parameter, Scene, SceneError, Values};
 use topple::sweep::backend::Backend;
 use topple::sweep::backend_error::BackendError;
-use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
 use topple::sweep::request::{BackendRequest, OpenBackends};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 
 use super::errors::sweep_error;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
+use super::words::with_flags;
 use super::{InputError, memory, words};
 
 /// Where to and on what.
-#[derive(clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub struct RunOptions {
     /// Directory for the results; made if need be
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
@@ -33,12 +33,12 @@ pub struct RunOptions {
     /// GPUs to compute on, by their numbers in topple adapters [default: all that are like the best]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
-    /// Number type of the sweep
-    #[arg(long, default_value = "f32")]
-    pub precision: Precision,
-    /// Largest step, s
-    #[arg(long, value_name = "S", default_value_t = DEFAULT_STEP, allow_negative_numbers = true)]
-    pub step: f64,
+    /// Number type of the sweep [default: f32]
+    #[arg(long)]
+    pub precision: Option<Precision>,
+    /// Largest step, s [default: 0.0078125, 1/128]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub step: Option<f64>,
     /// Run each cell again in f64 with half the step, and mark cells whose outcome changes as unresolved
     #[arg(long)]
     pub resolve: bool,
@@ -71,7 +71,7 @@ pub struct Talk {
 const LARGEST_STEP: f64 = 0.1;
 
 /// What a map has besides.
-#[derive(clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub struct MapOptions {
     #[command(flatten)]
     pub run: RunOptions,
@@ -82,13 +82,13 @@ pub struct MapOptions {
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
     /// Run the k-th of n parts only, and leave it in the directory for topple merge
-    #[arg(long, value_name = "K/N")]
+    #[arg(long, value_name = "K/N", conflicts_with_all = ["verify", "files"])]
     pub tile: Option<Part>,
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
-    #[arg(long, value_name = "N|none")]
+    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
     /// Say what the run would take, and run nothing but a sample
     #[arg(long)]
@@ -156,12 +156,12 @@ impl RunOptions {
     /// # Errors
     /// The key `step`.
     pub fn check_step(&self) -> Result<(), SceneError> {
-        let step = self.step;
+        let Some(step) = self.step else { return Ok(()) };
         if step > LARGEST_STEP && !self.force {
             let key = "step";
             let problem = format!(
                 "{step} s is not plausible (up to {LARGEST_STEP}; seconds are meant, not \
-                 milliseconds); --force accepts it"
+                 milliseconds); `force` accepts it"
             );
             return Err(SceneError { key, problem });
         }
@@ -189,12 +189,31 @@ impl RunOptions {
 
     /// How cells are computed.
     pub fn method(&self) -> Method {
+        let usual = Method::default();
         Method {
-            precision: self.precision,
-            largest_step: self.step,
+            precision: self.precision.unwrap_or(usual.precision),
+            largest_step: self.step.unwrap_or(usual.largest_step),
             resolve: self.resolve,
             full_model: self.full_model,
         }
+    }
+
+    /// Number type of the sweep.
+    pub fn precision(&self) -> Precision {
+        self.method().precision
+    }
+
+    /// Takes over how an earlier run computed its cells, where no flag says otherwise.
+    pub fn adopt(&mut self, earlier: Option<Method>) {
+        let Some(earlier) = earlier else { return };
+        self.precision.get_or_insert(earlier.precision);
+        // A step that was accepted once is.
+        if self.step.is_none() {
+            self.step = Some(earlier.largest_step);
+            self.force = true;
+        }
+        self.resolve |= earlier.resolve;
+        self.full_model |= earlier.full_model;
     }
 
     /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.
@@ -202,7 +221,7 @@ impl RunOptions {
     /// # Errors
     /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
-        let opened = self.backend.open(self.precision, &self.adapter);
+        let opened = self.backend.open(self.precision(), &self.adapter);
         let OpenBackends { backends, passed_over } = opened.map_err(|e| sweep_error(e.into()))?;
         self.warn_of(&passed_over, &backends[0]);
         Ok(backends)
@@ -212,7 +231,7 @@ impl RunOptions {
     pub fn warn_of(&self, passed_over: &[BackendError], taken: &Backend) {
         let on = if taken.adapter().is_some() { "another GPU" } else { "the CPU" };
         for error in passed_over {
-            words::warn(format!("{}; computing on {on}", words::with_flags(&error.to_string())));
+            words::warn(format!("{}; computing on {on}", with_flags(&error.to_string())));
         }
     }
 }
@@ -227,7 +246,7 @@ impl MapOptions {
         settings.saving = Some(Saving {
             resume: self.resume,
             every: self.keep_every,
-            memory: memory::for_columns(scene, self.run.precision),
+            memory: memory::for_columns(scene, self.run.precision()),
             part: self.tile,
             ..Saving::to(&self.run.out)
         });
@@ -239,10 +258,6 @@ impl MapOptions {
         if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() }
     }
 }
-
-/// What a number's values may be, for the help.
-pub const VALUES: &str = "VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each \
-the same factor larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most.";
 
 /// The flags that every scene has. Every number takes a value, start:stop:count, start:stop:count:log, or
 /// a,b,c.
@@ -264,6 +279,9 @@ pub struct CommonFlags {
     /// When a block counts as overturned [default: critical-angle]
     #[arg(long, value_name = "WHEN", help_heading = "Run")]
     overturn: Option<Overturn>,
+    /// Write the scene that the flags make to a file for topple run, and run nothing
+    #[arg(long, value_name = "FILE", help_heading = "Run")]
+    pub save_scene: Option<PathBuf>,
     /// The number along the picture's horizontal axis
     #[arg(long, value_name = "KEY", help_heading = "Run", value_parser = parameter)]
     x: Option<Parameter>,
@@ -312,5 +330,5 @@ fn seconds(text: &str) -> Result<Duration, String> {
 
 /// A scene's error in terms of flags.
 pub fn flag_error(error: &SceneError) -> InputError {
-    InputError(format!("{}: {}", error.flag(), error.problem))
+    InputError(format!("{}: {}", error.flag(), with_flags(&error.problem)))
 }

@@ -3,12 +3,13 @@
 use topple::scene::builder::SceneBuilder;
 
 use super::numbers::PulseFlags;
-use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
-use super::run;
+use super::options::{CommonFlags, MapOptions, flag_error};
+use super::scene::save;
+use super::{examples, run};
 
 /// Map the outcomes of pulses over any of their numbers, for example (omega, a_h).
 #[derive(clap::Args)]
-#[command(after_help = VALUES)]
+#[command(after_help = examples::PULSE)]
 pub struct PulseCommand {
     #[command(flatten)]
     common: CommonFlags,
@@ -25,6 +26,9 @@ impl PulseCommand {
         let text = self.common.text(None, self.pulse.numbers.placed());
         let text = SceneBuilder { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
+        if let Some(path) = &self.common.save_scene {
+            return save(path, text);
+        }
         run::run_map(&scene, &self.options)
     }
 }

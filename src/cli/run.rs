@@ -56,7 +56,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
     }
-    words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision);
+    words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision());
     words::warn_of_cut_pulses(&job.grid);
     words::warn_of_lossless_impacts(&job.plan, &job.grid);
     begin(&say, &job, options);

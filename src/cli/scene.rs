@@ -1,13 +1,18 @@
-//! `topple run SCENE.toml`, and `topple` alone.
+//! `topple run`, and `topple` alone; scenes written as files.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use topple::map::earlier::Kind;
+use topple::results::files::Directory;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::record::read::format_of;
 
-use super::InputError;
+use super::again::{self, Again};
 use super::options::MapOptions;
-use super::run;
+use super::words::{Say, with_keys};
+use super::{InputError, examples, history, run};
 
 /// The scene that `topple` alone runs.
 pub const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
@@ -18,11 +23,15 @@ pub const FIGURE: &str = "[[panel]]";
 /// Largest scene file that is read, bytes.
 const LARGEST: u64 = 1 << 20;
 
-/// Run a scene from a TOML file.
+/// Run a scene from a file, or an earlier run again.
+///
+/// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, with
+/// the precision, the step and the shortcuts of then where no flag says otherwise.
 #[derive(clap::Args)]
+#[command(after_help = examples::RUN)]
 pub struct RunCommand {
-    /// The scene
-    #[arg(value_name = "SCENE.toml")]
+    /// A scene's file (TOML); a run.json, a map or a directory of results
+    #[arg(value_name = "SCENE.toml|RESULTS")]
     scene: PathBuf,
     #[command(flatten)]
     options: MapOptions,
@@ -33,7 +42,21 @@ impl RunCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
+        if let Some(earlier) = again::at(&self.scene) {
+            let Again { kind, scene, method } = earlier.map_err(refused)?;
+            let mut options = self.options.clone();
+            options.run.adopt(method);
+            return match kind {
+                Kind::Map => run::run_map(&scene, &options),
+                Kind::History => history::run_cell(&scene, &options.run),
+            };
+        }
         let text = read(&self.scene).map_err(refused)?;
+        if let Some(format) = format_of(&text) {
+            let problem =
+                format!("a record ({format}), not a scene; give it to topple seismic --horizontal");
+            return Err(refused(problem).into());
+        }
         if text.contains(FIGURE) {
             let problem = "this is a figure of several panels; run it by topple figures --scenes";
             return Err(refused(problem.into()).into());
@@ -41,7 +64,7 @@ impl RunCommand {
         let mut scene = SceneBuilder::from_toml(&text).map_err(refused)?;
         scene.force |= self.options.run.force;
         let directory = self.scene.parent().unwrap_or(Path::new(""));
-        let scene = scene.check_in(directory).map_err(|e| refused(e.to_string()))?;
+        let scene = scene.check_in(directory).map_err(|e| refused(with_keys(&e.to_string())))?;
         run::run_map(&scene, &self.options)
     }
 }
@@ -52,6 +75,32 @@ pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     let text = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
     run::run_map(&scene, options)
+}
+
+/// Writes what flags say of a scene as a file that `topple run` takes. Paths of a record are absolute there, for
+/// a file's are looked for from its own folder.
+///
+/// # Errors
+/// Those of the disk.
+pub fn save(path: &Path, mut scene: SceneBuilder) -> anyhow::Result<()> {
+    if let Some(record) = &mut scene.record {
+        for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
+            *file = std::path::absolute(&*file)?;
+        }
+    }
+    let refused =
+        |reason: String| InputError(format!("--save-scene: {}: {reason}", path.display()));
+    let text = scene.to_toml().map_err(refused)?;
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name =
+        name.ok_or_else(|| refused("no name of a file; give one, such as scene.toml".into()))?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = Directory::open(folder.unwrap_or(Path::new(".")));
+    let folder = folder.map_err(|error| refused(error.to_string()))?;
+    folder.write(name, |w| w.write_all(text.as_bytes()))?;
+    let path = path.display();
+    Say::unless(false).line("scene", format!("{path}; topple run {path} runs it"));
+    Ok(())
 }
 
 /// Reads a scene's file.

@@ -1,5 +1,7 @@
 //! `topple seismic`.
 
+use std::path::Path;
+
 use topple::map::earlier::Kind;
 use topple::results::files::Directory;
 use topple::scene::Excitation;
@@ -8,13 +10,14 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
 
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, MapOptions, VALUES, flag_error};
+use super::options::{CommonFlags, MapOptions, flag_error};
 use super::output;
-use super::run;
+use super::scene::save;
+use super::{examples, run};
 
 /// Map the response to a ground-motion record over (T_h, T_v).
 #[derive(clap::Args)]
-#[command(after_help = VALUES)]
+#[command(after_help = examples::SEISMIC)]
 pub struct SeismicCommand {
     #[command(flatten)]
     common: CommonFlags,
@@ -36,6 +39,13 @@ impl SeismicCommand {
             let text = SceneBuilder { force, ..self.common.text(None, self.numbers.placed()) };
             let synthetic = Excitation::Record(synthetic::pair());
             let scene = text.check_under(synthetic).map_err(|e| flag_error(&e))?;
+            if let Some(path) = &self.common.save_scene {
+                // The pair lies beside the scene that names it.
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+                record = write_synthetic(&output::open(folder.unwrap_or(Path::new(".")))?, record)?;
+                let text = self.common.text(None, self.numbers.placed());
+                return save(path, SceneBuilder { record: Some(record), force, ..text });
+            }
             if self.options.dry_run {
                 return run::run_map(&scene, &self.options);
             }
@@ -47,6 +57,9 @@ impl SeismicCommand {
         let text = self.common.text(None, self.numbers.placed());
         let text = SceneBuilder { record: Some(record), force, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
+        if let Some(path) = &self.common.save_scene {
+            return save(path, text);
+        }
         run::run_map(&scene, &self.options)
     }
 }

@@ -3,13 +3,17 @@
 use std::fmt::Display;
 use std::time::Duration;
 
-use super::print::{error_line, print_line};
+use anstyle::Style;
+
+use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::figure::frame;
 use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::results::tally::Tally;
-use topple::scene::{Case, Directions, Excitation, Grid, Scene, Values};
+use topple::scene::keys;
+use topple::scene::parameters::Section;
+use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
@@ -28,32 +32,57 @@ impl Say {
 
     /// Says a line.
     pub fn line(&self, name: &str, text: impl Display) {
+        self.styled(name, text, PLAIN);
+    }
+
+    /// Says a line in a style.
+    pub fn styled(&self, name: &str, text: impl Display, style: Style) {
         if self.0 {
-            print_line!("{name:<10} {text}");
+            print::named(name, &text.to_string(), style);
         }
     }
 }
 
 /// Says on stderr what the user should know though the run goes on.
 pub fn warn(text: impl Display) {
-    error_line(format_args!("topple: warning: {text}"));
+    print::warning(&text.to_string());
 }
 
 /// Settings that messages of the library name.
-const KEYS: [&str; 5] = ["adapter", "backend", "precision", "resume", "tile"];
+const SETTINGS: [&str; 6] = ["adapter", "backend", "precision", "resume", "step", "tile"];
+
+/// The flag of a key of the library.
+fn flag(key: &str) -> Option<String> {
+    let mut words = Section::ALL.into_iter().flat_map(keys::words);
+    match key {
+        "shape" => Some("--pulse".into()),
+        _ if SETTINGS.contains(&key) || words.any(|word| *word == key) => Some(format!("--{key}")),
+        _ => Parameter::of_key(key).map(|parameter| parameter.entry().flag()),
+    }
+}
 
 /// A message of the library with flags in the place of its keys: `resume` in backquotes is --resume.
 pub fn with_flags(text: &str) -> String {
-    let mut flags = String::with_capacity(text.len());
-    for (number, piece) in text.split('`').enumerate() {
-        match number % 2 {
-            1 if KEYS.contains(&piece) => flags.push_str(&format!("--{piece}")),
-            // What others quote, such as a field of a damaged file.
-            1 => flags.push_str(&format!("`{piece}`")),
-            _ => flags.push_str(piece),
-        }
-    }
-    flags
+    in_place_of_keys(text, flag)
+}
+
+/// A message of the library about a scene's file: keys stay keys, settings are flags.
+pub fn with_keys(text: &str) -> String {
+    in_place_of_keys(text, |key| match key {
+        "force" => Some("`force = true` under [run]".into()),
+        _ if SETTINGS.contains(&key) => flag(key),
+        _ => None,
+    })
+}
+
+/// A message with other words in the place of the keys that it has in backquotes. What nothing is known of, such
+/// as a field of a damaged file, stays.
+fn in_place_of_keys(text: &str, other: impl Fn(&str) -> Option<String>) -> String {
+    let pieces = text.split('`').enumerate().map(|(number, piece)| match number % 2 {
+        1 => other(piece).unwrap_or_else(|| format!("`{piece}`")),
+        _ => piece.into(),
+    });
+    pieces.collect()
 }
 
 /// The points of a grid's axes: `400 x 400`.
@@ -79,7 +108,7 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
     if let Some((longest, t_max)) = cut(grid) {
         let whole = longest.ceil();
         warn(format!(
-            "the longest pulse lasts {longest:.1} s, but its run ends at {t_max} s; t_max = {whole} covers it"
+            "the longest pulse lasts {longest:.1} s, but its run ends at {t_max} s; a t_max of {whole} s covers it"
         ));
     }
 }
@@ -101,7 +130,7 @@ pub fn warn_of_lossless_impacts(plan: &Plan, grid: &Grid) {
         Directions::None => "impacts take no speed: restitution is 1",
         _ => {
             "without masses of the plates the law of impact (17) takes no energy, so that the block chatters for \
-             long; give plate_h and plate_v"
+             long; give the plates' masses (plate_h, plate_v)"
         }
     });
 }
@@ -227,15 +256,34 @@ pub fn agreement(v: &Verification, within: Duration) -> String {
         count => format!("{count} unresolved, "),
     };
     format!(
-        "{} cells again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
-         t_end within {:.0e} s, zeta within {:.0e}",
-        v.sampled, v.beside_boundary, v.differ, v.impacts_differ, v.worst_t_end, v.worst_zeta
+        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
+         t_end within {} s, zeta within {}",
+        cells(v.sampled),
+        v.beside_boundary,
+        v.differ,
+        v.impacts_differ,
+        rounded(v.worst_t_end),
+        rounded(v.worst_zeta)
     )
+}
+
+/// A small number to one digit: `2e-7`, `0`.
+fn rounded(number: f64) -> String {
+    if number == 0.0 { "0".into() } else { format!("{number:.0e}") }
 }
 
 /// So many cells.
 fn cells(count: usize) -> String {
     if count == 1 { "1 cell".into() } else { format!("{count} cells") }
+}
+
+/// How the verdict is said.
+pub fn style(v: &Verification) -> Style {
+    match v.verdict {
+        Verdict::Right | Verdict::AsExpected => RIGHT,
+        Verdict::Wrong => WRONG,
+        Verdict::Nothing => NOTICE,
+    }
 }
 
 /// What the sample says of the map, in a sentence.

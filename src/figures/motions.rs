@@ -115,7 +115,7 @@ impl ComponentText {
             return Ok(None);
         }
         let hints = RecordHints { dt: self.dt, units: self.units, scaled: false };
-        let record = read::file(&path, &hints)
+        let (record, _) = read::file(&path, &hints)
             .map_err(|error| ReadError::new(path.display().to_string(), error.to_string()))?;
         Ok(Some(record))
     }

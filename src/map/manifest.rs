@@ -7,13 +7,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::earlier::Kind;
-use crate::model::precision::Precision;
 use crate::results::tally::Tally;
+use crate::scene::record::Provenance;
 use crate::scene::{Grid, Scene};
 use crate::sweep::description::AdapterDescription;
 use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
 use crate::sweep::report::{Report, threads};
+use crate::sweep::settings::Method;
 use crate::sweep::shortcuts::Shortcuts;
 use crate::sweep::verification::Verification;
 
@@ -28,6 +29,8 @@ pub struct Manifest<'a> {
     pub version: &'static str,
     /// The scene as run, defaults filled in.
     pub scene: &'a Scene,
+    /// Where its record came from, if it has one that was read from files.
+    pub record: Option<&'a Provenance>,
     /// Number of cells.
     pub cells: usize,
     /// Cells that an earlier, interrupted run had done.
@@ -38,11 +41,9 @@ pub struct Manifest<'a> {
     pub adapter: Option<&'a AdapterDescription>,
     /// Threads of the CPU.
     pub threads: usize,
-    /// Number type of the sweep.
-    pub precision: Precision,
-    /// Each cell ran twice, the second time with half the step and in f64; where both
-    /// disagree it is unresolved.
-    pub resolve: bool,
+    /// How its cells were computed.
+    #[serde(flatten)]
+    pub method: Method,
     /// Steps of the sweep.
     pub steps: Steps,
     /// Seconds of each part of the run.
@@ -140,13 +141,13 @@ impl<'a> Manifest<'a> {
             tag: *tag,
             version: env!("CARGO_PKG_VERSION"),
             scene: &plan.scene,
+            record: plan.scene.excitation.provenance(),
             cells: grid.len(),
             resumed_cells,
             backend: backends.join("+"),
             adapter: adapter.filter(|_| shared),
             threads: threads(),
-            precision: method.precision,
-            resolve: method.resolve,
+            method: *method,
             steps: *steps,
             cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
             timings,

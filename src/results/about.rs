@@ -36,7 +36,13 @@ impl Source<'_> {
             ("columns", Value::Object(columns.collect())),
             ("scene", json!(self.scene)),
         ];
-        entries.into_iter().map(|(key, value)| (key.to_string(), value)).collect()
+        // Without folders: the same map is the same file wherever its record lies.
+        let record = self
+            .scene
+            .excitation
+            .provenance()
+            .map(|files| ("record", json!(files.without_folders())));
+        entries.into_iter().chain(record).map(|(key, value)| (key.to_string(), value)).collect()
     }
 }
 

@@ -1,13 +1,15 @@
 //! map.npz: the columns of map.csv as arrays with an index for each axis, the last one fastest: (y, x) for
 //! two; with the axes, and with what they are in `about`.
 
-use std::io::{self, Seek, Write};
+use std::fs::File;
+use std::io::{self, BufReader, Read, Seek, Write};
+use std::path::Path;
 
 use bytemuck::NoUninit;
-use npyz::{AutoSerialize, DType, WriterBuilder};
+use npyz::{AutoSerialize, DType, Endianness, NpyHeader, WriterBuilder};
 use rayon::prelude::*;
-use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
+use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
 use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
@@ -43,10 +45,38 @@ pub fn write(
         }
     }
     archive.column("proved", Column::Status, |cell| cell.status == Status::Proved)?;
-    archive.text("about", &serde_json::Value::Object(source.about(grid)).to_string())?;
+    archive.text(ABOUT, &serde_json::Value::Object(source.about(grid)).to_string())?;
     archive.zip.finish()?;
     Ok(())
 }
+
+/// Name of the array that tells what the others are.
+const ABOUT: &str = "about";
+
+/// What an archive says of itself: JSON.
+///
+/// # Errors
+/// Those of reading; an archive without `about`.
+pub fn about(path: &Path) -> io::Result<String> {
+    let mut archive = ZipArchive::new(BufReader::new(File::open(path)?))?;
+    let mut array = archive.by_name(&format!("{ABOUT}.npy"))?;
+    let header = NpyHeader::from_reader(&mut array)?;
+    let big = match header.dtype() {
+        DType::Plain(text) => text.endianness() == Endianness::Big,
+        _ => return Err(io::Error::other("its `about` is no text")),
+    };
+    let mut bytes = Vec::new();
+    array.take(LARGEST_ABOUT).read_to_end(&mut bytes)?;
+    let (letters, _) = bytes.as_chunks::<4>();
+    let letter = |letter: &[u8; 4]| {
+        let code = if big { u32::from_be_bytes(*letter) } else { u32::from_le_bytes(*letter) };
+        char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER)
+    };
+    Ok(letters.iter().map(letter).collect())
+}
+
+/// Most bytes of what an archive says of itself that are read.
+const LARGEST_ABOUT: u64 = 64 << 20;
 
 /// An archive while it is written.
 struct Archive<'a, W: Write + Seek> {

@@ -109,7 +109,7 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
     if let Some(number) = object {
         let mut own = SHAPE.into_iter().chain([Mass, Inertia]);
         if let Some(given) = own.find(|parameter| numbers.has(*parameter)) {
-            let problem = "object already fixes this; give one or the other";
+            let problem = "`object` already fixes this; give one or the other";
             return Err(SceneError::new(given.key(), problem));
         }
         let object = match number {
@@ -130,18 +130,18 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
     let given: Vec<Parameter> =
         SHAPE.into_iter().filter(|parameter| numbers.has(*parameter)).collect();
     if given.is_empty() {
-        let problem = "no block: give object (1, 2 or 3), or half_width and height";
+        let problem = "no block: give `object` (1, 2 or 3), or `half_width` and `height`";
         return Err(SceneError::new("object", problem));
     }
     if let [one] = given[..] {
-        let others = SHAPE.into_iter().filter(|other| *other != one).map(Parameter::key);
-        let others: Vec<&str> = others.collect();
+        let others = SHAPE.into_iter().filter(|other| *other != one);
+        let others: Vec<String> = others.map(|other| format!("`{}`", other.key())).collect();
         let problem = format!("one number is no block; give one of {} too", others.join(", "));
         return Err(SceneError::new(one.key(), problem));
     }
     if let Some(third) = given.get(2) {
         let (one, other) = (given[0].key(), given[1].key());
-        let problem = format!("follows from {one} and {other}; give two of the three");
+        let problem = format!("follows from `{one}` and `{other}`; give two of the three");
         return Err(SceneError::new(third.key(), problem));
     }
     for plate in [PlateH, PlateV] {

@@ -65,6 +65,36 @@ impl SceneBuilder {
         toml::from_str(text).map_err(|error| located(text, &error))
     }
 
+    /// What makes a checked scene again; its record's files lie where `record` says.
+    pub fn again(scene: &Scene, record: Option<RecordText>) -> SceneBuilder {
+        let shape = match scene.excitation {
+            Excitation::Pulse(shape) => Some(shape),
+            Excitation::Record(_) => None,
+        };
+        SceneBuilder {
+            title: Some(scene.title.clone()),
+            // Its numbers are among the scene's.
+            object: None,
+            isolation: Some(scene.isolation),
+            overturn: Some(scene.overturn),
+            shape,
+            record,
+            numbers: scene.numbers.clone(),
+            // What it has was accepted once.
+            force: true,
+            x: scene.x,
+            y: scene.y,
+        }
+    }
+
+    /// Writes the scene as TOML, which [`from_toml`](SceneBuilder::from_toml) reads.
+    ///
+    /// # Errors
+    /// The writer's: a path that is no text.
+    pub fn to_toml(&self) -> Result<String, String> {
+        toml::to_string(self).map_err(|error| error.to_string())
+    }
+
     /// Checks the scene; a record's files are looked for from the working directory.
     ///
     /// # Errors
@@ -148,5 +178,43 @@ pub(crate) fn located(text: &str, error: &toml::de::Error) -> String {
         format!("line {line}, column {column}: ")
     });
     let message: Vec<&str> = error.message().split_whitespace().collect();
-    format!("{}{}", place.unwrap_or_default(), message.join(" "))
+    let line = error.span().map(|span| line_at(text, span.start)).unwrap_or_default();
+    let value = line.split_once('=').map_or("", |(_, value)| value);
+    let hint = match value.contains(':') && !value.contains('"') {
+        true => "; a range stands in quotes, as in \"0.5:4:400\"",
+        false => "",
+    };
+    format!("{}{}{hint}", place.unwrap_or_default(), in_words(&message.join(" ")))
+}
+
+/// The line of a text that has a place.
+fn line_at(text: &str, place: usize) -> &str {
+    let place = place.min(text.len());
+    let start = text[..place].rfind('\n').map_or(0, |end| end + 1);
+    text[start..].lines().next().unwrap_or_default()
+}
+
+/// A parser's message without the words of a programming language.
+fn in_words(message: &str) -> String {
+    if let Some((found, expected)) =
+        message.strip_prefix("invalid type: ").and_then(|rest| rest.split_once(", expected "))
+    {
+        let found = found.replace("floating point", "number").replace("integer", "number");
+        let found = found.replace("string", "text").replace("boolean ", "").replace('`', "");
+        let expected = match expected {
+            "u32" => "a whole number",
+            "f64" => "a number",
+            "a string" => "a text in quotes",
+            "a boolean" => "true or false",
+            "path string" => "the path of a file in quotes",
+            other => other,
+        };
+        return format!("{found} stands where {expected} belongs");
+    }
+    match message.strip_prefix("unknown variant ").and_then(|rest| rest.split_once(", expected ")) {
+        Some((found, known)) => {
+            format!("{found} is not known here; give {known}")
+        }
+        None => message.into(),
+    }
 }

@@ -4,7 +4,7 @@ use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
 use super::parameters::{ACCEPTED, Entry, Parameter};
-use super::{Directions, Grid, Scene, SceneError};
+use super::{Directions, Grid, Scene, SceneError, Values};
 
 /// Parameters that say the same: one of each row.
 const ALTERNATIVES: [&[Parameter]; 3] = [
@@ -26,7 +26,14 @@ pub(super) fn numbers(numbers: &Numbers, force: bool) -> Result<(), SceneError> 
         let refused = |problem| Err(SceneError::new(entry.key, problem));
         for value in values.iter() {
             if !entry.legal.holds(value) {
-                return refused(format!("{value} must {}", entry.legal));
+                // As of 0,5 where half is meant.
+                let hint = match values {
+                    Values::List(_) => {
+                        "; commas separate the values of a list, decimals have a point"
+                    }
+                    Values::Range(_) => "",
+                };
+                return refused(format!("{value} must {}{hint}", entry.legal));
             }
             if !force && !is_plausible(entry, value) {
                 return refused(questioned(entry, value));
@@ -36,7 +43,7 @@ pub(super) fn numbers(numbers: &Numbers, force: bool) -> Result<(), SceneError> 
     for row in ALTERNATIVES {
         let mut given = row.iter().filter(|parameter| numbers.has(**parameter));
         if let (Some(first), Some(second)) = (given.next(), given.next()) {
-            let problem = format!("{} says it too; give one of them", first.key());
+            let problem = format!("`{}` says it too; give one of them", first.key());
             return Err(SceneError::new(second.key(), problem));
         }
     }
@@ -86,21 +93,25 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
     if let (Some(x), Some(y)) = (scene.x, scene.y)
         && x == y
     {
-        return Err(SceneError::new(y.key(), "chosen for both axes; choose another for one"));
+        let problem = format!("`{}` is along the other axis, too; choose another for one", y.key());
+        return Err(SceneError::new("y", problem));
     }
-    for asked in [scene.x, scene.y].into_iter().flatten() {
-        if !grid.axes().iter().any(|axis| axis.parameter == asked) {
-            let problem = "chosen as an axis, but has not several values; give start:stop:count";
-            return Err(SceneError::new(asked.key(), problem));
+    for (key, asked) in [("x", scene.x), ("y", scene.y)] {
+        if let Some(asked) = asked
+            && !grid.axes().iter().any(|axis| axis.parameter == asked)
+        {
+            let asked = asked.key();
+            let problem = format!("`{asked}` is no axis: give it several values, start:stop:count");
+            return Err(SceneError::new(key, problem));
         }
     }
     let numbers = &scene.numbers;
     if numbers.has(Parameter::Restitution) && scene.isolation != Directions::None {
-        let problem = "replaces the law of impact only with isolation none";
+        let problem = "replaces the law of impact only where `isolation` is none";
         return Err(SceneError::new("restitution", problem));
     }
     if numbers.has(Parameter::YieldForce) && !numbers.has(Parameter::Mass) {
-        return Err(SceneError::new("mass", "missing; a yield force means nothing without it"));
+        return Err(SceneError::new("mass", "missing; a `yield_force` means nothing without it"));
     }
     let duration = match &scene.excitation {
         Excitation::Pulse(_) => 0.0,
@@ -109,7 +120,7 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
     for case in grid.corners() {
         let (e, b) = (case.block.offset(), case.block.half_width);
         if !(b > 0.0 && case.block.height > 0.0) {
-            let problem = "half the diagonal must be larger than half_width and height";
+            let problem = "half the diagonal must be larger than `half_width` and `height`";
             return Err(SceneError::new("size", problem));
         }
         if !(e.abs() < b) {

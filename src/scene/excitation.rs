@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::numbers::Numbers;
 use super::parameters::{ACCEPTED, Parameter};
 use super::record::read::{self, RecordHints};
-use super::record::{Pair, Record, Units, component};
+use super::record::{Pair, Provenance, Record, RecordFile, Units, component};
 use super::{GRAVITY, SceneError, Values, positive};
 use crate::model::pulse::Shape;
 
@@ -28,6 +28,11 @@ impl Excitation {
             Excitation::Pulse(shape) if *shape != Shape::default() => Some(shape.words()),
             _ => None,
         }
+    }
+
+    /// Where the record came from, where there is one that was read from files.
+    pub fn provenance(&self) -> Option<&Provenance> {
+        self.record()?.provenance.as_ref()
     }
 
     /// The record, where there is one.
@@ -61,6 +66,9 @@ pub struct RecordText {
 /// Peak below which units that were given by hand are questioned, g: maps are asked for of stronger motions.
 const WEAK: f64 = 0.1;
 
+/// Peak above which values that are said to be in g are questioned: few records have more.
+const STRONG: f64 = 2.0;
+
 /// What makes a pair of records improbable.
 fn questioned(
     horizontal: &Record,
@@ -83,8 +91,16 @@ fn questioned(
         let peak = horizontal.peak() / GRAVITY;
         let in_g = horizontal.peak() / units.factor();
         let problem = format!(
-            "in {} the peak is {peak:.2e} g, a weak motion; if the numbers are in g, it is {in_g:.2} g",
+            "in {} the peak is {peak:.3} g, a weak motion; if the numbers are in g, it is {in_g:.2} g",
             units.name()
+        );
+        return asked("units", problem);
+    }
+    if hints.units == Some(Units::G) && !hints.scaled && horizontal.peak() > STRONG * GRAVITY {
+        let peak = horizontal.peak() / GRAVITY;
+        let problem = format!(
+            "in g the peak is {peak:.2} g, as few records have; if the numbers are in m/s2, it is {:.2} g",
+            peak / GRAVITY
         );
         return asked("units", problem);
     }
@@ -96,6 +112,11 @@ fn questioned(
 
 /// Checks that a pulse has its numbers, and no other's.
 pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), SceneError> {
+    if ![Parameter::Omega, Parameter::AH].iter().any(|parameter| numbers.has(*parameter)) {
+        let problem = "nothing shakes the base: give `omega` and `a_h` of a pulse, or a record's \
+                       `horizontal`";
+        return Err(SceneError::new("omega", problem));
+    }
     for parameter in [Parameter::Omega, Parameter::AH] {
         if !numbers.has(parameter) {
             let problem = "missing; give a number or start:stop:count";
@@ -135,20 +156,21 @@ pub(super) fn check_record(
     let hints = RecordHints { dt: text.dt, units: text.units, scaled: pga.is_some() };
     let read = |key, path: &Path| {
         let path = directory.join(path);
-        let mut record = read::file(&path, &hints)
+        let (mut record, file) = read::file(&path, &hints)
             .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))?;
         if record.title.is_empty() {
             // A file of columns has no title.
             let name = path.file_name().unwrap_or(path.as_os_str());
             record.title = name.to_string_lossy().into_owned();
         }
-        Ok::<Record, SceneError>(record)
+        Ok::<(Record, RecordFile), SceneError>((record, file))
     };
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
     };
-    let horizontal = read("horizontal", horizontal)?;
-    let mut vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
+    let (horizontal, horizontal_file) = read("horizontal", horizontal)?;
+    let vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
+    let (mut vertical, vertical_file) = vertical.unzip();
     if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), &hints), force) {
         return Err(fault);
     }
@@ -158,7 +180,9 @@ pub(super) fn check_record(
         vertical.samples.iter_mut().for_each(|a| *a = -*a);
         vertical.notes.push("positive down by its title: turned over".into());
     }
-    let pair = Pair::new(horizontal, vertical);
+    let mut pair = Pair::new(horizontal, vertical);
+    let (horizontal, vertical) = (horizontal_file, vertical_file);
+    pair.provenance = Some(Provenance { horizontal, vertical, dt: text.dt, units: text.units });
     // Several factors or peaks are the cells' own.
     let single = |values: Option<&Values>| values.and_then(Values::single);
     Ok(match (single(numbers.get(Parameter::Scale)), single(pga)) {

@@ -142,7 +142,7 @@ const LEAST_PERIOD: f64 = 1.0e-4;
 fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
     let key = parameter.key();
     let Some(values) = numbers.get(parameter) else {
-        let problem = "missing; give it in seconds, or lock its direction by isolation";
+        let problem = "missing; give it in seconds, or lock its direction by `isolation`";
         return Err(SceneError::new(key, problem));
     };
     let (least, _) = values.ends();

@@ -1,9 +1,10 @@
-//! Scene files: the sections' keys are the parameters of the table, and a few that are no numbers.
+//! Scene files, read and written: the sections' keys are the parameters of the table, and a few that are no numbers.
 
 use std::fmt;
 
-use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use serde::ser::{SerializeMap, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::builder::SceneBuilder;
 use super::excitation::RecordText;
@@ -52,7 +53,10 @@ impl<T: Copy> Visitor<'_> for Known<T> {
             return Ok(*key);
         }
         let known: Vec<String> = self.0.iter().map(|(key, _)| format!("`{key}`")).collect();
-        Err(E::custom(format!("unknown field `{text}`, expected one of {}", known.join(", "))))
+        Err(E::custom(format!(
+            "the key `{text}` is not known here; there are {}",
+            known.join(", ")
+        )))
     }
 }
 
@@ -141,5 +145,88 @@ impl<'de> Deserialize<'de> for SceneBuilder {
             }
         }
         deserializer.deserialize_map(File)
+    }
+}
+
+/// A section of a scene that is written.
+struct Written<'a>(&'a SceneBuilder, Section);
+
+impl Written<'_> {
+    /// True where the file needs it.
+    fn is_needed(&self) -> bool {
+        let Written(scene, section) = *self;
+        let words = match section {
+            Section::Block => scene.object.is_some(),
+            Section::Base => scene.isolation.is_some(),
+            Section::Pulse => scene.shape.is_some(),
+            Section::Record => scene.record.is_some(),
+            Section::Run => {
+                scene.overturn.is_some() || scene.force || scene.x.is_some() || scene.y.is_some()
+            }
+        };
+        words || Parameter::of_section(section).any(|parameter| scene.numbers.has(parameter))
+    }
+}
+
+/// Writes a key that has a value.
+fn entry<M: SerializeMap>(
+    map: &mut M,
+    key: &str,
+    value: &Option<impl Serialize>,
+) -> Result<(), M::Error> {
+    value.as_ref().map_or(Ok(()), |value| map.serialize_entry(key, value))
+}
+
+impl Serialize for Written<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Written(scene, section) = *self;
+        let record = scene.record.clone().unwrap_or_default();
+        let mut map = serializer.serialize_map(None)?;
+        for word in words(section) {
+            match *word {
+                "object" => entry(&mut map, word, &scene.object)?,
+                "isolation" => entry(&mut map, word, &scene.isolation)?,
+                "overturn" => entry(&mut map, word, &scene.overturn)?,
+                "shape" => entry(&mut map, word, &scene.shape)?,
+                "horizontal" => entry(&mut map, word, &record.horizontal)?,
+                "vertical" => entry(&mut map, word, &record.vertical)?,
+                "dt" => entry(&mut map, word, &record.dt)?,
+                "units" => entry(&mut map, word, &record.units)?,
+                "force" => entry(&mut map, word, &scene.force.then_some(true))?,
+                "x" => entry(&mut map, word, &scene.x)?,
+                // The last of the words that there are.
+                _ => entry(&mut map, word, &scene.y)?,
+            }
+        }
+        let own =
+            scene.numbers.iter().filter(|(parameter, _)| parameter.entry().section == section);
+        for (parameter, values) in own {
+            map.serialize_entry(parameter.key(), values)?;
+        }
+        map.end()
+    }
+}
+
+impl Serialize for SceneBuilder {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        entry(&mut map, "title", &self.title)?;
+        // The order of the axes is that of the numbers that have several values.
+        let swept = |section: &Section| {
+            let mut numbers = self.numbers.iter();
+            let is_it = |(parameter, values): (Parameter, &Values)| {
+                parameter.entry().section == *section && values.count() > 1
+            };
+            numbers.position(is_it).unwrap_or(usize::MAX)
+        };
+        let mut sections = Section::ALL;
+        sections.sort_by_key(swept);
+        for section in sections {
+            let written = Written(self, section);
+            if written.is_needed() {
+                map.serialize_entry(section.key(), &written)?;
+            }
+        }
+        map.end()
     }
 }

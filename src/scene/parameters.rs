@@ -212,7 +212,7 @@ pub enum Caption {
 }
 
 /// How what is improbable is accepted.
-pub(super) const ACCEPTED: &str = "--force accepts it, in a file force = true under [run]";
+pub(super) const ACCEPTED: &str = "`force` accepts it";
 
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 
@@ -408,6 +408,18 @@ impl Entry {
     /// The flag: `--t-h`.
     pub fn flag(&self) -> String {
         format!("--{}", self.key.replace('_', "-"))
+    }
+
+    /// From where to where its values may lie, in words: those that make sense at all where they have two ends,
+    /// else the magnitudes that are plausible; empty where there are no ends.
+    pub fn range(&self) -> String {
+        match (self.legal, self.plausible) {
+            (Within(low, high) | AboveUpTo(low, high), _) => format!("{low} to {high}"),
+            (Whole(low, high), _) => format!("{low} to {high}"),
+            (InBase, _) => "-1 to 1".into(),
+            (_, (_, high)) if high.is_infinite() => String::new(),
+            (_, (low, high)) => format!("{low} to {high}"),
+        }
     }
 }
 

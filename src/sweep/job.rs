@@ -293,6 +293,7 @@ impl Job {
     fn report(&self, estimate: Option<&Estimate>, work: &WorkReport) -> Report {
         let sampled = estimate.map_or(Duration::ZERO, |estimate| estimate.compile);
         let backend = &self.backends[0];
+        let is_part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
         Report {
             first: self.wanted.start,
             cells: self.wanted.len(),
@@ -303,6 +304,7 @@ impl Job {
             start: (self.opened + sampled + work.compile).as_secs_f64(),
             sweep: work.elapsed.as_secs_f64(),
             resumed_cells: self.wanted.len() - self.left(),
+            record: is_part.then(|| self.plan.scene.excitation.provenance().cloned()).flatten(),
         }
     }
 }

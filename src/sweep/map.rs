@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::backend::Backend;
 use super::backend_error::BackendError;
 use super::error::SweepError;
 use super::observed::ObservedOutcomes;
@@ -108,6 +109,11 @@ impl MapSweep {
     pub fn tally(&self, observer: &dyn Observer) -> Result<Tally, SweepError> {
         observer.begins(Phase::Counting, self.grid.len() * tally::COLUMNS.len());
         Ok(Tally::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
+    }
+
+    /// True where the reference computed all of it, so that it has nothing to verify.
+    pub fn by_reference(&self) -> bool {
+        self.parts.iter().all(|(_, report)| report.backend == Backend::Reference.name())
     }
 
     /// Runs a sample of its cells again by the reference; those that are not done in the time of the settings

@@ -19,7 +19,7 @@ use crate::results::saved_tiles::SavedTiles;
 use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
-use crate::scene::Grid;
+use crate::scene::{Excitation, Grid};
 
 /// A finished part.
 #[derive(Debug)]
@@ -65,7 +65,10 @@ impl Parts {
         let grid = Grid::of(&first.content.scene);
         pieces.sort_by_key(|piece| piece.cells.start);
         seamless(&pieces, &grid)?;
-        let content = pieces[0].content.whole();
+        let mut content = pieces[0].content.whole();
+        if let Excitation::Record(pair) = &mut content.scene.excitation {
+            pair.provenance.clone_from(&pieces[0].report.record);
+        }
         let mut held = Vec::new();
         let mut reports = Vec::new();
         for piece in pieces {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::backend::Backend;
 use super::description::AdapterDescription;
 use crate::model::precision::Precision;
+use crate::scene::record::Provenance;
 
 /// How a part was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,6 +28,9 @@ pub struct Report {
     pub sweep: f64,
     /// Cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
+    /// The files of the record that a part read; those of a whole map are its scene's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record: Option<Provenance>,
 }
 
 /// The number type of the columns of parts, each with what it stands by: f64 where the reference ran any of

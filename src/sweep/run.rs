@@ -38,7 +38,7 @@ pub fn sweep(
     let estimate = job.estimate_if_long(observer)?;
     match job.run(estimate.as_ref(), observer)? {
         SweepResult::Map(mut map) => {
-            if settings.verify.cells > 0 {
+            if settings.verify.cells > 0 && !map.by_reference() {
                 let verified = map.verify(&settings.verify, observer);
                 map.verification = Some(verified.map_err(|error| map.stopped(error))?);
             }

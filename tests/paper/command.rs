@@ -133,7 +133,7 @@ fn bad_input_is_refused_in_one_line() {
         (&format!("{head}fixed_step = 0.0\n"), "panel a: fixed_step"),
         (&format!("{head}fixed_step = 1e-12\n"), "panel a: t_max"),
         (&format!("{head}scene.block.object = 4\n"), "panel a: object"),
-        (&format!("{head}scene.blocks = 4\n"), "panel a: unknown field `blocks`"),
+        (&format!("{head}scene.blocks = 4\n"), "panel a: the key `blocks` is not known here"),
         (&format!("{head}window = {{ x = [0, nan], y = [0, 1] }}\n"), "panel a: window"),
         (&format!("{head}shows = \"motion\"\n"), "panel a: cells: missing"),
         (&format!("{head}shows = \"shares\"\n"), "panel a: eccentricities: missing"),

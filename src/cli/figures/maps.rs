@@ -7,11 +7,11 @@ use topple::figures::motions::Motion;
 use topple::figures::shares::Shares;
 use topple::figures::{Figure, Panel, letter, panels, path};
 use topple::map::Map;
-use topple::model::precision::Precision;
 use topple::results;
 use topple::scene::{Grid, Scene};
 use topple::sweep::progress::Unwatched;
 use topple::sweep::sample;
+use topple::sweep::settings::Method;
 use topple::sweep::verification::{self, Verification};
 
 use super::super::progress::Bar;
@@ -26,8 +26,8 @@ struct Manifest<'a> {
     version: &'static str,
     title: &'a str,
     backend: &'static str,
-    precision: Precision,
-    largest_step: f64,
+    #[serde(flatten)]
+    method: Method,
     sweep_seconds: f64,
     motions: Vec<&'a str>,
     panels: Vec<PanelManifest<'a>>,
@@ -85,8 +85,7 @@ impl Work<'_> {
             version: env!("CARGO_PKG_VERSION"),
             title: &figure.title,
             backend: self.backend.name(),
-            precision: self.options.precision,
-            largest_step: self.options.step,
+            method: self.options.method(),
             sweep_seconds: seconds,
             motions: motions.iter().map(|motion| motion.line.as_str()).collect(),
             panels: told,

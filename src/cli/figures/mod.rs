@@ -18,13 +18,12 @@ use topple::sweep::backend::Backend;
 use topple::sweep::clock::Resolution;
 use topple::sweep::plan::Plan;
 
-use super::InputError;
 use super::memory;
 use super::options::RunOptions;
 use super::output;
 use super::print::print_line;
 use super::progress::Bar;
-use super::scene;
+use super::{InputError, examples, scene};
 
 /// Most points of an axis.
 const MOST: i64 = topple::scene::Range::LARGEST_COUNT as i64;
@@ -59,6 +58,7 @@ const MOTIONS_FILE: &str = "motions";
 
 /// Every figure of the paper, and what goes beyond it.
 #[derive(clap::Args)]
+#[command(after_help = examples::FIGURES)]
 pub struct FiguresCommand {
     /// Only these figures, as in fig12 [default: all]
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -209,18 +209,19 @@ impl Work<'_> {
     ) -> anyhow::Result<Vec<Outcome>> {
         let options = self.options;
         let (plan, grid) = (plan(options, scene, fixed, place)?, Grid::of(scene));
-        let (cells, precision, resolve) = (0..grid.len(), options.precision, options.resolve);
+        let (cells, precision, resolve) = (0..grid.len(), options.precision(), options.resolve);
         Ok(self.backend.sweep_range(&plan, &grid, cells, precision, resolve, progress)?.outcomes)
     }
 
     /// How the cells were computed, for captions.
     fn how(&self) -> String {
+        let method = self.options.method();
         format!(
             "topple {}, {} {}, steps of at most {} s.",
             env!("CARGO_PKG_VERSION"),
             self.backend.name(),
-            self.options.precision.name(),
-            self.options.step
+            method.precision.name(),
+            method.largest_step
         )
     }
 

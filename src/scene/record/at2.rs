@@ -51,6 +51,11 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         return Err(RecordError::line(at, format!("NPTS {count} is no number of samples")));
     }
     let values = lines.numbers(Some(count as usize), free)?;
+    let rest = lines.numbers(None, free).unwrap_or_default().len();
+    let notes = match rest {
+        0 => Vec::new(),
+        rest => vec![format!("{rest} samples after the {count} of its NPTS are left out")],
+    };
     let title = header.get(1).or(header.first()).copied().unwrap_or_default();
-    Ok(Raw { title: title.into(), dt: Some(dt), units, values, notes: Vec::new() })
+    Ok(Raw { title: title.into(), dt: Some(dt), units, values, notes })
 }

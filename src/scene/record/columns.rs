@@ -4,6 +4,8 @@
 use super::lines::{MOST_SAMPLES, free, number};
 use super::{Raw, RecordError, Units, rounded};
 
+/// Most lines of a heading.
+const HEADING: usize = 20;
 /// Largest part of a step by which a time may miss its place.
 const JITTER: f64 = 0.02;
 
@@ -24,16 +26,20 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         let fields = free(point.as_deref().unwrap_or(line));
         let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field)).collect();
         let Some(numbers) = numbers else {
-            // Words before the first number are a heading.
-            if values.is_empty() && title.is_empty() {
-                title = line.chars().take(80).collect();
-                units = units_in(line);
+            // Words before the first number are a heading, of one line or several.
+            let is_row = fields.first().is_some_and(|first| number(first).is_some());
+            if values.is_empty() && (title.is_empty() || !is_row) && at <= HEADING {
+                if title.is_empty() {
+                    title = line.chars().take(80).collect();
+                }
+                units = units.or(units_in(line));
                 continue;
             }
-            return Err(RecordError::line(
-                at,
-                "this is not a number; is the file of a known format?",
-            ));
+            let hint = match line.contains(',') {
+                true => "; if its commas are decimal ones, write points",
+                false => "; is the file of a known format?",
+            };
+            return Err(RecordError::line(at, format!("this is not a number{hint}")));
         };
         if numbers.is_empty() {
             // Nothing but separators, as a spreadsheet leaves below its last row.
@@ -48,8 +54,12 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             columns = numbers.len();
         }
         if numbers.len() != columns || columns > 2 {
+            let hint = match line.contains(',') {
+                true => "; if its commas are decimal ones, write points",
+                false => "",
+            };
             let problem = format!(
-                "{} numbers; one column of values, or two of time and value, are read",
+                "{} numbers; one column of values, or two of time and value, are read{hint}",
                 numbers.len()
             );
             return Err(RecordError::line(at, problem));

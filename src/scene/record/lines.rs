@@ -100,12 +100,16 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent.
+/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent; in quotes, with a long minus.
 pub(crate) fn number(field: &str) -> Option<f64> {
     let field = field.trim();
     let value = match field.parse::<f64>() {
         Ok(value) => value,
-        Err(_) => field.replace(['D', 'd'], "E").parse().ok()?,
+        // Quotes are a spreadsheet's, the long minus a word processor's.
+        Err(_) => {
+            let plain = field.trim_matches('"').trim().replace('\u{2212}', "-");
+            plain.replace(['D', 'd'], "E").parse().ok()?
+        }
     };
     value.is_finite().then_some(value)
 }
@@ -176,6 +180,8 @@ mod tests {
         assert_eq!(number("  -.1181069E-02"), Some(-0.001181069));
         assert_eq!(number("1.5D+2"), Some(150.0));
         assert_eq!(number("1."), Some(1.0));
+        assert_eq!(number("\"0.5\""), Some(0.5));
+        assert_eq!(number("\u{2212}0.5"), Some(-0.5));
         assert_eq!(number("NaN"), None);
         assert_eq!(number("1e999"), None);
     }

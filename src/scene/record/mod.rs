@@ -9,6 +9,7 @@ pub mod esm;
 pub mod knet;
 pub mod lines;
 pub mod pair;
+pub mod provenance;
 pub mod read;
 pub mod smc;
 pub mod synthetic;
@@ -17,6 +18,7 @@ mod text;
 use serde::{Deserialize, Serialize};
 
 pub use pair::Pair;
+pub use provenance::{Provenance, RecordFile};
 
 /// An acceleration record, evenly sampled.
 #[derive(Debug, Clone, PartialEq)]

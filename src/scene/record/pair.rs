@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Record, time_of};
+use super::{Provenance, Record, time_of};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -28,6 +28,9 @@ pub struct Pair {
     pub factor: f64,
     /// What had to be decided, in a sentence each.
     pub notes: Vec<String>,
+    /// Where it came from; none of a motion that was made. It is no part of a run's identity.
+    #[serde(skip)]
+    pub provenance: Option<Provenance>,
 }
 
 /// A manifest tells how many samples there are.
@@ -72,8 +75,17 @@ impl Pair {
             Some(vertical) => bring("vertical", vertical),
             None => std::iter::repeat_n(0.0, count).collect(),
         };
-        let mut pair =
-            Pair { title, dt, horizontal, vertical, pga_h: 0.0, pga_v: 0.0, factor: 1.0, notes };
+        let mut pair = Pair {
+            title,
+            dt,
+            horizontal,
+            vertical,
+            pga_h: 0.0,
+            pga_v: 0.0,
+            factor: 1.0,
+            notes,
+            provenance: None,
+        };
         pair.measure();
         pair
     }

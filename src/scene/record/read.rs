@@ -3,8 +3,9 @@
 use std::io::Read;
 use std::path::Path;
 
+use super::provenance::sha256;
 use super::text::{self, LARGEST, printable};
-use super::{Raw, Record, RecordError, Units};
+use super::{Raw, Record, RecordError, RecordFile, Units};
 use super::{at2, columns, cosmos, csmip, esm, knet, smc};
 use crate::scene::GRAVITY;
 
@@ -22,11 +23,11 @@ pub struct RecordHints {
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 
-/// Reads a file.
+/// Reads a file: its record, and where that came from.
 ///
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
-pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
+pub fn file(path: &Path, hints: &RecordHints) -> Result<(Record, RecordFile), RecordError> {
     let refused =
         |e: std::io::Error| RecordError::whole(format!("{e}; give a file that can be read"));
     // A device or a pipe has no length to be asked for.
@@ -36,7 +37,18 @@ pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
     if read.len() as u64 > LARGEST {
         return Err(RecordError::whole("larger than 256 MiB; this is no record"));
     }
-    bytes(&read, hints)
+    let (record, format, units) = parsed(&read, hints)?;
+    let file = RecordFile {
+        path: std::path::absolute(path).unwrap_or_else(|_| path.into()),
+        sha256: sha256(&read),
+        format: format.into(),
+        title: record.title.clone(),
+        units,
+        dt: record.dt,
+        samples: record.samples.len(),
+        peak: record.peak(),
+    };
+    Ok((record, file))
 }
 
 /// Reads the bytes of a file.
@@ -44,28 +56,41 @@ pub fn file(path: &Path, hints: &RecordHints) -> Result<Record, RecordError> {
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
 pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
-    let (text, note) = text::of(bytes)?;
-    let text = text.as_str();
-    let mut raw = if knet::matches(text) {
-        knet::read(text)?
-    } else if esm::matches(text) {
-        esm::read(text)?
-    } else if cosmos::matches(text) {
-        cosmos::read(text)?
-    } else if smc::matches(text) {
-        smc::read(text)?
-    } else if csmip::matches(text) {
-        csmip::read(text)?
-    } else if at2::matches(text) {
-        at2::read(text)?
-    } else {
-        columns::read(text)?
-    };
-    raw.notes.extend(note);
-    check(raw, hints)
+    parsed(bytes, hints).map(|(record, ..)| record)
 }
 
-fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
+/// A format: its name, how a file of it is told, and how it is read.
+type Format = (&'static str, fn(&str) -> bool, fn(&str) -> Result<Raw, RecordError>);
+
+/// The formats, in the order in which they are looked for: any text may be columns.
+const FORMATS: [Format; 7] = [
+    ("K-NET", knet::matches, knet::read),
+    ("ESM", esm::matches, esm::read),
+    ("COSMOS", cosmos::matches, cosmos::read),
+    ("SMC", smc::matches, smc::read),
+    ("CSMIP", csmip::matches, csmip::read),
+    ("PEER AT2", at2::matches, at2::read),
+    ("columns", |_| true, columns::read),
+];
+
+/// The name of the format that a text is a record's in, if it is one of those that have a heading.
+pub fn format_of(text: &str) -> Option<&'static str> {
+    let own = FORMATS.iter().filter(|(name, ..)| *name != "columns");
+    own.clone().find(|(_, matches, _)| matches(text)).map(|(name, ..)| *name)
+}
+
+/// The record in the bytes of a file, the name of their format, and their units.
+fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, &'static str, Units), RecordError> {
+    let (text, note) = text::of(bytes)?;
+    let [.., columns] = &FORMATS;
+    let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
+    let mut raw = read(&text)?;
+    raw.notes.extend(note);
+    let (record, units) = check(raw, hints)?;
+    Ok((record, name, units))
+}
+
+fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
     let Raw { title, dt, units, values, notes } = raw;
     let title = printable(&title);
     if values.len() < 2 {
@@ -73,13 +98,14 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
     }
     let dt = match (dt, hints.dt) {
         (Some(read), Some(given)) if (read - given).abs() > 1.0e-6 * read.abs() => {
-            let problem = format!("the file's step is {read} s, dt says {given} s; leave dt out");
+            let problem =
+                format!("the file's step is {read} s, `dt` says {given} s; leave `dt` out");
             return Err(RecordError::whole(problem));
         }
         (Some(read), _) => read,
         (None, Some(given)) => given,
         (None, None) => {
-            return Err(RecordError::whole("the file does not tell its time step; give dt"));
+            return Err(RecordError::whole("the file does not tell its time step; give `dt`"));
         }
     };
     if !(dt.is_finite() && dt > 0.0 && dt <= 1.0) {
@@ -89,12 +115,12 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
         (Some(read), Some(given)) if read != given => {
             let (read, given) = (read.name(), given.name());
             let problem =
-                format!("the file's units are {read}, units says {given}; leave units out");
+                format!("the file's units are {read}, `units` says {given}; leave `units` out");
             return Err(RecordError::whole(problem));
         }
         (Some(units), _) | (None, Some(units)) => units,
         (None, None) => {
-            let problem = "the file does not tell its units; give units (g, m/s2 or cm/s2)";
+            let problem = "the file does not tell its units; give `units` (g, m/s2 or cm/s2)";
             return Err(RecordError::whole(problem));
         }
     };
@@ -107,10 +133,10 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<Record, RecordError> {
     if !hints.scaled && !PLAUSIBLE.contains(&peak) {
         let problem = format!(
             "a peak of {peak:.3e} g is not plausible for an acceleration in these units; give the \
-             right units (or another file, if this is velocity or displacement), or scale it to a \
-             known peak by pga"
+             right `units` (or another file, if this is velocity or displacement), or scale it to a \
+             known peak by `pga`"
         );
         return Err(RecordError::whole(problem));
     }
-    Ok(record)
+    Ok((record, units))
 }

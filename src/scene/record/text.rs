@@ -4,6 +4,7 @@ use std::io::{Cursor, Read};
 
 use flate2::read::MultiGzDecoder;
 use zip::ZipArchive;
+use zip::result::ZipError;
 
 use super::RecordError;
 
@@ -17,16 +18,22 @@ pub(crate) const LARGEST: u64 = 256 << 20;
 /// What it is, where it is no record, and what to do.
 pub(crate) fn of(bytes: &[u8]) -> Result<(String, Option<String>), RecordError> {
     let (unpacked, note) = match bytes {
-        [0x1f, 0x8b, ..] => {
-            (all(MultiGzDecoder::new(bytes), "gzip")?, Some("unpacked from gzip".into()))
-        }
+        bytes if bytes.starts_with(&GZIP) => (gunzipped(bytes)?, Some("unpacked from gzip".into())),
         [b'P', b'K', 3, 4, ..] => {
             let (bytes, name) = only_file(bytes)?;
+            let bytes = if bytes.starts_with(&GZIP) { gunzipped(&bytes)? } else { bytes };
             (bytes, Some(format!("{} from a zip", printable(&name))))
         }
         _ => return Ok((decoded(bytes)?, None)),
     };
     Ok((decoded(&unpacked)?, note))
+}
+
+/// How a gzip file begins.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+fn gunzipped(bytes: &[u8]) -> Result<Vec<u8>, RecordError> {
+    all(MultiGzDecoder::new(bytes), "gzip")
 }
 
 /// All bytes of a packed stream.
@@ -42,10 +49,26 @@ fn all(packed: impl Read, kind: &str) -> Result<Vec<u8>, RecordError> {
 
 /// The bytes and the name of the only file in a zip.
 fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
-    let damaged = |e| RecordError::whole(format!("a damaged zip file ({e}); download it again"));
+    let damaged = |error| {
+        RecordError::whole(match error {
+            ZipError::UnsupportedArchive(reason) => {
+                format!("a zip that is not read here ({reason}); unpack it and give the file")
+            }
+            ZipError::CompressionMethodNotSupported(_) => {
+                "a zip packed by another method than deflate; unpack it and give the file".into()
+            }
+            error => format!("a damaged zip file ({error}); download it again"),
+        })
+    };
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
-    let names: Vec<String> =
-        archive.file_names().filter(|name| !name.ends_with('/')).map(String::from).collect();
+    let mut names = Vec::new();
+    for name in archive.file_names() {
+        let name = name.map_err(damaged)?;
+        // A Mac packs what it knows of a file beside it.
+        if !name.ends_with('/') && !name.starts_with("__MACOSX/") {
+            names.push(name.into_owned());
+        }
+    }
     let [name] = &names[..] else {
         let mut first: Vec<String> = names.iter().take(3).map(|name| printable(name)).collect();
         if names.len() > first.len() {
@@ -81,6 +104,9 @@ fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     }
     if bytes.starts_with(b"%PDF") {
         return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
+    }
+    if text.chars().take(1024).any(|c| c == '\0') {
+        return Err(RecordError::whole("a binary file, not a record; give a file of numbers"));
     }
     Ok(text)
 }
@@ -149,6 +175,7 @@ mod tests {
             (&b"  <!DOCTYPE html><html>"[..], "a web page"),
             (b"<html><body>Login", "a web page"),
             (b"%PDF-1.7", "a PDF"),
+            (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "a binary file"),
         ] {
             let error = of(bytes).unwrap_err().to_string();
             assert!(error.contains(said), "{error}");

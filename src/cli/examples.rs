@@ -1,0 +1,132 @@
+//! Examples in the help of each command. A test parses each line.
+
+/// Of `topple` itself.
+pub const TOPPLE: &str = "\
+Examples:
+  topple                                       the default map, into ./topple-out
+  topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400 --out map
+  topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200 --out record
+  topple history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --out cell
+  topple scene                                 a scene's file to start from";
+
+/// Of `topple pulse`.
+pub const PULSE: &str = "\
+VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
+larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
+its range is refused; --force accepts what is only improbable.
+
+Examples:
+  A map over the pulse's frequency and amplitude:
+    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400
+  Over the eccentricity and the period of the base, for one pulse:
+    topple pulse --object 2 --eccentricity -0.6:0.6:200 --t-h 0.5:4:200 --t-v 0.5 --omega 6 --a-h 5
+  A block of one's own on the ground, a curve along the amplitude:
+    topple pulse --half-width 0.3 --height 1.2 --isolation none --pulse ricker --omega 5 --a-h 1:10:500
+  What a large map would take:
+    topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run";
+
+/// Of `topple seismic`.
+pub const SEISMIC: &str = "\
+VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
+larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
+its range is refused; --force accepts what is only improbable.
+
+Examples:
+  A map over both periods of the base under a made pair of records:
+    topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
+  Under records of one's own, scaled to a horizontal peak of 5 m/s²:
+    topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
+  A column of numbers, horizontal isolation alone, over its period and the eccentricity:
+    topple seismic --object 3 --horizontal a.txt --dt 0.01 --units g --isolation horizontal --t-h 0.5:4:200 \
+--eccentricity 0:0.6:100";
+
+/// Of `topple history`.
+pub const HISTORY: &str = "\
+Examples:
+  Under a pulse:
+    topple history --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --out cell
+  Under a record, by the reference:
+    topple history --object 1 --horizontal H.AT2 --t-h 2 --t-v 0.1 --backend reference --out cell";
+
+/// Of `topple run`.
+pub const RUN: &str = "\
+Examples:
+  A scene's file:
+    topple run scene.toml --out map
+  An earlier run again, with half the step:
+    topple run map/run.json --step 0.00390625 --out again";
+
+/// Of `topple merge`.
+pub const MERGE: &str = "\
+Examples:
+  Two parts of a map, on two machines, and the map:
+    topple run scene.toml --tile 1/2 --out parts
+    topple run scene.toml --tile 2/2 --out parts
+    topple merge parts --out map";
+
+/// Of `topple figures`.
+pub const FIGURES: &str = "\
+Examples:
+  A figure of the paper:
+    topple figures --only fig12 --out figures
+  All of them, records from a folder, 100 cells a side:
+    topple figures --records records --cells 100 --out figures";
+
+/// Of `topple chart`.
+pub const CHART: &str = "\
+Examples:
+    topple chart --out chart";
+
+/// Of `topple bench`.
+pub const BENCH: &str = "\
+Examples:
+    topple bench";
+
+/// Of `topple completions`.
+pub const COMPLETIONS: &str = "\
+Examples:
+    topple completions bash";
+
+/// Of `topple man`.
+pub const MAN: &str = "\
+Examples:
+    topple man
+    topple man pulse";
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory, Parser};
+
+    use super::super::Arguments;
+
+    #[test]
+    fn every_example_is_a_command() {
+        let mut whole = Arguments::command();
+        let mut helps = vec![whole.render_long_help().to_string()];
+        helps.extend(whole.get_subcommands_mut().map(|own| own.render_long_help().to_string()));
+        let mut count = 0;
+        for help in &helps {
+            let Some((_, examples)) = help.split_once("Examples:") else { continue };
+            for line in examples.lines() {
+                // What it does stands after it where there is room.
+                let command = line.trim().split("   ").next().unwrap_or_default();
+                if command == "topple" || command.starts_with("topple ") {
+                    let parsed = Arguments::try_parse_from(command.split_whitespace());
+                    assert!(parsed.is_ok(), "{command}: {}", parsed.err().unwrap());
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 15, "{count} examples");
+    }
+
+    #[test]
+    fn every_command_with_flags_of_a_scene_has_examples() {
+        for own in Arguments::command().get_subcommands() {
+            if own.get_arguments().count() > 0 && own.get_name() != "help" {
+                let help = own.get_after_help().map(ToString::to_string).unwrap_or_default();
+                assert!(help.contains("Examples:"), "{}", own.get_name());
+            }
+        }
+    }
+}

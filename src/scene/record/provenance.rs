@@ -1,0 +1,120 @@
+//! Where a record came from: its files, their checksums, and what was read in them.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::Units;
+use crate::scene::excitation::RecordText;
+
+/// The files of a record.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Provenance {
+    /// That of the horizontal component.
+    pub horizontal: RecordFile,
+    /// That of the vertical component, where there is one.
+    pub vertical: Option<RecordFile>,
+    /// The time between samples as the user gave it, s; none where the files tell it.
+    pub dt: Option<f64>,
+    /// The units as the user gave them; none where the files tell them.
+    pub units: Option<Units>,
+}
+
+/// A file of a record, as it was read.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecordFile {
+    /// Where it lay: an absolute path.
+    pub path: PathBuf,
+    /// SHA-256 of its bytes, in hexadecimal digits.
+    pub sha256: String,
+    /// Its format: `PEER AT2`.
+    pub format: String,
+    /// What it says that it is.
+    pub title: String,
+    /// Its units.
+    pub units: Units,
+    /// Time between its samples, s.
+    pub dt: f64,
+    /// How many samples it has.
+    pub samples: usize,
+    /// Its largest |acceleration| before any scaling, m/s^2.
+    pub peak: f64,
+}
+
+/// SHA-256 of bytes, in hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+impl Provenance {
+    /// The record's files as a scene gives them, where they lie now: where they lay, or by their names in one of
+    /// some folders.
+    ///
+    /// # Errors
+    /// A file that is not there, or has changed, and what to do.
+    pub fn find(&self, folders: &[&Path]) -> Result<RecordText, String> {
+        Ok(RecordText {
+            horizontal: Some(self.horizontal.find(folders)?),
+            vertical: self.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
+            dt: self.dt,
+            units: self.units,
+        })
+    }
+
+    /// The same with the names of the files in the place of their paths, which differ from machine to machine.
+    pub fn without_folders(&self) -> Provenance {
+        let bare = |file: &RecordFile| RecordFile {
+            path: file.path.file_name().unwrap_or_default().into(),
+            ..file.clone()
+        };
+        Provenance {
+            horizontal: bare(&self.horizontal),
+            vertical: self.vertical.as_ref().map(bare),
+            ..*self
+        }
+    }
+}
+
+impl RecordFile {
+    /// Where the file lies now: its own path, or one of its name in the given folders, if its bytes are the same.
+    ///
+    /// # Errors
+    /// What is there in its place, and what to do.
+    fn find(&self, folders: &[&Path]) -> Result<PathBuf, String> {
+        let name = self.path.file_name().unwrap_or_default();
+        let places = folders.iter().map(|folder| folder.join(name));
+        let mut changed = None;
+        for place in std::iter::once(self.path.clone()).chain(places) {
+            match std::fs::read(&place) {
+                Ok(bytes) if sha256(&bytes) == self.sha256 => return Ok(place),
+                Ok(_) => changed = changed.or(Some(place)),
+                Err(_) => {}
+            }
+        }
+        Err(match changed {
+            Some(place) => format!(
+                "{} has changed since that run; put the file of then back (SHA-256 {})",
+                place.display(),
+                self.sha256
+            ),
+            None => format!(
+                "the record {} is not there; put it beside this file (SHA-256 {})",
+                self.path.display(),
+                self.sha256
+            ),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sha256;
+
+    #[test]
+    fn checksums_are_those_of_fips_180_4() {
+        // The example of one block in FIPS 180-4's test vectors.
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(sha256(b"abc"), abc);
+    }
+}

@@ -1,0 +1,196 @@
+//! What the command says: messages that name what is wrong and what to do, help, completions, the manual, colours.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+use std::fs;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+fn topple(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command.args(arguments);
+    command
+}
+
+/// The line that a command is refused with.
+fn refused(arguments: &[&str]) -> String {
+    let run = topple(arguments).assert().code(2);
+    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert_eq!(said.lines().count(), 1, "{said}");
+    said
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let run = topple(arguments).assert().success();
+    String::from_utf8(run.get_output().stdout.clone()).unwrap()
+}
+
+const BASE: [&str; 7] = ["pulse", "--object", "1", "--t-v", "1", "--omega", "5"];
+
+#[test]
+fn flags_are_named_where_flags_were_typed() {
+    let cases: [(&[&str], &str); 9] = [
+        (
+            &["--a-h", "5"],
+            "--t-h: missing; give it in seconds, or lock its direction by --isolation",
+        ),
+        (
+            &["--t-h", "1", "--a-h", "5", "--bouc-wen-n", "1.5"],
+            "--bouc-wen-n: 1.5 must be a whole number",
+        ),
+        (
+            &["--t-h", "0,5", "--a-h", "5"],
+            "commas separate the values of a list, decimals have a point",
+        ),
+        (
+            &["--t-h", "1", "--a-h", "5", "--half-width", "1"],
+            "--half-width: --object already fixes this",
+        ),
+        (&["--t-h", "1", "--a-h", "500"], "; --force accepts it"),
+        (
+            &["--t-h", "1", "--a-h", "5", "--x", "t_v"],
+            "--x: --t-v is no axis: give it several values",
+        ),
+        (
+            &["--t-h", "1", "--a-h", "5", "--alpha-y", "1", "--u-y", "1"],
+            "--u-y: --alpha-y says it too",
+        ),
+        (&["--t-h", "1", "--a-h", "5", "--verify", "-1"], "must be a number of cells or none"),
+        (
+            &["--t-h", "1", "--a-h", "5", "--tile", "1/2", "--verify", "3"],
+            "'--tile <K/N>' cannot be used with '--verify",
+        ),
+    ];
+    for (more, said) in cases {
+        let line = refused(&[&BASE[..], more].concat());
+        assert!(line.contains(said), "{more:?}: {line}");
+    }
+    let line = refused(&["history", "--object", "1", "--t-h", "1", "--t-v", "1"]);
+    let said =
+        "nothing shakes the base: give --omega and --a-h of a pulse, or a record's --horizontal";
+    assert!(line.contains(said), "{line}");
+}
+
+#[test]
+fn keys_and_places_are_named_in_files() {
+    let place = TempDir::new().unwrap();
+    let scene = place.path().join("scene.toml");
+    for (text, said) in [
+        (
+            "[block]\nobject = \"one\"\n",
+            "line 2, column 10: text \"one\" stands where a whole number belongs",
+        ),
+        ("[block]\nobject = 1.5\n", "number 1.5 stands where a whole number belongs"),
+        ("[record]\ndt = \"0.1\"\n", "text \"0.1\" stands where a number belongs"),
+        ("block = 5\n", "number 5 stands where a table of keys, [block] belongs"),
+        ("[base]\nisolation = \"both\"\n", "`both` is not known here; give one of `dual`"),
+        (
+            "[base]\nth = 5\n",
+            "line 2, column 1: the key `th` is not known here; there are `isolation`",
+        ),
+        ("[base]\nt_h = 1.5:3:4\n", "a range stands in quotes"),
+        ("[base]\nt_h = 07:32:10\n", "a range stands in quotes"),
+        (
+            "[block]\nobject = 1\nhalf_width = 2\n[pulse]\nomega = 1\na_h = 1\n",
+            "half_width: `object` already fixes this",
+        ),
+        ("[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n", "give `omega` and `a_h` of a pulse"),
+        (
+            "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n[pulse]\nomega = 1\na_h = 500\n",
+            "`force = true` under [run] accepts it",
+        ),
+    ] {
+        fs::write(&scene, text).unwrap();
+        let line = refused(&["run", &scene.display().to_string()]);
+        assert!(line.contains(said) && line.contains("scene.toml: "), "{text}: {line}");
+    }
+}
+
+#[test]
+fn records_say_what_they_are() {
+    let place = TempDir::new().unwrap();
+    let file = place.path().join("record.txt");
+    let path = file.display().to_string();
+    let out = place.path().join("out").display().to_string();
+    let seismic = ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--horizontal", &path];
+    let g = ["--dt", "0.01", "--units", "g"];
+    for (text, more, said) in [
+        ("1\n2\n", &g[..2], "does not tell its units; give --units (g, m/s2 or cm/s2)"),
+        ("1\n2\n", &g[2..], "does not tell its time step; give --dt"),
+        ("3.5\n-1\n", &g, "if the numbers are in m/s2, it is 0.36 g; --force accepts it"),
+        ("0,1 0,5\n0,2 0,4\n", &g[2..], "if its commas are decimal ones, write points"),
+        ("a\nb\n1 x\n", &g, "this is not a number"),
+        ("\0\u{1}\u{2}", &g, "a binary file, not a record"),
+    ] {
+        fs::write(&file, text).unwrap();
+        let line = refused(&[&seismic[..], more].concat());
+        assert!(line.contains(said), "{text:?}: {line}");
+    }
+    // A heading of two lines, quotes and long minus signs; more samples than NPTS.
+    let dry = ["--dry-run"];
+    fs::write(&file, "station X\ntime (s),acc (g)\n\"0.00\",\"0.1\"\n\"0.01\",\"\u{2212}0.3\"\n")
+        .unwrap();
+    topple(&[&seismic[..], &dry].concat()).assert().success();
+    let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n.3 .3\n";
+    fs::write(&file, at2).unwrap();
+    let said = printed(&[&seismic[..], &["--out", &out, "--verify", "none"]].concat());
+    assert!(said.contains("horizontal: 2 samples after the 3 of its NPTS are left out"), "{said}");
+}
+
+/// The reference does not verify itself.
+#[test]
+fn a_map_of_the_reference_is_not_verified() {
+    let out = TempDir::new().unwrap();
+    let path = out.path().display().to_string();
+    let more =
+        ["--t-h", "1", "--a-h", "1:9:3", "--t-max", "4", "--backend", "reference", "--out", &path];
+    let said = printed(&[&BASE[..], &more].concat());
+    assert!(said.contains("it computed the map: there is nothing to verify"), "{said}");
+    let run: serde_json::Value =
+        serde_json::from_slice(&fs::read(out.path().join("run.json")).unwrap()).unwrap();
+    assert!(run["verification"].is_null(), "{run}");
+}
+
+#[test]
+fn help_has_ranges_defaults_and_examples() {
+    let help = printed(&["pulse", "--help"]);
+    for said in [
+        "start:stop:count",
+        "[default: f32]",
+        "[default: 0.0078125, 1/128]",
+        "[default: auto]",
+        "[range: 0.002 to 20]",
+        "[range: 0 to 100]",
+        "[range: -1 to 1]",
+        "Examples:",
+    ] {
+        assert!(help.contains(said), "{said}: {help}");
+    }
+    for command in ["seismic", "history", "run", "merge", "figures", "chart", "bench"] {
+        assert!(printed(&[command, "--help"]).contains("Examples:"), "{command}");
+    }
+}
+
+#[test]
+fn shells_complete_and_a_manual_is_printed() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let said = printed(&["completions", shell]);
+        assert!(said.contains("half-width") && said.contains("seismic"), "{shell}");
+    }
+    let manual = printed(&["man"]);
+    assert!(manual.contains(".TH topple 1") && manual.contains("seismic"), "{manual}");
+    let manual = printed(&["man", "seismic"]);
+    assert!(manual.contains("topple\\-seismic") && manual.contains("horizontal"), "{manual}");
+    assert!(refused(&["man", "mop"]).contains("mop is no command; there are pulse, seismic"));
+}
+
+#[test]
+fn colours_are_for_terminals() {
+    let plain = topple(&["run", "none.toml"]).assert().code(2);
+    assert!(!plain.get_output().stderr.contains(&0x1b));
+    let coloured = topple(&["run", "none.toml"]).env("CLICOLOR_FORCE", "1").assert().code(2);
+    assert!(coloured.get_output().stderr.contains(&0x1b));
+    let without = topple(&["run", "none.toml"]).env("NO_COLOR", "1").assert().code(2);
+    assert!(!without.get_output().stderr.contains(&0x1b));
+}
