@@ -185,6 +185,16 @@ fn shells_complete_and_a_manual_is_printed() {
     assert!(refused(&["man", "mop"]).contains("mop is no command; there are pulse, seismic"));
 }
 
+/// The licence of the font asks to go with every copy of it.
+#[test]
+fn licences_are_shipped() {
+    let said = printed(&["licences"]);
+    for part in ["MIT License", "UBUNTU FONT LICENCE Version 1.0", "Copyright 2011 Canonical Ltd."]
+    {
+        assert!(said.contains(part), "{part}");
+    }
+}
+
 #[test]
 fn colours_are_for_terminals() {
     let plain = topple(&["run", "none.toml"]).assert().code(2);

@@ -13,6 +13,7 @@ mod figures;
 mod finish;
 mod history;
 mod interrupt;
+mod licences;
 mod memory;
 mod merge;
 mod numbers;
@@ -76,6 +77,8 @@ enum Command {
     Completions(completions::CompletionsCommand),
     /// Print the manual page of topple or of one of its commands
     Man(completions::ManCommand),
+    /// Print the licences of topple and of the font of its pictures
+    Licences,
 }
 
 /// Parses the command line and does what it says.
@@ -105,6 +108,10 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Adapters) => adapters::run(),
         Some(Command::Completions(command)) => command.run(),
         Some(Command::Man(command)) => command.run(),
+        Some(Command::Licences) => {
+            licences::run();
+            Ok(())
+        }
         None => scene::run_default(&arguments.options),
     }
 }
