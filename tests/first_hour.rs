@@ -3,8 +3,6 @@
 
 #![allow(missing_docs, clippy::unwrap_used)] // tests
 
-use std::path::Path;
-
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/first-hour.md");
 
 /// Endings of the files that a page may name.
@@ -98,7 +96,7 @@ fn the_commands_of_the_first_hour_work() {
         assert!(run.status.success(), "{command}\n{said}\n{error}");
     }
     for name in files(&page) {
-        let file = Path::new(&work).join(name);
+        let file = work.join(name);
         let length = std::fs::metadata(&file).map(|metadata| metadata.len()).unwrap_or(0);
         assert!(length > 0, "{name} is on the page, and not made by its commands");
     }
