@@ -1,0 +1,140 @@
+//! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page.
+
+#![allow(missing_docs, clippy::unwrap_used)] // tests
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The Markdown files of the repository's root and of docs.
+fn pages() -> Vec<PathBuf> {
+    let folders = [root().to_path_buf(), root().join("docs")];
+    let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let mut pages: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|ending| ending == "md")).collect();
+    pages.sort();
+    pages
+}
+
+/// The lines of a page outside of its fenced blocks.
+fn prose(text: &str) -> Vec<&str> {
+    let mut fenced = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        if line.trim_start().starts_with("```") {
+            fenced = !fenced;
+        } else if !fenced {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+/// The targets of a text's links and pictures: `[words](target)`, code in backquotes left out.
+fn targets(text: &str) -> Vec<String> {
+    let mut targets = Vec::new();
+    for line in prose(text) {
+        let words: String = line.split('`').step_by(2).collect();
+        for rest in words.split("](").skip(1) {
+            targets.extend(rest.split(')').next().map(String::from));
+        }
+    }
+    targets
+}
+
+/// The anchors of a page's headings, as GitHub makes them: letters, digits, `-` and `_` in lower case, blanks
+/// as `-`; the second heading of the same words ends in -1.
+fn anchors(text: &str) -> Vec<String> {
+    let mut seen: HashMap<String, usize> = HashMap::new();
+    let headings = prose(text).into_iter().filter_map(|line| {
+        let words = line.trim_start_matches('#');
+        (words.len() < line.len()).then(|| words.strip_prefix(' ')).flatten()
+    });
+    let mut anchors = Vec::new();
+    for heading in headings {
+        let kept = heading.trim().to_lowercase();
+        let kept = kept.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+        let anchor: String = kept.map(|c| if c == ' ' { '-' } else { c }).collect();
+        let earlier = seen.entry(anchor.clone()).or_default();
+        anchors.push(if *earlier == 0 { anchor } else { format!("{anchor}-{earlier}") });
+        *earlier += 1;
+    }
+    anchors
+}
+
+/// What is wrong with a page's links.
+fn broken(page: &Path, text: &str) -> Vec<String> {
+    let mut broken = Vec::new();
+    for target in targets(text) {
+        if target.contains("://") || target.starts_with("mailto:") {
+            continue;
+        }
+        let (file, anchor) = target.split_once('#').unwrap_or((&target, ""));
+        let path = if file.is_empty() { page.to_path_buf() } else { page.with_file_name(file) };
+        if !path.exists() {
+            broken.push(format!("{}: {target}: no such file", page.display()));
+        } else if !anchor.is_empty() {
+            let there = std::fs::read_to_string(&path).unwrap();
+            if !anchors(&there).iter().any(|known| known == anchor) {
+                broken.push(format!("{}: {target}: no such heading", page.display()));
+            }
+        }
+    }
+    broken
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let pages = pages();
+    assert!(pages.len() > 15, "{pages:?}");
+    let broken: Vec<String> = pages
+        .iter()
+        .flat_map(|page| broken(page, &std::fs::read_to_string(page).unwrap()))
+        .collect();
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+#[test]
+fn a_link_that_leads_nowhere_is_found() {
+    let page = root().join("docs").join("map.md");
+    let text = "# A heading\n[one](gone.md) ![two](gone.png) [three](#no-heading) [four](../README.md#gone)\n";
+    assert_eq!(broken(&page, text).len(), 4);
+    let text = "[one](map.md) [two](https://example.org/x) `[three](gone.md)`\n```\n[four](gone.md)\n```\n";
+    assert!(broken(&page, text).is_empty());
+    let headings =
+        "# The strip at very small T_v (9)\n## ζ, and more\n## ζ, and more\n#no heading\n";
+    let expected = ["the-strip-at-very-small-t_v-9", "ζ-and-more", "ζ-and-more-1"];
+    assert_eq!(anchors(headings), expected);
+}
+
+/// Each page of docs is reached from the README, through other pages or at once.
+#[test]
+fn every_page_is_linked() {
+    let text = |page: &Path| std::fs::read_to_string(page).unwrap();
+    let mut reached = vec![root().join("README.md")];
+    let mut next = 0;
+    while let Some(page) = reached.get(next).cloned() {
+        next += 1;
+        for target in targets(&text(&page)) {
+            let file = target.split('#').next().unwrap_or_default();
+            let path = page.with_file_name(file);
+            let Ok(path) = path.canonicalize() else { continue };
+            if path.extension().is_some_and(|ending| ending == "md") && !reached.contains(&path) {
+                reached.push(path);
+            }
+        }
+    }
+    let reached: Vec<PathBuf> =
+        reached.iter().filter_map(|page| page.canonicalize().ok()).collect();
+    for page in pages() {
+        assert!(
+            reached.contains(&page.canonicalize().unwrap()),
+            "{} is linked by no page",
+            page.display()
+        );
+    }
+}
