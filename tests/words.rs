@@ -138,6 +138,44 @@ fn records_say_what_they_are() {
     assert!(said.contains("horizontal: 2 samples after the 3 of its NPTS are left out"), "{said}");
 }
 
+/// Of a pair, what is given is meant for the file that does not tell it.
+#[test]
+fn units_are_for_the_file_that_tells_none() {
+    let place = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| {
+        fs::write(place.path().join(name), text).unwrap();
+        place.path().join(name).display().to_string()
+    };
+    let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n";
+    let (h, v) = (write("h.at2", at2), write("v.txt", "100\n-90\n10\n"));
+    let seismic =
+        ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--dry-run", "--units", "cm/s2"];
+    let pair = ["--horizontal", &h, "--vertical", &v, "--dt", "0.02"];
+    topple(&[&seismic[..], &pair].concat()).assert().success();
+    let turned = ["--horizontal", &v, "--vertical", &h, "--dt", "0.02"];
+    topple(&[&seismic[..], &turned].concat()).assert().success();
+    // Where both tell, it is refused.
+    let line = refused(&[&seismic[..], &["--horizontal", &h, "--vertical", &h]].concat());
+    assert!(line.contains("the file's units are g, --units says cm/s2"), "{line}");
+}
+
+#[test]
+fn a_locked_direction_is_no_axis() {
+    let out = TempDir::new().unwrap();
+    let path = out.path().display().to_string();
+    for (base, axes) in [
+        (&["--isolation", "horizontal", "--t-h", "1:2:3"][..], "t_h,outcome"),
+        (&["--isolation", "vertical", "--t-v", "1:2:3"], "t_v,outcome"),
+        (&["--isolation", "none"], "t_max,outcome"),
+        (&["--t-h", "1:2:3", "--t-v", "1"], "t_h,t_v,outcome"),
+    ] {
+        let more = ["seismic", "--object", "1", "--verify", "none", "--out", &path];
+        topple(&[&more[..], base].concat()).assert().success();
+        let table = fs::read_to_string(out.path().join("map.csv")).unwrap();
+        assert!(table.starts_with(axes), "{base:?}: {}", table.lines().next().unwrap());
+    }
+}
+
 /// The reference does not verify itself.
 #[test]
 fn a_map_of_the_reference_is_not_verified() {

@@ -20,7 +20,7 @@ use super::{InputError, examples, interrupt, output};
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
 
-/// Join the parts of a map that runs with --tile left, and write its files.
+/// Join the parts of a map made with --tile, and write its files.
 #[derive(clap::Args)]
 #[command(after_help = examples::MERGE)]
 pub struct MergeCommand {

@@ -57,7 +57,7 @@ enum Command {
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record, for example over (t_h, t_v)
     Seismic(seismic::SeismicCommand),
-    /// Join the parts of a map that runs with --tile left
+    /// Join the parts of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
     History(history::HistoryCommand),
@@ -65,7 +65,7 @@ enum Command {
     Run(scene::RunCommand),
     /// Chart speed against accuracy: every method, over its steps or tolerances
     Chart(chart::ChartCommand),
-    /// Draw every figure of the paper, and what goes beyond it
+    /// Draw every figure of the paper, and further ones
     Figures(figures::FiguresCommand),
     /// Measure every backend of this machine on the same maps, and print the table
     Bench(bench::BenchCommand),

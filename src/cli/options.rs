@@ -30,7 +30,7 @@ pub struct RunOptions {
     /// What to compute on; auto takes a real GPU, else the CPU
     #[arg(long, default_value = "auto")]
     pub backend: BackendRequest,
-    /// GPUs to compute on, by their numbers in topple adapters [default: all that are like the best]
+    /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
     /// Number type of the sweep [default: f32]
@@ -90,7 +90,7 @@ pub struct MapOptions {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
-    /// Say what the run would take, and run nothing but a sample
+    /// Print the expected time, memory and disk, and run a sample only
     #[arg(long)]
     pub dry_run: bool,
     #[command(flatten)]

@@ -42,8 +42,9 @@ fn text() -> String {
         "# A number is one value, \"start:stop:count\", \"start:stop:count:log\" or \"a,b,c\"; SI units.".into(),
         String::new(),
     ];
+    // Its title is of its own block.
     lines.extend(
-        given.iter().filter(|(section, _)| section.is_empty()).map(|(_, line)| line.to_string()),
+        given.iter().filter(|(section, _)| section.is_empty()).map(|(_, line)| format!("# {line}")),
     );
     for section in Section::ALL {
         lines.push(String::new());

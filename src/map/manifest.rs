@@ -96,7 +96,7 @@ pub struct Reduced {
     pub state: Vec<&'static str>,
     /// What is left out where it has no say in the result; all false with --full-model.
     pub reductions: Shortcuts,
-    /// Cells that ended early, all that they tell proved final.
+    /// Cells that ended early, their results proved final.
     pub proved_cells: usize,
     /// Mean time simulated by a cell that stands, s.
     pub mean_time: f64,

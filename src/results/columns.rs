@@ -126,13 +126,13 @@ pub const TABLE: [Entry; 15] = [
         Column::Outcome,
         ("outcome", ""),
         Holds::Class,
-        "what became of the block: full_contact, rocking, overturned_left, overturned_right, unresolved",
+        "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved",
     ),
     entry(
         Column::Impacts,
         ("impacts", ""),
         count!(impacts),
-        "impacts up to t_end; of a cell that was proved final, up to t_simulated",
+        "impacts up to t_end; of a cell that ended early, up to t_simulated",
     ),
     entry(Column::Uplifts, ("uplifts", ""), count!(uplifts), "uplifts from full contact"),
     entry(Column::TEnd, ("t_end", "s"), number!(t_end), "time of overturning, or the run's end"),
@@ -178,8 +178,8 @@ pub const TABLE: [Entry; 15] = [
         Column::Friction,
         ("friction_demand", ""),
         number!(friction),
-        "largest |horizontal| over normal force while the latter is positive; it grows without bound as that force nears \
-         zero",
+        "friction coefficient that keeps the block from sliding: largest |horizontal| over normal force while the latter is \
+         positive; it grows without bound as that force nears zero",
     ),
     entry(
         Column::Status,
@@ -191,8 +191,8 @@ pub const TABLE: [Entry; 15] = [
         Column::TSimulated,
         ("t_simulated", "s"),
         number!(t_simulated),
-        "time up to which the cell was simulated: t_end, or before it the time at which all that it tells \
-         was proved final",
+        "time up to which the cell was simulated: t_end, or the earlier time at which an energy bound proved that its \
+         results can no longer change",
     ),
 ];
 
@@ -231,12 +231,12 @@ pub fn status_code(status: Status) -> u8 {
 
 const HEAD: &str = "# Columns
 
-Made of the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
+Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
 
 `map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
 the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
-axes f64. There is besides `proved`, true for a cell that was stopped early: an energy bound shows that its results
+axes f64. The array `proved` is true for a cell that ended early: an energy bound shows that its results
 can no longer change (its impacts are counted up to `t_simulated`), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
 the version.
 
@@ -255,7 +255,7 @@ const TAIL: &str = "
 ## map.zarr
 
 `--files zarr` writes the same arrays as a Zarr group, version 3, in chunks of 65,536 to 1,048,576 cells; a map of more than
-16.7 million cells is written so alone (`--files csv,npz` writes the others all the same). xarray and dask open it by themselves:
+16.7 million cells is written so alone (`--files csv,npz` writes them, too). xarray and dask open it by themselves:
 
 ```python
 import xarray

@@ -29,7 +29,7 @@ pub struct Tally {
     pub tensile: usize,
     /// Those that ask for more friction than the scene has; none where it has no coefficient.
     pub sliding: Option<usize>,
-    /// Those that ended early, all that they tell proved final.
+    /// Those that ended early, their results proved final.
     pub proved: usize,
     /// Mean time simulated by a cell that stands, s.
     pub mean_time: f64,

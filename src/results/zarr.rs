@@ -19,7 +19,7 @@ use crate::stepping::outcome::Class;
 pub const DOCUMENT: &str = "zarr.json";
 /// Folder of an array's chunks.
 pub const CHUNKS: &str = "c";
-/// Name of the array that is true for cells that ended early, proved final.
+/// Name of the array that is true for cells that ended early, their results proved final.
 pub const PROVED: &str = "proved";
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 pub const LEVEL: u32 = 1;

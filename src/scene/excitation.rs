@@ -154,9 +154,9 @@ pub(super) fn check_record(
     }
     let pga = numbers.get(Parameter::Pga);
     let hints = RecordHints { dt: text.dt, units: text.units, scaled: pga.is_some() };
-    let read = |key, path: &Path| {
+    let read = |key, path: &Path, hints: &RecordHints| {
         let path = directory.join(path);
-        let (mut record, file) = read::file(&path, &hints)
+        let (mut record, file) = read::file(&path, hints)
             .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))?;
         if record.title.is_empty() {
             // A file of columns has no title.
@@ -168,8 +168,16 @@ pub(super) fn check_record(
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
     };
-    let (horizontal, horizontal_file) = read("horizontal", horizontal)?;
-    let vertical = text.vertical.as_deref().map(|path| read("vertical", path)).transpose()?;
+    // Where one file tells its own step and units, and the other does not, what is given is meant for the other.
+    let own = RecordHints { dt: None, units: None, ..hints };
+    let tells = |path: &Path| read::file(&directory.join(path), &own).is_ok();
+    let (of_h, of_v) = match text.vertical.as_deref().map(|path| (tells(horizontal), tells(path))) {
+        Some((true, false)) => (&own, &hints),
+        Some((false, true)) => (&hints, &own),
+        _ => (&hints, &hints),
+    };
+    let (horizontal, horizontal_file) = read("horizontal", horizontal, of_h)?;
+    let vertical = text.vertical.as_deref().map(|path| read("vertical", path, of_v)).transpose()?;
     let (mut vertical, vertical_file) = vertical.unzip();
     if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), &hints), force) {
         return Err(fault);

@@ -56,16 +56,21 @@ fn usual(scene: &Scene) -> [Parameter; 2] {
 
 impl Grid {
     /// The grid of a scene: its swept parameters; (Omega, A_h) for a pulse and (T_h, T_v) for a record
-    /// where no other is.
+    /// where no other is, without the period of a direction that is locked.
     pub fn of(scene: &Scene) -> Grid {
         let mut axes: Vec<Axis> = Vec::new();
         let usual = usual(scene);
         let swept = scene.swept();
         if swept.iter().all(|parameter| usual.contains(parameter)) {
-            // A locked direction has no period: one value stands for it, which nothing reads.
-            let one = Values::from(1.0);
-            let values = |parameter| scene.numbers.get(parameter).unwrap_or(&one).clone();
-            axes.extend(usual.map(|parameter| Axis { parameter, values: values(parameter) }));
+            // A locked direction has no period. A scene without either has an end all the same.
+            let numbers = |parameter| Some((parameter, scene.numbers.get(parameter)?.clone()));
+            let axis = |(parameter, values)| Axis { parameter, values };
+            axes.extend(usual.into_iter().filter_map(numbers).map(axis));
+            if axes.is_empty() {
+                let t_max = scene.numbers.get(Parameter::TMax).cloned();
+                let values = t_max.unwrap_or_else(|| Values::from(0.0));
+                axes.push(Axis { parameter: Parameter::TMax, values });
+            }
         } else {
             for parameter in swept {
                 axes.extend(

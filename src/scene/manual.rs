@@ -9,7 +9,7 @@ use crate::model::pulse::Shape;
 
 const HEAD: &str = "# Every number of a scene
 
-Made of the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page
+Generated from the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page
 again. SI units everywhere.
 
 A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashes in place of underscores it is a flag
@@ -23,7 +23,7 @@ A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashe
 | `0.5,1,2` | these, in this order |
 
 Numbers of several values are the axes of the sweep, six at most. `--x KEY` and `--y KEY` choose those of the picture;
-else omega, a_h, t_h and t_v come first, then the others as given. A magnitude outside of the plausible ones is
+else omega, a_h, t_h and t_v come first, then the others in the order given. A magnitude outside of the plausible ones is
 refused; `--force` (in a file `force = true` under `[run]`) accepts it.
 ";
 
@@ -42,7 +42,7 @@ pub fn page() -> String {
         // Writing to a text does not fail.
         let _ = write!(
             page,
-            "\n## [{}]\n\n| key | symbol | unit | meaning | must | plausible | default | source |\n\
+            "\n## [{}]\n\n| key | symbol | unit | meaning | rule | plausible | default | source |\n\
              |---|---|---|---|---|---|---|---|\n",
             section.key()
         );

@@ -268,7 +268,7 @@ use Section::{Base, Block, Pulse, Record, Run};
 #[rustfmt::skip]
 pub const PARAMETERS: [Entry; Parameter::COUNT] = [
     entry(P::HalfWidth, ("half_width", "B", "m"), Block, Positive,
-        "half the width of the base; a block has two of half_width, height, slenderness and size",
+        "half the width of the base; give two of half_width, height, slenderness and size",
         "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres").always(),
     entry(P::Height, ("height", "H", "m"), Block, Positive,
         "height of the centre of mass",
@@ -340,7 +340,7 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "cycles of a pulse of Mavroeidis & Papageorgiou: oscillations under its bell",
         "2", "").plausible(1.0, 20.0, "a number of cycles is meant").always(),
     entry(P::Phase, ("phase", "ν", "rad"), Pulse, Finite,
-        "phase of its cosine: 0 for the largest velocity in the middle of the pulse, π/2 for none there",
+        "phase of the cosine of a Mavroeidis & Papageorgiou pulse: 0 for the largest velocity in the middle of the pulse, π/2 for none there",
         "0", "").plausible(0.0, 6.3, "radians are meant, not degrees"),
     entry(P::Scale, ("scale", "SF", ""), Record, NotZero,
         "factor on both components",
@@ -355,7 +355,7 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "rotation of the block at the start, positive about the left corner",
         "0", "Fig. 1"),
     entry(P::Friction, ("friction", "μ", ""), Run, Positive,
-        "friction coefficient of the contact: cells that ask for more are marked, for the model knows no sliding",
+        "friction coefficient of the contact: cells that need more are marked; the model has no sliding",
         "none", "").plausible(0.0, 5.0, "a coefficient is meant, not an angle"),
     entry(P::Restitution, ("restitution", "η_φ", ""), Run, AboveUpTo(0.0, 1.0),
         "angular velocity after an impact over the one before, in place of the law; only without isolation",

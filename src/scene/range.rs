@@ -72,7 +72,9 @@ impl Range {
             // 3.9999999999999996 is 4.
             return if (value - whole).abs() < 1.0e-12 * value.abs() { whole } else { value };
         }
-        self.start + (self.stop - self.start) * share
+        // Of both ends, so that 0.1:2:96 has 0.34 and not 0.33999999999999997.
+        let last = f64::from(self.count - 1);
+        (self.start * f64::from(self.count - 1 - i) + self.stop * f64::from(i)) / last
     }
 }
 

@@ -56,7 +56,7 @@ const MOTIONS: &str = include_str!("../../../scenes/motions.toml");
 /// Name of the motions' file in a directory of scenes.
 const MOTIONS_FILE: &str = "motions";
 
-/// Every figure of the paper, and what goes beyond it.
+/// Draw every figure of the paper, and further ones.
 #[derive(clap::Args)]
 #[command(after_help = examples::FIGURES)]
 pub struct FiguresCommand {
