@@ -82,6 +82,12 @@ mod stepping;
 pub mod stepping;
 
 #[cfg(not(feature = "internals"))]
+mod suites;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod suites;
+
+#[cfg(not(feature = "internals"))]
 mod sweep;
 #[cfg(feature = "internals")]
 #[doc(hidden)]

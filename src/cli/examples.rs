@@ -56,6 +56,14 @@ Examples:
   An earlier run again, with half the step:
     topple run map/run.json --step 0.00390625 --out again";
 
+/// Of `topple suite`.
+pub const SUITE: &str = "\
+Examples:
+  A download from PEER, as it was unpacked:
+    topple suite records --out suite
+  A list of one's own, with the columns id,horizontal,vertical,dt,units,scale,weight:
+    topple suite list.csv --strict --out suite";
+
 /// Of `topple merge`.
 pub const MERGE: &str = "\
 Examples:

@@ -26,6 +26,7 @@ mod ratios;
 mod run;
 mod scene;
 mod seismic;
+mod suite;
 mod template;
 mod words;
 
@@ -57,6 +58,8 @@ enum Command {
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record, for example over (t_h, t_v)
     Seismic(seismic::SeismicCommand),
+    /// Read a set of records as one suite: which belong together, their intensity measures
+    Suite(suite::SuiteCommand),
     /// Join the parts of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
@@ -95,6 +98,7 @@ pub fn run() -> anyhow::Result<()> {
     match arguments.command {
         Some(Command::Pulse(command)) => command.run(),
         Some(Command::Seismic(command)) => command.run(),
+        Some(Command::Suite(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),

@@ -49,6 +49,7 @@ impl RunCommand {
             return match kind {
                 Kind::Map => run::run_map(&scene, &options),
                 Kind::History => history::run_cell(&scene, &options.run),
+                Kind::Suite => Err(refused("a suite is no scene".into()).into()),
             };
         }
         let text = read(&self.scene).map_err(refused)?;

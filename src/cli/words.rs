@@ -49,7 +49,7 @@ pub fn warn(text: impl Display) {
 }
 
 /// Settings that messages of the library name.
-const SETTINGS: [&str; 6] = ["adapter", "backend", "precision", "resume", "step", "tile"];
+const SETTINGS: [&str; 7] = ["adapter", "backend", "precision", "resume", "step", "strict", "tile"];
 
 /// The flag of a key of the library.
 fn flag(key: &str) -> Option<String> {

@@ -19,6 +19,8 @@ pub enum Kind {
     Map,
     /// The motion of one cell.
     History,
+    /// A set of records.
+    Suite,
 }
 
 impl Kind {
@@ -27,6 +29,7 @@ impl Kind {
         match self {
             Kind::Map => "a map",
             Kind::History => "a time history",
+            Kind::Suite => "a suite",
         }
     }
 }

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::numbers::Numbers;
-use super::parameters::{ACCEPTED, Parameter};
+use super::parameters::Parameter;
 use super::record::read::{self, RecordHints};
-use super::record::{Pair, Provenance, Record, RecordFile, Units, component};
-use super::{GRAVITY, SceneError, Values, positive};
+use super::record::{Pair, Provenance, Units, joined};
+use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
 
 /// What shakes the base.
@@ -63,53 +63,6 @@ pub struct RecordText {
     pub units: Option<Units>,
 }
 
-/// Peak below which units that were given by hand are questioned, g: maps are asked for of stronger motions.
-const WEAK: f64 = 0.1;
-
-/// Peak above which values that are said to be in g are questioned: few records have more.
-const STRONG: f64 = 2.0;
-
-/// What makes a pair of records improbable.
-fn questioned(
-    horizontal: &Record,
-    vertical: Option<&Record>,
-    hints: &RecordHints,
-) -> Option<SceneError> {
-    let asked = |key, problem: String| Some(SceneError::new(key, format!("{problem}; {ACCEPTED}")));
-    let (h, v) = (&horizontal.title, vertical.map_or("", |record| &record.title));
-    if component::vertical(h).is_some() {
-        return asked("horizontal", format!("'{h}' is a vertical component"));
-    }
-    if component::apart(h, v) {
-        return asked("vertical", format!("'{v}' is of another place or time than '{h}'"));
-    }
-    if let Some(units) = hints.units
-        && units != Units::G
-        && !hints.scaled
-        && horizontal.peak() < WEAK * GRAVITY
-    {
-        let peak = horizontal.peak() / GRAVITY;
-        let in_g = horizontal.peak() / units.factor();
-        let problem = format!(
-            "in {} the peak is {peak:.3} g, a weak motion; if the numbers are in g, it is {in_g:.2} g",
-            units.name()
-        );
-        return asked("units", problem);
-    }
-    if hints.units == Some(Units::G) && !hints.scaled && horizontal.peak() > STRONG * GRAVITY {
-        let peak = horizontal.peak() / GRAVITY;
-        let problem = format!(
-            "in g the peak is {peak:.2} g, as few records have; if the numbers are in m/s2, it is {:.2} g",
-            peak / GRAVITY
-        );
-        return asked("units", problem);
-    }
-    if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
-        return asked("vertical", "the same motion as the horizontal one".into());
-    }
-    None
-}
-
 /// Checks that a pulse has its numbers, and no other's.
 pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), SceneError> {
     if ![Parameter::Omega, Parameter::AH].iter().any(|parameter| numbers.has(*parameter)) {
@@ -156,14 +109,8 @@ pub(super) fn check_record(
     let hints = RecordHints { dt: text.dt, units: text.units, scaled: pga.is_some() };
     let read = |key, path: &Path, hints: &RecordHints| {
         let path = directory.join(path);
-        let (mut record, file) = read::file(&path, hints)
-            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))?;
-        if record.title.is_empty() {
-            // A file of columns has no title.
-            let name = path.file_name().unwrap_or(path.as_os_str());
-            record.title = name.to_string_lossy().into_owned();
-        }
-        Ok::<(Record, RecordFile), SceneError>((record, file))
+        read::file(&path, hints)
+            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))
     };
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
@@ -176,21 +123,9 @@ pub(super) fn check_record(
         Some((false, true)) => (&hints, &own),
         _ => (&hints, &hints),
     };
-    let (horizontal, horizontal_file) = read("horizontal", horizontal, of_h)?;
+    let horizontal = read("horizontal", horizontal, of_h)?;
     let vertical = text.vertical.as_deref().map(|path| read("vertical", path, of_v)).transpose()?;
-    let (mut vertical, vertical_file) = vertical.unzip();
-    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), &hints), force) {
-        return Err(fault);
-    }
-    if let Some(vertical) = &mut vertical
-        && component::vertical(&vertical.title) == Some(component::Vertical::Down)
-    {
-        vertical.samples.iter_mut().for_each(|a| *a = -*a);
-        vertical.notes.push("positive down by its title: turned over".into());
-    }
-    let mut pair = Pair::new(horizontal, vertical);
-    let (horizontal, vertical) = (horizontal_file, vertical_file);
-    pair.provenance = Some(Provenance { horizontal, vertical, dt: text.dt, units: text.units });
+    let pair = joined::join(horizontal, vertical, &hints, force)?;
     // Several factors or peaks are the cells' own.
     let single = |values: Option<&Values>| values.and_then(Values::single);
     Ok(match (single(numbers.get(Parameter::Scale)), single(pga)) {

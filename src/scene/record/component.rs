@@ -11,13 +11,21 @@ pub enum Vertical {
 }
 
 /// Where and when, and which component; none where the title has no comma.
-fn parts(title: &str) -> Option<(&str, &str)> {
+pub fn place(title: &str) -> Option<(&str, &str)> {
     title.rsplit_once(',').map(|(place, component)| (place.trim(), component.trim()))
+}
+
+/// The event, with its date, and the station of a place: `Northridge-01, 1/17/1994` and `Rinaldi Receiving Sta`.
+pub fn event_and_station(place: &str) -> (&str, &str) {
+    match place.rsplit_once(',') {
+        Some((event, station)) => (event.trim(), station.trim()),
+        None => ("", place),
+    }
 }
 
 /// The vertical component that a title names; none for a horizontal one, and where it says nothing.
 pub fn vertical(title: &str) -> Option<Vertical> {
-    let (_, component) = parts(title)?;
+    let (_, component) = place(title)?;
     match component.to_uppercase().as_str() {
         "UP" | "UD" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" => Some(Vertical::Up),
         "DWN" | "DN" | "DOWN" => Some(Vertical::Down),
@@ -27,7 +35,7 @@ pub fn vertical(title: &str) -> Option<Vertical> {
 
 /// True where two titles name two stations or events.
 pub fn apart(one: &str, other: &str) -> bool {
-    match (parts(one), parts(other)) {
+    match (place(one), place(other)) {
         (Some((here, _)), Some((there, _))) => !here.eq_ignore_ascii_case(there),
         _ => false,
     }

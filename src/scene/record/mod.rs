@@ -6,6 +6,7 @@ pub mod component;
 pub mod cosmos;
 pub mod csmip;
 pub mod esm;
+pub mod joined;
 pub mod knet;
 pub mod lines;
 pub mod pair;

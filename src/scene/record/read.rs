@@ -23,7 +23,7 @@ pub struct RecordHints {
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 
-/// Reads a file: its record, and where that came from.
+/// Reads a file: its record, and where that came from. A record without a title is called by its file.
 ///
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
@@ -37,10 +37,26 @@ pub fn file(path: &Path, hints: &RecordHints) -> Result<(Record, RecordFile), Re
     if read.len() as u64 > LARGEST {
         return Err(RecordError::whole("larger than 256 MiB; this is no record"));
     }
-    let (record, format, units) = parsed(&read, hints)?;
+    of_bytes(path, &read, hints)
+}
+
+/// The same of a file's bytes, which lie at `path`.
+///
+/// # Errors
+/// A [`RecordError`] that names the line at fault.
+pub fn of_bytes(
+    path: &Path,
+    bytes: &[u8],
+    hints: &RecordHints,
+) -> Result<(Record, RecordFile), RecordError> {
+    let (mut record, format, units) = parsed(bytes, hints)?;
+    if record.title.is_empty() {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        record.title = printable(&name.to_string_lossy());
+    }
     let file = RecordFile {
         path: std::path::absolute(path).unwrap_or_else(|_| path.into()),
-        sha256: sha256(&read),
+        sha256: sha256(bytes),
         format: format.into(),
         title: record.title.clone(),
         units,

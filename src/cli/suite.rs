@@ -1,0 +1,130 @@
+//! `topple suite`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde::Serialize;
+use topple::map::earlier::Kind;
+use topple::scene::record::Provenance;
+use topple::suites::{Suite, SuiteError, table};
+
+use super::words::{Say, with_flags};
+use super::{InputError, examples, output};
+
+/// Read a folder, a zip or a list of records as one suite, and tell what is in it.
+///
+/// Each horizontal component is paired with the vertical of its station. What is missing or ambiguous is a line of
+/// the table without numbers, which says why.
+#[derive(clap::Args)]
+#[command(after_help = examples::SUITE)]
+pub struct SuiteCommand {
+    /// A folder or a zip of records (PEER, ESM, K-NET, KiK-net), or a list (CSV) beside them
+    #[arg(value_name = "PATH")]
+    path: PathBuf,
+    /// Directory for the results; made if need be
+    #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
+    out: PathBuf,
+    /// Refuse a suite in which anything is missing or ambiguous
+    #[arg(long)]
+    strict: bool,
+    /// Print nothing but warnings and errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// run.json of a suite.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    suite: &'a std::path::Path,
+    motions: usize,
+    /// Where each motion came from, by its id.
+    records: BTreeMap<&'a str, Option<&'a Provenance>>,
+    /// Why lines have no motion, by their ids.
+    left_out: BTreeMap<&'a str, &'a str>,
+    /// Files that are no part of any line.
+    unused: &'a [String],
+    files: &'a [&'a str],
+}
+
+/// Most reasons that are printed one by one.
+const SHOWN: usize = 10;
+
+impl SuiteCommand {
+    /// Reads the suite and writes its table.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
+        let earlier = output::refuse_other(&self.out, Kind::Suite)?;
+        let out = output::open(&self.out)?;
+        let say = Say::unless(self.quiet);
+        let files = ["suite.csv"];
+        output::replace(out.path(), &earlier, &files.map(String::from), &say)?;
+        out.write(files[0], |w| table::write(&suite, w))?;
+        let manifest = Manifest {
+            kind: Kind::Suite,
+            version: env!("CARGO_PKG_VERSION"),
+            suite: &self.path,
+            motions: suite.motions().count(),
+            records: suite
+                .motions()
+                .map(|(entry, motion)| (entry.id.as_str(), motion.pair.provenance.as_ref()))
+                .collect(),
+            left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
+            unused: &suite.unused,
+            files: &files,
+        };
+        output::write_json(&out, &manifest)?;
+        tell(&suite, &say);
+        say.line("table", format!("{} with run.json", out.file(files[0]).display()));
+        Ok(())
+    }
+}
+
+/// Says what is in a suite.
+fn tell(suite: &Suite, say: &Say) {
+    let motions: Vec<_> = suite.motions().collect();
+    let mut stations: Vec<_> =
+        motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();
+    stations.sort();
+    stations.dedup();
+    let (motions, stations) =
+        (counted(motions.len(), "motion"), counted(stations.len(), "station"));
+    say.line("suite", format!("{motions} of {stations}"));
+    let noted = suite.motions().filter(|(entry, _)| !entry.notes.is_empty()).count();
+    if noted > 0 {
+        say.line(
+            "",
+            format!(
+                "{noted} of them resampled, padded, turned over or scaled: see notes in the table"
+            ),
+        );
+    }
+    let left_out: Vec<_> = suite.left_out().collect();
+    if !left_out.is_empty() {
+        say.line("left out", counted(left_out.len(), "line"));
+    }
+    for (entry, why) in left_out.iter().take(SHOWN) {
+        say.line("", format!("{}: {why}", entry.id));
+    }
+    if left_out.len() > SHOWN {
+        say.line("", format!("and {} more, in the table", left_out.len() - SHOWN));
+    }
+    if !suite.unused.is_empty() {
+        let (count, first) = (suite.unused.len(), &suite.unused[0]);
+        say.line(
+            "unused",
+            format!("{count} files whose names tell no component, the first {first}"),
+        );
+    }
+}
+
+/// So many things: `1 motion`, `2 motions`.
+fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A suite's error in terms of the command line: all of it is what was given.
+fn input_error(error: SuiteError) -> InputError {
+    InputError(with_flags(&error.to_string()))
+}

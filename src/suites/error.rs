@@ -1,0 +1,51 @@
+//! Why files are no suite.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why files are no suite.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum SuiteError {
+    /// The folder, the zip, or the list cannot be read.
+    #[error("{path}: {reason}; give a folder, a zip or a list of records that can be read")]
+    Read {
+        /// Which one.
+        path: PathBuf,
+        /// What the system says.
+        reason: io::Error,
+    },
+    /// A zip that is none, or is packed by other means.
+    #[error("{path}: {reason}; unpack it and give the folder")]
+    Zip {
+        /// Which one.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A list without the columns that it must have, or with a line that makes no sense.
+    #[error("{path}: {problem}")]
+    List {
+        /// Which one.
+        path: PathBuf,
+        /// What is wrong, where, and what to do.
+        problem: String,
+    },
+    /// No record at all.
+    #[error("{0}: no file of a record is there; give a folder, a zip or a list of records")]
+    Empty(PathBuf),
+    /// Something is missing or ambiguous, which a strict reading refuses.
+    #[error(
+        "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none"
+    )]
+    Strict {
+        /// How many.
+        count: usize,
+        /// Of how many.
+        all: usize,
+        /// The first.
+        id: String,
+        /// Why.
+        reason: String,
+    },
+}

@@ -1,0 +1,20 @@
+//! Suites: sets of records that belong to one question, such as those that represent a site.
+//!
+//! ```text
+//! files (a folder, a zip, a list) -> entries (which belong together) -> motions -> measures -> table, picture
+//! ```
+
+pub mod entry;
+pub mod error;
+mod files;
+mod list;
+pub mod measures;
+mod names;
+mod peer;
+pub mod read;
+pub mod spectrum;
+pub mod table;
+
+pub use entry::{Entry, Motion};
+pub use error::SuiteError;
+pub use read::Suite;

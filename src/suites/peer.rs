@@ -1,0 +1,88 @@
+//! The list that comes with a download from PEER's NGA-West2 database, `_SearchResults.csv`: as it is, or as a
+//! spreadsheet saves it again (quotes within quotes, commas to the last column).
+
+use super::entry::Entry;
+use super::files::Files;
+
+/// How the heading of its table begins.
+const HEADING: &str = "Result ID";
+
+/// True of a list of PEER's.
+pub fn matches(text: &str) -> bool {
+    text.lines().any(|line| line.trim_start().starts_with(HEADING))
+        && text.contains("Horizontal-1 Acc. Filename")
+}
+
+/// A field without the blanks and the quotes around it; nothing where there are dashes alone.
+fn plain(field: &str) -> &str {
+    let field = field.trim_matches(|c: char| c.is_whitespace() || c == '"');
+    if field.chars().all(|c| c == '-') { "" } else { field }
+}
+
+/// A line without the blanks around its commas: a quote begins a field only where it comes first.
+fn tight(line: &str) -> String {
+    let mut line = line.trim().to_string();
+    for (loose, tight) in [(", \"", ",\""), ("\" ,", "\","), (",  ", ", ")] {
+        while line.contains(loose) {
+            line = line.replace(loose, tight);
+        }
+    }
+    line
+}
+
+/// The entries of a list: of each of its records both horizontals, with the vertical.
+pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
+    let lines = text.lines().skip_while(|line| !line.trim_start().starts_with(HEADING));
+    let table: String = lines.map(|line| format!("{}\n", tight(line))).collect();
+    let mut reader =
+        csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(table.as_bytes());
+    let headings = reader.headers().map_err(|error| error.to_string())?.clone();
+    let column = |name: &str| {
+        let place = headings.iter().position(|heading| plain(heading) == name);
+        place.ok_or_else(|| {
+            format!("its table has no column '{name}'; give the list of the download")
+        })
+    };
+    let (number, event, station) =
+        (column("Record Sequence Number")?, column("Earthquake Name")?, column("Station Name")?);
+    let (year, scale) = (column("Year")?, column("Scale Factor")?);
+    let horizontals =
+        [column("Horizontal-1 Acc. Filename")?, column("Horizontal-2 Acc. Filename")?];
+    let vertical = column("Vertical Acc. Filename")?;
+    let mut entries = Vec::new();
+    for row in reader.records() {
+        let row = row.map_err(|error| error.to_string())?;
+        let field = |column: usize| plain(row.get(column).unwrap_or_default());
+        // A table of spectra follows after an empty line or a line of words.
+        if field(number).parse::<u64>().is_err() {
+            break;
+        }
+        let factor = field(scale).parse::<f64>().ok().filter(|factor| *factor > 0.0);
+        for listed in horizontals.map(field).into_iter().filter(|name| !name.is_empty()) {
+            let there = files.find(listed);
+            let mut entry = Entry::of(there.unwrap_or(listed));
+            let year = field(year);
+            entry.event = [field(event), year].join(if year.is_empty() { "" } else { ", " });
+            entry.station = field(station).into();
+            if there.is_none() {
+                entry.missing = Some(format!("{listed} is in the list and not among the files"));
+            }
+            let up = field(vertical);
+            if !up.is_empty() {
+                entry.vertical = files.find(up).map(String::from);
+                if entry.vertical.is_none() && entry.missing.is_none() {
+                    entry.missing = Some(format!("its vertical {up} is not among the files"));
+                }
+            }
+            if let Some(factor) = factor.filter(|factor| *factor != 1.0) {
+                entry.scale = factor;
+                entry.notes.push(format!("scaled by {factor}, the list's factor"));
+            }
+            entries.push(entry);
+        }
+    }
+    if entries.is_empty() {
+        return Err("its table is empty; give the list of a download".into());
+    }
+    Ok(entries)
+}

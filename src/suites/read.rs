@@ -1,0 +1,197 @@
+//! From a folder, a zip or a list to the motions of a suite.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::entry::{Entry, Motion};
+use super::files::Files;
+use super::measures::Measures;
+use super::names::{self, Component};
+use super::{SuiteError, list, peer};
+use crate::scene::parameters::ACCEPTED;
+use crate::scene::record::read::{self, RecordHints};
+use crate::scene::record::{Record, RecordFile, component, joined};
+
+/// A set of motions, and what was left out of it.
+#[derive(Debug, Clone)]
+pub struct Suite {
+    /// All lines in order: each with its motion, or with why there is none.
+    pub rows: Vec<(Entry, Result<Motion, String>)>,
+    /// Files that are no part of any line.
+    pub unused: Vec<String>,
+}
+
+impl Suite {
+    /// Reads a suite: a folder or a zip, with PEER's list or by the names of its files, or a list beside its files.
+    /// `strict` refuses what is missing or ambiguous; else it is a line without a motion.
+    ///
+    /// # Errors
+    /// Those of [`SuiteError`]: nothing can be read, a list makes no sense, nothing is there.
+    pub fn read(path: &Path, strict: bool) -> Result<Suite, SuiteError> {
+        let files = Files::of(path)?;
+        let (entries, unused) = entries(path, &files)?;
+        if entries.is_empty() {
+            return Err(SuiteError::Empty(path.into()));
+        }
+        let rows: Vec<_> = entries
+            .into_par_iter()
+            .map(|mut entry| {
+                let motion = motion(&mut entry, &files);
+                (entry, motion)
+            })
+            .collect();
+        let suite = Suite { rows, unused };
+        let mut left_out = suite.left_out();
+        if let (Some((entry, reason)), true) = (left_out.next(), strict) {
+            let (id, reason) = (entry.id.clone(), reason.to_string());
+            let count = left_out.count() + 1;
+            return Err(SuiteError::Strict { count, all: suite.rows.len(), id, reason });
+        }
+        drop(left_out);
+        Ok(suite)
+    }
+
+    /// Its motions.
+    pub fn motions(&self) -> impl Iterator<Item = (&Entry, &Motion)> {
+        self.rows.iter().filter_map(|(entry, motion)| Some((entry, motion.as_ref().ok()?)))
+    }
+
+    /// What has no motion, and why.
+    pub fn left_out(&self) -> impl Iterator<Item = (&Entry, &str)> {
+        self.rows
+            .iter()
+            .filter_map(|(entry, motion)| Some((entry, motion.as_ref().err()?.as_str())))
+    }
+}
+
+/// The lines of a suite, and files that none of them has.
+fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), SuiteError> {
+    let refused = |path: &Path, problem| SuiteError::List { path: path.into(), problem };
+    let is_list = path.is_file() && ending(&path.to_string_lossy(), "csv");
+    if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
+        let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
+        return Err(refused(path, problem.into()));
+    }
+    let mut lists: Vec<&str> = Vec::new();
+    let mut listed: Vec<Entry> = Vec::new();
+    if is_list {
+        let bytes =
+            std::fs::read(path).map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
+        let text = String::from_utf8_lossy(&bytes);
+        let read = if peer::matches(&text) { peer::read } else { list::read };
+        return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
+    }
+    for name in files.names().iter().filter(|name| ending(name, "csv")) {
+        let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
+        let text = String::from_utf8_lossy(&bytes);
+        if peer::matches(&text) {
+            let read = peer::read(&text, files);
+            listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
+            lists.push(name);
+        }
+    }
+    let taken = |name: &str| {
+        listed
+            .iter()
+            .any(|entry| entry.horizontal == name || entry.vertical.as_deref() == Some(name))
+    };
+    let rest: Vec<&str> = files
+        .names()
+        .iter()
+        .map(String::as_str)
+        .filter(|name| !taken(name) && !lists.contains(name))
+        .collect();
+    let (mut named, unused) = by_names(&rest);
+    if !lists.is_empty() {
+        for entry in &mut named {
+            entry.notes.push("not in the list".into());
+        }
+    }
+    listed.extend(named);
+    Ok((listed, unused))
+}
+
+fn ending(name: &str, wanted: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case(wanted))
+}
+
+/// The lines of files that are known by their names alone, and the files whose names say nothing.
+fn by_names(files: &[&str]) -> (Vec<Entry>, Vec<String>) {
+    let mut unused = Vec::new();
+    let mut groups: BTreeMap<String, (Vec<&str>, Vec<&str>)> = BTreeMap::new();
+    for &name in files {
+        match names::read(name) {
+            None => unused.push(name.to_string()),
+            Some(named) => {
+                let (horizontal, vertical) = groups.entry(named.group).or_default();
+                match named.component {
+                    Component::Horizontal => horizontal.push(name),
+                    Component::Vertical => vertical.push(name),
+                }
+            }
+        }
+    }
+    let mut entries = Vec::new();
+    for (horizontal, vertical) in groups.into_values() {
+        for &name in &horizontal {
+            let mut entry = Entry::of(name);
+            match vertical[..] {
+                [] => {}
+                [one] => entry.vertical = Some(one.into()),
+                [one, other, ..] => {
+                    entry.missing = Some(format!(
+                        "{} verticals may belong to it ({one}, {other}); say in a list which one does",
+                        vertical.len()
+                    ));
+                }
+            }
+            entries.push(entry);
+        }
+        if let ([], [name, ..]) = (&horizontal[..], &vertical[..]) {
+            let mut entry = Entry::of(name);
+            entry.missing = Some("a vertical without a horizontal".into());
+            entries.push(entry);
+        }
+    }
+    (entries, unused)
+}
+
+/// Reads the motion of a line, and says in the line what was decided.
+fn motion(entry: &mut Entry, files: &Files) -> Result<Motion, String> {
+    if let Some(missing) = &entry.missing {
+        return Err(missing.clone());
+    }
+    if entry.vertical.is_none() && !entry.horizontal_alone {
+        return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
+    }
+    let hints = RecordHints { dt: entry.dt, units: entry.units, scaled: false };
+    let record = |name: &str| -> Result<(Record, RecordFile), String> {
+        let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
+        read::of_bytes(&files.path(name), &bytes, &hints)
+            .map_err(|error| format!("{name}: {error}"))
+    };
+    let horizontal = record(&entry.horizontal)?;
+    let vertical = entry.vertical.as_deref().map(record).transpose()?;
+    if let Some((place, _)) = component::place(&horizontal.0.title) {
+        let (event, station) = component::event_and_station(place);
+        if entry.event.is_empty() {
+            entry.event = event.into();
+        }
+        if entry.station.is_empty() {
+            entry.station = station.into();
+        }
+    }
+    let pair = joined::join(horizontal, vertical, &hints, false);
+    // Here nothing is forced: a list says what is meant.
+    let plain =
+        |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
+    let mut pair = pair.map_err(|error| format!("{}: {}", error.key, plain(&error.problem)))?;
+    entry.notes.extend(pair.notes.iter().cloned());
+    if entry.scale != 1.0 {
+        pair = pair.scaled(entry.scale);
+    }
+    let measures = Measures::of(&pair);
+    Ok(Motion { pair, measures })
+}

@@ -1,0 +1,335 @@
+//! Suites of records: what belongs together, what is missing, and intensity measures against another program.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use assert_cmd::Command;
+use tempfile::TempDir;
+use topple::scene::GRAVITY;
+use topple::scene::record::{Pair, Record};
+use topple::suites::measures::Measures;
+use topple::suites::{Suite, SuiteError};
+
+mod common;
+
+/// The record of tests/data/measures.py.
+fn made() -> (f64, Vec<f64>) {
+    let dt = 0.005;
+    let sample = |k: u32| {
+        let t = dt * f64::from(k);
+        let envelope = (t / 3.0) * (1.0 - t / 3.0).exp();
+        envelope
+            * (2.0 * (2.0 * PI * 0.8 * t).sin()
+                + 1.5 * (2.0 * PI * 2.3 * t + 1.0).sin()
+                + 0.7 * (2.0 * PI * 5.1 * t + 2.0).sin())
+    };
+    (dt, (0..4000).map(sample).collect())
+}
+
+fn pair(dt: f64, samples: Vec<f64>) -> Pair {
+    Pair::new(Record { title: "made".into(), dt, samples, notes: Vec::new() }, None)
+}
+
+/// eqsig integrates by trapezia. A record that is linear between samples a and b has h (b - a)^2/6 less of a^2 in a
+/// gap, and of |a|, where the sign changes, h |a b|/|b - a| less.
+#[test]
+fn measures_are_those_of_another_program() {
+    let figures = fs::read_to_string("tests/data/measures.csv").unwrap();
+    let figures: BTreeMap<&str, f64> = figures
+        .lines()
+        .skip(1)
+        .map(|line| line.split_once(',').unwrap())
+        .map(|(name, value)| (name, value.parse().unwrap()))
+        .collect();
+    let (dt, samples) = made();
+    let gaps: Vec<(f64, f64)> = samples.windows(2).map(|gap| (gap[0], gap[1])).collect();
+    let pair = pair(dt, samples);
+    let measures = Measures::of(&pair);
+    assert_relative_eq!(measures.pga_h, figures["pga"], max_relative = 1e-9);
+    assert_relative_eq!(measures.pgv, figures["pgv"], max_relative = 1e-8);
+    let less: f64 = gaps.iter().map(|(a, b)| dt * (b - a) * (b - a) / 6.0).sum();
+    let arias = measures.arias + PI / (2.0 * GRAVITY) * less;
+    assert_relative_eq!(arias, figures["arias"], max_relative = 1e-9);
+    let crossing = gaps.iter().filter(|(a, b)| a * b < 0.0);
+    let less: f64 = crossing.map(|(a, b)| dt * (a * b).abs() / (b - a).abs()).sum();
+    assert_relative_eq!(measures.cav + less, figures["cav"], max_relative = 1e-9);
+    // It takes whole samples, the first and the last strictly between.
+    for (got, name) in [(measures.d5_75, "d5_75"), (measures.d5_95, "d5_95")] {
+        assert!((got - figures[name]).abs() <= 2.0 * dt, "{name}: {got} {}", figures[name]);
+    }
+    let mut periods = 0;
+    for (name, value) in &figures {
+        if let Some(period) = name.strip_prefix("sa:") {
+            let period: f64 = period.parse().unwrap();
+            assert_relative_eq!(Measures::sa(&pair, period), *value, max_relative = 1e-6);
+            periods += 1;
+        }
+    }
+    assert_eq!(periods, 5);
+    let average = Measures::average_sa(&pair, 1.0);
+    let logarithms = (0..10).map(|k| Measures::sa(&pair, 0.2 + 2.8 * f64::from(k) / 9.0).ln());
+    assert_relative_eq!(average, (logarithms.sum::<f64>() / 10.0).exp(), max_relative = 1e-12);
+}
+
+/// A file of PEER's form.
+fn at2(title: &str, dt: f64, samples: &[f64]) -> String {
+    let values: Vec<String> = samples.iter().map(|a| format!("{a:.7E}")).collect();
+    format!(
+        "PEER NGA STRONG MOTION DATABASE RECORD\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\n\
+         NPTS=  {}, DT= {dt} SEC,\n{}\n",
+        samples.len(),
+        values.join("  ")
+    )
+}
+
+const RISING: [f64; 6] = [0.0, 0.1, 0.3, -0.2, 0.1, 0.0];
+const OTHER: [f64; 4] = [0.0, 0.1, -0.2, 0.0];
+const SECOND: [f64; 4] = [0.0, -0.15, 0.2, 0.0];
+
+/// A folder with what users have: a whole triple, a vertical that is positive down, one too few, one too many,
+/// K-NET's and ESM's names, and files that are none.
+fn folder() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let put = |name: &str, text: String| {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    };
+    let title = |component: &str| format!("A Quake, 1/2/1990, A Town, {component}");
+    put("RSN1_QUAKE_TWN000.AT2", at2(&title("0"), 0.01, &RISING));
+    put("RSN1_QUAKE_TWN090.AT2", at2(&title("90"), 0.01, &SECOND));
+    put("RSN1_QUAKE_TWN-UP.AT2", at2(&title("UP"), 0.005, &OTHER));
+    put("sub/RSN2_QUAKE_CTY010.AT2", at2(&title("10"), 0.01, &RISING));
+    put("sub/RSN2_QUAKE_CTYDWN.AT2", at2(&title("DWN"), 0.01, &OTHER));
+    put("RSN3_QUAKE_VIL000.AT2", at2(&title("0"), 0.01, &RISING));
+    put("RSN4_QUAKE_HAM000.AT2", at2(&title("0"), 0.01, &RISING));
+    put("RSN4_QUAKE_HAM-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
+    put("RSN4_QUAKE_HAMDWN.AT2", at2(&title("DWN"), 0.01, &OTHER));
+    put("RSN5_QUAKE_FAR-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
+    put("RSN6_QUAKE_BAD000.AT2", "no record".into());
+    put("RSN6_QUAKE_BAD-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
+    put("notes.txt", "mine".into());
+    folder
+}
+
+fn why<'a>(suite: &'a Suite, id: &str) -> &'a str {
+    suite.left_out().find(|(entry, _)| entry.id == id).unwrap_or_else(|| panic!("{id}")).1
+}
+
+#[test]
+fn a_folder_is_read_by_the_names_of_its_files() {
+    let folder = folder();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let ids: Vec<&str> = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
+    assert_eq!(ids, ["RSN1_QUAKE_TWN000", "RSN1_QUAKE_TWN090", "RSN2_QUAKE_CTY010"]);
+    let (entry, first) = suite.motions().next().unwrap();
+    assert_eq!((entry.event.as_str(), entry.station.as_str()), ("A Quake, 1/2/1990", "A Town"));
+    // The finer step, the longer duration; and it is said.
+    assert_eq!((first.pair.dt, first.pair.duration()), (0.005, 0.05));
+    let notes = entry.notes.join("; ");
+    assert!(notes.contains("horizontal resampled from 0.01 s to 0.005 s"), "{notes}");
+    assert!(notes.contains("vertical padded with 0.035 s of zeros"), "{notes}");
+    // Positive down is turned over.
+    let (entry, down) = suite.motions().nth(2).unwrap();
+    assert!(entry.notes.join("; ").contains("turned over"));
+    assert_relative_eq!(down.pair.vertical[1], -0.1 * GRAVITY);
+    assert!(why(&suite, "RSN3_QUAKE_VIL000").starts_with("no vertical"));
+    let ambiguous = why(&suite, "RSN4_QUAKE_HAM000");
+    assert!(ambiguous.starts_with("2 verticals may belong to it"), "{ambiguous}");
+    assert_eq!(why(&suite, "RSN5_QUAKE_FAR-UP"), "a vertical without a horizontal");
+    assert!(why(&suite, "RSN6_QUAKE_BAD000").starts_with("RSN6_QUAKE_BAD000.AT2: "));
+    assert_eq!(suite.unused, ["notes.txt"]);
+    match Suite::read(folder.path(), true) {
+        Err(SuiteError::Strict { count: 4, all: 7, .. }) => {}
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The same files, packed.
+#[test]
+fn a_zip_is_read_as_the_folder_is() {
+    let folder = folder();
+    let place = TempDir::new().unwrap();
+    let path = place.path().join("records.zip");
+    let mut archive = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+    let mut add = |name: &str| {
+        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        archive.write_all(&fs::read(folder.path().join(name)).unwrap()).unwrap();
+    };
+    for entry in fs::read_dir(folder.path()).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if name != "sub" {
+            add(&name);
+        }
+    }
+    add("sub/RSN2_QUAKE_CTY010.AT2");
+    add("sub/RSN2_QUAKE_CTYDWN.AT2");
+    archive.finish().unwrap();
+    let (packed, plain) =
+        (Suite::read(&path, false).unwrap(), Suite::read(folder.path(), false).unwrap());
+    let table = |suite: &Suite| {
+        let mut table = Vec::new();
+        topple::suites::table::write(suite, &mut table).unwrap();
+        String::from_utf8(table).unwrap()
+    };
+    assert_eq!(table(&packed), table(&plain));
+}
+
+const HEADING: &str = "Result ID, Spectral Ordinate, Record Sequence Number, Scale Factor, Earthquake Name, Year, \
+                       Station Name, Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename, Vertical Acc. Filename";
+
+/// PEER's list as downloaded, and as a spreadsheet saves it again.
+#[test]
+fn lists_of_a_download_are_read() {
+    for (row, after) in [
+        (
+            "1, SRSS, 1, 1.5, \"A, B\", 1990, \"A Town\", RSN1_QUAKE_TWN000.AT2, rsn1_quake_twn090.at2 , RSN1_QUAKE_TWN-UP.AT2  \n\
+             2, SRSS, 7, 1.0, \"C\", 1991, \"D\", RSN7_X_000.AT2, RSN7_X_090.AT2,  -----\n",
+            "\n -- Scaled spectra --\nT, 1\n0.01, 0.5\n",
+        ),
+        (
+            "1, SRSS,1,1.5,\" \"\"A, B\"\"\",1990,\" \"\"A Town\"\"\", RSN1_QUAKE_TWN000.AT2, rsn1_quake_twn090.at2 , RSN1_QUAKE_TWN-UP.AT2  ,,,,\n\
+             2, SRSS,7,1,\" \"\"C\"\"\",1991,\" \"\"D\"\"\", RSN7_X_000.AT2, RSN7_X_090.AT2, -----,,,,\n",
+            ",,,,,,,,,,,\n These records were obtained,,,,,,,\n",
+        ),
+    ] {
+        let folder = folder();
+        let text = format!(" PEER Ground Motion Database\n\nPulse:, 1\n\n{HEADING}\n{row}{after}");
+        fs::write(folder.path().join("_SearchResults.csv"), &text).unwrap();
+        let suite = Suite::read(folder.path(), false).unwrap();
+        let (entry, motion) = suite.motions().next().unwrap();
+        assert_eq!(entry.event, "A, B, 1990");
+        assert_eq!(entry.station, "A Town");
+        assert_relative_eq!(motion.measures.pga_h, 1.5 * 0.3 * GRAVITY, max_relative = 1e-12);
+        assert!(entry.notes.join("; ").contains("scaled by 1.5, the list's factor"));
+        assert_eq!(
+            why(&suite, "RSN7_X_000"),
+            "RSN7_X_000.AT2 is in the list and not among the files"
+        );
+        // What the list does not name is read by its name, and it is said.
+        let (entry, _) =
+            suite.motions().find(|(entry, _)| entry.id == "RSN2_QUAKE_CTY010").unwrap();
+        assert!(entry.notes.contains(&"not in the list".to_string()));
+        // The list alone, by its path, is all that is read.
+        let alone = Suite::read(&folder.path().join("_SearchResults.csv"), false).unwrap();
+        assert_eq!((alone.rows.len(), alone.motions().count()), (4, 2));
+    }
+}
+
+#[test]
+fn lists_of_ones_own_are_read() {
+    let folder = folder();
+    let list = folder.path().join("mine.csv");
+    fs::write(folder.path().join("a.txt"), "0\n100\n-200\n50\n").unwrap();
+    let read = |text: &str| {
+        fs::write(&list, text).unwrap();
+        Suite::read(&list, false)
+    };
+    let suite = read(
+        "id,horizontal,vertical,dt,units,scale,weight\n\
+         one,RSN1_QUAKE_TWN000.AT2,RSN1_QUAKE_TWN-UP.AT2,,,2,\n\
+         two,a.txt,,0.02,cm/s2,,0.5\n\
+         three,sub/RSN2_QUAKE_CTY010.AT2,gone.AT2,,,,\n",
+    )
+    .unwrap();
+    let motions: Vec<_> = suite.motions().collect();
+    assert_eq!((motions[0].0.id.as_str(), motions[1].0.id.as_str()), ("one", "two"));
+    assert_relative_eq!(motions[0].1.measures.pga_h, 0.6 * GRAVITY, max_relative = 1e-12);
+    assert_relative_eq!(motions[1].1.measures.pga_h, 2.0, max_relative = 1e-12);
+    assert_eq!((motions[1].0.weight, motions[1].1.pair.dt), (0.5, 0.02));
+    assert!(motions[1].0.notes[0].contains("the ground does not move vertically"));
+    assert_eq!(why(&suite, "three"), "its vertical gone.AT2 is not among the files");
+    for (text, said) in [
+        ("a,b\n1,2\n", "line 1: no column 'horizontal'"),
+        ("horizontal,dt\nx,0\n", "line 2: dt 0 must be a positive number"),
+        ("horizontal,colour\nx,red\n", "colour"),
+        ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
+        ("horizontal\n", "no line below its heading"),
+    ] {
+        let error = read(text).unwrap_err().to_string();
+        assert!(error.contains(said) && error.contains("mine.csv: "), "{text:?}: {error}");
+    }
+}
+
+/// The whole download: 74 stations with a vertical, and a list that names more than there is.
+#[test]
+fn a_real_download_is_read() {
+    let Some(folder) = common::record("a real download", "suite") else { return };
+    let suite = Suite::read(&folder, false).unwrap();
+    assert_eq!(suite.motions().count(), 148);
+    // 21 of the list's records have no file, 6 no vertical: two horizontals each.
+    assert_eq!(suite.left_out().count(), 54);
+    assert!(suite.unused.is_empty(), "{:?}", suite.unused);
+    let unequal = |notes: &[String]| notes.iter().any(|note| note.contains("padded"));
+    let padded = suite.motions().filter(|(entry, _)| unequal(&entry.notes)).count();
+    assert!(padded > 0, "{padded}");
+    // The list's own measures have a digit after the point, and are of both horizontals together.
+    for (entry, motion) in suite.motions() {
+        let m = &motion.measures;
+        assert!(m.pga_h > 0.0 && m.pgv > 0.0 && m.arias > 0.0 && m.cav > 0.0, "{}", entry.id);
+        assert!(m.d5_75 > 0.0 && m.d5_75 < m.d5_95 && m.d5_95 < motion.pair.duration());
+    }
+    let by_name = TempDir::new().unwrap();
+    for entry in fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|ending| ending == "AT2") {
+            fs::copy(&path, by_name.path().join(path.file_name().unwrap())).unwrap();
+        }
+    }
+    let names = Suite::read(by_name.path(), false).unwrap();
+    assert_eq!((names.motions().count(), names.left_out().count()), (148, 12));
+}
+
+fn suite(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("topple")
+        .unwrap()
+        .arg("suite")
+        .args(arguments)
+        .arg("--out")
+        .arg(out)
+        .assert()
+}
+
+#[test]
+fn the_command_writes_a_table_and_tells_what_is_missing() {
+    let (folder, out) = (folder(), TempDir::new().unwrap());
+    let path = folder.path().display().to_string();
+    let run = suite(&[&path], out.path()).success();
+    let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    for part in ["3 motions of 1 station", "4 lines", "RSN3_QUAKE_VIL000: no vertical", "notes.txt"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let table = fs::read_to_string(out.path().join("suite.csv")).unwrap();
+    assert_eq!(
+        table.lines().next().unwrap(),
+        "id,event,station,horizontal,vertical,dt,duration,pga_h,pga_v,pgv,arias,cav,d5_75,d5_95,notes"
+    );
+    assert_eq!(table.lines().count(), 8);
+    let json: serde_json::Value =
+        serde_json::from_slice(&fs::read(out.path().join("run.json")).unwrap()).unwrap();
+    assert_eq!((&json["kind"], &json["motions"]), (&"suite".into(), &3.into()));
+    let sha = json["records"]["RSN1_QUAKE_TWN000"]["horizontal"]["sha256"].as_str().unwrap();
+    assert_eq!(sha.len(), 64);
+
+    let made = out.path().join("made");
+    for (arguments, said) in [
+        (
+            vec![path.as_str(), "--strict"],
+            "4 of 7 motions are left out, the first RSN3_QUAKE_VIL000",
+        ),
+        (vec!["/no/such/folder"], "give a folder, a zip or a list"),
+        (vec![out.path().to_str().unwrap()], "no file of a record is there"),
+    ] {
+        let run = suite(&arguments, &made).code(2);
+        let line = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(line.contains(said) && line.lines().count() == 1, "{line}");
+        assert!(!made.exists());
+    }
+}
