@@ -7,6 +7,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use topple::map::earlier::{Kind, RUN};
 use topple::results::{npz, zarr};
+use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
 use topple::sweep::settings::Method;
@@ -102,7 +103,7 @@ impl Written {
             self.scene.numbers = numbers;
         }
         let record = match (&self.record, self.scene.excitation.record()) {
-            (Some(record), _) => Some(record.find(&[folder, Path::new("")])?),
+            (Some(record), _) => Some(RecordText::found(record, &[folder, Path::new("")])?),
             (None, Some(_)) => {
                 let problem = "it does not say where its record lies; give that to topple seismic";
                 return Err(problem.into());

@@ -17,7 +17,7 @@ use topple::sweep::settings::Method;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
-use super::scene::save;
+use super::save::save;
 use super::words::{self, Say};
 use super::{InputError, examples};
 

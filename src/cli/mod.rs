@@ -24,6 +24,7 @@ mod progress;
 mod pulse;
 mod ratios;
 mod run;
+mod save;
 mod scene;
 mod seismic;
 mod suite;

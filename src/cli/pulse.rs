@@ -4,7 +4,7 @@ use topple::scene::builder::SceneBuilder;
 
 use super::numbers::PulseFlags;
 use super::options::{CommonFlags, MapOptions, flag_error};
-use super::scene::save;
+use super::save::save;
 use super::{examples, run};
 
 /// Map the outcomes of pulses over any of their numbers, for example (omega, a_h).

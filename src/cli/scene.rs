@@ -1,17 +1,15 @@
-//! `topple run`, and `topple` alone; scenes written as files.
+//! `topple run`, and `topple` alone.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use topple::map::earlier::Kind;
-use topple::results::files::Directory;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::record::read::format_of;
 
 use super::again::{self, Again};
 use super::options::MapOptions;
-use super::words::{Say, with_keys};
+use super::words::with_keys;
 use super::{InputError, examples, history, run};
 
 /// The scene that `topple` alone runs.
@@ -76,32 +74,6 @@ pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
     let text = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
     let scene = text.check().context("the default scene")?;
     run::run_map(&scene, options)
-}
-
-/// Writes what flags say of a scene as a file that `topple run` takes. Paths of a record are absolute there, for
-/// a file's are looked for from its own folder.
-///
-/// # Errors
-/// Those of the disk.
-pub fn save(path: &Path, mut scene: SceneBuilder) -> anyhow::Result<()> {
-    if let Some(record) = &mut scene.record {
-        for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
-            *file = std::path::absolute(&*file)?;
-        }
-    }
-    let refused =
-        |reason: String| InputError(format!("--save-scene: {}: {reason}", path.display()));
-    let text = scene.to_toml().map_err(refused)?;
-    let name = path.file_name().and_then(|name| name.to_str());
-    let name =
-        name.ok_or_else(|| refused("no name of a file; give one, such as scene.toml".into()))?;
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = Directory::open(folder.unwrap_or(Path::new(".")));
-    let folder = folder.map_err(|error| refused(error.to_string()))?;
-    folder.write(name, |w| w.write_all(text.as_bytes()))?;
-    let path = path.display();
-    Say::unless(false).line("scene", format!("{path}; topple run {path} runs it"));
-    Ok(())
 }
 
 /// Reads a scene's file.

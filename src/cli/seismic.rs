@@ -12,7 +12,7 @@ use topple::scene::record::synthetic;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
 use super::output;
-use super::scene::save;
+use super::save::save;
 use super::{examples, run};
 
 /// Map the response to a ground-motion record over (T_h, T_v).

@@ -63,6 +63,22 @@ pub struct RecordText {
     pub units: Option<Units>,
 }
 
+impl RecordText {
+    /// The files that a record came from, where they lie now: where they lay, or by their names in one of some
+    /// folders.
+    ///
+    /// # Errors
+    /// A file that is not there, or has changed, and what to do.
+    pub fn found(record: &Provenance, folders: &[&Path]) -> Result<RecordText, String> {
+        Ok(RecordText {
+            horizontal: Some(record.horizontal.find(folders)?),
+            vertical: record.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
+            dt: record.dt,
+            units: record.units,
+        })
+    }
+}
+
 /// Checks that a pulse has its numbers, and no other's.
 pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), SceneError> {
     if ![Parameter::Omega, Parameter::AH].iter().any(|parameter| numbers.has(*parameter)) {

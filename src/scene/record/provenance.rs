@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::Units;
-use crate::scene::excitation::RecordText;
 
 /// The files of a record.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -48,20 +47,6 @@ pub fn sha256(bytes: &[u8]) -> String {
 }
 
 impl Provenance {
-    /// The record's files as a scene gives them, where they lie now: where they lay, or by their names in one of
-    /// some folders.
-    ///
-    /// # Errors
-    /// A file that is not there, or has changed, and what to do.
-    pub fn find(&self, folders: &[&Path]) -> Result<RecordText, String> {
-        Ok(RecordText {
-            horizontal: Some(self.horizontal.find(folders)?),
-            vertical: self.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
-            dt: self.dt,
-            units: self.units,
-        })
-    }
-
     /// The same with the names of the files in the place of their paths, which differ from machine to machine.
     pub fn without_folders(&self) -> Provenance {
         let bare = |file: &RecordFile| RecordFile {
@@ -81,7 +66,7 @@ impl RecordFile {
     ///
     /// # Errors
     /// What is there in its place, and what to do.
-    fn find(&self, folders: &[&Path]) -> Result<PathBuf, String> {
+    pub fn find(&self, folders: &[&Path]) -> Result<PathBuf, String> {
         let name = self.path.file_name().unwrap_or_default();
         let places = folders.iter().map(|folder| folder.join(name));
         let mut changed = None;

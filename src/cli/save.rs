@@ -1,0 +1,36 @@
+//! `--save-scene`: what flags say, as a scene's file.
+
+use std::io::Write;
+use std::path::Path;
+
+use topple::results::files::Directory;
+use topple::scene::builder::SceneBuilder;
+
+use super::InputError;
+use super::words::Say;
+
+/// Writes what flags say of a scene as a file that `topple run` takes. Paths of a record are absolute there, for
+/// a file's are looked for from its own folder.
+///
+/// # Errors
+/// Those of the disk.
+pub fn save(path: &Path, mut scene: SceneBuilder) -> anyhow::Result<()> {
+    if let Some(record) = &mut scene.record {
+        for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
+            *file = std::path::absolute(&*file)?;
+        }
+    }
+    let refused =
+        |reason: String| InputError(format!("--save-scene: {}: {reason}", path.display()));
+    let text = scene.to_toml().map_err(refused)?;
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name =
+        name.ok_or_else(|| refused("no name of a file; give one, such as scene.toml".into()))?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = Directory::open(folder.unwrap_or(Path::new(".")));
+    let folder = folder.map_err(|error| refused(error.to_string()))?;
+    folder.write(name, |w| w.write_all(text.as_bytes()))?;
+    let path = path.display();
+    Say::unless(false).line("scene", format!("{path}; topple run {path} runs it"));
+    Ok(())
+}
