@@ -44,8 +44,14 @@ fn all(packed: impl Read, kind: &str) -> Result<Vec<u8>, RecordError> {
 fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
     let damaged = |e| RecordError::whole(format!("a damaged zip file ({e}); download it again"));
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
-    let names: Vec<String> =
-        archive.file_names().filter(|name| !name.ends_with('/')).map(String::from).collect();
+    let mut names = Vec::new();
+    for name in archive.file_names() {
+        let name = name.map_err(damaged)?;
+        // A Mac packs what it knows of a file beside it.
+        if !name.ends_with('/') && !name.starts_with("__MACOSX/") {
+            names.push(name.into_owned());
+        }
+    }
     let [name] = &names[..] else {
         let mut first: Vec<String> = names.iter().take(3).map(|name| printable(name)).collect();
         if names.len() > first.len() {
