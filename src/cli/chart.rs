@@ -10,7 +10,7 @@ use topple::chart::table::{self, Row};
 use topple::chart::trial::{self, Method, Trial};
 use topple::chart::truth::{self, Solution};
 use topple::chart::{figure, peers};
-use topple::map::figure::document;
+use topple::drawing::render;
 use topple::model::precision::Precision;
 use topple::scene::excitation::RecordText;
 use topple::sweep::gpu::adapter;
@@ -20,7 +20,7 @@ use topple::sweep::report::threads;
 
 use super::InputError;
 use super::options::flag_error;
-use super::output::{self, PNG_SCALE, write_figure};
+use super::output::{self, write_figure};
 use super::print::print_line;
 use super::progress::Bar;
 use super::seismic::write_synthetic;
@@ -84,7 +84,7 @@ impl ChartCommand {
             let of_bench: Vec<Row> =
                 rows.iter().filter(|row| row.bench == bench.name).cloned().collect();
             let svg = figure::draw(&bench.title, &of_bench)?;
-            write_figure(&out, bench.name, &svg, &document::render(&svg, PNG_SCALE)?)?;
+            write_figure(&out, bench.name, &svg, &render::png(&svg)?)?;
         }
         self.say(format!("done       in {:.0} s", began.elapsed().as_secs_f64()));
         self.say(format!("pictures   {}", out.file("pulse.png").display()));
