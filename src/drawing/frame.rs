@@ -14,8 +14,10 @@ pub const BELOW: f64 = 21.0;
 /// Length of a tick, and of a small one.
 const TICK: f64 = 2.5;
 const SMALL: f64 = 1.5;
-/// From a plot's left edge to the foot of the name.
-const NAME: f64 = 23.0;
+/// From a plot's left edge to the foot of the name: at least, and at most where numbers are wide.
+const NAME: (f64, f64) = (20.0, 27.5);
+/// From the numbers to the name.
+const BESIDE: f64 = 3.0;
 /// Width of a frame's lines.
 pub const LINE: f64 = 0.5;
 /// Least distance of two numbers, over the size of their letters.
@@ -136,8 +138,10 @@ impl Frame {
             let named = ticks.iter().filter(|tick| !tick.text.is_empty());
             let mut feet: Vec<f64> = named.clone().map(|tick| self.y_at(tick.at)).collect();
             feet.sort_by(f64::total_cmp);
-            feet.windows(2).all(|pair| pair[1] - pair[0] >= 1.5 * LEADING * FONT)
-                && named.into_iter().all(|tick| width(&tick.text, FONT) <= NAME - TICK - 3.0)
+            feet.windows(2).all(|pair| pair[1] - pair[0] >= 1.3 * LEADING * FONT)
+                && named
+                    .into_iter()
+                    .all(|tick| width(&tick.text, FONT) <= NAME.1 - TICK - 1.5 - BESIDE)
         })
     }
 
@@ -174,9 +178,11 @@ impl Frame {
             let middle = self.place.x + 0.5 * self.place.width;
             canvas.text((middle, bottom + BELOW - 3.0), style(FONT).middle(), &self.x.name);
         }
+        let mut widest = 0.0_f64;
         if !self.y.name.is_empty() {
             for tick in self.y_ticks() {
                 let at = self.y_at(tick.at);
+                widest = widest.max(width(&tick.text, FONT));
                 canvas.line([(x - length(&tick), at), (x, at)], line);
                 if written.y {
                     let foot = (x - TICK - 1.5, at + MIDDLE * FONT);
@@ -188,7 +194,8 @@ impl Frame {
             let middle = self.place.y + 0.5 * height;
             let lines = text::wrapped(&self.y.name, FONT, 1.4 * height.max(FONT));
             for (k, part) in lines.iter().rev().enumerate() {
-                let foot = (x - NAME - LEADING * FONT * k as f64, middle);
+                let name = (widest + TICK + 1.5 + BESIDE).clamp(NAME.0, NAME.1);
+                let foot = (x - name - LEADING * FONT * k as f64, middle);
                 canvas.text(foot, style(FONT).middle().upwards(), part);
             }
         }

@@ -106,7 +106,7 @@ impl Kind {
             Kind::DirectRight => "0 impacts, right corner".into(),
             Kind::Impacts(1) => "1 impact".into(),
             Kind::Impacts(n) => format!("{n} impacts"),
-            Kind::More => format!("{OPEN} impacts or more, or rested"),
+            Kind::More => format!("{OPEN} or more, or rested"),
             Kind::Unresolved => "unresolved".into(),
         }
     }

@@ -13,7 +13,7 @@ pub const WIDTH: f64 = 0.45;
 /// Distance of the dots over the cells that overturn about the right corner, and their radius.
 pub const DOTS: f64 = 3.0;
 /// See [`DOTS`].
-pub const DOT: f64 = 0.5;
+pub const DOT: f64 = 0.42;
 /// Radius of the ring around a region that is too small to be seen.
 pub const RING: f64 = 2.6;
 

@@ -179,7 +179,7 @@ mod tests {
         let up = texts(&Scale::Linear, (0.2, 15.0), 8);
         assert_eq!(up, ["2", "4", "6", "8", "10", "12", "14"]);
         assert_eq!(texts(&Scale::Linear, (15.0, 0.2), 8), up);
-        assert_eq!(texts(&Scale::Linear, (-0.004, 0.0061), 3), ["0.000", "0.005"]);
+        assert_eq!(texts(&Scale::Linear, (-0.004, 0.0061), 3), ["0", "0.005"]);
         assert_eq!(texts(&Scale::Linear, (1.0e6, 3.0e6), 3), ["1·10^{6}", "2·10^{6}", "3·10^{6}"]);
     }
 

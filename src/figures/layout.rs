@@ -4,14 +4,17 @@ use super::Panel;
 use super::letter;
 use crate::drawing::canvas::write;
 use crate::drawing::canvas::{Canvas, Place};
+use crate::drawing::caption::listed;
 use crate::drawing::frame::{BELOW, LEFT, Written};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{FONT, LEADING, MARGIN, PAGE};
 
 /// Space between panels that share an axis.
-const GAP: f64 = 9.0;
+const GAP: f64 = 12.0;
 /// From the number of an axis to the panel below it.
 const APART: f64 = 4.0;
+/// How far a number may reach beyond its panel: the last one of an axis and the first of the next stay apart.
+const BEYOND: f64 = 1.0;
 /// Room right of the last panel, for the end of a number.
 const RIGHT: f64 = 6.0;
 /// Side of a panel at most.
@@ -72,7 +75,7 @@ impl Panels {
                 has_numbers |= x_axis;
                 plots.push(Plot {
                     place: Place { x, y: top + above + 1.5, width: self.side, height: self.side },
-                    written: Written { y, x: x_axis, beyond: 0.4 * GAP },
+                    written: Written { y, x: x_axis, beyond: BEYOND },
                 });
             }
             top += above + 1.5 + self.side + if has_numbers { BELOW } else { 0.0 } + APART;
@@ -90,9 +93,10 @@ impl Panels {
 
 /// What stands above a panel: its letter, and what sets it apart.
 pub fn title(panel: &Panel, index: usize, own: &[String]) -> String {
-    let mut parts: Vec<&str> = Vec::new();
-    parts.extend(panel.label.as_deref());
-    parts.extend(panel.motion.as_deref());
-    parts.extend(own.iter().map(String::as_str));
+    let mut parts: Vec<String> = Vec::new();
+    parts.extend(panel.label.clone());
+    parts.extend(panel.motion.clone());
+    // No line ends within a parameter.
+    parts.extend((!own.is_empty()).then(|| listed(own)));
     format!("({}) {}", letter(index), parts.join(", "))
 }

@@ -66,9 +66,8 @@ impl Shown {
         let steps: Vec<String> = scales
             .iter()
             .map(|(label, step)| {
-                let symbol = label.split([' ', '[']).next().unwrap_or_default();
-                let name = if scales.len() == 1 { String::new() } else { format!(" of {symbol}") };
-                format!("{}{name}", rounded(*step, 10.0 * step))
+                let unit = label.split_once('[').map_or("", |(_, unit)| unit.trim_end_matches(']'));
+                format!("{} {unit}", rounded(*step, 10.0 * step)).trim_end().to_string()
             })
             .collect();
         let crossed = self.overlay.crossed;
@@ -78,7 +77,10 @@ impl Shown {
             (self.contact, entry(Swatch::Line(CONTACT), "around full contact")),
             (
                 self.levels,
-                entry(Swatch::Line(LEVEL), format!("equal values, every {}", steps.join(", "))),
+                entry(
+                    Swatch::Line(LEVEL),
+                    format!("equal values, every {}", steps.join(", and every ")),
+                ),
             ),
             (crossed, entry(Swatch::Crossed, "unresolved")),
         ];
@@ -128,7 +130,10 @@ pub fn beside(map: &Map, fields: &[&Field], title: &str) -> Result<String, Figur
         let frame = frame(place, &map.grid);
         shown = shown.with(paint(&mut canvas, map, field, &greys, &frame)?);
         let first = k == 0;
-        frame.draw(&mut canvas, Written { y: first, x: true, beyond: 0.5 * APART });
+        frame.draw(
+            &mut canvas,
+            Written { y: first, x: true, beyond: if fields.len() > 1 { 1.5 } else { 6.0 } },
+        );
         let bar = (place.x, place.bottom() + BELOW + GAP);
         end = greys.draw(&mut canvas, bar, side, field.label)?;
         scales.push((field.label, greys.step()));
@@ -189,7 +194,7 @@ pub fn paint(
             line(&points, CONTACT);
             shown.contact = true;
         }
-        let mut labels = Labels::new(map, frame);
+        let mut labels = Labels::new(map, frame, &rings);
         for (level, lines) in values.iter().zip(&lines) {
             let lines: Vec<_> = lines.iter().filter(|line| line.len() >= SPECK).cloned().collect();
             labels.draw(canvas, &lines, &rounded(*level, greys.width()));

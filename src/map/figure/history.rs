@@ -12,7 +12,7 @@ use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
 use crate::scene::{Case, Excitation, Scene, Shaking};
-use crate::stepping::outcome::Outcome;
+use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::pulse::Pulse;
 use crate::sweep::history::Row;
 
@@ -68,11 +68,18 @@ fn told(outcome: &Outcome) -> String {
         1 => "1 impact".to_string(),
         count => format!("{count} impacts"),
     };
-    let name = outcome.class.name().replace('_', " ");
-    if outcome.class.overturned() {
-        return format!("{name} at {:.3} s after {impacts}", outcome.t_end);
+    match outcome.class {
+        Class::OverturnedLeft | Class::OverturnedRight => {
+            let corner = if outcome.class == Class::OverturnedLeft { "left" } else { "right" };
+            format!(
+                "Overturned about the {corner} corner at {:.3} s, after {impacts}",
+                outcome.t_end
+            )
+        }
+        Class::FullContact => "Full contact throughout".into(),
+        Class::Rocking => format!("Rocking, stable: {impacts}, ζ = {:.4}", outcome.zeta),
+        Class::Unresolved => "Unresolved".into(),
     }
-    format!("{name}, {impacts}, ζ = {:.4}", outcome.zeta)
 }
 
 /// Draws the motion as SVG.

@@ -8,8 +8,9 @@ use crate::stepping::outcome::Outcome;
 /// A region of this many points a side, or larger, is seen.
 const SEEN: f64 = 1.6;
 
-/// The middles of the regions that are too small to be seen at a place and lie within one other region; of
-/// those whose rings would overlap the first. `kind` tells what a region is one of.
+/// The middles of the regions that are too small to be seen at a place: those that lie within one other
+/// region, and one of each kind of which nothing else is seen. Of those whose rings would overlap it is the
+/// first. `kind` tells what a region is one of.
 pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) -> K) -> Vec<Point> {
     let (columns, rows) = map.grid.shape();
     if columns < 2 || rows < 2 {
@@ -28,6 +29,11 @@ pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) ->
         left.flat_map(move |a| (j.saturating_sub(1)..=(j + 1).min(rows - 1)).map(move |b| (a, b)))
     };
     let mut found: Vec<Point> = Vec::new();
+    let apart = |found: &[Point], (x, y): Point| {
+        found.iter().all(|(a, b)| (a - x).hypot(b - y) > 2.0 * RING)
+    };
+    // Kinds that are seen, and regions that are not.
+    let (mut seen, mut unseen): (Vec<&K>, Vec<(&K, Point)>) = (Vec::new(), Vec::new());
     for j in 0..rows {
         for i in 0..columns {
             // A region is met at its first cell; others have one of theirs before them.
@@ -35,14 +41,30 @@ pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) ->
             if before {
                 continue;
             }
-            let Some((low, high_end)) = small((i, j), (across, up), &around, &at) else { continue };
+            let own = at((i, j));
+            let Some((low, last, within_one)) = small((i, j), (across, up), &around, &at) else {
+                if !seen.contains(&own) {
+                    seen.push(own);
+                }
+                continue;
+            };
             let middle = |low: usize, end: usize, size: f64| 0.5 * (low + end + 1) as f64 * size;
-            let x = place.x + middle(low.0, high_end.0, wide);
-            let y = place.bottom() - middle(low.1, high_end.1, high);
-            let apart = |(a, b): &Point| (a - x).hypot(b - y) > 2.0 * RING;
-            if found.iter().all(apart) {
+            let x = place.x + middle(low.0, last.0, wide);
+            let y = place.bottom() - middle(low.1, last.1, high);
+            if within_one && apart(&found, (x, y)) {
                 found.push((x, y));
+                if !seen.contains(&own) {
+                    seen.push(own);
+                }
+            } else {
+                unseen.push((own, (x, y)));
             }
+        }
+    }
+    for (own, place) in unseen {
+        if !seen.contains(&own) {
+            seen.push(own);
+            found.push(place);
         }
     }
     found
@@ -51,16 +73,18 @@ pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) ->
 /// A cell's column and row.
 type Cell = (usize, usize);
 
-/// The lowest and the highest corner of the region of a cell, where it is small and lies within one other.
+/// The lowest and the highest corner of the region of a cell, where it is small, and whether it lies within one
+/// other.
 fn small<'a, K: PartialEq + 'a, N: Iterator<Item = Cell>>(
     first: Cell,
     (across, up): (usize, usize),
     around: &impl Fn(Cell) -> N,
     at: &impl Fn(Cell) -> &'a K,
-) -> Option<(Cell, Cell)> {
+) -> Option<(Cell, Cell, bool)> {
     let mut cells = vec![first];
     let (mut low, mut high) = (first, first);
     let mut outside: Option<&K> = None;
+    let mut within_one = true;
     let mut next = 0;
     while let Some(&cell) = cells.get(next) {
         next += 1;
@@ -68,9 +92,7 @@ fn small<'a, K: PartialEq + 'a, N: Iterator<Item = Cell>>(
             let kind = at(beside);
             if kind != at(first) {
                 // Beside two others it is a part of their boundary.
-                if outside.is_some_and(|known| known != kind) {
-                    return None;
-                }
+                within_one &= outside.is_none_or(|known| known == kind);
                 outside = Some(kind);
             } else if !cells.contains(&beside) {
                 low = (low.0.min(beside.0), low.1.min(beside.1));
@@ -82,5 +104,5 @@ fn small<'a, K: PartialEq + 'a, N: Iterator<Item = Cell>>(
             }
         }
     }
-    outside.map(|_| (low, high))
+    Some((low, high, within_one))
 }

@@ -7,12 +7,14 @@ use crate::drawing::FONT;
 use crate::drawing::canvas::{Canvas, Place, Point};
 use crate::drawing::colour::WHITE;
 use crate::drawing::frame::Frame;
+use crate::drawing::swatch::RING;
 use crate::drawing::text::{MIDDLE, style, width};
 
 /// Values written on their lines: none on top of another, none over a boundary of overturning.
 pub struct Labels<'a> {
     map: &'a Map<'a>,
     frame: &'a Frame,
+    /// Places that are taken.
     placed: Vec<Place>,
 }
 
@@ -26,9 +28,15 @@ const TRIED: usize = 8;
 const PLACES: usize = 24;
 
 impl<'a> Labels<'a> {
-    /// None placed yet.
-    pub fn new(map: &'a Map<'a>, frame: &'a Frame) -> Labels<'a> {
-        Labels { map, frame, placed: Vec::new() }
+    /// None placed yet; rings are not written on.
+    pub fn new(map: &'a Map<'a>, frame: &'a Frame, rings: &[Point]) -> Labels<'a> {
+        let around = |(x, y): &Point| Place {
+            x: x - RING,
+            y: y - RING,
+            width: 2.0 * RING,
+            height: 2.0 * RING,
+        };
+        Labels { map, frame, placed: rings.iter().map(around).collect() }
     }
 
     /// Writes a value on the longest of its lines that has room for it, as near to the middle as there is.
