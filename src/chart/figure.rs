@@ -238,7 +238,7 @@ fn draw_legend(canvas: &mut Canvas, rows: &[Row], lines: &[Line], top: f64) -> f
         let named = [("switch times", time as fn(&Row) -> Option<f64>), ("ζ", zeta)];
         let fits: Vec<String> = named
             .into_iter()
-            .filter_map(|(name, value)| Some(format!("{name} {}", fitted(line, value)?)))
+            .filter_map(|(name, value)| Some(format!("{name}\u{a0}{}", fitted(line, value)?)))
             .collect();
         let colon = if fits.is_empty() { "" } else { ": " };
         let label = format!("{}{colon}{}", line.name, fits.join(", "));

@@ -57,7 +57,7 @@ pub const MIDDLE: f64 = 0.35;
 
 /// Symbols with an index: those of the parameters, and of what is not one.
 static SYMBOLS: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
-    let others = ["ω_v", "ü_g", "v_g", "ω_h"];
+    let others = ["ω_v", "ω_h", "ü_g", "v\u{308}_g"];
     let all = PARAMETERS.iter().map(|entry| entry.symbol).chain(others);
     all.filter_map(|symbol| symbol.split_once('_')).collect()
 });

@@ -20,7 +20,7 @@ const HOLD: u16 = 200;
 /// Width of a cell's column, points.
 const COLUMN: f64 = 120.0;
 /// Height of the figure.
-const HEIGHT: f64 = 226.0;
+const HEIGHT: f64 = 225.6;
 /// Where the ground is.
 const GROUND: f64 = 154.0;
 /// Points of a metre.

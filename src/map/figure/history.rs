@@ -100,7 +100,7 @@ pub fn draw(
     let [horizontal, vertical] = ground(scene, case, rows, end);
     let mut strips = vec![Strip { name: "ü_g [m/s²]", points: horizontal }];
     if vertical.iter().any(|(_, a)| *a != 0.0) {
-        strips.push(Strip { name: "v̈_g [m/s²]", points: vertical });
+        strips.push(Strip { name: "v\u{308}_g [m/s²]", points: vertical });
     }
     let rocking = strips.len();
     strips.extend(COORDINATES.map(|(name, value)| {

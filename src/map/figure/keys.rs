@@ -62,7 +62,7 @@ pub fn overlay(maps: &[&Map], overlay: Overlay) -> Vec<Entry> {
 
 /// What the ring around a small region says.
 pub fn ring() -> Entry {
-    entry(Swatch::Ring, "around a region too small to be seen")
+    entry(Swatch::Ring, "around a region too small to see")
 }
 
 /// Where the vertical direction was locked.

@@ -22,6 +22,8 @@ pub struct Labels<'a> {
 const EDGE: f64 = 0.8;
 /// A line is labelled where it is this long at least, over the width of the number.
 const LONG: f64 = 1.6;
+/// A second line of a level is labelled where it is this long at least, over the width of the plot.
+const ANOTHER: f64 = 0.4;
 /// Lines of a level that are tried, the longest first.
 const TRIED: usize = 8;
 /// Places along a line that are tried.
@@ -39,7 +41,8 @@ impl<'a> Labels<'a> {
         Labels { map, frame, placed: rings.iter().map(around).collect() }
     }
 
-    /// Writes a value on the longest of its lines that has room for it, as near to the middle as there is.
+    /// Writes a value on its longest line that has room for it, and on other long ones, as near to the middle
+    /// of each as there is room.
     pub fn draw(&mut self, canvas: &mut Canvas, lines: &[Line], value: &str) {
         let size = (width(value, FONT) + 2.0 * EDGE, FONT + 2.0 * EDGE - 1.0);
         let mut drawn: Vec<Vec<Point>> = lines
@@ -47,23 +50,41 @@ impl<'a> Labels<'a> {
             .map(|line| line.iter().map(|point| self.frame.at(*point)).collect())
             .collect();
         drawn.sort_by(|a, b| length(b).total_cmp(&length(a)));
-        let long = drawn.iter().filter(|line| length(line) > LONG * size.0).take(TRIED);
-        let places = long.flat_map(|line| {
-            let middle = line.len() / 2;
-            let step = (middle / PLACES).max(1);
-            (0..middle).step_by(step).flat_map(move |k| [line[middle - k], line[middle + k]])
-        });
+        let mut written = false;
+        for line in drawn.iter().take(TRIED) {
+            let least = if written { ANOTHER * self.frame.place.width } else { LONG * size.0 };
+            if length(line) < least {
+                break;
+            }
+            written |= self.label(canvas, line, size, value);
+        }
+    }
+
+    /// Writes a value on a line; true where there was room.
+    fn label(
+        &mut self,
+        canvas: &mut Canvas,
+        line: &[Point],
+        size: (f64, f64),
+        value: &str,
+    ) -> bool {
+        let middle = line.len() / 2;
+        let step = (middle / PLACES).max(1);
+        let places = (0..middle).step_by(step).flat_map(|k| [line[middle - k], line[middle + k]]);
         let around = |(x, y): Point| Place {
             x: x - 0.5 * size.0,
             y: y - 0.5 * size.1,
             width: size.0,
             height: size.1,
         };
-        let Some(place) = places.map(around).find(|place| self.is_free(place)) else { return };
+        let Some(place) = places.map(around).find(|place| self.is_free(place)) else {
+            return false;
+        };
         canvas.fill_through(place, WHITE, 0.85);
         let middle = (place.x + 0.5 * place.width, place.y + 0.5 * place.height + MIDDLE * FONT);
         canvas.text(middle, style(FONT).middle(), value);
         self.placed.push(place);
+        true
     }
 
     fn is_free(&self, place: &Place) -> bool {
