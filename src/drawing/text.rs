@@ -62,10 +62,16 @@ static SYMBOLS: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
     all.filter_map(|symbol| symbol.split_once('_')).collect()
 });
 
+/// Two dots above the letter before, and the same as a letter.
+const DOTS: char = '\u{308}';
+const DIAERESIS: char = '¨';
+
 /// A piece of a text.
 enum Piece<'a> {
     /// On the line.
     Plain(char),
+    /// With two dots, the sign of a second derivative, which the font has for a u but not for a v.
+    Dotted(char),
     /// Below it.
     Index(&'a str),
     /// Above it.
@@ -92,7 +98,10 @@ fn pieces(text: &str) -> Vec<Piece<'_>> {
             (begins && ends).then_some((*letter, *index, after))
         });
         if let Some((letter, index, after)) = symbol {
-            pieces.extend(letter.chars().map(Piece::Plain));
+            match letter.strip_suffix(DOTS).and_then(|plain| plain.chars().next()) {
+                Some(plain) => pieces.push(Piece::Dotted(plain)),
+                None => pieces.extend(letter.chars().map(Piece::Plain)),
+            }
             pieces.push(Piece::Index(index));
             (rest, before) = (after, 'x');
             continue;
@@ -133,6 +142,12 @@ pub fn marked_up(text: &str, size: f64) -> String {
                 push_escaped(&mut marked, character);
                 continue;
             }
+            Piece::Dotted(character) => {
+                push_escaped(&mut marked, character);
+                let back = 0.5 * size * (font::advance(character) + font::advance(DIAERESIS));
+                marked.push_str(&format!("<tspan dx=\"-{back:.2}\">{DIAERESIS}</tspan>"));
+                continue;
+            }
             Piece::Index(index) => ("sub", index),
             Piece::Power(power) => ("super", power),
         };
@@ -148,7 +163,7 @@ pub fn marked_up(text: &str, size: f64) -> String {
 pub fn width(text: &str, size: f64) -> f64 {
     let of = |text: &str, size: f64| size * text.chars().map(font::advance).sum::<f64>();
     let piece = |piece: &Piece| match piece {
-        Piece::Plain(character) => size * font::advance(*character),
+        Piece::Plain(character) | Piece::Dotted(character) => size * font::advance(*character),
         Piece::Index(text) | Piece::Power(text) => of(text, index_size(size)),
     };
     pieces(text).iter().map(piece).sum()

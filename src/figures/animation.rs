@@ -90,10 +90,20 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     let mut encoder =
         gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| failed(e.to_string()))?;
     encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| failed(e.to_string()))?;
+    let mut before: Option<Vec<u8>> = None;
     for k in 0..=frames {
         // The paper is white and opaque: no pixel's colour is scaled by its opacity.
         let mut rgba = render::frame(&still(title, cells, f64::from(k) / RATE))?.take();
+        let whole = rgba.clone();
+        // A pixel that is as it was stays: it is transparent.
+        for (pixel, old) in rgba.chunks_exact_mut(4).zip(before.iter().flat_map(|b| b.chunks(4))) {
+            if pixel == old {
+                pixel.fill(0);
+            }
+        }
+        before = Some(whole);
         let mut frame = gif::Frame::from_rgba_speed(width, height, &mut rgba, 10);
+        frame.dispose = gif::DisposalMethod::Keep;
         frame.delay = if k == frames { HOLD } else { (100.0 / RATE) as u16 };
         encoder.write_frame(&frame).map_err(|e| failed(e.to_string()))?;
     }

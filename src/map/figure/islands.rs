@@ -1,5 +1,7 @@
 //! Regions of a map that are too small to be seen in print.
 
+use std::collections::HashMap;
+
 use super::super::Map;
 use crate::drawing::canvas::{Place, Point};
 use crate::drawing::swatch::RING;
@@ -8,9 +10,13 @@ use crate::stepping::outcome::Outcome;
 /// A region of this many points a side, or larger, is seen.
 const SEEN: f64 = 1.6;
 
+/// More small regions than this, in a square of three times `NEAR`, are a crowd.
+const CROWD: usize = 6;
+const NEAR: f64 = 3.0 * RING;
+
 /// The middles of the regions that are too small to be seen at a place: those that lie within one other
-/// region, and one of each kind of which nothing else is seen. Of those whose rings would overlap it is the
-/// first. `kind` tells what a region is one of.
+/// region and no crowd, and one of each kind of which nothing else is seen. Of those whose rings would overlap it
+/// is the first. `kind` tells what a region is one of.
 pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) -> K) -> Vec<Point> {
     let (columns, rows) = map.grid.shape();
     if columns < 2 || rows < 2 {
@@ -32,6 +38,9 @@ pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) ->
     let apart = |found: &[Point], (x, y): Point| {
         found.iter().all(|(a, b)| (a - x).hypot(b - y) > 2.0 * RING)
     };
+    let bucket = |(x, y): Point| ((x / NEAR).floor() as i64, (y / NEAR).floor() as i64);
+    let mut crowd: HashMap<(i64, i64), usize> = HashMap::new();
+    let mut within: Vec<(&K, Point)> = Vec::new();
     // Kinds that are seen, and regions that are not.
     let (mut seen, mut unseen): (Vec<&K>, Vec<(&K, Point)>) = (Vec::new(), Vec::new());
     for j in 0..rows {
@@ -51,14 +60,26 @@ pub fn islands<K: PartialEq>(map: &Map, place: Place, kind: impl Fn(&Outcome) ->
             let middle = |low: usize, end: usize, size: f64| 0.5 * (low + end + 1) as f64 * size;
             let x = place.x + middle(low.0, last.0, wide);
             let y = place.bottom() - middle(low.1, last.1, high);
-            if within_one && apart(&found, (x, y)) {
-                found.push((x, y));
-                if !seen.contains(&own) {
-                    seen.push(own);
-                }
+            if within_one {
+                *crowd.entry(bucket((x, y))).or_default() += 1;
+                within.push((own, (x, y)));
             } else {
                 unseen.push((own, (x, y)));
             }
+        }
+    }
+    for (own, place) in within {
+        // Where there are many the ground is seen to be speckled, and rings would hide it.
+        let (a, b) = bucket(place);
+        let near = (a - 1..=a + 1).flat_map(|a| (b - 1..=b + 1).map(move |b| (a, b)));
+        let many = near.filter_map(|beside| crowd.get(&beside)).sum::<usize>() > CROWD;
+        if many || !apart(&found, place) {
+            unseen.push((own, place));
+            continue;
+        }
+        found.push(place);
+        if !seen.contains(&own) {
+            seen.push(own);
         }
     }
     for (own, place) in unseen {
