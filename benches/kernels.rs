@@ -8,8 +8,9 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use topple::drawing::render;
 use topple::map::Map;
-use topple::map::figure::{document, overturning};
+use topple::map::figure::overturning;
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, pivot};
 use topple::model::precision::Precision;
@@ -104,7 +105,7 @@ fn writers(c: &mut Criterion) {
     c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
     let svg = overturning::draw(&map, "").unwrap();
     c.bench_function("writer, png of the svg", |b| {
-        b.iter(|| document::render(&svg, 2.0).unwrap());
+        b.iter(|| render::png(&svg).unwrap());
     });
 }
 

@@ -52,6 +52,9 @@
 pub mod chart;
 #[cfg(feature = "pictures")]
 #[doc(hidden)]
+pub mod drawing;
+#[cfg(feature = "pictures")]
+#[doc(hidden)]
 pub mod figures;
 #[cfg(feature = "pictures")]
 #[doc(hidden)]

@@ -49,7 +49,7 @@ static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
 /// A cell by the sweep and by the reference; where it lies is not asked.
 fn both(cell: usize, outcome: Outcome, reference: Outcome) -> verification::Judged {
     let chosen = Chosen { cell, beside_boundary: false, outcome };
-    verification::Judged { chosen, reference }
+    verification::Judged { chosen, reference, sensitive: false }
 }
 
 /// Median error of zeta that a map may have over its rocking cells. Seen: 2e-6 in f32 (rounding),

@@ -60,7 +60,7 @@ fn features_leave_their_dependencies_out() {
     };
     let (cli, gpu) =
         (["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"], ["naga", "pollster", "wgpu"]);
-    let pictures = ["contour", "gif", "plotters", "png", "resvg", "textwrap", "tiny-skia"];
+    let pictures = ["contour", "gif", "png", "resvg", "skrifa", "tiny-skia"];
     let holds = |tree: &[String], names: &[&str]| -> usize {
         names.iter().filter(|name| tree.iter().any(|known| known == *name)).count()
     };

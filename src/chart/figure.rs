@@ -1,20 +1,30 @@
 //! The chart of a bench: errors against the time that they cost.
 
-use plotters::coord::combinators::LogCoord;
-use plotters::prelude::*;
+use std::ops::Range;
 
 use super::fit::slope;
 use super::table::Row;
-use crate::map::figure::FigureError;
-use crate::map::figure::document::{FINE, compose};
-use crate::map::figure::frame::{Area, Drawn, area, at, stroke, text};
+use crate::drawing::canvas::write;
+use crate::drawing::canvas::{Canvas, Place, stroke};
+use crate::drawing::caption::bounded;
+use crate::drawing::colour::Colour;
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, Frame, LEFT, Written};
+use crate::drawing::legend::entry;
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::text::{style, wrapped};
+use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE, legend};
 
-const WIDTH: i32 = 1080;
-const PANEL: (i32, i32) = (390, 344);
-const TOP: i32 = 56;
-const LEGEND: i32 = 790;
+/// Panels in a row, the height of one, and the space between two.
+const COLUMNS: usize = 2;
+const HEIGHT: f64 = 88.0;
+const APART: f64 = 7.0;
+/// Radius of a point.
+const POINT: f64 = 1.3;
+/// Colour of the cross of what failed.
+const FAILED: Colour = [0xff, 0, 0];
 
-/// An error that is drawn: its title, its value in a row, and the least that its axis shows.
+/// An error that is drawn: its title, and its value in a row.
 struct Panel {
     title: &'static str,
     value: fn(&Row) -> Option<f64>,
@@ -52,24 +62,24 @@ const LEAST: f64 = 1.0e-13;
 /// A line of the chart: a method in a precision.
 struct Line<'a> {
     name: String,
-    colour: RGBColor,
+    colour: Colour,
     rows: Vec<&'a Row>,
 }
 
-const COLOURS: [RGBColor; 9] = [
-    RGBColor(0x8c, 0xb8, 0xe8),
-    RGBColor(0x2c, 0x5f, 0xb8),
-    RGBColor(0xe3, 0x7c, 0x1e),
-    RGBColor(0x7f, 0xc9, 0x7f),
-    RGBColor(0x1b, 0x7a, 0x3a),
-    RGBColor(0x30, 0x30, 0x30),
-    RGBColor(0xb0, 0x3a, 0x8c),
-    RGBColor(0x8c, 0x5a, 0x3c),
-    RGBColor(0xc8, 0x1e, 0x2a),
+const COLOURS: [Colour; 9] = [
+    [0x8c, 0xb8, 0xe8],
+    [0x2c, 0x5f, 0xb8],
+    [0xe3, 0x7c, 0x1e],
+    [0x7f, 0xc9, 0x7f],
+    [0x1b, 0x7a, 0x3a],
+    [0x30, 0x30, 0x30],
+    [0xb0, 0x3a, 0x8c],
+    [0x8c, 0x5a, 0x3c],
+    [0xc8, 0x1e, 0x2a],
 ];
 
 /// The methods of topple have a colour each, on every chart; other programs take what is left.
-fn colour(row: &Row, others: &mut usize) -> RGBColor {
+fn colour(row: &Row, others: &mut usize) -> Colour {
     let own = match (row.method.as_str(), row.precision) {
         ("cpu", "f32") => 0,
         ("cpu", _) => 1,
@@ -109,17 +119,36 @@ pub fn draw(title: &str, rows: &[Row]) -> Result<String, FigureError> {
     let lines = lines(rows);
     let panels: Vec<&Panel> =
         PANELS.iter().filter(|panel| rows.iter().any(|row| (panel.value)(row).is_some())).collect();
-    let rows_of_panels = (panels.len() as i32 + 1) / 2;
-    let height = (TOP + rows_of_panels * PANEL.1 + 34).max(420);
-    let size = (WIDTH as u32, height as u32);
-    let mut drawing = String::new();
-    chart(title, rows, &lines, &panels, size, &mut drawing)
-        .map_err(|e| FigureError::Draw(e.to_string()))?;
-    Ok(compose(size, &[], &drawing))
+    let mut canvas = Canvas::new(COLUMN);
+    let whole = COLUMN - 2.0 * MARGIN;
+    let title = bounded(title, TITLE, whole);
+    let mut y = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &title) + 2.0;
+    let times = decades(rows.iter().flat_map(|row| [row.seconds, row.device.unwrap_or(0.0)]));
+    let left = LEFT - 4.0;
+    let width = (whole - COLUMNS as f64 * left - APART) / COLUMNS as f64;
+    let last = panels.len().saturating_sub(1) / COLUMNS;
+    for (number, in_row) in panels.chunks(COLUMNS).enumerate() {
+        let titles: Vec<Vec<String>> =
+            in_row.iter().map(|panel| wrapped(panel.title, FONT, width + 10.0)).collect();
+        let high = LEADING * FONT * titles.iter().map(Vec::len).max().unwrap_or(0) as f64;
+        for (column, (panel, title)) in in_row.iter().zip(&titles).enumerate() {
+            let x = MARGIN + left + column as f64 * (width + left + APART);
+            let above = high - LEADING * FONT * title.len() as f64;
+            write(&mut canvas, (x - 4.0, y + above), style(FONT), title);
+            let place = Place { x, y: y + high + 1.0, width, height: HEIGHT };
+            // The times stand below the lowest panel of each column.
+            let below = number == last || number * COLUMNS + column + COLUMNS >= panels.len();
+            draw_panel(&mut canvas, place, panel, &lines, &times, below);
+        }
+        y += high + 1.0 + HEIGHT + APART;
+    }
+    y += BELOW - APART + 6.0;
+    let end = draw_legend(&mut canvas, rows, &lines, y);
+    Ok(canvas.finish(end + MARGIN))
 }
 
 /// The whole decades around values.
-fn decades(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+fn decades(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for value in values.filter(|value| value.is_finite() && *value > 0.0) {
         (low, high) = (low.min(value), high.max(value));
@@ -131,35 +160,14 @@ fn decades(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     10.0_f64.powf(from)..10.0_f64.powf(to.max(from + 1.0))
 }
 
-fn chart(
-    title: &str,
-    rows: &[Row],
-    lines: &[Line],
-    panels: &[&Panel],
-    size: (u32, u32),
-    drawing: &mut String,
-) -> Drawn<()> {
-    let root = area(drawing, size);
-    root.draw(&Text::new(title.to_string(), at(20, 16), text(20)))?;
-    let times = decades(rows.iter().flat_map(|row| [row.seconds, row.device.unwrap_or(0.0)]));
-    for (index, panel) in panels.iter().enumerate() {
-        let (column, line) = (index as i32 % 2, index as i32 / 2);
-        let corner = at(8 + column * PANEL.0, TOP + line * PANEL.1);
-        let extent = at(PANEL.0 - 8, PANEL.1);
-        let place = root.clone().shrink(corner, extent);
-        draw_panel(&place, panel, lines, &times)?;
-    }
-    legend(&root, rows, lines)?;
-    root.present()?;
-    Ok(())
-}
-
 fn draw_panel(
-    place: &Area,
+    canvas: &mut Canvas,
+    place: Place,
     panel: &Panel,
     lines: &[Line],
-    times: &std::ops::Range<f64>,
-) -> Drawn<()> {
+    times: &Range<f64>,
+    below: bool,
+) {
     let all = lines.iter().flat_map(|line| &line.rows);
     let errors = if panel.share {
         let cells = all.map(|row| row.errors.cells).max().unwrap_or(1);
@@ -167,71 +175,50 @@ fn draw_panel(
     } else {
         decades(all.filter_map(|row| (panel.value)(row)).map(|value| value.max(LEAST)))
     };
-    let (least, most) = (errors.start, errors.end);
-    let mut chart = ChartBuilder::on(place)
-        .caption(panel.title, text(15))
-        .margin_top(10 * FINE)
-        .margin_right(10 * FINE)
-        .set_label_area_size(LabelAreaPosition::Left, 64 * FINE)
-        .set_label_area_size(LabelAreaPosition::Bottom, 44 * FINE)
-        .build_cartesian_2d(times.clone().log_scale(), errors.log_scale())?;
-    // Zero added, for there is a negative one.
-    let power = |value: &f64| format!("1e{}", value.log10().round() + 0.0);
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.1).stroke_width(FINE as u32))
-        .axis_style(stroke(BLACK, 10))
-        .label_style(text(12))
-        .axis_desc_style(text(13))
-        .x_desc("time a cell [s]")
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
-        .set_all_tick_mark_size(4 * FINE)
-        .draw()?;
-    for line in lines {
-        draw_line(&mut chart, panel, line, least, most)?;
-    }
-    Ok(())
+    // Room for marks on the first and the last decade.
+    let room = |ends: &Range<f64>| (ends.end / ends.start).powf(0.04);
+    let x = Axis::log(times.start / room(times), times.end * room(times), "time a cell [s]");
+    // The panel's title names the value.
+    let y = Axis::log(errors.start / room(&errors), errors.end * room(&errors), " ");
+    let frame = Frame::new(place, x, y);
+    frame.draw_grid(canvas);
+    frame.draw(canvas, Written { y: true, x: below, beyond: 5.0 });
+    canvas.clipped(place, |canvas| {
+        for line in lines {
+            draw_line(canvas, &frame, panel, line, (errors.start, errors.end));
+        }
+    });
 }
 
-type Log = LogCoord<f64>;
-type LogPlot<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Log, Log>>;
-
 fn draw_line(
-    chart: &mut LogPlot<'_, '_>,
+    canvas: &mut Canvas,
+    frame: &Frame,
     panel: &Panel,
     line: &Line,
-    least: f64,
-    most: f64,
-) -> Drawn<()> {
-    let told = line.rows.iter().filter_map(|row| Some((*row, (panel.value)(row)?)));
-    let told: Vec<(&Row, f64)> = told.collect();
-    let place = |row: &Row, value: f64| (row.seconds, value.clamp(least, most));
-    let path = told.iter().map(|(row, value)| place(row, *value));
-    chart.draw_series(LineSeries::new(path, stroke(line.colour, 14)))?;
-    // From the time in the shader to the whole time.
-    let whiskers = told.iter().filter_map(|(row, value)| {
-        let (whole, error) = place(row, *value);
-        Some(PathElement::new(vec![(row.device?, error), (whole, error)], stroke(line.colour, 5)))
-    });
-    chart.draw_series(whiskers)?;
+    (least, most): (f64, f64),
+) {
+    let at =
+        |seconds: f64, value: f64| frame.at((seconds.log10(), value.clamp(least, most).log10()));
+    let told: Vec<(&Row, f64)> =
+        line.rows.iter().filter_map(|row| Some((*row, (panel.value)(row)?))).collect();
+    canvas.line(told.iter().map(|(row, value)| at(row.seconds, *value)), stroke(line.colour, 0.7));
     for (row, value) in &told {
-        // What is zero, or too small to be shown, is hollow, on the axis.
-        let filled = *value >= least;
-        let style = if filled { line.colour.filled() } else { stroke(line.colour, 12) };
-        chart.draw_series([Circle::new(place(row, *value), 3 * FINE, style)])?;
+        // From the time in the shader to the whole time.
+        if let Some(device) = row.device {
+            canvas.line([at(device, *value), at(row.seconds, *value)], stroke(line.colour, 0.3));
+        }
+        // What is zero, or too small to be shown, is hollow, on the lowest decade.
+        let mark = if *value >= least { Mark::Disc } else { Mark::Circle };
+        mark.draw(canvas, at(row.seconds, *value), POINT, line.colour);
     }
     // What failed is a cross: on the line where a part of the cells did, at the top where nothing
     // is left to judge.
     for row in &line.rows {
         let value = (panel.value)(row);
         if row.errors.failed > 0 || value.is_none() {
-            let spot = place(row, value.unwrap_or(most));
-            chart.draw_series([Cross::new(spot, 5 * FINE, stroke(RED, 18))])?;
+            Mark::Cross.draw(canvas, at(row.seconds, value.unwrap_or(most)), 1.7 * POINT, FAILED);
         }
     }
-    Ok(())
 }
 
 /// The order of a line in its steps, or its slope over time where it has no steps.
@@ -243,37 +230,30 @@ fn fitted(line: &Line, value: fn(&Row) -> Option<f64>) -> Option<String> {
         .filter_map(|row| Some((if steps { row.setting } else { row.seconds }, value(row)?)))
         .collect();
     let slope = slope(&points)?;
-    Some(if steps { format!("h^{slope:.1}") } else { format!("time^{slope:.1}") })
+    Some(if steps { format!("h^{{{slope:.1}}}") } else { format!("time^{{{slope:.1}}}") })
 }
 
-fn legend(root: &Area, rows: &[Row], lines: &[Line]) -> Drawn<()> {
-    let mut y = TOP + 16;
-    for line in lines {
-        let ends = [at(LEGEND, y + 8), at(LEGEND + 26, y + 8)];
-        root.draw(&PathElement::new(ends.to_vec(), stroke(line.colour, 14)))?;
-        root.draw(&Circle::new(at(LEGEND + 13, y + 8), 3 * FINE, line.colour.filled()))?;
-        root.draw(&Text::new(line.name.clone(), at(LEGEND + 34, y), text(14)))?;
+fn draw_legend(canvas: &mut Canvas, rows: &[Row], lines: &[Line], top: f64) -> f64 {
+    let of = |line: &Line| {
         let named = [("switch times", time as fn(&Row) -> Option<f64>), ("ζ", zeta)];
         let fits: Vec<String> = named
             .into_iter()
-            .filter_map(|(name, value)| Some(format!("{name} {}", fitted(line, value)?)))
+            .filter_map(|(name, value)| Some(format!("{name}\u{a0}{}", fitted(line, value)?)))
             .collect();
-        if !fits.is_empty() {
-            root.draw(&Text::new(fits.join(",  "), at(LEGEND + 34, y + 17), text(12)))?;
-        }
-        y += 40;
+        let colon = if fits.is_empty() { "" } else { ": " };
+        let label = format!("{}{colon}{}", line.name, fits.join(", "));
+        entry(Swatch::Curve(stroke(line.colour, 0.8), Mark::Disc), label)
+    };
+    let mut entries: Vec<_> = lines.iter().map(of).collect();
+    entries.push(entry(Swatch::Mark(Mark::Circle, [0; 3]), "none, or too small to show"));
+    if rows.iter().any(|row| row.errors.failed > 0 || zeta(row).is_none()) {
+        entries.push(entry(Swatch::Mark(Mark::Cross, FAILED), "cells failed, or none to judge"));
+    }
+    if rows.iter().any(|row| row.device.is_some()) {
+        entries.push(entry(Swatch::None, "Bar to the left: time in the shader."));
     }
     let cells = rows.iter().map(|row| row.errors.cells).max().unwrap_or(0);
-    let mut notes = vec![
-        format!("{cells} cells; hollow: none, or too small to show"),
-        "red cross: cells that failed".into(),
-    ];
-    if rows.iter().any(|row| row.device.is_some()) {
-        notes.push("bar to the left: time in the shader".into());
-    }
-    for note in notes {
-        root.draw(&Text::new(note, at(LEGEND, y), text(12)))?;
-        y += 18;
-    }
-    Ok(())
+    let cells = if cells == 1 { "1 cell".into() } else { format!("{cells} cells") };
+    entries.push(entry(Swatch::None, format!("{cells}.")));
+    legend::draw(canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 2)
 }

@@ -1,6 +1,8 @@
 //! chart.csv: a row a trial.
 
-use std::io::Write;
+use std::io::{Read, Write};
+
+use serde::Deserialize;
 
 use super::errors::{Errors, Spread};
 
@@ -42,6 +44,88 @@ impl Row {
         let agree = self.errors.sequences?;
         Some(1.0 - agree as f64 / self.errors.cells.max(1) as f64)
     }
+}
+
+/// A row as written, by the names of the columns.
+#[derive(Deserialize)]
+struct Written {
+    scene: String,
+    method: String,
+    precision: String,
+    step: Option<f64>,
+    tolerance: Option<f64>,
+    threads: usize,
+    seconds_a_cell: f64,
+    device_seconds_a_cell: Option<f64>,
+    start_seconds: f64,
+    runs: u32,
+    cells: usize,
+    cells_failed: usize,
+    outcomes_differ: usize,
+    sequences_agree: Option<usize>,
+    event_time_median: Option<f64>,
+    event_time_p99: Option<f64>,
+    event_state_median: Option<f64>,
+    event_state_p99: Option<f64>,
+    zeta_median: Option<f64>,
+    zeta_p99: Option<f64>,
+}
+
+/// What is wrong with a table that is read.
+#[derive(Debug, thiserror::Error)]
+pub enum TableError {
+    /// It is no table, or lacks a column.
+    #[error("{0}; give a chart.csv of topple chart")]
+    Csv(#[from] csv::Error),
+    /// A name that topple does not give.
+    #[error("{0}; give a chart.csv of topple chart")]
+    Name(String),
+}
+
+/// Reads a table that was written; `benches` are the names of the scenes there are.
+///
+/// # Errors
+/// [`TableError`] where it is not such a table.
+pub fn read(reader: impl Read, benches: &[&'static str]) -> Result<Vec<Row>, TableError> {
+    let known = |names: &[&'static str], name: &str| {
+        let found = names.iter().copied().find(|known| *known == name);
+        found.ok_or_else(|| TableError::Name(format!("'{name}' is none of {}", names.join(", "))))
+    };
+    let spread = |median: Option<f64>, p99: Option<f64>| {
+        median.zip(p99).map(|(median, p99)| Spread { median, p99 })
+    };
+    let mut rows = Vec::new();
+    for row in csv::Reader::from_reader(reader).deserialize::<Written>() {
+        let row = row?;
+        let Some(setting) = row.step.or(row.tolerance) else {
+            return Err(TableError::Name(format!(
+                "{}: neither a step nor a tolerance",
+                row.method
+            )));
+        };
+        rows.push(Row {
+            bench: known(benches, &row.scene)?,
+            method: row.method,
+            precision: known(&["f32", "f64"], &row.precision)?,
+            steps: row.step.is_some(),
+            setting,
+            threads: row.threads,
+            seconds: row.seconds_a_cell,
+            device: row.device_seconds_a_cell,
+            start: row.start_seconds,
+            runs: row.runs,
+            errors: Errors {
+                cells: row.cells,
+                failed: row.cells_failed,
+                differ: row.outcomes_differ,
+                sequences: row.sequences_agree,
+                time: spread(row.event_time_median, row.event_time_p99),
+                motion: spread(row.event_state_median, row.event_state_p99),
+                zeta: spread(row.zeta_median, row.zeta_p99),
+            },
+        });
+    }
+    Ok(rows)
 }
 
 /// Writes the table. A number that there is none of is left empty.
@@ -106,4 +190,24 @@ pub fn write(rows: &[Row], writer: impl Write) -> Result<(), csv::Error> {
     }
     table.flush()?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{read, write};
+
+    /// The table of the documentation, and one without a scene's name.
+    #[test]
+    fn a_table_is_read_as_it_was_written() -> Result<(), Box<dyn std::error::Error>> {
+        let text = include_str!("../../docs/chart.csv");
+        let names = ["pulse", "record", "free", "maps"];
+        let rows = read(text.as_bytes(), &names)?;
+        let mut again = Vec::new();
+        write(&rows, &mut again)?;
+        assert_eq!(String::from_utf8(again)?, text);
+        assert!(rows.len() > 100);
+        let said = read(text.as_bytes(), &names[1..]).map_err(|error| error.to_string());
+        assert!(said.is_err_and(|said| said.contains("'pulse' is none of record, free, maps")));
+        Ok(())
+    }
 }

@@ -10,8 +10,9 @@ use topple::chart::table::{self, Row};
 use topple::chart::trial::{self, Method, Trial};
 use topple::chart::truth::{self, Solution};
 use topple::chart::{figure, peers};
-use topple::map::figure::document;
+use topple::drawing::render;
 use topple::model::precision::Precision;
+use topple::results::files::Directory;
 use topple::scene::excitation::RecordText;
 use topple::sweep::gpu::adapter;
 use topple::sweep::gpu::opened::Gpu;
@@ -19,7 +20,7 @@ use topple::sweep::progress::Progress;
 use topple::sweep::report::threads;
 
 use super::options::flag_error;
-use super::output::{self, PNG_SCALE, write_figure};
+use super::output::{self, write_figure};
 use super::print::print_line;
 use super::progress::Bar;
 use super::seismic::write_synthetic;
@@ -40,6 +41,9 @@ pub struct ChartCommand {
     /// Write cells.csv and record.csv, for other programs, and nothing else
     #[arg(long)]
     cells_only: bool,
+    /// Draw this chart.csv, which was measured before, and measure nothing
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["peer", "cells_only"])]
+    redraw: Option<PathBuf>,
     /// Few cells: to see that everything works
     #[arg(long)]
     quick: bool,
@@ -61,6 +65,17 @@ impl ChartCommand {
         }
         let sides = if self.quick { QUICK } else { FULL };
         let benches = bench::all(sides, record).map_err(|error| flag_error(&error))?;
+        if let Some(path) = &self.redraw {
+            let refused =
+                |reason: String| InputError(format!("--redraw: {}: {reason}", path.display()));
+            let file = File::open(path)
+                .map_err(|error| refused(format!("{error}; give a file to read")))?;
+            let names: Vec<&'static str> = benches.iter().map(|bench| bench.name).collect();
+            let rows = table::read(file, &names).map_err(|error| refused(error.to_string()))?;
+            draw(&out, &benches, &rows)?;
+            self.say(format!("pictures   {}", out.file("pulse.png").display()));
+            return Ok(());
+        }
         out.write("cells.csv", |w| peers::write_cells(&benches, w))?;
         out.write("record.csv", |w| peers::write_record(&benches, w))?;
         if self.cells_only {
@@ -81,12 +96,7 @@ impl ChartCommand {
         let (mut rows, truths) = self.trials(&benches, gpu.as_ref())?;
         rows.extend(others.iter().map(|peer| peer.row(&benches, &truths)));
         out.write("chart.csv", |w| table::write(&rows, w))?;
-        for bench in &benches {
-            let of_bench: Vec<Row> =
-                rows.iter().filter(|row| row.bench == bench.name).cloned().collect();
-            let svg = figure::draw(&bench.title, &of_bench)?;
-            write_figure(&out, bench.name, &svg, &document::render(&svg, PNG_SCALE)?)?;
-        }
+        draw(&out, &benches, &rows)?;
         self.say(format!("done       in {:.0} s", began.elapsed().as_secs_f64()));
         self.say(format!("pictures   {}", out.file("pulse.png").display()));
         self.say("           with record.png, free.png, maps.png".into());
@@ -155,6 +165,20 @@ impl ChartCommand {
         }
         Ok((rows, truths))
     }
+}
+
+/// Draws the charts of all benches that have rows.
+fn draw(out: &Directory, benches: &[Bench], rows: &[Row]) -> anyhow::Result<()> {
+    for bench in benches {
+        let of_bench: Vec<Row> =
+            rows.iter().filter(|row| row.bench == bench.name).cloned().collect();
+        if of_bench.is_empty() {
+            continue;
+        }
+        let svg = figure::draw(&bench.title, &of_bench)?;
+        write_figure(out, bench.name, &svg, &render::png(&svg)?)?;
+    }
+    Ok(())
 }
 
 /// A trial in one line.

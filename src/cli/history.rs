@@ -1,8 +1,9 @@
 //! `topple history`.
 
 use serde::Serialize;
+use topple::drawing::render;
 use topple::map::earlier::Kind;
-use topple::map::figure::{document, history as figure};
+use topple::map::figure::history as figure;
 use topple::map::history::{self as table};
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
@@ -96,7 +97,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
     };
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
-    let png = document::render(&svg, output::PNG_SCALE)?;
+    let png = render::png(&svg)?;
     let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
     output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
+use topple::drawing::error::FigureError;
+use topple::drawing::render;
 use topple::map::earlier::{Earlier, Kind, RUN};
-use topple::map::figure::FigureError;
-use topple::map::figure::{curves, document, field, fields, frame, overturning};
+use topple::map::figure::{curves, field, fields, overturning};
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::results::columns::Column;
@@ -23,8 +24,6 @@ use super::words::Say;
 
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
-/// Pixels of a PNG for each of its SVG's units.
-pub const PNG_SCALE: f32 = 2.0;
 
 /// Opens the directory for the results.
 pub fn open(out: &Path) -> Result<Directory, InputError> {
@@ -142,7 +141,7 @@ fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
     } else {
         field::draw(map, &fields::FIELDS[0], at)?
     };
-    let png = document::render(&svg, PNG_SCALE)?;
+    let png = render::png(&svg)?;
     Ok((name.into(), svg, png))
 }
 
@@ -153,7 +152,7 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         return Ok(figures);
     }
     let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {
-        let png = document::render(&svg, PNG_SCALE)?;
+        let png = render::png(&svg)?;
         Ok((name.into(), svg, png))
     };
     let others: Vec<Figure> = fields::FIELDS[1..]
@@ -162,8 +161,8 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         .collect::<Result<_, _>>()?;
     figures.extend(others);
     let [normal, friction] = &fields::CONTACT;
-    let (left, right) = (field::draw(map, normal, "")?, field::draw(map, friction, "")?);
-    figures.push(finish(normal.name, document::beside(frame::SIZE, &left, &right))?);
+    let title = format!("{}: {} and {}", map.scene.title, normal.title, friction.title);
+    figures.push(finish(normal.name, field::beside(map, &[normal, friction], &title)?)?);
     Ok(figures)
 }
 

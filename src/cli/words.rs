@@ -4,9 +4,9 @@ use std::fmt::Display;
 use std::time::Duration;
 
 use anstyle::Style;
+use topple::drawing::caption;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
-use topple::map::figure::frame;
 use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
@@ -94,7 +94,7 @@ pub fn sides(grid: &Grid) -> String {
 /// A scene and its cells.
 pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
-    say.line("", frame::caption(scene));
+    say.line("", caption::caption(scene));
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {

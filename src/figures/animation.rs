@@ -1,13 +1,14 @@
 //! Cells in motion, side by side, as an animated GIF: block, plates and corners above, the rocking
 //! angle below.
 
-use plotters::prelude::*;
-
 use super::marks;
-use crate::map::figure::FigureError;
-use crate::map::figure::document::{FINE, Place, pixels};
-use crate::map::figure::frame::{Area, Axes, Drawn, Named, at, document, frame, stroke, text};
-use crate::map::figure::palette::Kind;
+use crate::drawing::canvas::{Canvas, Place, Point, Stroke, stroke};
+use crate::drawing::colour::{BLACK, Colour};
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BOTH, Frame, LEFT};
+use crate::drawing::palette::{CURVES, Kind};
+use crate::drawing::text::style;
+use crate::drawing::{FONT, TITLE, render};
 use crate::scene::{Case, GRAVITY, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
@@ -16,18 +17,22 @@ use crate::sweep::history::Row;
 const RATE: f64 = 12.5;
 /// Hundredths of a second that the last frame stays.
 const HOLD: u16 = 200;
-/// Width of a cell's column.
-const COLUMN: i32 = 250;
+/// Width of a cell's column, points.
+const COLUMN: f64 = 120.0;
 /// Height of the figure.
-const HEIGHT: i32 = 470;
+const HEIGHT: f64 = 225.6;
 /// Where the ground is.
-const GROUND: i32 = 320;
-/// Units a metre.
-const SCALE: f64 = 100.0;
+const GROUND: f64 = 154.0;
+/// Points of a metre.
+const SCALE: f64 = 48.0;
 /// Half of a plate's width, and its thickness, m.
 const PLATE: (f64, f64) = (0.5, 0.05);
 /// Height of the upper plate's foot above the ground at rest, m.
 const REST: f64 = 0.32;
+/// Colours of plates and blocks, and of what overturns.
+const STEEL: Colour = [0x9a, 0xa3, 0xad];
+const STONE: Colour = [0xf2, 0xe2, 0xc0];
+const RED: Colour = CURVES[1];
 
 /// A cell in motion.
 #[derive(Debug, Clone)]
@@ -76,18 +81,29 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     let seconds = cells.iter().map(|moving| moving.cell.seconds).fold(0.0, f64::max);
     let frames = (seconds * RATE).ceil() as u32;
     let failed = |reason: String| FigureError::Encode(reason);
-    let (width, height) = size(cells);
     let side = |length: u32| {
         u16::try_from(length).map_err(|_| failed(format!("{length} pixels are too many")))
     };
-    let (width, height) = (side(width)?, side(height)?);
     let mut bytes = Vec::new();
+    let first = render::frame(&still(title, cells, 0.0))?;
+    let (width, height) = (side(first.width())?, side(first.height())?);
     let mut encoder =
         gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| failed(e.to_string()))?;
     encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| failed(e.to_string()))?;
+    let mut before: Option<Vec<u8>> = None;
     for k in 0..=frames {
-        let mut rgba = pixels(&still(title, cells, f64::from(k) / RATE)?)?;
+        // The paper is white and opaque: no pixel's colour is scaled by its opacity.
+        let mut rgba = render::frame(&still(title, cells, f64::from(k) / RATE))?.take();
+        let whole = rgba.clone();
+        // A pixel that is as it was stays: it is transparent.
+        for (pixel, old) in rgba.chunks_exact_mut(4).zip(before.iter().flat_map(|b| b.chunks(4))) {
+            if pixel == old {
+                pixel.fill(0);
+            }
+        }
+        before = Some(whole);
         let mut frame = gif::Frame::from_rgba_speed(width, height, &mut rgba, 10);
+        frame.dispose = gif::DisposalMethod::Keep;
         frame.delay = if k == frames { HOLD } else { (100.0 / RATE) as u16 };
         encoder.write_frame(&frame).map_err(|e| failed(e.to_string()))?;
     }
@@ -95,88 +111,70 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     Ok(bytes)
 }
 
-/// Size of the picture.
-fn size(cells: &[Moving]) -> (u32, u32) {
-    ((COLUMN * cells.len() as i32) as u32, HEIGHT as u32)
-}
-
 /// The picture at a time, as SVG.
-///
-/// # Errors
-/// Any [`FigureError`].
-pub fn still(title: &str, cells: &[Moving], t: f64) -> Result<String, FigureError> {
-    let size = size(cells);
-    document(size, &[], |root| {
-        root.draw(&Text::new(format!("{title}, t = {t:.2} s"), at(14, 10), text(16)))?;
-        for (k, moving) in cells.iter().enumerate() {
-            column(root, size, COLUMN * k as i32, moving, t)?;
-        }
-        Ok(())
-    })
+pub fn still(title: &str, cells: &[Moving], t: f64) -> String {
+    let mut canvas = Canvas::new(COLUMN * cells.len().max(1) as f64);
+    canvas.text((7.0, 5.0 + TITLE), style(TITLE), &format!("{title}, t = {t:.2} s"));
+    for (k, moving) in cells.iter().enumerate() {
+        column(&mut canvas, COLUMN * k as f64, moving, t);
+    }
+    canvas.finish(HEIGHT)
 }
 
-fn column(root: &Area, size: (u32, u32), left: i32, moving: &Moving, t: f64) -> Drawn<()> {
-    root.draw(&Text::new(Kind::of(&moving.outcome).label(), at(left + 14, 38), text(14)))?;
-    let Some(now) = moving.at(t) else { return Ok(()) };
+fn column(canvas: &mut Canvas, left: f64, moving: &Moving, t: f64) {
+    canvas.text((left + 7.0, 25.0), style(FONT), &Kind::of(&moving.outcome).label());
+    let Some(now) = moving.at(t) else { return };
     let case = moving.scene.case();
-    sketch(root, left + COLUMN / 2, &case, &now)?;
+    sketch(canvas, left + 0.5 * COLUMN, &case, &now);
     let critical = |side: f64| case.overturning_angle(side);
     let most = 1.15 * critical(1.0).max(critical(-1.0));
-    let place = Place { x: left + 52, y: GROUND + 26, width: COLUMN - 66, height: 84 };
-    let x = Named { ends: 0.0..moving.cell.seconds, name: "t [s]".into() };
-    let y = Named { ends: -most..most, name: "φ [rad]".into() };
-    let set = Axes { size, plot: place, room: (Some(46), Some(36)), font: 10 };
-    let mut plot = frame(root, &set, (&x, &y))?;
+    let x = left + LEFT + 4.0;
+    let place = Place { x, y: GROUND + 10.0, width: COLUMN - LEFT - 10.0, height: 40.0 };
+    let end = moving.cell.seconds;
+    let frame = Frame::new(place, Axis::new(0.0, end, "t [s]"), Axis::new(-most, most, "φ [rad]"));
     for side in [1.0, -1.0] {
-        let level = [(0.0, side * critical(side)), (moving.cell.seconds, side * critical(side))];
-        plot.draw_series(LineSeries::new(level, stroke(RGBColor(0xd6, 0x2f, 0x2a), 7)))?;
+        let level = [(0.0, side * critical(side)), (end, side * critical(side))];
+        canvas.line(level.map(|point| frame.at(point)), stroke(RED, 0.4));
     }
     let past = moving.rows.iter().take_while(|row| row.t <= now.t);
-    let blue = RGBColor(0x2c, 0x5f, 0xb8);
-    plot.draw_series(LineSeries::new(past.map(|row| (row.t, row.phi)), stroke(blue, 14)))?;
-    let dot = Circle::new((now.t.min(moving.cell.seconds), now.phi), 3 * FINE, blue.filled());
-    plot.draw_series([dot])?;
+    canvas.line(past.map(|row| frame.at((row.t, row.phi))), stroke(CURVES[0], 0.7));
+    canvas.disc(frame.at((now.t.min(end), now.phi)), 1.4, CURVES[0]);
+    frame.draw(canvas, BOTH);
     if moving.rows.last().is_some_and(|row| t >= row.t) && moving.outcome.class.overturned() {
-        root.draw(&Text::new("overturned", at(left + 14, 58), text(13).color(&RED)))?;
+        let red = crate::drawing::text::Style { colour: RED, ..style(FONT) };
+        canvas.text((left + 7.0, 34.0), red, "overturned");
     }
-    Ok(())
 }
 
 /// Draws block, plates and isolators. The base's displacements are relative to the ground, the
 /// vertical one to its static deflection.
-fn sketch(root: &Area, middle: i32, case: &Case, now: &Row) -> Drawn<()> {
+fn sketch(canvas: &mut Canvas, middle: f64, case: &Case, now: &Row) {
     let (block, base) = (&case.block, &case.isolation);
     let static_v = base.vertical.as_ref().map_or(0.0, |law| {
         let omega_v = std::f64::consts::TAU / law.t_v;
         -GRAVITY / (omega_v * omega_v)
     });
     let (u, v) = (now.u, now.v - static_v);
-    let place = |x: f64, y: f64| {
-        let unit = SCALE * f64::from(FINE);
-        (middle * FINE + (x * unit) as i32, GROUND * FINE - (y * unit) as i32)
-    };
+    let place = |(x, y): Point| (middle + x * SCALE, GROUND - y * SCALE);
     let (half, thick) = PLATE;
-    let line = |points: &[(f64, f64)], width: i32| {
-        let points: Vec<(i32, i32)> = points.iter().map(|(x, y)| place(*x, *y)).collect();
-        PathElement::new(points, stroke(BLACK, width))
-    };
-    root.draw(&line(&[(-1.15, 0.0), (1.15, 0.0)], 20))?;
+    let black = |width: f64| -> Stroke { stroke(BLACK, width) };
+    canvas.line([(-1.15, 0.0), (1.15, 0.0)].map(place), black(1.0));
     let plate = |x: f64, y: f64| {
-        let corners = [(x - half, y), (x + half, y), (x + half, y + thick), (x - half, y + thick)];
-        let corners: Vec<(i32, i32)> = corners.iter().map(|(x, y)| place(*x, *y)).collect();
-        Polygon::new(corners, RGBColor(0x9a, 0xa3, 0xad).filled())
+        [(x - half, y), (x + half, y), (x + half, y + thick), (x - half, y + thick)].map(place)
     };
     let low = 0.04;
-    root.draw(&plate(u, low))?;
-    root.draw(&plate(u, REST + v))?;
+    canvas.polygon(plate(u, low), STEEL);
+    canvas.polygon(plate(u, REST + v), STEEL);
     // Rollers and a spring to the left; springs between the plates.
     for x in [-0.35, 0.0, 0.35] {
-        root.draw(&Circle::new(place(u + x, low / 2.0), 2 * FINE, BLACK.filled()))?;
+        canvas.disc(place((u + x, low / 2.0)), 1.0, BLACK);
     }
-    root.draw(&line(&[(-1.0, 0.0), (-1.0, 0.16)], 16))?;
-    root.draw(&line(&zigzag((-1.0, low + thick / 2.0), (u - half, low + thick / 2.0)), 9))?;
+    canvas.line([(-1.0, 0.0), (-1.0, 0.16)].map(place), black(0.8));
+    let spring = zigzag((-1.0, low + thick / 2.0), (u - half, low + thick / 2.0));
+    canvas.line(spring.into_iter().map(place), black(0.45));
     for x in [-0.3, 0.3] {
-        root.draw(&line(&zigzag((u + x, low + thick), (u + x, REST + v)), 9))?;
+        let spring = zigzag((u + x, low + thick), (u + x, REST + v));
+        canvas.line(spring.into_iter().map(place), black(0.45));
     }
     // The block turns about the left corner for phi > 0, about the right one for phi < 0.
     let b = block.half_width;
@@ -185,21 +183,16 @@ fn sketch(root: &Area, middle: i32, case: &Case, now: &Row) -> Drawn<()> {
     let (sin, cos) = now.phi.sin_cos();
     let turned = |x: f64, y: f64| {
         let (dx, dy) = (x - side * b, y);
-        (pivot.0 + dx * cos - dy * sin, pivot.1 + dx * sin + dy * cos)
+        place((pivot.0 + dx * cos - dy * sin, pivot.1 + dx * sin + dy * cos))
     };
     let top = 2.0 * block.height;
     let corners = [(-b, 0.0), (b, 0.0), (b, top), (-b, top), (-b, 0.0)].map(|(x, y)| turned(x, y));
-    let filled: Vec<(i32, i32)> = corners.iter().map(|(x, y)| place(*x, *y)).collect();
-    root.draw(&Polygon::new(filled, RGBColor(0xf2, 0xe2, 0xc0).filled()))?;
-    root.draw(&line(&corners, 14))?;
-    let centre = turned(block.offset(), block.height);
-    root.draw(&Circle::new(place(centre.0, centre.1), 4 * FINE, BLACK.filled()))?;
+    canvas.polygon(corners, STONE);
+    canvas.line(corners, black(0.7));
+    canvas.disc(turned(block.offset(), block.height), 1.9, BLACK);
     for (x, mode) in [(-b, "rocking_left"), (b, "rocking_right")] {
-        let at = turned(x, 0.0);
-        let colour = if now.mode == mode { RED } else { BLACK };
-        root.draw(&Circle::new(place(at.0, at.1), 3 * FINE, colour.filled()))?;
+        canvas.disc(turned(x, 0.0), 1.4, if now.mode == mode { RED } else { BLACK });
     }
-    Ok(())
 }
 
 /// A spring from one point to another.

@@ -1,102 +1,102 @@
-//! Where panels, legend and caption of a figure lie.
+//! Where the panels of a figure lie.
 
-use crate::map::figure::document::Place;
+use super::Panel;
+use super::letter;
+use crate::drawing::canvas::write;
+use crate::drawing::canvas::{Canvas, Place};
+use crate::drawing::caption::listed;
+use crate::drawing::frame::{BELOW, LEFT, Written};
+use crate::drawing::text::{style, wrapped};
+use crate::drawing::{FONT, LEADING, MARGIN, PAGE};
 
-/// Room left of the panels, for an axis.
-const LEFT: i32 = 66;
-/// Room below a panel, for an axis.
-pub const BELOW: i32 = 44;
-/// Room above a panel, for its label.
-pub const ABOVE: i32 = 24;
-/// Room above all, for the title.
-const TOP: i32 = 52;
-/// Width of the legend.
-const LEGEND: i32 = 216;
 /// Space between panels that share an axis.
-const GAP: i32 = 14;
-/// White margin.
-const MARGIN: i32 = 16;
-/// Width of panels, gaps and left room together, at most.
-const ACROSS: i32 = 1000;
+const GAP: f64 = 12.0;
+/// From the number of an axis to the panel below it.
+const APART: f64 = 4.0;
+/// How far a number may reach beyond its panel: the last one of an axis and the first of the next stay apart.
+const BEYOND: f64 = 1.0;
+/// Room right of the last panel, for the end of a number.
+const RIGHT: f64 = 6.0;
 /// Side of a panel at most.
-const WIDEST: i32 = 340;
-/// Height of a line of the caption.
-pub const LINE: i32 = 17;
-/// Characters of a caption that fit into a unit of width.
-const CHARACTERS: f64 = 0.24;
+const WIDEST: f64 = 170.0;
 
-/// The layout of a figure.
-#[derive(Debug, Clone)]
-pub struct Layout {
-    /// Size of the document.
-    pub size: (u32, u32),
-    /// The panels' plots.
-    pub plots: Vec<Place>,
-    /// Where the legend begins.
-    pub legend: (i32, i32),
-    /// Where the caption begins.
-    pub caption: (i32, i32),
-    /// The caption, line by line.
-    pub lines: Vec<String>,
-}
-
-/// Which panels write out their axes.
+/// Square panels in rows, and a picture as wide as they need.
 #[derive(Debug, Clone, Copy)]
-pub struct Written {
-    /// A panel within the figure writes numbers on its vertical axis.
-    pub inner_y: bool,
-    /// A panel within the figure writes numbers on its horizontal axis.
-    pub inner_x: bool,
+pub struct Panels {
+    count: usize,
+    columns: usize,
+    side: f64,
+    gap: f64,
+    /// Width of the picture.
+    pub width: f64,
 }
 
-impl Layout {
-    /// Lays out `count` square panels in rows of `columns`, beside a legend of some height.
-    pub fn new(
-        count: usize,
-        columns: usize,
-        written: Written,
-        legend: i32,
-        caption: &[String],
-    ) -> Layout {
-        let columns = columns.clamp(1, count.max(1)) as i32;
-        let rows = (count as i32 + columns - 1) / columns;
-        let gap_x = if written.inner_y { LEFT } else { GAP };
-        let gap_y = ABOVE + if written.inner_x { BELOW } else { GAP / 2 };
-        let side = ((ACROSS - LEFT - gap_x * (columns - 1)) / columns).min(WIDEST);
-        let place = |k: i32| Place {
-            x: MARGIN + LEFT + k % columns * (side + gap_x),
-            y: TOP + ABOVE + k / columns * (side + gap_y),
-            width: side,
-            height: side,
-        };
-        let plots: Vec<Place> = (0..count as i32).map(place).collect();
-        let right = MARGIN + LEFT + columns * (side + gap_x) - gap_x;
-        let bottom = TOP + ABOVE + rows * (side + gap_y) - gap_y + BELOW;
-        let width = right + MARGIN + LEGEND;
-        let fits = (f64::from(right - MARGIN) * CHARACTERS) as usize;
-        let lines: Vec<String> = caption
-            .iter()
-            .flat_map(|text| textwrap::wrap(text, fits))
-            .map(|line| line.into_owned())
-            .collect();
-        let written = bottom + MARGIN + LINE * lines.len() as i32;
-        let height = written.max(TOP + ABOVE + legend) + MARGIN;
-        Layout {
-            size: (width as u32, height as u32),
-            plots,
-            legend: (right + MARGIN + 4, TOP + ABOVE),
-            caption: (MARGIN, bottom + MARGIN),
-            lines,
+/// A panel of a figure: where its plot lies, and which axes it writes.
+#[derive(Debug, Clone, Copy)]
+pub struct Plot {
+    /// Where its plot lies.
+    pub place: Place,
+    /// What is written at its axes.
+    pub written: Written,
+}
+
+impl Panels {
+    /// So many panels in rows of `columns`; `inner`: one within a row writes its vertical axis.
+    pub fn new(count: usize, columns: usize, inner: bool) -> Panels {
+        let columns = columns.clamp(1, count.max(1));
+        let gap = if inner { LEFT + GAP } else { GAP };
+        let gaps = gap * (columns - 1) as f64;
+        let edge = 2.0 * MARGIN + LEFT + RIGHT;
+        let side = ((PAGE - edge - gaps) / columns as f64).min(WIDEST);
+        Panels { count, columns, side, gap, width: edge + gaps + side * columns as f64 }
+    }
+
+    /// Writes the titles of the panels from a height on; where their plots lie, and where they end. `written`
+    /// tells of a panel whether it writes its vertical and its horizontal axis.
+    pub fn lay_out(
+        &self,
+        canvas: &mut Canvas,
+        mut top: f64,
+        titles: &[String],
+        written: impl Fn(usize) -> (bool, bool),
+    ) -> (Vec<Plot>, f64) {
+        let mut plots = Vec::with_capacity(self.count);
+        for (row, in_row) in titles.chunks(self.columns).enumerate() {
+            let across = self.side + (self.gap - GAP).max(0.0);
+            let lines: Vec<Vec<String>> =
+                in_row.iter().map(|title| wrapped(title, FONT, across)).collect();
+            let above = LEADING * FONT * lines.iter().map(Vec::len).max().unwrap_or(0) as f64;
+            let mut has_numbers = false;
+            for (column, lines) in lines.iter().enumerate() {
+                let x = MARGIN + LEFT + column as f64 * (self.side + self.gap);
+                let first = top + above - LEADING * FONT * lines.len() as f64;
+                write(canvas, (x, first), style(FONT), lines);
+                let (y, x_axis) = written(row * self.columns + column);
+                has_numbers |= x_axis;
+                plots.push(Plot {
+                    place: Place { x, y: top + above + 1.5, width: self.side, height: self.side },
+                    written: Written { y, x: x_axis, beyond: BEYOND },
+                });
+            }
+            top += above + 1.5 + self.side + if has_numbers { BELOW } else { 0.0 } + APART;
         }
+        (plots, top)
     }
 
-    /// Room for the axes of a panel: (left, below), where it writes them.
-    pub fn room(y: bool, x: bool) -> (Option<i32>, Option<i32>) {
-        (y.then_some(LEFT - 10), x.then_some(BELOW))
+    /// Columns of a legend below the panels.
+    pub fn legend_columns(&self) -> usize {
+        /// Room for the longest line of a legend.
+        const WIDE: f64 = 120.0;
+        ((self.width - 2.0 * MARGIN) / WIDE).floor().max(1.0) as usize
     }
+}
 
-    /// The title's place.
-    pub fn title(&self) -> (i32, i32) {
-        (MARGIN, MARGIN)
-    }
+/// What stands above a panel: its letter, and what sets it apart.
+pub fn title(panel: &Panel, index: usize, own: &[String]) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    parts.extend(panel.label.clone());
+    parts.extend(panel.motion.clone());
+    // No line ends within a parameter.
+    parts.extend((!own.is_empty()).then(|| listed(own)));
+    format!("({}) {}", letter(index), parts.join(", "))
 }

@@ -4,7 +4,7 @@
 //! the motion says so.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
@@ -54,6 +54,18 @@ pub struct Motion {
     pub line: String,
     /// Components that are synthetic, each with the file that is missing.
     pub missing: Vec<String>,
+    /// The synthetic components, in a word: none, one, or both.
+    synthetic: Option<&'static str>,
+}
+
+impl Motion {
+    /// Its short name, and what of it is synthetic: the title of a panel.
+    pub fn label(&self) -> String {
+        match self.synthetic {
+            None => self.name.clone(),
+            Some(which) => format!("{} ({which})", self.name),
+        }
+    }
 }
 
 /// All motions by key.
@@ -96,24 +108,31 @@ impl MotionText {
             };
             Ok::<Record, ReadError>(record)
         };
+        let is_there = |text: &ComponentText| text.path(directory).is_some();
+        let synthetic = match (is_there(&self.horizontal), is_there(&self.vertical)) {
+            (true, true) => None,
+            (false, true) => Some("horizontal synthetic"),
+            (true, false) => Some("vertical synthetic"),
+            (false, false) => Some("synthetic"),
+        };
         let horizontal = component("horizontal", &self.horizontal, &HORIZONTAL)?;
         let vertical = component("vertical", &self.vertical, &VERTICAL)?;
         let mut pair = Pair::new(horizontal, Some(vertical));
         let line = format!("{}: {}; {}", self.name, self.title, parts.join(", "));
         pair.title.clone_from(&line);
-        Ok(Motion { name: self.name.clone(), pair, line, missing })
+        Ok(Motion { name: self.name.clone(), pair, line, missing, synthetic })
     }
 }
 
 impl ComponentText {
+    /// Its file in the directory, where there is one.
+    fn path(&self, directory: Option<&Path>) -> Option<PathBuf> {
+        directory.map(|directory| directory.join(&self.file)).filter(|path| path.exists())
+    }
+
     /// The file's record; none where there is no such file.
     fn open(&self, directory: Option<&Path>) -> Result<Option<Record>, ReadError> {
-        let Some(path) = directory.map(|directory| directory.join(&self.file)) else {
-            return Ok(None);
-        };
-        if !path.exists() {
-            return Ok(None);
-        }
+        let Some(path) = self.path(directory) else { return Ok(None) };
         let hints = RecordHints { dt: self.dt, units: self.units, scaled: false };
         let (record, _) = read::file(&path, &hints)
             .map_err(|error| ReadError::new(path.display().to_string(), error.to_string()))?;

@@ -2,31 +2,29 @@
 
 use std::collections::BTreeSet;
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-use super::layout::{ABOVE, LINE, Layout, Written};
-use super::{Figure, Panel, Shows, letter, parameters};
+use super::layout::{Panels, Plot, title};
+use super::{Figure, Panel, Shows, parameters};
+use crate::drawing::canvas::write;
+use crate::drawing::canvas::{Canvas, dashed, stroke};
+use crate::drawing::caption::{bounded, listed};
+use crate::drawing::colour::{BLACK, WHITE};
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Frame, LEFT};
+use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::palette::{Kind, Parity};
+use crate::drawing::text::{style, width, wrapped};
+use crate::drawing::{FONT, MARGIN, TITLE};
 use crate::map::Map;
-use crate::map::figure::FigureError;
-use crate::map::figure::document::{FINE, Place};
-use crate::map::figure::field;
+use crate::map::figure::field::{self, Shown};
 use crate::map::figure::fields::{FIELDS, Field};
-use crate::map::figure::frame::{
-    Area, Axes, Drawn, Plot, at, axes, document, outline, stroke, text,
-};
-use crate::map::figure::greys::{Greys, keys};
-use crate::map::figure::overturning::{self, hatched};
-use crate::map::figure::palette::{Kind, Parity};
+use crate::map::figure::greys::Greys;
+use crate::map::figure::overlay::Overlay;
+use crate::map::figure::{keys, layout, overturning};
 
-/// Width of the lines around overturning and full contact, tenths of a unit.
-const THICK: i32 = 14;
-/// Size of the axes' numbers.
-const FONT: i32 = 12;
-/// Heights of a colour's line in the legend, of a scale of greys, and of what stands below.
-const ENTRY: i32 = 22;
-const BAR: i32 = 236;
-const KEYS: i32 = 150;
+/// Between the panels, the scales, the legend and the caption.
+const APART: f64 = 4.0;
+/// Width of a scale of greys at most.
+const SCALE: f64 = 180.0;
 
 /// The field that a panel shows in greys, if it does.
 fn field_of(shows: Shows) -> Option<&'static Field> {
@@ -39,6 +37,14 @@ fn field_of(shows: Shows) -> Option<&'static Field> {
     }
 }
 
+/// What the panels of a figure show together, for its legend.
+#[derive(Default)]
+struct Seen {
+    fields: Option<Shown>,
+    overlay: Overlay,
+    rings: bool,
+}
+
 /// Draws the panels of a figure as SVG; `maps` has one a panel, `caption` follows what the
 /// figure says itself.
 ///
@@ -47,56 +53,76 @@ fn field_of(shows: Shows) -> Option<&'static Field> {
 pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String, FigureError> {
     let columns = figure.columns;
     let scales = scales(figure, maps);
-    let scale = |panel: &Panel| scales.iter().find(|scale| scale.shows == panel.shows);
     let written = written(columns, maps);
-    let inner = Written {
-        inner_y: (0..maps.len()).any(|k| k % columns != 0 && written[k].0),
-        inner_x: (0..maps.len()).any(|k| k + columns < maps.len() && written[k].1),
-    };
+    let inner = (0..maps.len()).any(|k| k % columns != 0 && written[k].0);
+    let panels = Panels::new(maps.len(), columns, inner);
     let (shared, own) = parameters::split(figure.panels.iter().map(|panel| &panel.scene));
-    let mut lines = vec![format!("{}.", shared.join(", "))];
-    lines.extend(caption.iter().cloned());
-    let height = ENTRY * entries(figure, maps).len() as i32 + BAR * scales.len() as i32 + KEYS;
-    let layout = Layout::new(maps.len(), columns, inner, height, &lines);
-    let mut images = Vec::new();
-    for ((panel, map), place) in figure.panels.iter().zip(maps).zip(&layout.plots) {
-        let cells = match (scale(panel), panel.shows) {
-            (Some(scale), _) => field::cells(map, scale.field, &scale.greys)?,
-            (None, Shows::Parity) => overturning::cells(map, |cell| Parity::of(cell).colour())?,
-            (None, _) => overturning::cells(map, |cell| Kind::of(cell).colour())?,
+    let titles: Vec<String> =
+        figure.panels.iter().enumerate().map(|(k, panel)| title(panel, k, &own[k])).collect();
+    let mut canvas = Canvas::new(panels.width);
+    let whole = panels.width - 2.0 * MARGIN;
+    let head = bounded(&figure.title, TITLE, whole);
+    let top = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &head) + APART;
+    let (plots, mut y) = panels.lay_out(&mut canvas, top, &titles, |k| written[k]);
+    let mut seen = Seen::default();
+    for ((panel, map), plot) in figure.panels.iter().zip(maps).zip(&plots) {
+        let scale = scales.iter().find(|scale| scale.shows == panel.shows);
+        paint(&mut canvas, panel, map, plot, scale, &mut seen)?;
+    }
+    let across = SCALE.min((whole - LEFT) / scales.len().max(1) as f64 - LEFT);
+    let mut end = y;
+    for (k, Scale { field, greys, .. }) in scales.iter().enumerate() {
+        let left = MARGIN + LEFT + k as f64 * (across + LEFT);
+        end = greys.draw(&mut canvas, (left, y + APART), across, field.label)?;
+    }
+    y = end;
+    let mut entries = colours(figure, maps);
+    let all: Vec<&Map> = maps.iter().collect();
+    if let Some(shown) = seen.fields {
+        let steps: Vec<(&str, f64)> =
+            scales.iter().map(|scale| (scale.field.label, scale.greys.step())).collect();
+        entries.extend(shown.entries(&all, &steps));
+    }
+    let of_fields = seen.fields.map_or(Overlay::default(), |shown| shown.overlay);
+    let overlay = Overlay { hatched: seen.overlay.hatched && !of_fields.hatched, ..seen.overlay };
+    entries.extend(keys::overlay(&all, overlay));
+    let has_ring = seen.fields.is_some_and(|shown| shown.rings);
+    entries.extend((seen.rings && !has_ring).then(keys::ring));
+    let at = (MARGIN, y + APART);
+    y = legend::draw(&mut canvas, &entries, at, whole, panels.legend_columns());
+    let mut lines = wrapped(&format!("{}.", listed(&shared)), FONT, whole);
+    lines.extend(caption.iter().flat_map(|text| wrapped(text, FONT, whole)));
+    let end = write(&mut canvas, (MARGIN, y + APART), style(FONT), &lines);
+    Ok(canvas.finish(end + MARGIN))
+}
+
+/// Draws a panel, and notes what it shows.
+fn paint(
+    canvas: &mut Canvas,
+    panel: &Panel,
+    map: &Map,
+    Plot { place, written }: &Plot,
+    scale: Option<&Scale>,
+    seen: &mut Seen,
+) -> Result<(), FigureError> {
+    let frame = layout::frame(*place, &map.grid);
+    if let Some(Scale { field, greys, .. }) = scale {
+        let shown = field::paint(canvas, map, field, greys, &frame)?;
+        seen.fields = Some(seen.fields.map_or(shown, |before| before.with(shown)));
+    } else {
+        let parity = panel.shows == Shows::Parity;
+        let overlay = Overlay::of(map, !parity);
+        let rings = if parity {
+            overturning::paint(canvas, map, *place, overlay, Parity::of, Parity::colour)?
+        } else {
+            overturning::paint(canvas, map, *place, overlay, Kind::of, Kind::colour)?
         };
-        images.push((*place, cells));
-        images.extend(hatched(map, *place)?.map(|image| (*place, image)));
+        seen.overlay = seen.overlay.with(overlay);
+        seen.rings |= rings > 0;
     }
-    let mut bars = Vec::new();
-    let (x, y) = layout.legend;
-    let mut place = Place { x, y: y + 22, width: 18, height: BAR - 46 };
-    for scale in &scales {
-        images.push((place, scale.greys.bar()?));
-        bars.push((place, scale));
-        place.y += BAR;
-    }
-    document(layout.size, &images, |root| {
-        let (x, y) = layout.title();
-        root.draw(&Text::new(figure.title.clone(), at(x, y), text(19)))?;
-        for (k, (panel, map)) in figure.panels.iter().zip(maps).enumerate() {
-            let plot_place = layout.plots[k];
-            label(root, plot_place, &title(panel, k, &own[k]))?;
-            let room = Layout::room(written[k].0, written[k].1);
-            let set = Axes { size: layout.size, plot: plot_place, room, font: FONT };
-            let mut plot = axes(root, &map.grid, &set)?;
-            if let Some(scale) = scale(panel) {
-                field::lines(&mut plot, map, scale.field, &scale.greys, THICK)?;
-            }
-            mark(&mut plot, panel)?;
-        }
-        legend(root, figure, maps, &layout, &bars)?;
-        for (k, line) in layout.lines.iter().enumerate() {
-            let (x, y) = layout.caption;
-            root.draw(&Text::new(line.clone(), at(x, y + LINE * k as i32), text(FONT)))?;
-        }
-        Ok(())
-    })
+    canvas.clipped(*place, |canvas| mark(canvas, &frame, panel));
+    frame.draw(canvas, *written);
+    Ok(())
 }
 
 /// A field with the scale that its panels share.
@@ -136,101 +162,51 @@ fn written(columns: usize, maps: &[Map]) -> Vec<(bool, bool)> {
         .collect()
 }
 
-/// What stands above a panel: its letter, and what sets it apart.
-pub fn title(panel: &Panel, index: usize, own: &[String]) -> String {
-    let mut parts: Vec<&str> = Vec::new();
-    parts.extend(panel.label.as_deref());
-    parts.extend(panel.motion.as_deref());
-    parts.extend(own.iter().map(String::as_str));
-    format!("({}) {}", letter(index), parts.join(", "))
-}
-
-/// Writes a panel's label above it.
-pub fn label(root: &Area, place: Place, title: &str) -> Drawn<()> {
-    root.draw(&Text::new(title.to_string(), at(place.x, place.y - ABOVE + 7), text(13)))?;
-    Ok(())
-}
-
 /// Draws windows, points and paths.
-fn mark(plot: &mut Plot, panel: &Panel) -> Drawn<()> {
+fn mark(canvas: &mut Canvas, frame: &Frame, panel: &Panel) {
+    let letters = style(FONT);
     if let Some(window) = &panel.window {
         let ([x0, x1], [y0, y1]) = (window.x, window.y);
         let corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)];
-        let (dash, gap) = (6 * FINE as u32, 4 * FINE as u32);
-        plot.draw_series(DashedLineSeries::new(corners, dash, gap, stroke(BLACK, 14)))?;
+        canvas.line(corners.map(|corner| frame.at(corner)), stroke(WHITE, 1.4));
+        let line = dashed(BLACK, 0.7, (2.4, 1.6));
+        canvas.line(corners.map(|corner| frame.at(corner)), line);
     }
     for path in &panel.paths {
-        let line = [(path.omega, path.a_h.first()), (path.omega, path.a_h.last())];
-        plot.draw_series(LineSeries::new(line, stroke(WHITE, 30)))?;
-        plot.draw_series(LineSeries::new(line, stroke(BLACK, 14)))?;
-        let side = Pos::new(HPos::Left, VPos::Top);
-        let width = (8 + 6 * path.name.chars().count() as i32) * FINE;
-        plot.draw_series([EmptyElement::at((path.omega, path.a_h.last()))
-            + Rectangle::new(
-                [(3 * FINE, 2 * FINE), (width, 16 * FINE)],
-                WHITE.mix(0.85).filled(),
-            )
-            + Text::new(path.name.clone(), (5 * FINE, 4 * FINE), text(FONT).pos(side))])?;
+        let ends = [(path.omega, path.a_h.first()), (path.omega, path.a_h.last())];
+        canvas.line(ends.map(|end| frame.at(end)), stroke(WHITE, 1.4));
+        canvas.line(ends.map(|end| frame.at(end)), stroke(BLACK, 0.7));
+        let (x, y) = frame.at(ends[1]);
+        let wide = width(&path.name, FONT) + 2.0;
+        let high = FONT + 1.5;
+        let place =
+            crate::drawing::canvas::Place { x: x + 1.5, y: y + 0.5, width: wide, height: high };
+        canvas.fill_through(place, WHITE, 0.85);
+        canvas.text((x + 2.5, y + FONT), letters, &path.name);
     }
     for point in &panel.points {
-        plot.draw_series([EmptyElement::at((point.x, point.y))
-            + Circle::new((0, 0), 4 * FINE, WHITE.filled())
-            + Circle::new((0, 0), 3 * FINE, BLACK.filled())
-            + Text::new(point.name.clone(), (5 * FINE, -14 * FINE), text(FONT + 2))])?;
+        let at = frame.at((point.x, point.y));
+        canvas.disc(at, 2.0, WHITE);
+        canvas.disc(at, 1.4, BLACK);
+        let place = crate::drawing::canvas::Place {
+            x: at.0 + 2.0,
+            y: at.1 - FONT - 1.0,
+            width: width(&point.name, FONT) + 1.5,
+            height: FONT,
+        };
+        canvas.fill_through(place, WHITE, 0.85);
+        canvas.text((at.0 + 2.7, at.1 - 2.0), letters, &point.name);
     }
-    Ok(())
 }
 
-/// A colour and what it means.
-type Entry = ([u8; 3], String);
-
 /// The colours that the maps of a figure have, in the order of their meaning.
-fn entries(figure: &Figure, maps: &[Map]) -> Vec<Entry> {
+fn colours(figure: &Figure, maps: &[Map]) -> Vec<Entry> {
     let cells = |shows: Shows| {
         let these = figure.panels.iter().zip(maps).filter(move |(panel, _)| panel.shows == shows);
         these.flat_map(|(_, map)| map.outcomes.iter())
     };
-    let kinds: BTreeSet<Kind> = cells(Shows::Outcomes).map(Kind::of).collect();
     let parities: BTreeSet<Parity> = cells(Shows::Parity).map(Parity::of).collect();
-    let kinds = kinds.into_iter().map(|kind| (kind.colour(), kind.label()));
-    let parities = parities.into_iter().map(|parity| (parity.colour(), parity.label().to_string()));
-    kinds.chain(parities).collect()
-}
-
-fn legend(
-    root: &Area,
-    figure: &Figure,
-    maps: &[Map],
-    layout: &Layout,
-    bars: &[(Place, &Scale)],
-) -> Drawn<()> {
-    let (left, mut top) = layout.legend;
-    for (colour, name) in entries(figure, maps) {
-        let [r, g, b] = colour;
-        let swatch = [at(left, top), at(left + 22, top + 14)];
-        root.draw(&Rectangle::new(swatch, RGBColor(r, g, b).filled()))?;
-        outline(root, Place { x: left, y: top, width: 22, height: 14 }, 10)?;
-        root.draw(&Text::new(name, at(left + 30, top + 1), text(13)))?;
-        top += ENTRY;
-    }
-    for (place, scale) in bars {
-        scale.greys.draw(root, *place, scale.field.label, 14)?;
-        top = place.y + place.height + 26;
-    }
-    let beyond = |map: &Map| map.has_beyond_the_model();
-    let all: Vec<&Map> = maps.iter().collect();
-    match bars.last() {
-        Some((_, scale)) => {
-            keys(root, &all, scale.field, maps.iter().any(beyond), (left, top), 12)?;
-        }
-        None if maps.iter().any(beyond) => {
-            top += 6;
-            for line in ["hatched: contact force tensile,", "the model does not hold"] {
-                root.draw(&Text::new(line, at(left, top), text(12)))?;
-                top += LINE;
-            }
-        }
-        None => {}
-    }
-    Ok(())
+    let parities = parities.into_iter();
+    let parities = parities.map(|parity| entry(keys::parity_swatch(parity), parity.label()));
+    keys::kinds(cells(Shows::Outcomes), false).into_iter().chain(parities).collect()
 }

@@ -1,75 +1,32 @@
 //! Every parameter of a scene, in words, for captions and panels.
 
+use crate::scene::parameters::{Entry, PARAMETERS, Section};
 use crate::scene::{Directions, Excitation, Overturn, Parameter, Scene};
 
-/// What a line of a caption holds together.
-const LINES: [&[Parameter]; 15] = [
-    &[
-        Parameter::HalfWidth,
-        Parameter::Height,
-        Parameter::Slenderness,
-        Parameter::Size,
-        Parameter::Mass,
-        Parameter::Inertia,
-    ],
-    &[Parameter::Eccentricity, Parameter::Offset],
-    &[Parameter::PlateH, Parameter::PlateV],
-    &[Parameter::TH],
-    &[
-        Parameter::Psi,
-        Parameter::XiH,
-        Parameter::AlphaY,
-        Parameter::UY,
-        Parameter::YieldForce,
-        Parameter::BoucWenN,
-    ],
-    &[Parameter::TV],
-    &[Parameter::XiV],
-    &[Parameter::Omega],
-    &[Parameter::AH],
-    &[Parameter::AV],
-    &[Parameter::Cycles],
-    &[Parameter::Gamma, Parameter::Phase],
-    &[Parameter::Scale, Parameter::Pga],
-    &[Parameter::Friction],
-    &[Parameter::Restitution],
-];
-
-/// The parameters of a scene that its axes do not show, each in a few words, always in the same
-/// order.
+/// The parameters of a scene that its axes do not show, each in a few words, in the order of the table.
 pub fn of(scene: &Scene) -> Vec<String> {
-    let isolated = scene.isolation != Directions::None;
+    let single = |entry: &Entry| scene.numbers.get(entry.parameter)?.single();
     let mut parts = Vec::new();
-    for line in LINES {
-        if line.contains(&Parameter::Omega)
+    for entry in &PARAMETERS {
+        let first = |section| Parameter::of_section(section).next() == Some(entry.parameter);
+        if first(Section::Base) && scene.isolation == Directions::None {
+            parts.push("no isolation".into());
+        }
+        if first(Section::Pulse)
             && let Some(pulse) = scene.excitation.other_pulse()
         {
             parts.push(pulse.into());
         }
-        if line.contains(&Parameter::PlateH) && !isolated {
-            parts.push("no isolation".into());
-            continue;
+        let Some(value) = single(entry) else { continue };
+        match entry.parameter {
+            Parameter::TMax => match scene.excitation {
+                Excitation::Record(_) => parts.push("to the end of each record".into()),
+                Excitation::Pulse(_) => parts.push(format!("{value} s simulated")),
+            },
+            // A block that begins upright is what is meant where nothing is said.
+            Parameter::Tilt if value == 0.0 => {}
+            _ => parts.push(entry.written(value)),
         }
-        let words = |parameter: &Parameter| {
-            let value = scene.numbers.get(*parameter)?.single()?;
-            Some(parameter.entry().written(value))
-        };
-        let words: Vec<String> = line.iter().filter_map(words).collect();
-        if !words.is_empty() {
-            parts.push(words.join(", "));
-        }
-    }
-    match (&scene.excitation, scene.numbers.get(Parameter::TMax)) {
-        (Excitation::Record(_), _) => parts.push("to the end of each record".into()),
-        (Excitation::Pulse(_), Some(t_max)) if t_max.count() == 1 => {
-            parts.push(format!("{t_max} s simulated"));
-        }
-        _ => {}
-    }
-    if let Some(tilt) = scene.numbers.get(Parameter::Tilt).and_then(|tilt| tilt.single())
-        && tilt != 0.0
-    {
-        parts.push(Parameter::Tilt.entry().written(tilt));
     }
     parts.push(match scene.overturn {
         Overturn::CriticalAngle => "overturned at the critical angle".into(),

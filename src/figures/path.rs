@@ -1,24 +1,24 @@
 //! What a path through a map meets: impact counts, and outcomes as a strip.
 
-use std::collections::BTreeSet;
-
-use plotters::prelude::*;
-
+use crate::drawing::canvas::write;
+use crate::drawing::canvas::{Canvas, Place};
+use crate::drawing::caption::bounded;
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
+use crate::drawing::legend::{self, entry};
+use crate::drawing::palette::{Kind, Parity};
+use crate::drawing::raster::png;
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::text::{style, wrapped};
+use crate::drawing::{COLUMN, FONT, MARGIN, TITLE};
 use crate::map::Map;
-use crate::map::figure::FigureError;
-use crate::map::figure::document::{FINE, Place};
-use crate::map::figure::frame::{Axes, Named, at, document, frame, frame_with, outline, text};
-use crate::map::figure::palette::{Kind, Parity};
-use crate::map::figure::raster::png;
+use crate::map::figure::keys;
 use crate::scene::Values;
 
-/// Size of the axes' numbers.
-const FONT: i32 = 12;
-/// Size of a path's figure.
-const PATH: (u32, u32) = (960, 420);
-/// Places of its plot and of the strip of outcomes below.
-const IMPACTS: Place = Place { x: 84, y: 66, width: 610, height: 230 };
-const STRIP: Place = Place { x: 84, y: 316, width: 610, height: 26 };
+/// Heights of the plot and of the strip of outcomes below.
+const HEIGHT: f64 = 100.0;
+const STRIP: f64 = 11.0;
+const GAP: f64 = 5.0;
 
 /// Draws what a path meets: impact counts above, outcomes as a strip below. The map is one
 /// column wide.
@@ -27,62 +27,35 @@ const STRIP: Place = Place { x: 84, y: 316, width: 610, height: 26 };
 /// Any [`FigureError`].
 pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError> {
     let rows = map.grid.y().map_or_else(|| Values::from(0.0), |axis| axis.values.clone());
+    let fallen = || map.outcomes.iter().enumerate().filter(|(_, cell)| cell.class.overturned());
+    let most = fallen().map(|(_, cell)| cell.impacts).max().unwrap_or(1).max(10);
+    let mut canvas = Canvas::new(COLUMN);
+    let whole = COLUMN - 2.0 * MARGIN;
+    let y = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &bounded(title, TITLE, whole));
+    let y = write(&mut canvas, (MARGIN, y), style(FONT), &wrapped(caption, FONT, whole)) + GAP;
+    let place = Place { x: MARGIN + LEFT, y, width: whole - LEFT - 6.0, height: HEIGHT };
+    let x = Axis::new(rows.first(), rows.last(), "A_h [m/s²]");
+    let impacts = Axis::log(0.9, 1.25 * f64::from(most), "impacts before overturning");
+    let frame = Frame::new(place, x.clone(), impacts);
+    for (row, cell) in fallen().filter(|(_, cell)| cell.impacts > 0) {
+        let at = frame.at((rows.value(row), f64::from(cell.impacts).log10()));
+        canvas.disc(at, 0.7, Parity::of(cell).colour());
+    }
+    frame.draw(&mut canvas, Written { x: false, ..BOTH });
     // The strip lies: a row of the map is a column of it.
-    let strip = png(map.outcomes.len(), 1, |column, _| {
+    let strip = png((map.outcomes.len(), 1), |column, _| {
         let [r, g, b] = Kind::of(&map.outcomes[column]).colour();
         [r, g, b, 255]
     })?;
-    let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
-    let fallen = || map.outcomes.iter().enumerate().filter(|(_, cell)| cell.class.overturned());
-    let most = fallen().map(|(_, cell)| cell.impacts).max().unwrap_or(1).max(10);
-    document(PATH, &[(STRIP, strip)], |root| {
-        root.draw(&Text::new(title.to_string(), at(IMPACTS.x, 14), text(18)))?;
-        root.draw(&Text::new(caption.to_string(), at(IMPACTS.x, 40), text(FONT)))?;
-        let x = Named { ends: rows.first()..rows.last(), name: "A_h [m/s²]".into() };
-        let y = Named {
-            ends: -0.05..f64::from(most).log10() + 0.1,
-            name: "impacts before overturning".into(),
-        };
-        let set =
-            Axes { size: PATH, plot: IMPACTS, room: (Some(IMPACTS.x - 16), None), font: FONT };
-        let mut plot = frame_with(root, &set, (&x, &y), &decade)?;
-        let dots = fallen().filter(|(_, cell)| cell.impacts > 0).map(|(row, cell)| {
-            let [r, g, b] = Parity::of(cell).colour();
-            let place = (rows.value(row), f64::from(cell.impacts).log10());
-            Circle::new(place, 3 * FINE / 2, RGBColor(r, g, b).filled())
-        });
-        plot.draw_series(dots)?;
-        let none = Named { ends: 0.0..1.0, name: String::new() };
-        let set = Axes { size: PATH, plot: STRIP, room: (None, Some(44)), font: FONT };
-        frame(root, &set, (&x, &none))?;
-        let left = IMPACTS.x + IMPACTS.width + 22;
-        let mut top = IMPACTS.y;
-        for parity in [Parity::Odd, Parity::Even, Parity::Rested] {
-            if !fallen().any(|(_, cell)| cell.impacts > 0 && Parity::of(cell) == parity) {
-                continue;
-            }
-            let [r, g, b] = parity.colour();
-            root.draw(&Circle::new(at(left + 11, top + 7), 3 * FINE, RGBColor(r, g, b).filled()))?;
-            root.draw(&Text::new(parity.label(), at(left + 30, top), text(13)))?;
-            top += 20;
-        }
-        top += 8;
-        for kind in &kinds {
-            let [r, g, b] = kind.colour();
-            let swatch = [at(left, top), at(left + 22, top + 13)];
-            root.draw(&Rectangle::new(swatch, RGBColor(r, g, b).filled()))?;
-            outline(root, Place { x: left, y: top, width: 22, height: 13 }, 10)?;
-            root.draw(&Text::new(kind.label(), at(left + 30, top), text(13)))?;
-            top += 20;
-        }
-        Ok(())
-    })
-}
-
-/// A whole power of ten by its exponent; nothing between.
-fn decade(exponent: f64) -> String {
-    if (exponent - exponent.round()).abs() > 1.0e-6 {
-        return String::new();
-    }
-    format!("{}", 10.0_f64.powf(exponent.round()))
+    let below = Place { y: place.bottom() + GAP, height: STRIP, ..place };
+    canvas.image(below, &strip, true);
+    Frame::new(below, x, Axis::of(None)).draw(&mut canvas, BOTH);
+    let marks = [Parity::Odd, Parity::Even, Parity::Rested]
+        .into_iter()
+        .filter(|parity| fallen().any(|(_, cell)| cell.impacts > 0 && Parity::of(cell) == *parity));
+    let marks =
+        marks.map(|parity| entry(Swatch::Mark(Mark::Disc, parity.colour()), parity.label()));
+    let entries: Vec<_> = marks.chain(keys::kinds(map.outcomes.iter(), true)).collect();
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, below.bottom() + BELOW + GAP), whole, 2);
+    Ok(canvas.finish(end + MARGIN))
 }

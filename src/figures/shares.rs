@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use crate::map::figure::palette::Parity;
+use crate::drawing::palette::Parity;
 use crate::results::csv::Number;
 use crate::scene::{Parameter, Scene};
 use crate::stepping::outcome::{Class, Outcome};

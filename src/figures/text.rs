@@ -129,8 +129,9 @@ fn read(
                     motions[motions.len() - 1].clone()
                 }
             };
+            let label = opened.label();
             let excitation = Excitation::Record(opened.pair);
-            (checked(text.check_under(excitation))?, Some(opened.name))
+            (checked(text.check_under(excitation))?, Some(label))
         }
     };
     if let Some(cells) = inputs.cells {

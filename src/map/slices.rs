@@ -3,8 +3,8 @@
 use std::io;
 
 use super::Map;
-use super::figure::tick;
 use super::thinned::{DRAWN, thinned};
+use crate::drawing::ticks::rounded;
 use crate::results::outcomes::Outcomes;
 use crate::scene::{Grid, Scene};
 
@@ -39,7 +39,7 @@ pub fn of<'a>(
             let map = thinned(scene, (&slice, number * area), outcomes, DRAWN)?;
             let at: Vec<String> = fixed
                 .iter()
-                .map(|(parameter, value)| parameter.entry().written(tick(*value, value.abs())))
+                .map(|(parameter, value)| parameter.entry().written(rounded(*value, value.abs())))
                 .collect();
             Ok(Slice { map, at: at.join(", ") })
         })

@@ -9,6 +9,9 @@ use super::{Directions, Overturn, Scene, SceneError, Values};
 use super::{block, check, isolation};
 use crate::model::pulse::Shape;
 
+/// Titles of scenes that were given none: of a pulse and of a record.
+pub const TITLES: [&str; 2] = ["Overturning spectral map", "Rocking map"];
+
 /// What is given of a scene; what is missing has a default or is an error of [`check`](SceneBuilder::check).
 /// Keys and units are those of the command line.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -149,9 +152,9 @@ impl SceneBuilder {
         let (default_title, shortest) = match &excitation {
             Excitation::Pulse(shape) => {
                 excitation::complete_pulse(*shape, &mut numbers)?;
-                ("Overturning spectral map", 30.0)
+                (TITLES[0], 30.0)
             }
-            Excitation::Record(pair) => ("Rocking map", pair.duration()),
+            Excitation::Record(pair) => (TITLES[1], pair.duration()),
         };
         numbers.set_missing(Parameter::TMax, shortest);
         numbers.set_missing(Parameter::Tilt, 0.0);

@@ -25,6 +25,17 @@ fn names(directory: &Path) -> Vec<String> {
     names
 }
 
+/// What a picture says, its lines joined.
+fn words(path: &Path) -> String {
+    let svg = fs::read_to_string(path).unwrap();
+    let texts = svg.lines().filter(|line| line.starts_with("<text"));
+    let plain = |line: &str| {
+        let pieces = line.split('<').filter_map(|piece| Some(piece.split_once('>')?.1));
+        pieces.collect::<String>()
+    };
+    texts.map(plain).collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn a_figure_of_pulses_leaves_picture_tables_and_paths() {
     let out = TempDir::new().unwrap();
@@ -47,7 +58,7 @@ fn a_figure_of_pulses_leaves_picture_tables_and_paths() {
     assert_eq!(json["panels"].as_array().unwrap().len(), 6);
     assert_eq!(json["panels"][1]["scene"]["numbers"]["eccentricity"], 0.2);
     // The caption has what the panels share, the panels what sets them apart.
-    let svg = fs::read_to_string(out.path().join("fig12.svg")).unwrap();
+    let svg = words(&out.path().join("fig12.svg"));
     assert!(svg.contains("H = 0.95 m") && svg.contains("(f) ε = 0.4"));
 }
 
@@ -66,18 +77,21 @@ fn missing_records_are_synthetic_and_said_to_be() {
         let said = figures(arguments, out.path()).success();
         let said = String::from_utf8(said.get_output().stdout.clone()).unwrap();
         assert!(said.contains(both) && said.contains(vertical), "{said}");
-        let svg = fs::read_to_string(out.path().join("fig04.svg")).unwrap();
+        let svg = words(&out.path().join("fig04.svg"));
         assert!(
             svg.contains("horizontal SYNTHETIC, 0.693 g") && svg.contains("vertical SYNTHETIC")
         );
+        // A panel's own title says it too.
+        assert!(svg.contains("(a) Kobe (synthetic), ε = 0"), "{svg}");
     }
     let samples = "0.01\n0.2\n-0.1\n0.05\n".repeat(20);
     fs::write(records.path().join("kobe-1995-takarazuka-000.slammer.txt"), samples).unwrap();
     let said = figures(&[&only[..], &["--records", directory]].concat(), out.path()).success();
     let said = String::from_utf8(said.get_output().stdout.clone()).unwrap();
     assert!(!said.contains(both) && said.contains(vertical), "{said}");
-    let svg = fs::read_to_string(out.path().join("fig04.svg")).unwrap();
+    let svg = words(&out.path().join("fig04.svg"));
     assert!(svg.contains("horizontal 0.200 g") && svg.contains("vertical SYNTHETIC"));
+    assert!(svg.contains("(a) Kobe (vertical synthetic), ε = 0"), "{svg}");
 }
 
 #[test]

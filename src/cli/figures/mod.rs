@@ -6,11 +6,11 @@ mod maps;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use topple::drawing::render;
 use topple::figures::error::ReadError;
 use topple::figures::motions::{self, Motion, Motions};
 use topple::figures::text::FigureInputs;
 use topple::figures::{Figure, Shows, letter};
-use topple::map::figure::document;
 use topple::results::files::Directory;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
@@ -227,7 +227,7 @@ impl Work<'_> {
 
     /// Writes a figure's picture, and says where it is and what it took.
     fn picture(&self, name: &str, svg: &str, what: &str) -> anyhow::Result<()> {
-        let png = document::render(svg, output::PNG_SCALE)?;
+        let png = render::png(svg)?;
         output::write_figure(&self.out, name, svg, &png)?;
         self.say(&format!("{name:10} {what}; {}", self.out.file(&format!("{name}.png")).display()));
         Ok(())

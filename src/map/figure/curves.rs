@@ -1,135 +1,112 @@
 //! A sweep of one axis: the rocking index and the displacements as curves, the outcomes as a strip.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
-
-use plotters::prelude::*;
 
 use super::super::Map;
-use super::FigureError;
-use super::document::{FINE, Place};
 use super::fields::{FIELDS, Field};
-use super::frame::{
-    Area, Axes, Drawn, Named, along, at, document, extent, frame, heading, outline, stroke, text,
-};
-use super::overturning::{hatch_labels, hatched};
-use super::palette::Kind;
-use super::raster::png;
-use crate::scene::grid::Axis;
-use crate::stepping::outcome::{Class, Outcome, Status};
+use super::layout::{GAP, SIDE};
+use super::overlay::Overlay;
+use super::{keys, overturning};
+use crate::drawing::canvas::{Canvas, Place, Point, stroke};
+use crate::drawing::colour::BLACK;
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
+use crate::drawing::legend::{Entry, entry};
+use crate::drawing::palette::{CURVES, Kind};
+use crate::drawing::swatch::Swatch;
+use crate::drawing::text::style;
+use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
+use crate::scene::builder::TITLES;
+use crate::scene::grid;
+use crate::stepping::outcome::Status;
 
-/// Size of the figure.
-const SIZE: (u32, u32) = (960, 758);
-/// Size of the axes' numbers.
-const FONT: i32 = 13;
-/// The plots' left ends, their width, and the top of the first.
-const LEFT: i32 = 96;
-const WIDTH: i32 = 604;
-const TOP: i32 = 76;
-/// Height of a curve's plot, and distance of two.
-const HEIGHT: i32 = 168;
-const APART: i32 = 14;
-/// Height of the strip of outcomes.
-const STRIP: i32 = 26;
+/// Height of a curve's plot, and of the strip of outcomes.
+const HEIGHT: f64 = 64.0;
+const STRIP: f64 = 12.0;
+/// Most cells whose points are marked.
+const MARKED: usize = 60;
 
-/// What is drawn: max|v|, which holds the static deflection, tells less than the stroke.
+/// What is drawn: max |v|, which holds the static deflection, tells less than the stroke.
 const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
-
-/// Where the k-th plot lies.
-fn plot(k: usize) -> Place {
-    Place { x: LEFT, y: TOP + k as i32 * (HEIGHT + APART), width: WIDTH, height: HEIGHT }
-}
-
-/// Where the strip lies.
-fn strip() -> Place {
-    Place { y: TOP + SHOWN.len() as i32 * (HEIGHT + APART), height: STRIP, ..plot(0) }
-}
 
 /// Draws the curves along the axis of a map's cells as SVG.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, axis: &Axis) -> Result<String, FigureError> {
-    let colours = png(map.outcomes.len(), 1, |column, _| {
-        let [r, g, b] = Kind::of(&map.outcomes[column]).colour();
-        [r, g, b, 255]
-    })?;
-    let kinds: BTreeSet<Kind> = map.outcomes.iter().map(Kind::of).collect();
+pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
+    let mut canvas = Canvas::new(COLUMN);
+    let along = format!("Rocking index, displacements and outcomes along {}", axis.entry().symbol);
+    let title = match map.scene.title.as_str() {
+        // What it is called where nobody names it is a map.
+        title if TITLES.contains(&title) => along,
+        title => format!("{title}: {}", along.replacen('R', "r", 1)),
+    };
+    let (x, width) = SIDE;
+    let mut y = caption::heading(&mut canvas, map.scene, &title) + GAP;
+    for field in SHOWN {
+        let place = Place { x, y, width, height: HEIGHT };
+        paint(&mut canvas, map, axis, field, place);
+        y += HEIGHT + GAP;
+    }
+    let place = Place { x, y, width, height: STRIP };
     let line = map.grid.along_line().unwrap_or_else(|| map.grid.clone());
     let line = Map { scene: map.scene, grid: line, outcomes: Cow::Borrowed(&map.outcomes) };
-    let mut images = vec![(strip(), colours)];
-    images.extend(hatched(&line, strip())?.map(|hatch| (strip(), hatch)));
-    document(SIZE, &images, |root| {
-        heading(root, LEFT, map.scene, &map.scene.title)?;
-        for (k, field) in SHOWN.iter().enumerate() {
-            paint(root, (map, axis), field, plot(k))?;
-        }
-        let below = Axes { size: SIZE, plot: strip(), room: (None, Some(48)), font: FONT };
-        along(root, axis, &below)?;
-        legend(root, map, &kinds)
-    })
+    let overlay = Overlay::of(&line, true);
+    overturning::paint(&mut canvas, &line, place, overlay, Kind::of, Kind::colour)?;
+    Frame::new(place, Axis::of(Some(axis)), Axis::of(None)).draw(&mut canvas, BOTH);
+    let mut entries = keys::kinds(map.outcomes.iter(), true);
+    entries.extend(keys::overlay(&[&line], overlay));
+    entries.extend(remarks(map));
+    let top = place.bottom() + BELOW + GAP;
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 2);
+    Ok(canvas.finish(end + MARGIN))
 }
 
 /// Draws a curve with its axes: points that belong together with a line between.
-fn paint(root: &Area, (map, axis): (&Map, &Axis), field: &Field, place: Place) -> Drawn<()> {
-    let values = &axis.values;
-    let known = map.outcomes.iter().filter(|cell| field.counts(cell)).map(field.value);
+fn paint(canvas: &mut Canvas, map: &Map, axis: &grid::Axis, field: &Field, place: Place) {
+    let known = map.outcomes.iter().filter(|cell| Field::counts(cell)).map(field.value);
     let most = known.fold(0.0, f64::max);
     // Where no cell stands, or nothing moves, there is no scale to go by.
     let most = if most > 0.0 { most } else { 1.0 };
-    let x = Named { ends: extent(values), name: String::new() };
-    let y = Named { ends: 0.0..1.06 * most, name: field.label.into() };
-    let set = Axes { size: SIZE, plot: place, room: (Some(LEFT - 16), None), font: FONT };
-    let mut plot = frame(root, &set, (&x, &y))?;
-    let points: Vec<Option<(f64, f64)>> = map
+    let frame = Frame::new(place, Axis::of(Some(axis)), Axis::new(0.0, 1.06 * most, field.label));
+    let points: Vec<Option<Point>> = map
         .outcomes
         .iter()
         .enumerate()
         .map(|(i, cell)| {
-            field.counts(cell).then(|| (values.coordinate(i as f64), (field.value)(cell)))
+            let at = (axis.values.coordinate(i as f64), (field.value)(cell));
+            Field::counts(cell).then(|| frame.at(at))
         })
         .collect();
     for part in points.split(Option::is_none) {
-        let line = part.iter().flatten().copied();
-        plot.draw_series(LineSeries::new(line, stroke(RGBColor(0x2c, 0x5f, 0xb8), 14)))?;
+        canvas.line(part.iter().flatten().copied(), stroke(CURVES[0], 0.8));
     }
-    if points.len() <= WIDTH as usize / 6 {
-        let dots =
-            points.iter().flatten().map(|point| Circle::new(*point, 2 * FINE, BLACK.filled()));
-        plot.draw_series(dots)?;
+    for (k, point) in points.iter().enumerate() {
+        // A point between two that have no value would not be seen.
+        let beside = |k: Option<usize>| k.and_then(|k| points.get(k)).is_some_and(Option::is_some);
+        let alone = !beside(k.checked_sub(1)) && !beside(Some(k + 1));
+        if let Some(point) = point
+            && (points.len() <= MARKED || alone)
+        {
+            canvas.disc(*point, 1.0, BLACK);
+        }
     }
-    outline(root, place, 10)
+    if points.iter().all(Option::is_none) {
+        let middle = (place.x + 0.5 * place.width, place.y + 0.5 * place.height);
+        canvas.text(middle, style(FONT).middle(), "no cell stands");
+    }
+    frame.draw(canvas, Written { x: false, ..BOTH });
 }
 
-fn legend(root: &Area, map: &Map, kinds: &BTreeSet<Kind>) -> Drawn<()> {
-    let (left, mut top) = (LEFT + WIDTH + 22, TOP + 4);
-    for kind in kinds {
-        let [r, g, b] = kind.colour();
-        let swatch = [at(left, top), at(left + 24, top + 16)];
-        root.draw(&Rectangle::new(swatch, RGBColor(r, g, b).filled()))?;
-        outline(root, Place { x: left, y: top, width: 24, height: 16 }, 10)?;
-        root.draw(&Text::new(kind.label(), at(left + 32, top + 1), text(15)))?;
-        top += 25;
+/// What is said below the classes.
+fn remarks(map: &Map) -> Vec<Entry> {
+    let mut remarks = Vec::new();
+    if map.outcomes.iter().any(|cell| cell.class.overturned()) {
+        remarks.push(entry(Swatch::None, "Curves are of the cells that stand."));
     }
-    let has = |test: fn(&Outcome) -> bool| map.outcomes.iter().any(test);
-    let mut notes: Vec<String> = Vec::new();
-    if map.has_beyond_the_model() {
-        notes.push("hatched:".into());
-        notes.extend(hatch_labels(map).map(|label| label.trim_end_matches(':').to_string()));
+    if map.outcomes.iter().any(|cell| cell.status == Status::VerticalLocked) {
+        let locked = "Of some cells the vertical isolation is rigid for this record: it is locked.";
+        remarks.push(entry(Swatch::None, locked));
     }
-    if has(|cell| cell.class == Class::Unresolved) {
-        notes.push("crossed: unresolved".into());
-    }
-    if has(|cell| cell.status == Status::VerticalLocked) {
-        notes.push("some vertically rigid for".into());
-        notes.push("this record: locked".into());
-    }
-    if has(|cell| cell.class.overturned()) {
-        notes.push("u and v of cells that stand".into());
-    }
-    for note in notes {
-        top += 20;
-        root.draw(&Text::new(note, at(left, top), text(14)))?;
-    }
-    Ok(())
+    remarks
 }

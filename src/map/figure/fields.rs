@@ -15,9 +15,6 @@ pub struct Field {
     pub value: fn(&Outcome) -> f64,
     /// Fixed ends of the scale; those of the values where there are none.
     pub ends: Option<(f64, f64)>,
-    /// The value of an overturned cell tells how far it came, not how far it can: it is left out
-    /// of the scale and of the levels.
-    pub standing_only: bool,
 }
 
 /// The rocking index, the displacements and the vertical stroke, a figure each.
@@ -25,34 +22,30 @@ pub const FIELDS: [Field; 4] = [
     Field {
         name: "map",
         title: "rocking index",
-        label: "ζ = max|φ| / α",
+        label: "ζ = max |φ| / α",
         value: |cell| cell.zeta,
         ends: Some((0.0, 1.0)),
-        standing_only: false,
     },
     Field {
         name: "displacement_u",
         title: "horizontal displacement of the base",
-        label: "max|u| [m]",
+        label: "max |u| [m]",
         value: |cell| cell.max_u,
         ends: None,
-        standing_only: true,
     },
     Field {
         name: "displacement_v",
         title: "vertical displacement of the base",
-        label: "max|v| [m]",
+        label: "max |v| [m]",
         value: |cell| cell.max_v,
         ends: None,
-        standing_only: true,
     },
     Field {
         name: "stroke_v",
         title: "vertical stroke of the base about its static position",
-        label: "max|v + g/ω_v²| [m]",
+        label: "max |v + g/ω_v²| [m]",
         value: |cell| cell.stroke_v,
         ends: None,
-        standing_only: true,
     },
 ];
 
@@ -64,15 +57,13 @@ pub const CONTACT: [Field; 2] = [
         label: "min N/M [m/s²]",
         value: |cell| cell.min_contact,
         ends: Some((0.0, 10.0)),
-        standing_only: true,
     },
     Field {
         name: "friction",
-        title: "friction coefficient asked for",
-        label: "max |T| / N (up to 1)",
+        title: "friction asked for",
+        label: "max |T|/N (1: one or more)",
         value: |cell| cell.friction.min(FRICTION),
         ends: None,
-        standing_only: true,
     },
 ];
 
@@ -80,8 +71,9 @@ pub const CONTACT: [Field; 2] = [
 const FRICTION: f64 = 1.0;
 
 impl Field {
-    /// True where a cell's value has a place on the scale.
-    pub fn counts(&self, cell: &Outcome) -> bool {
-        cell.class != Class::Unresolved && !(self.standing_only && cell.class.overturned())
+    /// True where a cell's value has a place on the scale: that of an overturned cell tells how far it came,
+    /// not how far it can.
+    pub fn counts(cell: &Outcome) -> bool {
+        cell.class != Class::Unresolved && !cell.class.overturned()
     }
 }

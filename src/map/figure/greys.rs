@@ -1,25 +1,20 @@
-//! The scale of greys of a value, and the keys beside it.
-
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+//! The scale of greys of a value.
 
 use super::super::Map;
-use super::document::Place;
 use super::fields::Field;
-use super::frame::{Area, Drawn, at, outline, stroke, text};
-use super::overturning::hatch_labels;
-use super::raster::png;
-use super::{FigureError, tick};
-use crate::scene::Parameter;
-use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::drawing::canvas::{Canvas, Place, stroke};
+use crate::drawing::colour::BLACK;
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, Frame, LINE, Written};
+use crate::drawing::raster::png;
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;
 /// Shades of the lightest and the darkest value.
 const LIGHT: f64 = 0.96;
 const DARK: f64 = 0.38;
-/// Shade of overturned cells where their value is left out.
-pub const FALLEN: u8 = 0x50;
+/// Height of a drawn scale.
+const HEIGHT: f64 = 6.0;
 
 /// A scale of greys: from where to where, in which steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +33,7 @@ impl Greys {
         }
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for map in maps {
-            for cell in map.outcomes.iter().filter(|cell| field.counts(cell)) {
+            for cell in map.outcomes.iter().filter(|cell| Field::counts(cell)) {
                 let value = (field.value)(cell);
                 (low, high) = (low.min(value), high.max(value));
             }
@@ -56,13 +51,15 @@ impl Greys {
         self.high - self.low
     }
 
-    /// The values between the ends at which the scale has a tick.
-    pub fn levels(&self) -> Vec<f64> {
-        (1..self.count()).map(|k| self.low + self.step * f64::from(k)).collect()
+    /// From one level to the next.
+    pub fn step(&self) -> f64 {
+        self.step
     }
 
-    fn count(&self) -> i32 {
-        (self.width() / self.step).round() as i32
+    /// The values between the ends at which maps have lines.
+    pub fn levels(&self) -> Vec<f64> {
+        let count = (self.width() / self.step).round() as i32;
+        (1..count).map(|k| self.low + self.step * f64::from(k)).collect()
     }
 
     /// The grey of a value.
@@ -71,34 +68,28 @@ impl Greys {
         (255.0 * (LIGHT + (DARK - LIGHT) * share)) as u8
     }
 
-    /// The scale as an image.
+    /// Draws the scale from `left` on at a height, with its numbers and its name below; returns where it ends.
     ///
     /// # Errors
     /// [`FigureError::Encode`].
-    pub fn bar(&self) -> Result<Vec<u8>, FigureError> {
-        png(1, 256, |_, row| {
-            let grey = self.shade(self.high - self.width() * (row as f64 + 0.5) / 256.0);
+    pub fn draw(
+        &self,
+        canvas: &mut Canvas,
+        (left, top): (f64, f64),
+        width: f64,
+        name: &str,
+    ) -> Result<f64, FigureError> {
+        let place = Place { x: left, y: top, width, height: HEIGHT };
+        let bar = png((256, 1), |column, _| {
+            let grey = self.shade(self.low + self.width() * (column as f64 + 0.5) / 256.0);
             [grey, grey, grey, 255]
-        })
-    }
-
-    /// Draws the scale's name, frame and numbers around the image at `bar`.
-    ///
-    /// # Errors
-    /// Those of the plotting library.
-    pub fn draw(&self, root: &Area, bar: Place, name: &str, font: i32) -> Drawn<()> {
-        root.draw(&Text::new(name.to_string(), at(bar.x, bar.y - font * 3 / 2), text(font)))?;
-        outline(root, bar, 10)?;
-        for k in 0..=self.count() {
-            let y = bar.y + bar.height - bar.height * k / self.count().max(1);
-            let value = self.low + self.step * f64::from(k);
-            let right = bar.x + bar.width;
-            let line = stroke(BLACK, 10);
-            root.draw(&PathElement::new(vec![at(right, y), at(right + 5, y)], line))?;
-            let style = text(font - 2).pos(Pos::new(HPos::Left, VPos::Center));
-            root.draw(&Text::new(tick(value, self.width()), at(right + 9, y), style))?;
-        }
-        Ok(())
+        })?;
+        canvas.image(place, &bar, true);
+        let axis = Axis::new(self.low, self.high, name);
+        let written = Written { y: false, x: true, beyond: 4.0 };
+        Frame::new(place, axis, Axis::new(0.0, 1.0, "")).draw(canvas, written);
+        canvas.outline(place, stroke(BLACK, LINE));
+        Ok(place.bottom() + BELOW)
     }
 }
 
@@ -109,70 +100,4 @@ fn level_step(low: f64, high: f64) -> f64 {
     let digits = [1.0, 2.0, 5.0, 10.0];
     let fits = digits.into_iter().find(|digit| digit * place >= rough * (1.0 - 1.0e-9));
     fits.unwrap_or(10.0) * place
-}
-
-/// Draws what lines, greys and hatches say, downwards from a place; returns where it ends.
-///
-/// # Errors
-/// Those of the plotting library.
-pub fn keys(
-    root: &Area,
-    maps: &[&Map],
-    field: &Field,
-    hatched: bool,
-    (left, mut top): (i32, i32),
-    font: i32,
-) -> Drawn<i32> {
-    let has = |class: fn(&Outcome) -> bool| maps.iter().any(|map| map.outcomes.iter().any(class));
-    let row = font * 13 / 7;
-    let beside = |top: i32| at(left + 38, top - font * 4 / 7);
-    let thick = stroke(BLACK, 26);
-    if has(|cell| cell.class.overturned()) {
-        root.draw(&PathElement::new(vec![at(left, top), at(left + 30, top)], thick))?;
-        root.draw(&Text::new("around overturning", beside(top), text(font)))?;
-        top += row;
-    }
-    if has(|cell| cell.class == Class::FullContact) {
-        for x in [left, left + 18] {
-            root.draw(&PathElement::new(vec![at(x, top), at(x + 12, top)], thick))?;
-        }
-        root.draw(&Text::new("around full contact", beside(top), text(font)))?;
-        top += row;
-    }
-    if field.standing_only && has(|cell| cell.class.overturned()) {
-        let swatch = [at(left, top - 8), at(left + 30, top + 8)];
-        root.draw(&Rectangle::new(swatch, RGBColor(FALLEN, FALLEN, FALLEN).filled()))?;
-        root.draw(&Text::new("overturned", beside(top), text(font)))?;
-        top += row;
-    }
-    let mut notes: Vec<String> = Vec::new();
-    if hatched && let Some(map) = maps.first() {
-        let [why, what] = hatch_labels(map);
-        notes.push("hatched:".into());
-        notes.push(why.replace("contact force tensile:", "contact force tensile,"));
-        notes.push(what);
-    }
-    if has(|cell| cell.class == Class::Unresolved) {
-        notes.push("crossed: unresolved".into());
-    }
-    let locked = maps.iter().filter_map(|map| locked_up_to(map)).fold(f64::NEG_INFINITY, f64::max);
-    if locked.is_finite() {
-        notes.push(format!("up to T_v = {} s:", tick(locked, locked)));
-        notes.push("vertically rigid for this".into());
-        notes.push("record, direction locked".into());
-    }
-    for note in notes {
-        root.draw(&Text::new(note, at(left, top - font * 4 / 7), text(font)))?;
-        top += font * 10 / 7;
-    }
-    Ok(top)
-}
-
-/// The largest T_v of a map at which the vertical direction was locked, s.
-fn locked_up_to(map: &Map) -> Option<f64> {
-    let cells = map.outcomes.iter().enumerate();
-    cells
-        .filter(|(_, cell)| cell.status == Status::VerticalLocked)
-        .filter_map(|(index, _)| map.grid.value(Parameter::TV, index))
-        .reduce(f64::max)
 }

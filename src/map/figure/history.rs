@@ -1,25 +1,86 @@
-//! One cell's motion against time.
+//! One cell's motion against time, below what shakes it.
 
-use plotters::prelude::*;
-
-use super::document::{FINE, compose};
-use super::frame::{Drawn, area, at, caption, stroke, text};
-use super::{FigureError, tick};
+use super::layout::{GAP, SIDE};
+use crate::drawing::canvas::write;
+use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
+use crate::drawing::colour::BLACK;
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
+use crate::drawing::legend::entry;
+use crate::drawing::palette::CURVES;
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::text::{style, wrapped};
+use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
 use crate::scene::{Case, Excitation, Scene, Shaking};
-use crate::stepping::outcome::Outcome;
+use crate::stepping::outcome::{Class, Outcome};
+use crate::stepping::reference::pulse::Pulse;
 use crate::sweep::history::Row;
 
-const SIZE: (u32, u32) = (960, 820);
+/// Height of a strip.
+const HEIGHT: f64 = 44.0;
+/// Radius of a mark.
+const MARK: f64 = 1.5;
 
-/// A strip of the figure: what it shows of a row, and in which unit.
-type Strip = (&'static str, fn(&Row) -> f64);
+/// A coordinate of the motion: its symbol and unit, and its value in a row.
+type Coordinate = (&'static str, fn(&Row) -> f64);
 
-const STRIPS: [Strip; 4] = [
+const COORDINATES: [Coordinate; 4] = [
     ("φ [rad]", |row| row.phi),
     ("u [m]", |row| row.u),
     ("v [m]", |row| row.v),
     ("z", |row| row.z),
 ];
+
+/// A curve of the picture: symbol and unit, points, and its ends.
+struct Strip {
+    name: &'static str,
+    points: Vec<Point>,
+}
+
+/// What shakes a cell, m/s^2: points of the horizontal and of the vertical acceleration of the ground.
+fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>; 2] {
+    match (&scene.excitation, case.shaking) {
+        (Excitation::Record(pair), Shaking::Record { factor, .. }) => {
+            [&pair.horizontal, &pair.vertical].map(|samples| {
+                let at = |(k, a): (usize, &f64)| (k as f64 * pair.dt, factor * a);
+                samples.iter().enumerate().map(at).take_while(|(t, _)| *t <= end).collect()
+            })
+        }
+        (_, Shaking::Pulse(pulse)) => {
+            let wave = Pulse::new(&pulse);
+            let stop = wave.end();
+            [pulse.a_h, pulse.a_v].map(|amplitude| {
+                let during = rows.iter().map(|row| row.t).filter(|t| *t < stop);
+                let mut points: Vec<Point> =
+                    during.chain([stop]).map(|t| (t, amplitude * wave.wave(t))).collect();
+                points.extend([(stop, 0.0), (end, 0.0)]);
+                points.retain(|(t, _)| *t <= end);
+                points
+            })
+        }
+        (Excitation::Pulse(_), Shaking::Record { .. }) => [Vec::new(), Vec::new()],
+    }
+}
+
+/// What became of the cell.
+fn told(outcome: &Outcome) -> String {
+    let impacts = match outcome.impacts {
+        1 => "1 impact".to_string(),
+        count => format!("{count} impacts"),
+    };
+    match outcome.class {
+        Class::OverturnedLeft | Class::OverturnedRight => {
+            let corner = if outcome.class == Class::OverturnedLeft { "left" } else { "right" };
+            format!(
+                "Overturned about the {corner} corner at {:.3} s, after {impacts}",
+                outcome.t_end
+            )
+        }
+        Class::FullContact => "Full contact throughout".into(),
+        Class::Rocking => format!("Rocking, stable: {impacts}, ζ = {:.4}", outcome.zeta),
+        Class::Unresolved => "Unresolved".into(),
+    }
+}
 
 /// Draws the motion as SVG.
 ///
@@ -31,84 +92,89 @@ pub fn draw(
     rows: &[Row],
     outcome: &Outcome,
 ) -> Result<String, FigureError> {
-    let mut drawing = String::new();
-    strips(scene, case, rows, outcome, &mut drawing)
-        .map_err(|e| FigureError::Draw(e.to_string()))?;
-    Ok(compose(SIZE, &[], &drawing))
+    let mut canvas = Canvas::new(COLUMN);
+    let mut y = caption::heading(&mut canvas, scene, &scene.title);
+    let said = wrapped(&told(outcome), FONT, COLUMN - 2.0 * MARGIN);
+    y = write(&mut canvas, (MARGIN, y), style(FONT), &said) + GAP;
+    let end = rows.last().map_or(1.0, |row| row.t).max(f64::MIN_POSITIVE);
+    let [horizontal, vertical] = ground(scene, case, rows, end);
+    let mut strips = vec![Strip { name: "ü_g [m/s²]", points: horizontal }];
+    if vertical.iter().any(|(_, a)| *a != 0.0) {
+        strips.push(Strip { name: "v\u{308}_g [m/s²]", points: vertical });
+    }
+    let rocking = strips.len();
+    strips.extend(COORDINATES.map(|(name, value)| {
+        let points = rows.iter().map(|row| (row.t, value(row))).collect();
+        Strip { name, points }
+    }));
+    let critical = [1.0, -1.0].map(|side| side * case.overturning_angle(side));
+    let (uplifts, impacts) = switches(rows);
+    let mut shows_critical = false;
+    let count = strips.len();
+    for (k, strip) in strips.iter().enumerate() {
+        let (x, width) = SIDE;
+        let place = Place { x, y, width, height: HEIGHT };
+        let (low, high) = ends(&strip.points);
+        let frame =
+            Frame::new(place, Axis::new(0.0, end, "t [s]"), Axis::new(low, high, strip.name));
+        let colour = if k < rocking { CURVES[2] } else { CURVES[0] };
+        canvas.clipped(place, |canvas| {
+            if k == rocking {
+                for level in critical.into_iter().filter(|level| *level > low && *level < high) {
+                    shows_critical = true;
+                    canvas.line([(0.0, level), (end, level)].map(|at| frame.at(at)), CRITICAL);
+                }
+            }
+            canvas.line(strip.points.iter().map(|point| frame.at(*point)), stroke(colour, 0.6));
+        });
+        if k == rocking {
+            for at in &impacts {
+                Mark::Circle.draw(&mut canvas, frame.at(*at), MARK, CURVES[1]);
+            }
+            for at in &uplifts {
+                Mark::Triangle.draw(&mut canvas, frame.at(*at), MARK + 0.4, BLACK);
+            }
+        }
+        frame.draw(&mut canvas, Written { x: k + 1 == count, ..BOTH });
+        y += HEIGHT + GAP;
+    }
+    let marks = [
+        (!uplifts.is_empty(), Swatch::Mark(Mark::Triangle, BLACK), "uplift"),
+        (!impacts.is_empty(), Swatch::Mark(Mark::Circle, CURVES[1]), "impact"),
+        (shows_critical, Swatch::Line(CRITICAL), "overturning angle"),
+        (true, Swatch::Line(stroke(CURVES[2], 0.8)), "ground"),
+        (true, Swatch::Line(stroke(CURVES[0], 0.8)), "block and base"),
+    ];
+    let shown = marks.into_iter().filter(|(shown, ..)| *shown);
+    let entries: Vec<_> = shown.map(|(_, swatch, label)| entry(swatch, label)).collect();
+    let top = y - GAP + BELOW + GAP;
+    let bottom = legend::draw(&mut canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 3);
+    Ok(canvas.finish(bottom + MARGIN))
 }
 
-fn strips(
-    scene: &Scene,
-    case: &Case,
-    rows: &[Row],
-    outcome: &Outcome,
-    drawing: &mut String,
-) -> Drawn<()> {
-    let root = area(drawing, SIZE);
-    let cell = match (&scene.excitation, case.shaking) {
-        (Excitation::Record(pair), _) => pair.title.clone(),
-        (_, Shaking::Pulse(pulse)) => {
-            format!("Ω = {} rad/s,  A_h = {} m/s²", pulse.omega, pulse.a_h)
-        }
-        (Excitation::Pulse(_), Shaking::Record { .. }) => String::new(),
-    };
-    let what = format!(
-        "{cell}:  {}, {} impacts, ζ = {:.4}",
-        outcome.class.name().replace('_', " "),
-        outcome.impacts,
-        outcome.zeta
-    );
-    root.draw(&Text::new(what, at(84, 16), text(20)))?;
-    root.draw(&Text::new(caption(scene), at(84, 44), text(15)))?;
-    let end = rows.last().map_or(1.0, |row| row.t).max(f64::MIN_POSITIVE);
-    let (_, below) = root.split_vertically(66 * FINE);
-    let areas = below.split_evenly((STRIPS.len(), 1));
-    for (k, (strip, (label, value))) in areas.iter().zip(STRIPS).enumerate() {
-        let last = k + 1 == STRIPS.len();
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for y in rows.iter().map(value) {
-            (low, high) = (low.min(y), high.max(y));
-        }
-        let mut margin = 0.08 * (high - low);
-        if !(margin > 0.0) {
-            (low, high) = if low.is_finite() { (low, low) } else { (0.0, 0.0) };
-            margin = 0.5 * low.abs().max(1.0e-3);
-        }
-        let mut chart = ChartBuilder::on(strip)
-            .margin_right(24 * FINE)
-            .margin_left(16 * FINE)
-            .margin_top(8 * FINE)
-            .set_label_area_size(LabelAreaPosition::Left, 74 * FINE)
-            .set_label_area_size(LabelAreaPosition::Bottom, if last { 44 } else { 8 } * FINE)
-            .build_cartesian_2d(0.0..end, low - margin..high + margin)?;
-        let format_y = |value: &f64| tick(*value, high - low);
-        let format_x = |value: &f64| if last { tick(*value, end) } else { String::new() };
-        let mut mesh = chart.configure_mesh();
-        mesh.light_line_style(TRANSPARENT)
-            .bold_line_style(BLACK.mix(0.12).stroke_width(FINE as u32))
-            .set_all_tick_mark_size(5 * FINE)
-            .axis_style(stroke(BLACK, 10))
-            .label_style(text(14))
-            .axis_desc_style(text(16))
-            .y_labels(5)
-            .y_desc(label)
-            .x_labels(10)
-            .x_label_formatter(&format_x)
-            .y_label_formatter(&format_y);
-        if last {
-            mesh.x_desc("t [s]");
-        }
-        mesh.draw()?;
-        let line = rows.iter().map(|row| (row.t, value(row)));
-        chart.draw_series(LineSeries::new(line, stroke(RGBColor(0x2c, 0x5f, 0xb8), 12)))?;
-        if k == 0 {
-            // Where the phase changes: uplifts and impacts.
-            let switches = rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode);
-            let dots = switches
-                .map(|pair| Circle::new((pair[1].t, value(&pair[1])), 2 * FINE, RED.filled()));
-            chart.draw_series(dots)?;
-        }
+/// The line at the angle at which the block counts as overturned.
+const CRITICAL: crate::drawing::canvas::Stroke = dashed([0xd6, 0x2f, 0x2a], 0.5, (2.0, 1.5));
+
+/// The uplifts and the impacts of a motion: time and angle.
+fn switches(rows: &[Row]) -> (Vec<Point>, Vec<Point>) {
+    let (mut uplifts, mut impacts) = (Vec::new(), Vec::new());
+    for pair in rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode) {
+        let to = if pair[0].mode == "full_contact" { &mut uplifts } else { &mut impacts };
+        to.push((pair[1].t, pair[1].phi));
     }
-    root.present()?;
-    Ok(())
+    (uplifts, impacts)
+}
+
+/// The ends of a strip: those of its values, and some room.
+fn ends(points: &[Point]) -> (f64, f64) {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (_, y) in points {
+        (low, high) = (low.min(*y), high.max(*y));
+    }
+    let mut margin = 0.1 * (high - low);
+    if !(margin > 0.0) {
+        (low, high) = if low.is_finite() { (low, low) } else { (0.0, 0.0) };
+        margin = 0.5 * low.abs().max(1.0e-3);
+    }
+    (low - margin, high + margin)
 }

@@ -1,87 +1,120 @@
 //! Values written on the lines of a map.
 
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
 use super::super::Map;
 use super::super::boundaries::Line;
-use super::document::FINE;
 use super::fields::Field;
-use super::frame::{Drawn, Plot, text};
-use crate::scene::Values;
+use crate::drawing::FONT;
+use crate::drawing::canvas::{Canvas, Place, Point};
+use crate::drawing::colour::WHITE;
+use crate::drawing::frame::Frame;
+use crate::drawing::swatch::RING;
+use crate::drawing::text::{MIDDLE, style, width};
 
-/// Values written on their lines: none on top of another, none near a cell without a value.
+/// Values written on their lines: none on top of another, none over a boundary of overturning.
 pub struct Labels<'a> {
     map: &'a Map<'a>,
-    field: &'a Field,
-    /// Places taken, as shares of the axes.
-    placed: Vec<(f64, f64)>,
+    frame: &'a Frame,
+    /// Places that are taken.
+    placed: Vec<Place>,
 }
 
+/// White around a number.
+const EDGE: f64 = 0.8;
+/// A line is labelled where it is this long at least, over the width of the number.
+const LONG: f64 = 1.6;
+/// A second line of a level is labelled where it is this long at least, over the width of the plot.
+const ANOTHER: f64 = 0.4;
+/// Lines of a level that are tried, the longest first.
+const TRIED: usize = 8;
+/// Places along a line that are tried.
+const PLACES: usize = 24;
+
 impl<'a> Labels<'a> {
-    /// None placed yet.
-    pub fn new(map: &'a Map<'a>, field: &'a Field) -> Labels<'a> {
-        Labels { map, field, placed: Vec::new() }
+    /// None placed yet; rings are not written on.
+    pub fn new(map: &'a Map<'a>, frame: &'a Frame, rings: &[Point]) -> Labels<'a> {
+        let around = |(x, y): &Point| Place {
+            x: x - RING,
+            y: y - RING,
+            width: 2.0 * RING,
+            height: 2.0 * RING,
+        };
+        Labels { map, frame, placed: rings.iter().map(around).collect() }
     }
 
-    /// Points that a line has at least to be labelled.
-    const SHORTEST: usize = 12;
-    /// Distance of two labels, as a share of the axes.
-    const APART: (f64, f64) = (0.09, 0.04);
-    /// Half of the room of a label, as a share of the axes.
-    const ROOM: (f64, f64) = (0.035, 0.015);
-
-    /// Writes a value in the middle of its line, or as near as there is room; a short line has
-    /// none.
-    pub fn draw(&mut self, plot: &mut Plot, line: &Line, value: &str) -> Drawn<()> {
-        if line.len() < Self::SHORTEST {
-            return Ok(());
+    /// Writes a value on its longest line that has room for it, and on other long ones, as near to the middle
+    /// of each as there is room.
+    pub fn draw(&mut self, canvas: &mut Canvas, lines: &[Line], value: &str) {
+        let size = (width(value, FONT) + 2.0 * EDGE, FONT + 2.0 * EDGE - 1.0);
+        let mut drawn: Vec<Vec<Point>> = lines
+            .iter()
+            .map(|line| line.iter().map(|point| self.frame.at(*point)).collect())
+            .collect();
+        drawn.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        let mut written = false;
+        for line in drawn.iter().take(TRIED) {
+            let least = if written { ANOTHER * self.frame.place.width } else { LONG * size.0 };
+            if length(line) < least {
+                break;
+            }
+            written |= self.label(canvas, line, size, value);
         }
+    }
+
+    /// Writes a value on a line; true where there was room.
+    fn label(
+        &mut self,
+        canvas: &mut Canvas,
+        line: &[Point],
+        size: (f64, f64),
+        value: &str,
+    ) -> bool {
         let middle = line.len() / 2;
-        let outwards = (0..middle).flat_map(|k| [line[middle - k], line[middle + k]]);
-        let Some(place) = outwards.into_iter().find(|place| self.free(self.share(*place))) else {
-            return Ok(());
+        let step = (middle / PLACES).max(1);
+        let places = (0..middle).step_by(step).flat_map(|k| [line[middle - k], line[middle + k]]);
+        let around = |(x, y): Point| Place {
+            x: x - 0.5 * size.0,
+            y: y - 0.5 * size.1,
+            width: size.0,
+            height: size.1,
         };
-        self.placed.push(self.share(place));
-        let style = text(12).pos(Pos::new(HPos::Center, VPos::Center));
-        let half = (4 * value.len() as i32 + 2) * FINE;
-        plot.draw_series([EmptyElement::at(place)
-            + Rectangle::new([(-half, -7 * FINE), (half, 7 * FINE)], WHITE.mix(0.8).filled())
-            + Text::new(value.to_string(), (0, 0), style)])?;
-        Ok(())
+        let Some(place) = places.map(around).find(|place| self.is_free(place)) else {
+            return false;
+        };
+        canvas.fill_through(place, WHITE, 0.85);
+        let middle = (place.x + 0.5 * place.width, place.y + 0.5 * place.height + MIDDLE * FONT);
+        canvas.text(middle, style(FONT).middle(), value);
+        self.placed.push(place);
+        true
     }
 
-    fn share(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let of = |values: &Values, at: f64| {
-            let (start, stop) =
-                (values.coordinate(0.0), values.coordinate((values.count() - 1) as f64));
-            (at - start) / (stop - start)
+    fn is_free(&self, place: &Place) -> bool {
+        let plot = self.frame.place;
+        let apart = |other: &Place| {
+            place.x > other.right()
+                || place.right() < other.x
+                || place.y > other.bottom()
+                || place.bottom() < other.y
         };
-        let grid = &self.map.grid;
-        (of(&grid.x().values, x), grid.y().map_or(0.0, |axis| of(&axis.values, y)))
-    }
-
-    fn free(&self, (x, y): (f64, f64)) -> bool {
-        let apart =
-            |(a, b): &(f64, f64)| (x - a).abs() > Self::APART.0 || (y - b).abs() > Self::APART.1;
-        if !self.placed.iter().all(apart) {
+        let inside = place.x > plot.x
+            && place.y > plot.y
+            && place.right() < plot.right()
+            && place.bottom() < plot.bottom();
+        if !inside || !self.placed.iter().all(apart) {
             return false;
         }
         let (columns, rows) = self.map.grid.shape();
-        let cell = |share: f64, count: usize| (share * (count - 1) as f64).round();
-        for dx in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-            for dy in [-1.0, 0.0, 1.0] {
-                let i = cell(x + dx * Self::ROOM.0, columns);
-                let j = cell(y + dy * Self::ROOM.1, rows);
-                if !(i >= 0.0 && j >= 0.0 && i < columns as f64 && j < rows as f64) {
-                    return false;
-                }
-                let outcome = &self.map.outcomes[j as usize * columns + i as usize];
-                if outcome.class.overturned() || !self.field.counts(outcome) {
-                    return false;
-                }
-            }
-        }
-        true
+        let cell = |from: f64, whole: f64, count: usize| {
+            ((from / whole * count as f64) as usize).min(count - 1)
+        };
+        let column = |x: f64| cell(x - plot.x, plot.width, columns);
+        let row = |y: f64| cell(plot.bottom() - y, plot.height, rows);
+        (row(place.bottom())..=row(place.y)).all(|j| {
+            (column(place.x)..=column(place.right()))
+                .all(|i| Field::counts(&self.map.outcomes[j * columns + i]))
+        })
     }
+}
+
+fn length(line: &[Point]) -> f64 {
+    line.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
 }

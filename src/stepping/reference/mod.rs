@@ -9,7 +9,7 @@ pub mod cubic;
 pub mod extremes;
 pub mod guards;
 mod momenta;
-mod pulse;
+pub mod pulse;
 pub mod step;
 pub mod system;
 pub mod tableau;

@@ -1,5 +1,7 @@
-//! Colours of outcomes, after the paper's Figs. 11-14.
+//! Colours of outcomes, after the paper's Figs. 11-14: green stands, red overturns without an impact, blue
+//! after one. Any two differ enough to be told apart at a glance, with red-green colour vision too.
 
+use super::colour::{BLACK, Colour, WHITE};
 use crate::stepping::outcome::{Class, Outcome};
 
 /// A class of cells on an overturning map.
@@ -31,6 +33,26 @@ fn rested(outcome: &Outcome) -> bool {
     outcome.impacts > 0 && outcome.uplifts > 1
 }
 
+/// True where dots tell the corner, which the colour does not: over the right one, after impacts.
+pub fn is_dotted(outcome: &Outcome) -> bool {
+    outcome.class == Class::OverturnedRight && outcome.impacts > 0
+}
+
+/// The colour of dots on a colour: that of white and black which differs more.
+pub fn dots(colour: Colour) -> Colour {
+    let [r, g, b] = colour.map(u32::from);
+    // Luma of Rec. 601, in thousandths.
+    if 299 * r + 587 * g + 114 * b > 128_000 { BLACK } else { WHITE }
+}
+
+/// What dots say.
+pub const DOTTED: &str = "with dots: over the right corner";
+
+/// Colour of overturned cells on a map of a quantity: none of its greys.
+pub const FALLEN: Colour = [0xe0, 0x8a, 0x6e];
+/// Colour of a curve, and of a second and a third one.
+pub const CURVES: [Colour; 3] = [[0x2c, 0x5f, 0xb8], [0xd6, 0x2f, 0x2a], [0x55, 0x55, 0x55]];
+
 impl Kind {
     /// The class of an outcome.
     pub fn of(outcome: &Outcome) -> Kind {
@@ -48,24 +70,31 @@ impl Kind {
     }
 
     /// Its colour: stable greens, one impact blue, no impact red.
-    pub fn colour(self) -> [u8; 3] {
+    pub fn colour(self) -> Colour {
         match self {
-            Kind::FullContact => [0xc8, 0xe6, 0xb8],
-            Kind::Rocking => [0x4c, 0xa6, 0x4c],
-            Kind::DirectLeft => [0xd6, 0x2f, 0x2a],
-            Kind::DirectRight => [0x7d, 0x10, 0x22],
-            Kind::Impacts(1) => [0x2c, 0x5f, 0xb8],
-            Kind::Impacts(2) => [0xf5, 0x8f, 0x1e],
-            Kind::Impacts(3) => [0xe3, 0x5f, 0xb4],
-            Kind::Impacts(4) => [0x22, 0xbf, 0xcf],
-            Kind::Impacts(5) => [0xf4, 0xd0, 0x2c],
-            Kind::Impacts(6) => [0x7c, 0x4f, 0xc4],
-            Kind::Impacts(7) => [0x8c, 0x5a, 0x3c],
-            Kind::Impacts(8) => [0x9e, 0xc5, 0xf0],
-            Kind::Impacts(_) => [0xf2, 0xb8, 0xa0],
-            Kind::More => [0x2b, 0x2b, 0x2b],
+            Kind::FullContact => [0xd6, 0xf4, 0xb8],
+            Kind::Rocking => [0x41, 0x8c, 0x66],
+            Kind::DirectLeft => [0xc6, 0x1f, 0x1a],
+            Kind::DirectRight => [0x69, 0x00, 0x17],
+            Kind::Impacts(1) => [0x12, 0x45, 0x9e],
+            Kind::Impacts(2) => [0xd7, 0x90, 0x00],
+            Kind::Impacts(3) => [0xb6, 0x75, 0x9d],
+            Kind::Impacts(4) => [0x54, 0xa4, 0xff],
+            Kind::Impacts(5) => [0xff, 0xee, 0x0e],
+            Kind::Impacts(6) => [0x6d, 0x4e, 0xfb],
+            Kind::Impacts(7) => [0x5a, 0x50, 0x5b],
+            Kind::Impacts(8) => [0x9d, 0xdb, 0xfd],
+            Kind::Impacts(_) => [0xbd, 0xb0, 0xaa],
+            Kind::More => [0x15, 0x15, 0x2c],
             Kind::Unresolved => [0xff, 0xff, 0xff],
         }
+    }
+
+    /// Every class there is.
+    pub fn all() -> Vec<Kind> {
+        let before = [Kind::FullContact, Kind::Rocking, Kind::DirectLeft, Kind::DirectRight];
+        let impacts = (1..OPEN).map(Kind::Impacts);
+        before.into_iter().chain(impacts).chain([Kind::More, Kind::Unresolved]).collect()
     }
 
     /// Its line in the legend.
@@ -101,6 +130,16 @@ pub enum Parity {
 }
 
 impl Parity {
+    /// Every class there is.
+    pub const ALL: [Parity; 6] = [
+        Parity::Stands,
+        Parity::Direct,
+        Parity::Odd,
+        Parity::Even,
+        Parity::Rested,
+        Parity::Unresolved,
+    ];
+
     /// The class of an outcome.
     pub fn of(outcome: &Outcome) -> Parity {
         match outcome.class {
@@ -114,13 +153,13 @@ impl Parity {
     }
 
     /// Its colour.
-    pub fn colour(self) -> [u8; 3] {
+    pub fn colour(self) -> Colour {
         match self {
-            Parity::Stands => [0xdd, 0xea, 0xd6],
-            Parity::Direct => [0xb8, 0xb8, 0xb8],
-            Parity::Odd => [0x2c, 0x5f, 0xb8],
-            Parity::Even => [0xf5, 0x8f, 0x1e],
-            Parity::Rested => [0x2b, 0x2b, 0x2b],
+            Parity::Stands => [0xd6, 0xf4, 0xb8],
+            Parity::Direct => [0x9c, 0x9c, 0x9c],
+            Parity::Odd => [0x12, 0x45, 0x9e],
+            Parity::Even => [0xd7, 0x90, 0x00],
+            Parity::Rested => [0x15, 0x15, 0x2c],
             Parity::Unresolved => [0xff, 0xff, 0xff],
         }
     }
@@ -134,6 +173,36 @@ impl Parity {
             Parity::Even => "even number of impacts",
             Parity::Rested => "at rest between impacts",
             Parity::Unresolved => "unresolved",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FALLEN, Kind, Parity};
+    use crate::drawing::vision::least;
+
+    /// A difference that is just noticed is 1 to 2.3 (Mahy, Van Eycken & Oosterlinck, Color Res. Appl. 19, 1994):
+    /// five times as much is seen where fields of both colours lie apart, as on a map and in its legend.
+    const APART: f64 = 11.5;
+
+    #[test]
+    fn any_two_classes_are_told_apart_by_red_green_colour_vision_too() {
+        let kinds: Vec<_> = Kind::all().iter().map(|kind| (kind.label(), kind.colour())).collect();
+        let parities = Parity::ALL.map(|parity| (parity.label().to_string(), parity.colour()));
+        for colours in [&kinds[..], &parities] {
+            let (apart, what) = least(colours);
+            assert!(apart > APART, "{what}");
+        }
+    }
+
+    /// On a map of a quantity greys stand for values.
+    #[test]
+    fn what_overturned_is_no_grey() {
+        for grey in 0..=255_u8 {
+            let colours = [("overturned".into(), FALLEN), ("grey".into(), [grey; 3])];
+            let (apart, what) = least(&colours);
+            assert!(apart > APART, "{grey}: {what}");
         }
     }
 }

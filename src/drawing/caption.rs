@@ -1,0 +1,88 @@
+//! The title of a picture, and what is said below it of its scene.
+
+use super::canvas::Canvas;
+use super::canvas::write;
+use super::text::{shortened, style, wrapped};
+use super::{FONT, MARGIN, TITLE};
+use crate::scene::parameters::{Caption, PARAMETERS};
+use crate::scene::{Directions, Excitation, GRAVITY, Overturn, Parameter, Scene};
+
+/// Space that no line ends at.
+const KEEP: char = '\u{a0}';
+
+/// The parameters of a scene that its axes do not show.
+pub fn parameters(scene: &Scene) -> Vec<String> {
+    let single = |parameter: Parameter| scene.numbers.get(parameter)?.single();
+    let mut parts = Vec::new();
+    let shown = |when| PARAMETERS.iter().filter(move |entry| entry.caption == when);
+    for entry in shown(Caption::Always) {
+        if entry.parameter == Parameter::TH {
+            match scene.isolation {
+                Directions::Dual => {}
+                Directions::Horizontal => parts.push("horizontal isolation alone".into()),
+                Directions::Vertical => parts.push("vertical isolation alone".into()),
+                Directions::None => parts.push("no isolation".into()),
+            }
+        }
+        if entry.parameter == Parameter::Omega
+            && let Some(pulse) = scene.excitation.other_pulse()
+        {
+            parts.push(pulse.into());
+        }
+        parts.extend(single(entry.parameter).map(|value| entry.written(value)));
+    }
+    for entry in shown(Caption::Unusual) {
+        let usual = |value: f64| entry.default.parse() == Ok(value);
+        let unusual = single(entry.parameter).filter(|value| !usual(*value));
+        parts.extend(unusual.map(|value| entry.written(value)));
+    }
+    if scene.overturn == Overturn::QuarterTurn {
+        parts.push("overturned at 90°".into());
+    }
+    let scaled = [Parameter::Scale, Parameter::Pga].map(|parameter| scene.numbers.get(parameter));
+    let varies = scaled.into_iter().flatten().any(|values| values.count() > 1);
+    if let Some(pair) = scene.excitation.record() {
+        if !varies {
+            parts.push(format!("PGA {:.3} g horizontal", pair.pga_h / GRAVITY));
+        }
+        if pair.pga_v == 0.0 {
+            parts.push("no vertical motion".into());
+        } else if !varies {
+            parts.push(format!("{:.3} g vertical", pair.pga_v / GRAVITY));
+        }
+    }
+    parts
+}
+
+/// The same in one line.
+pub fn caption(scene: &Scene) -> String {
+    parameters(scene).join(", ")
+}
+
+/// A list of short parts as a text whose lines end between them.
+pub fn listed(parts: &[String]) -> String {
+    let kept: Vec<String> = parts.iter().map(|part| part.replace(' ', &KEEP.to_string())).collect();
+    kept.join(", ")
+}
+
+/// Lines that a title or the name of a record may take; of a longer one the middle is left out.
+const LINES: f64 = 2.0;
+/// What of a line is used where words end lines, so that a text cut to so many lines does not need one more.
+const FILLED: f64 = 0.86;
+
+/// The lines of a text from outside, which may be of any length.
+pub fn bounded(text: &str, size: f64, most: f64) -> Vec<String> {
+    wrapped(&shortened(text, size, FILLED * LINES * most), size, most)
+}
+
+/// Draws a title, the name of the record, and the parameters of a scene; returns where they end.
+pub fn heading(canvas: &mut Canvas, scene: &Scene, title: &str) -> f64 {
+    let most = canvas.width() - 2.0 * MARGIN;
+    let y = write(canvas, (MARGIN, MARGIN), style(TITLE), &bounded(title, TITLE, most));
+    let mut lines = Vec::new();
+    if let Excitation::Record(pair) = &scene.excitation {
+        lines.extend(bounded(&format!("Record: {}", pair.title), FONT, most));
+    }
+    lines.extend(wrapped(&listed(&parameters(scene)), FONT, most));
+    write(canvas, (MARGIN, y + 1.0), style(FONT), &lines)
+}

@@ -1,0 +1,33 @@
+//! The font of all pictures: one that travels with topple, so that a picture is the same everywhere.
+
+use std::sync::LazyLock;
+
+use skrifa::instance::{LocationRef, Size};
+use skrifa::{FontRef, MetadataProvider};
+
+/// Its bytes.
+pub const BYTES: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
+/// Its families in an SVG: a reader's own where theirs has no Ubuntu.
+pub const FAMILY: &str = "Ubuntu, sans-serif";
+
+/// Advance of each character of the font up to the last that pictures use, over the size of the font.
+static ADVANCES: LazyLock<Vec<f64>> = LazyLock::new(|| {
+    let Ok(font) = FontRef::new(BYTES) else { return Vec::new() };
+    let characters = font.charmap();
+    let metrics = font.glyph_metrics(Size::new(1.0), LocationRef::default());
+    let advance = |code: u32| {
+        let glyph = characters.map(code)?;
+        metrics.advance_width(glyph).map(f64::from)
+    };
+    (0..LAST).map(|code| advance(code).unwrap_or(UNKNOWN)).collect()
+});
+
+/// Characters whose width is known: up to general punctuation and mathematical signs.
+const LAST: u32 = 0x2300;
+/// Advance of any other, as wide as the widest.
+const UNKNOWN: f64 = 1.0;
+
+/// Advance of a character over the size of the font.
+pub fn advance(character: char) -> f64 {
+    ADVANCES.get(character as usize).copied().unwrap_or(UNKNOWN)
+}

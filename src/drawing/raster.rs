@@ -1,0 +1,98 @@
+//! Pixels as PNG, with a table of colours in place of four bytes a pixel.
+
+use std::collections::HashMap;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use png::{BitDepth, ColorType, Compression, Encoder};
+
+use super::error::FigureError;
+
+/// Red, green, blue and opacity.
+pub type Rgba = [u8; 4];
+
+/// Most colours of a table.
+const COLOURS: usize = 256;
+
+/// An image of `width` by `height` pixels, the top row first, as a PNG.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn png(
+    (width, height): (usize, usize),
+    pixel: impl Fn(usize, usize) -> Rgba,
+) -> Result<Vec<u8>, FigureError> {
+    let mut pixels = Vec::with_capacity(width * height);
+    for row in 0..height {
+        pixels.extend((0..width).map(|column| pixel(column, row)));
+    }
+    encode((width, height), &pixels, Compression::Fast)
+}
+
+/// Pixels as a PNG. Of more than 256 colours the rarest, which soften the edges of letters and lines,
+/// become those nearest to them.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn encode(
+    (width, height): (usize, usize),
+    pixels: &[Rgba],
+    compression: Compression,
+) -> Result<Vec<u8>, FigureError> {
+    let failed = |e: &dyn std::fmt::Display| FigureError::Encode(e.to_string());
+    let side = |n: usize| u32::try_from(n).map_err(|e| failed(&e));
+    let (table, numbers) = table(pixels);
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, side(width)?, side(height)?);
+    encoder.set_color(ColorType::Indexed);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_compression(compression);
+    encoder.set_palette(table.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect::<Vec<u8>>());
+    if table.iter().any(|[.., opacity]| *opacity < 255) {
+        encoder.set_trns(table.iter().map(|colour| colour[3]).collect::<Vec<u8>>());
+    }
+    let mut writer = encoder.write_header().map_err(|e| failed(&e))?;
+    let mut data = Vec::with_capacity(pixels.len());
+    for_runs(pixels, |colour, length| {
+        data.resize(data.len() + length, numbers.get(&colour).copied().unwrap_or(0));
+    });
+    writer.write_image_data(&data).map_err(|e| failed(&e))?;
+    writer.finish().map_err(|e| failed(&e))?;
+    Ok(bytes)
+}
+
+/// Calls with each run of pixels of one colour: most pixels are like the one before.
+fn for_runs(pixels: &[Rgba], mut run: impl FnMut(Rgba, usize)) {
+    for alike in pixels.chunk_by(|a, b| a == b) {
+        run(alike[0], alike.len());
+    }
+}
+
+/// The colours of a table, and the number of the one that stands for each colour there is.
+fn table(pixels: &[Rgba]) -> (Vec<Rgba>, HashMap<Rgba, u8>) {
+    let mut counts: HashMap<Rgba, usize> = HashMap::new();
+    for_runs(pixels, |colour, length| *counts.entry(colour).or_default() += length);
+    let mut colours: Vec<(Rgba, usize)> = counts.into_iter().collect();
+    // By the colour too, so that the table is the same in every run.
+    colours.sort_by_key(|&(colour, count)| (std::cmp::Reverse(count), colour));
+    let table: Vec<Rgba> = colours.iter().take(COLOURS).map(|(colour, _)| *colour).collect();
+    let apart = |a: &Rgba, b: &Rgba| -> i32 {
+        a.iter().zip(b).map(|(a, b)| (i32::from(*a) - i32::from(*b)).pow(2)).sum()
+    };
+    let nearest = |colour: &Rgba| {
+        let all = table.iter().enumerate();
+        all.min_by_key(|(_, known)| apart(known, colour)).map_or(0, |(k, _)| k)
+    };
+    let number = |(k, (colour, _)): (usize, &(Rgba, usize))| {
+        // A table has 256 colours at most.
+        let number = if k < COLOURS { k } else { nearest(colour) } as u8;
+        (*colour, number)
+    };
+    let numbers = colours.iter().enumerate().map(number).collect();
+    (table, numbers)
+}
+
+/// A PNG as the address of an embedded image.
+pub fn data_url(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(png))
+}
