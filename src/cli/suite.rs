@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::Serialize;
+use topple::drawing::render;
 use topple::map::earlier::Kind;
 use topple::scene::record::Provenance;
-use topple::suites::{Suite, SuiteError, table};
+use topple::suites::{Suite, SuiteError, picture, table};
 
 use super::words::{Say, with_flags};
 use super::{InputError, examples, output};
@@ -58,9 +59,12 @@ impl SuiteCommand {
         let earlier = output::refuse_other(&self.out, Kind::Suite)?;
         let out = output::open(&self.out)?;
         let say = Say::unless(self.quiet);
-        let files = ["suite.csv"];
+        let files = ["suite.csv", "suite.svg", "suite.png"];
+        let svg = picture::draw(&suite);
+        let png = render::png(&svg)?;
         output::replace(out.path(), &earlier, &files.map(String::from), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;
+        output::write_figure(&out, "suite", &svg, &png)?;
         let manifest = Manifest {
             kind: Kind::Suite,
             version: env!("CARGO_PKG_VERSION"),
@@ -76,6 +80,7 @@ impl SuiteCommand {
         };
         output::write_json(&out, &manifest)?;
         tell(&suite, &say);
+        say.line("picture", out.file(files[2]).display());
         say.line("table", format!("{} with run.json", out.file(files[0]).display()));
         Ok(())
     }

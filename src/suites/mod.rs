@@ -11,6 +11,8 @@ mod list;
 pub mod measures;
 mod names;
 mod peer;
+#[cfg(feature = "pictures")]
+pub mod picture;
 pub mod read;
 pub mod spectrum;
 pub mod table;
