@@ -72,7 +72,7 @@ impl SuiteCommand {
             motions: suite.motions().count(),
             records: suite
                 .motions()
-                .map(|(entry, motion)| (entry.id.as_str(), motion.pair.provenance.as_ref()))
+                .map(|(entry, motion)| (entry.id.as_str(), motion.pair.provenance.as_deref()))
                 .collect(),
             left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
             unused: &suite.unused,

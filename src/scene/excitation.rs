@@ -32,7 +32,7 @@ impl Excitation {
 
     /// Where the record came from, where there is one that was read from files.
     pub fn provenance(&self) -> Option<&Provenance> {
-        self.record()?.provenance.as_ref()
+        self.record()?.provenance.as_deref()
     }
 
     /// The record, where there is one.

@@ -67,7 +67,7 @@ impl Parts {
         seamless(&pieces, &grid)?;
         let mut content = pieces[0].content.whole();
         if let Excitation::Record(pair) = &mut content.scene.excitation {
-            pair.provenance.clone_from(&pieces[0].report.record);
+            pair.provenance = pieces[0].report.record.clone().map(Box::new);
         }
         let mut held = Vec::new();
         let mut reports = Vec::new();

@@ -176,7 +176,7 @@ pub fn verify(
         let mut judged = Judged { chosen, reference, sensitive: false };
         if chosen.outcome.class != reference.class && judged.region() == Region::Inside {
             judged.sensitive = [1.0 - CHANGE, 1.0 + CHANGE].into_iter().any(|width| {
-                let mut changed = case.clone();
+                let mut changed = case;
                 changed.block.half_width *= width;
                 run(&changed).is_some_and(|other| other.class != reference.class)
             });

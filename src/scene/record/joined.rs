@@ -76,6 +76,7 @@ pub fn join(
     }
     let mut pair = Pair::new(horizontal, vertical);
     let (horizontal, vertical) = (horizontal_file, vertical_file);
-    pair.provenance = Some(Provenance { horizontal, vertical, dt: hints.dt, units: hints.units });
+    let (dt, units) = (hints.dt, hints.units);
+    pair.provenance = Some(Box::new(Provenance { horizontal, vertical, dt, units }));
     Ok(pair)
 }

@@ -30,7 +30,7 @@ pub struct Pair {
     pub notes: Vec<String>,
     /// Where it came from; none of a motion that was made. It is no part of a run's identity.
     #[serde(skip)]
-    pub provenance: Option<Provenance>,
+    pub provenance: Option<Box<Provenance>>,
 }
 
 /// A manifest tells how many samples there are.
