@@ -107,12 +107,14 @@ pub use results::store_error::StoreError;
 pub use results::tally::Tally;
 pub use scene::excitation::RecordText;
 pub use scene::grid::Axis;
-pub use scene::record::{Record, Units, pair::Pair};
+pub use scene::record::{Provenance, Record, RecordFile, Units, pair::Pair};
 pub use scene::{
     Directions, Excitation, Grid, Numbers, Overturn, Parameter, Range, Scene, SceneBuilder,
     SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};
+pub use suites::measures::Measures;
+pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError};
 pub use sweep::backend_error::BackendError;
 pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
