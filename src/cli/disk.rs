@@ -16,20 +16,18 @@ const PICTURES: f64 = 2.0e6;
 pub fn of_files(sizes: &FileSizes, files: &[MapFile]) -> f64 {
     let of = |file: &MapFile| match file {
         MapFile::Csv => sizes.table,
-        MapFile::Npz | MapFile::Zarr => sizes.archive,
+        MapFile::Npz => sizes.archive,
+        MapFile::Zarr => sizes.tiles,
     };
     files.iter().map(of).sum::<f64>() + PICTURES
 }
-
-/// Bytes of tiles for each one of the archive, which is packed somewhat tighter.
-const TILES: f64 = 1.5;
 
 /// Most bytes that a run has on disk: its tiles, and beside them its files. A map that is not held in memory
 /// is written as map.zarr by giving its tiles that name.
 pub fn of_run(job: &Job, estimate: &Estimate, options: &MapOptions) -> f64 {
     let files = options.files(&job.grid);
     let share = job.left() as f64 / job.grid.len() as f64;
-    let tiles = (TILES * estimate.files.archive * share).min(job.bytes(job.left()) as f64);
+    let tiles = (estimate.files.tiles * share).min(job.bytes(job.left()) as f64);
     match options.tile {
         Some(_) => tiles,
         None if files == [MapFile::Zarr] => tiles + PICTURES,

@@ -58,7 +58,8 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         let each = files.iter().map(|file| {
             let bytes = match file {
                 MapFile::Csv => takes.files.table,
-                MapFile::Npz | MapFile::Zarr => takes.files.archive,
+                MapFile::Npz => takes.files.archive,
+                MapFile::Zarr => takes.files.tiles,
             };
             format!("{} {}", file.name(), size(bytes))
         });

@@ -4,8 +4,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::about::Source;
+use super::block::Block;
+use super::columns::Column;
 use super::outcomes::Outcomes;
-use super::{csv, npz};
+use super::{csv, npz, tile, zarr};
 use crate::scene::Grid;
 
 /// Bytes of a map's files.
@@ -13,8 +15,10 @@ use crate::scene::Grid;
 pub struct FileSizes {
     /// map.csv.
     pub table: f64,
-    /// map.npz; map.zarr has about the same.
+    /// map.npz.
     pub archive: f64,
+    /// Tiles on disk, and map.zarr.
+    pub tiles: f64,
 }
 
 /// Counts what is written to it.
@@ -47,8 +51,15 @@ impl FileSizes {
         csv::write(sample, outcomes, &mut table).map_err(io::Error::other)?;
         let mut archive = io::Cursor::new(Vec::new());
         npz::write(sample, outcomes, source, &mut archive)?;
+        let mut block = Block::pending(sample.len(), source.precision);
+        block.put(0, &outcomes.read(0..sample.len(), &Column::ALL)?);
+        let packed = |(name, column)| {
+            tile::pack(&tile::encode(name, column, &block, sample.len()), 0, name).len() as u64
+        };
+        let tiles = zarr::columns().map(packed).sum();
         let scaled = |bytes: u64| bytes as f64 * cells as f64 / sample.len() as f64;
-        Ok(FileSizes { table: scaled(table.0), archive: scaled(archive.into_inner().len() as u64) })
+        let archive = archive.into_inner().len() as u64;
+        Ok(FileSizes { table: scaled(table.0), archive: scaled(archive), tiles: scaled(tiles) })
     }
 }
 
