@@ -215,6 +215,29 @@ fn flags_are_saved_as_a_scene() {
     assert!(refused(&["pulse", "--object", "1", "--save-scene", &saved]).contains("--t-h"));
 }
 
+/// What is saved of a history is run as one.
+#[test]
+fn a_history_is_saved_and_run() {
+    let place = TempDir::new().unwrap();
+    let saved = place.path().join("cell.toml").display().to_string();
+    let cell = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9"];
+    let cell = [&cell[..], &["--a-h", "8.4", "--t-max", "3"]].concat();
+    let said =
+        Command::cargo_bin("topple").unwrap().args(&cell).args(["--save-scene", &saved]).output();
+    let said = String::from_utf8(said.unwrap().stdout).unwrap();
+    assert!(said.contains(&format!("topple history {saved} runs it")), "{said}");
+    let (flags, file) = (place.path().join("flags"), place.path().join("file"));
+    run(&cell, &flags);
+    run(&["history", &saved], &file);
+    for name in ["history.csv", "history.svg"] {
+        assert!(
+            fs::read(flags.join(name)).unwrap() == fs::read(file.join(name)).unwrap(),
+            "{name}"
+        );
+    }
+    assert!(refused(&["history", &saved, "--omega", "3"]).contains("a scene's file or the flags"));
+}
+
 #[test]
 fn scenes_written_are_read_back() {
     for name in ["default", "motion"] {

@@ -91,7 +91,7 @@ fn maps_and_histories_are_readable_in_a_column() {
     }
     // Two maps share a legend, which says a thing once.
     let contact = words(&svg(&out.path().join("record"), "contact"));
-    assert_eq!(contact.matches("around overturning").count(), 1, "{contact}");
+    assert_eq!(contact.matches("border of overturning").count(), 1, "{contact}");
     let line = words(&svg(&out.path().join("line"), "map"));
     assert!(line.contains("along Ah") && line.contains(" %"), "{line}");
 }

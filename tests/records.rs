@@ -400,6 +400,11 @@ fn pairs_that_are_none_are_refused_and_accepted_when_forced() {
     for (horizontal, vertical, said) in [
         ("A QUAKE, HERE, UP", "A QUAKE, HERE, UP", "horizontal: 'A QUAKE, HERE, UP' is a vertical"),
         ("A QUAKE, HERE, 90", "A QUAKE, THERE, UP", "vertical: 'A QUAKE, THERE, UP' is of another"),
+        (
+            "A QUAKE, HERE, 90",
+            "A QUAKE, HERE, 180",
+            "vertical: 'A QUAKE, HERE, 180' is a horizontal",
+        ),
     ] {
         let error = pair_of(horizontal, vertical, false).unwrap_err();
         assert!(error.starts_with(said) && error.contains("; `force` accepts it"), "{error}");

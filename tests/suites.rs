@@ -318,6 +318,9 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
     let sha = json["records"]["RSN1_QUAKE_TWN000"]["horizontal"]["sha256"].as_str().unwrap();
     assert_eq!(sha.len(), 64);
 
+    let again = Command::cargo_bin("topple").unwrap().arg("run").arg(out.path()).assert().code(2);
+    let line = String::from_utf8(again.get_output().stderr.clone()).unwrap();
+    assert!(line.contains("a suite is no scene; read it again by topple suite"), "{line}");
     let made = out.path().join("made");
     for (arguments, said) in [
         (
@@ -325,7 +328,7 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
             "4 of 7 motions are left out, the first RSN3_QUAKE_VIL000",
         ),
         (vec!["/no/such/folder"], "give a folder, a zip or a list"),
-        (vec![out.path().to_str().unwrap()], "no file of a record is there"),
+        (vec![out.path().to_str().unwrap()], "and no name that tells a component; give a list"),
     ] {
         let run = suite(&arguments, &made).code(2);
         let line = String::from_utf8(run.get_output().stderr.clone()).unwrap();

@@ -199,7 +199,7 @@ fn help_has_ranges_defaults_and_examples() {
         "[default: 0.0078125, 1/128]",
         "[default: auto]",
         "[range: 0.002 to 20]",
-        "[range: 0 to 100]",
+        "[range: -100 to 100]",
         "[range: -1 to 1]",
         "Examples:",
     ] {

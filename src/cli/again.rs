@@ -83,6 +83,13 @@ fn text_of(path: &Path) -> Result<String, String> {
 }
 
 fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    #[derive(Deserialize)]
+    struct Of {
+        kind: Kind,
+    }
+    if let Ok(Of { kind: Kind::Suite }) = serde_json::from_str(text) {
+        return Err("a suite is no scene; read it again by topple suite".into());
+    }
     let problem = |error| format!("no results of this version of topple ({error}); give a scene");
     serde_json::from_str(text).map_err(problem)
 }

@@ -32,7 +32,7 @@ larger; or a list a,b,c. Numbers of several values are the axes of the sweep, si
 its range is refused; --force accepts what is only improbable.
 
 Examples:
-  A map over both periods of the base under a made pair of records:
+  A map over both periods of the base under the synthetic pair of records:
     topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
   Under records of one's own, scaled to a horizontal peak of 5 m/s²:
     topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
@@ -97,6 +97,8 @@ Examples:
 
 /// Of `topple man`.
 pub const MAN: &str = "\
+The page is text for the reader of manuals; on Linux and macOS: topple man | man -l -
+
 Examples:
     topple man
     topple man pulse";

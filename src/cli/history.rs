@@ -1,5 +1,7 @@
 //! `topple history`.
 
+use std::path::PathBuf;
+
 use serde::Serialize;
 use topple::drawing::render;
 use topple::map::earlier::Kind;
@@ -15,6 +17,7 @@ use topple::sweep::history as motion;
 use topple::sweep::request::BackendRequest;
 use topple::sweep::settings::Method;
 
+use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
@@ -26,6 +29,9 @@ use super::{InputError, examples};
 #[derive(clap::Args)]
 #[command(after_help = examples::HISTORY)]
 pub struct HistoryCommand {
+    /// A scene's file (TOML), in the place of flags
+    #[arg(value_name = "SCENE.toml")]
+    scene: Option<PathBuf>,
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten)]
@@ -63,9 +69,18 @@ impl HistoryCommand {
             record: (self.record != RecordText::default()).then(|| self.record.clone()),
             ..self.common.text(Some("Time history"), numbers)
         };
+        let none =
+            SceneBuilder { title: text.title.clone(), force: text.force, ..Default::default() };
+        if let Some(path) = &self.scene {
+            if text != none {
+                let problem = "give a scene's file or the flags of a scene, not both";
+                return Err(InputError(format!("{}: {problem}", path.display())).into());
+            }
+            return run_cell(&load(path, options.force)?, options);
+        }
         let scene = text.check().map_err(|error| flag_error(&error))?;
         if let Some(path) = &self.common.save_scene {
-            return save(path, text);
+            return save(path, text, "history");
         }
         run_cell(&scene, options)
     }

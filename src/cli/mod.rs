@@ -14,6 +14,7 @@ mod finish;
 mod history;
 mod interrupt;
 mod licences;
+mod load;
 mod memory;
 mod merge;
 mod numbers;

@@ -27,7 +27,7 @@ impl PulseCommand {
         let text = SceneBuilder { force, shape: self.pulse.shape, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         if let Some(path) = &self.common.save_scene {
-            return save(path, text);
+            return save(path, text, "run");
         }
         run::run_map(&scene, &self.options)
     }

@@ -9,12 +9,12 @@ use topple::scene::builder::SceneBuilder;
 use super::InputError;
 use super::words::Say;
 
-/// Writes what flags say of a scene as a file that `topple run` takes. Paths of a record are absolute there, for
+/// Writes what flags say of a scene as a file that a command takes. Paths of a record are absolute there, for
 /// a file's are looked for from its own folder.
 ///
 /// # Errors
 /// Those of the disk.
-pub fn save(path: &Path, mut scene: SceneBuilder) -> anyhow::Result<()> {
+pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Result<()> {
     if let Some(record) = &mut scene.record {
         for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
             *file = std::path::absolute(&*file)?;
@@ -31,6 +31,6 @@ pub fn save(path: &Path, mut scene: SceneBuilder) -> anyhow::Result<()> {
     let folder = folder.map_err(|error| refused(error.to_string()))?;
     folder.write(name, |w| w.write_all(text.as_bytes()))?;
     let path = path.display();
-    Say::unless(false).line("scene", format!("{path}; topple run {path} runs it"));
+    Say::unless(false).line("scene", format!("{path}; topple {command} {path} runs it"));
     Ok(())
 }

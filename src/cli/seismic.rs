@@ -44,7 +44,8 @@ impl SeismicCommand {
                 let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
                 record = write_synthetic(&output::open(folder.unwrap_or(Path::new(".")))?, record)?;
                 let text = self.common.text(None, self.numbers.placed());
-                return save(path, SceneBuilder { record: Some(record), force, ..text });
+                let text = SceneBuilder { record: Some(record), force, ..text };
+                return save(path, text, "run");
             }
             if self.options.dry_run {
                 return run::run_map(&scene, &self.options);
@@ -58,7 +59,7 @@ impl SeismicCommand {
         let text = SceneBuilder { record: Some(record), force, ..text };
         let scene = text.check().map_err(|error| flag_error(&error))?;
         if let Some(path) = &self.common.save_scene {
-            return save(path, text);
+            return save(path, text, "run");
         }
         run::run_map(&scene, &self.options)
     }

@@ -214,7 +214,7 @@ pub fn shares(tally: &Tally, friction: Option<&Values>) -> String {
     }
     if let (Some(sliding), Some(mu)) = (tally.sliding, friction) {
         let mu = if mu.count() == 1 { mu.to_string() } else { "μ".into() };
-        parts.push(format!("friction above {mu} asked for in {} %", percent(sliding)));
+        parts.push(format!("friction above {mu} needed in {} %", percent(sliding)));
     }
     parts.join(", ")
 }

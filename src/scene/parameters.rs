@@ -410,15 +410,31 @@ impl Entry {
         format!("--{}", self.key.replace('_', "-"))
     }
 
-    /// From where to where its values may lie, in words: those that make sense at all where they have two ends,
-    /// else the magnitudes that are plausible; empty where there are no ends.
+    /// From where to where its values may lie, in words: what makes sense at all and is plausible; empty where
+    /// there are no ends.
     pub fn range(&self) -> String {
-        match (self.legal, self.plausible) {
-            (Within(low, high) | AboveUpTo(low, high), _) => format!("{low} to {high}"),
-            (Whole(low, high), _) => format!("{low} to {high}"),
-            (InBase, _) => "-1 to 1".into(),
-            (_, (_, high)) if high.is_infinite() => String::new(),
-            (_, (low, high)) => format!("{low} to {high}"),
+        let any = (f64::NEG_INFINITY, f64::INFINITY);
+        // The least value, and whether it is one of them.
+        let ((low, high), included) = match self.legal {
+            Finite | NotZero => (any, true),
+            Positive => ((0.0, any.1), false),
+            NotNegative => ((0.0, any.1), true),
+            Within(low, high) => ((low, high), true),
+            InBase => ((-1.0, 1.0), true),
+            AboveUpTo(low, high) => ((low, high), false),
+            Whole(low, high) => ((f64::from(low), f64::from(high)), true),
+        };
+        let (least, most) = self.plausible;
+        let high = high.min(most);
+        let (low, included) = match low {
+            low if low < 0.0 => (low.max(-most), included),
+            low if least > low => (least, true),
+            low => (low, included),
+        };
+        match (low.is_finite() && high.is_finite(), included) {
+            (false, _) => String::new(),
+            (true, true) => format!("{low} to {high}"),
+            (true, false) => format!("above {low}, up to {high}"),
         }
     }
 }

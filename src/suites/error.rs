@@ -32,8 +32,15 @@ pub enum SuiteError {
         problem: String,
     },
     /// No record at all.
-    #[error("{0}: no file of a record is there; give a folder, a zip or a list of records")]
-    Empty(PathBuf),
+    #[error(
+        "{path}: {unused} files, and no name that tells a component; give a list of records (CSV)"
+    )]
+    Empty {
+        /// Where.
+        path: PathBuf,
+        /// How many files are there.
+        unused: usize,
+    },
     /// Something is missing or ambiguous, which a strict reading refuses.
     #[error(
         "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none"

@@ -33,7 +33,7 @@ impl Suite {
         let files = Files::of(path)?;
         let (entries, unused) = entries(path, &files)?;
         if entries.is_empty() {
-            return Err(SuiteError::Empty(path.into()));
+            return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
         }
         let rows: Vec<_> = entries
             .into_par_iter()

@@ -40,7 +40,9 @@ fn panels(test: &str) -> Option<&'static [Vec<Ran>; 3]> {
 /// The panel of an object, a motion and an eccentricity.
 fn at<'a>(panels: &'a [Vec<Ran>; 3], object: usize, motion: &str, e: f64) -> &'a Ran {
     let found = panels[object - 1].iter().find(|ran| {
-        ran.panel.motion.as_deref() == Some(motion)
+        // Behind the name stands what of it is synthetic.
+        let named = ran.panel.motion.as_deref().and_then(|name| name.strip_prefix(motion));
+        named.is_some_and(|rest| rest.is_empty() || rest.starts_with(" ("))
             && ran.panel.scene.case().block.eccentricity == e
     });
     found.unwrap_or_else(|| panic!("no panel of {object}, {motion}, {e}"))

@@ -23,7 +23,7 @@ use super::options::RunOptions;
 use super::output;
 use super::print::print_line;
 use super::progress::Bar;
-use super::{InputError, examples, scene};
+use super::{InputError, examples, load};
 
 /// Most points of an axis.
 const MOST: i64 = topple::scene::Range::LARGEST_COUNT as i64;
@@ -134,7 +134,7 @@ impl FiguresCommand {
                     let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
                     if name == MOTIONS_FILE {
                         (place, motions) = (path.display().to_string(), text);
-                    } else if text.contains(scene::FIGURE) {
+                    } else if text.contains(load::FIGURE) {
                         all.push((name, text));
                     }
                 }
@@ -257,5 +257,5 @@ fn tomls(directory: &Path) -> Result<Vec<PathBuf>, InputError> {
 }
 
 fn read(path: &Path) -> Result<String, InputError> {
-    scene::read(path).map_err(|reason| InputError(format!("{}: {reason}", path.display())))
+    load::read(path).map_err(|reason| InputError(format!("{}: {reason}", path.display())))
 }

@@ -43,7 +43,9 @@ pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
     };
     let (x, width) = SIDE;
     let mut y = caption::heading(&mut canvas, map.scene, &title) + GAP;
-    for field in SHOWN {
+    let directions = map.scene.isolation;
+    let moves = [true, directions.moves_h(), directions.moves_v()];
+    for (field, _) in SHOWN.into_iter().zip(moves).filter(|(_, moves)| *moves) {
         let place = Place { x, y, width, height: HEIGHT };
         paint(&mut canvas, map, axis, field, place);
         y += HEIGHT + GAP;

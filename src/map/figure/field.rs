@@ -5,7 +5,7 @@ use super::super::boundaries::{Boundary, levels};
 use super::fields::Field;
 use super::greys::Greys;
 use super::islands::islands;
-use super::labels::Labels;
+use super::labels::{Labels, length};
 use super::layout::{GAP, SIDE, frame, titled};
 use super::overlay::Overlay;
 use super::{keys, overturning};
@@ -28,8 +28,8 @@ const CONTACT: Stroke = dashed(BLACK, 0.9, (3.2, 2.0));
 /// A level's line, and one around a speck: where the motion is chaotic cells differ from their neighbours, and
 /// thick lines around each would hide them.
 const LEVEL: Stroke = stroke([0x28, 0x28, 0x28], 0.3);
-/// Points of a line below which it goes around a speck.
-const SPECK: usize = 16;
+/// Length of a line below which it goes around a speck, points of the page.
+const SPECK: f64 = 12.0;
 
 /// What the lines and marks of a map are, for its legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -73,8 +73,8 @@ impl Shown {
         let crossed = self.overlay.crossed;
         let all = [
             (self.fallen, entry(Swatch::Fill(FALLEN), "overturned")),
-            (self.overturning, entry(Swatch::Line(AROUND), "around overturning")),
-            (self.contact, entry(Swatch::Line(CONTACT), "around full contact")),
+            (self.overturning, entry(Swatch::Line(AROUND), "border of overturning")),
+            (self.contact, entry(Swatch::Line(CONTACT), "border of full contact")),
             (
                 self.levels,
                 entry(
@@ -89,6 +89,10 @@ impl Shown {
         entries.extend(keys::overlay(maps, self.overlay));
         entries.extend(self.rings.then(keys::ring));
         entries.extend(keys::locked(maps));
+        let contact = |map: &&Map| map.outcomes.iter().all(|cell| cell.class == Class::FullContact);
+        if maps.iter().all(contact) {
+            entries.push(entry(Swatch::None, "Every block stays in full contact."));
+        }
         entries
     }
 }
@@ -177,17 +181,24 @@ pub fn paint(
     shown.rings = !rings.is_empty();
     let value = |cell: &Outcome| Field::counts(cell).then(|| (field.value)(cell));
     let values = greys.levels();
-    let lines = levels(map, value, &values);
+    let on_page = |line: &[Point]| {
+        let points: Vec<Point> = line.iter().map(|point| frame.at(*point)).collect();
+        length(&points)
+    };
+    let mut lines = levels(map, value, &values);
+    for lines in &mut lines {
+        lines.retain(|line| on_page(line) >= SPECK);
+    }
     canvas.clipped(place, |canvas| {
         let mut line = |points: &[Point], stroke: Stroke| {
             canvas.line(points.iter().map(|point| frame.at(*point)), stroke);
         };
-        for level in lines.iter().flatten().filter(|line| line.len() >= SPECK) {
+        for level in lines.iter().flatten() {
             line(level, LEVEL);
             shown.levels = true;
         }
         for points in Boundary::Overturning.lines(map) {
-            line(&points, if points.len() < SPECK { LEVEL } else { AROUND });
+            line(&points, if on_page(&points) < SPECK { LEVEL } else { AROUND });
             shown.overturning = true;
         }
         for points in Boundary::FullContact.lines(map) {
@@ -196,8 +207,7 @@ pub fn paint(
         }
         let mut labels = Labels::new(map, frame, &rings);
         for (level, lines) in values.iter().zip(&lines) {
-            let lines: Vec<_> = lines.iter().filter(|line| line.len() >= SPECK).cloned().collect();
-            labels.draw(canvas, &lines, &rounded(*level, greys.width()));
+            labels.draw(canvas, lines, &rounded(*level, greys.width()));
         }
         rings.iter().for_each(|at| swatch::ring(canvas, *at));
     });

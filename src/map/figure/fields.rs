@@ -60,8 +60,8 @@ pub const CONTACT: [Field; 2] = [
     },
     Field {
         name: "friction",
-        title: "friction asked for",
-        label: "max |T|/N (1: one or more)",
+        title: "friction needed",
+        label: "max |S|/N (up to 1)",
         value: |cell| cell.friction.min(FRICTION),
         ends: None,
     },

@@ -10,6 +10,8 @@ use crate::drawing::raster::png;
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;
+/// Least width of a scale, over its values.
+const ALIKE: f64 = 0.01;
 /// Shades of the lightest and the darkest value.
 const LIGHT: f64 = 0.96;
 const DARK: f64 = 0.38;
@@ -41,7 +43,8 @@ impl Greys {
         if !(low <= high) {
             (low, high) = (0.0, 1.0);
         }
-        let span = (high - low).max(1.0e-9 + 1.0e-6 * high.abs());
+        // Values that are all alike still have a scale whose numbers differ.
+        let span = (high - low).max(1.0e-9 + ALIKE * low.abs().max(high.abs()));
         let step = level_step(low, low + span);
         Greys { low: (low / step).floor() * step, high: (high / step).ceil() * step, step }
     }

@@ -115,6 +115,7 @@ impl<'a> Labels<'a> {
     }
 }
 
-fn length(line: &[Point]) -> f64 {
+/// How long a line is.
+pub fn length(line: &[Point]) -> f64 {
     line.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
 }

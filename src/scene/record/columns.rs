@@ -28,11 +28,16 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         let Some(numbers) = numbers else {
             // Words before the first number are a heading, of one line or several.
             let is_row = fields.first().is_some_and(|first| number(first).is_some());
-            if values.is_empty() && (title.is_empty() || !is_row) && at <= HEADING {
-                if title.is_empty() {
+            if values.is_empty()
+                && ((title.is_empty() && units.is_none()) || !is_row)
+                && at <= HEADING
+            {
+                let of_columns = units_in(line);
+                // Names of columns are no title.
+                if title.is_empty() && of_columns.is_none() {
                     title = line.chars().take(80).collect();
                 }
-                units = units.or(units_in(line));
+                units = units.or(of_columns);
                 continue;
             }
             let hint = match line.contains(',') {

@@ -15,6 +15,33 @@ pub fn place(title: &str) -> Option<(&str, &str)> {
     title.rsplit_once(',').map(|(place, component)| (place.trim(), component.trim()))
 }
 
+/// True of a title that names a horizontal component: an azimuth in degrees, a bearing, or a direction.
+pub fn is_horizontal(title: &str) -> bool {
+    let Some((_, component)) = place(title) else { return false };
+    let component = component.to_uppercase();
+    let degrees =
+        |text: &str| text.parse::<f64>().is_ok_and(|degrees| (0.0..=360.0).contains(&degrees));
+    let bearing = component.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
+    degrees(&component)
+        || bearing.is_some_and(degrees)
+        || matches!(
+            component.as_str(),
+            "N" | "E"
+                | "S"
+                | "W"
+                | "NS"
+                | "EW"
+                | "N-S"
+                | "E-W"
+                | "L"
+                | "T"
+                | "L1"
+                | "T1"
+                | "H1"
+                | "H2"
+        )
+}
+
 /// The event, with its date, and the station of a place: `Northridge-01, 1/17/1994` and `Rinaldi Receiving Sta`.
 pub fn event_and_station(place: &str) -> (&str, &str) {
     match place.rsplit_once(',') {
@@ -43,7 +70,7 @@ pub fn apart(one: &str, other: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Vertical, apart, vertical};
+    use super::{Vertical, apart, is_horizontal, vertical};
 
     #[test]
     fn titles_tell_components_and_stations() {
@@ -52,6 +79,12 @@ mod tests {
         assert_eq!(vertical(&rinaldi("DWN")), Some(Vertical::Down));
         assert_eq!(vertical(&rinaldi("228")), None);
         assert_eq!(vertical("El Centro UP"), None);
+        for component in ["228", "0", "N17E", "EW", "T1"] {
+            assert!(is_horizontal(&rinaldi(component)), "{component}");
+        }
+        for component in ["UP", "DWN", "400", "Rinaldi", ""] {
+            assert!(!is_horizontal(&rinaldi(component)), "{component}");
+        }
         assert!(!apart(&rinaldi("228"), &rinaldi("UP")));
         assert!(apart(&rinaldi("228"), "Northridge-01, 1/17/1994, Sylmar, UP"));
         assert!(!apart("El Centro", "Northridge-01, 1/17/1994, Sylmar, UP"));

@@ -23,6 +23,9 @@ fn questioned(
     if component::vertical(h).is_some() {
         return asked("horizontal", format!("'{h}' is a vertical component"));
     }
+    if component::is_horizontal(v) {
+        return asked("vertical", format!("'{v}' is a horizontal component"));
+    }
     if component::apart(h, v) {
         return asked("vertical", format!("'{v}' is of another place or time than '{h}'"));
     }

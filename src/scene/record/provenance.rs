@@ -79,7 +79,7 @@ impl RecordFile {
         }
         Err(match changed {
             Some(place) => format!(
-                "{} has changed since that run; put the file of then back (SHA-256 {})",
+                "{} has changed since that run; restore the file that it used (SHA-256 {})",
                 place.display(),
                 self.sha256
             ),

@@ -1,0 +1,50 @@
+//! Scenes from files.
+
+use std::path::Path;
+
+use topple::scene::Scene;
+use topple::scene::builder::SceneBuilder;
+use topple::scene::record::read::format_of;
+
+use super::InputError;
+use super::words::with_keys;
+
+/// What only a figure's file has.
+pub const FIGURE: &str = "[[panel]]";
+
+/// Largest scene file that is read, bytes.
+const LARGEST: u64 = 1 << 20;
+
+/// The scene of a file; a record's files are looked for from its folder.
+///
+/// # Errors
+/// What is wrong, where, and what to do.
+pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
+    let refused = |reason: String| InputError(format!("{}: {reason}", path.display()));
+    let text = read(path).map_err(refused)?;
+    if let Some(format) = format_of(&text) {
+        return Err(refused(format!(
+            "a record ({format}), not a scene; give it to topple seismic --horizontal"
+        )));
+    }
+    if text.contains(FIGURE) {
+        let problem = "this is a figure of several panels; run it by topple figures --scenes";
+        return Err(refused(problem.into()));
+    }
+    let mut scene = SceneBuilder::from_toml(&text).map_err(refused)?;
+    scene.force |= force;
+    let directory = path.parent().unwrap_or(Path::new(""));
+    scene.check_in(directory).map_err(|error| refused(with_keys(&error.to_string())))
+}
+
+/// Reads a scene's file.
+///
+/// # Errors
+/// What is wrong and what to do.
+pub fn read(path: &Path) -> Result<String, String> {
+    let refused = |e: std::io::Error| format!("{e}; give a scene that can be read");
+    if std::fs::metadata(path).map_err(refused)?.len() > LARGEST {
+        return Err("larger than 1 MiB; this is no scene".into());
+    }
+    std::fs::read_to_string(path).map_err(refused)
+}
