@@ -129,6 +129,10 @@ fn a_record_is_found_again_or_missed() {
 
     let results = first.path().join("run.json").display().to_string();
     let same = ["run", &results, "--backend", "cpu"];
+    // The arrays name the file alone; run.json beside them tells its place.
+    let array = first.path().join("map.npz").display().to_string();
+    run(&["run", &array, "--backend", "cpu"], again.path());
+    same_map(first.path(), again.path());
     run(&same, again.path());
     same_map(first.path(), again.path());
     assert_eq!(json(again.path())["record"], told["record"]);
@@ -136,7 +140,6 @@ fn a_record_is_found_again_or_missed() {
     fs::rename(&file, first.path().join("mine.txt")).unwrap();
     run(&same, again.path());
     same_map(first.path(), again.path());
-    let array = first.path().join("map.npz").display().to_string();
     run(&["run", &array, "--backend", "cpu"], again.path());
     same_map(first.path(), again.path());
     fs::remove_file(first.path().join("mine.txt")).unwrap();
@@ -200,6 +203,11 @@ fn flags_are_saved_as_a_scene() {
     run(&[&PULSE[..], &["--backend", "cpu", "--verify", "none"]].concat(), &flags);
     run(&[&PULSE[..], &["--save-scene", &saved]].concat(), &scene);
     assert!(!scene.exists(), "a scene is saved, and nothing run");
+    // What is there stays, whatever it is.
+    let written = fs::read(&saved).unwrap();
+    let again = [&PULSE[..], &["--save-scene", &saved]].concat();
+    assert!(refused(&again).contains("is there already; give another name"));
+    assert_eq!(fs::read(&saved).unwrap(), written);
     run(&[&["run", &saved][..], &method].concat(), &scene);
     same_map(&flags, &scene);
 
@@ -207,12 +215,77 @@ fn flags_are_saved_as_a_scene() {
     let axes = ["--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
     let of_record = ["--backend", "cpu", "--verify", "none"];
     run(&[&["seismic"][..], &axes, &of_record].concat(), &flags);
+    let saved = place.path().join("mine").join("record.toml").display().to_string();
     run(&[&["seismic", "--save-scene", &saved][..], &axes].concat(), &scene);
     assert!(place.path().join("mine").join("synthetic_h.at2").exists());
     run(&[&["run", &saved][..], &of_record].concat(), &scene);
     same_map(&flags, &scene);
 
     assert!(refused(&["pulse", "--object", "1", "--save-scene", &saved]).contains("--t-h"));
+    let to_stdout =
+        Command::cargo_bin("topple").unwrap().args(PULSE).args(["--save-scene", "-"]).output();
+    let text = String::from_utf8(to_stdout.unwrap().stdout).unwrap();
+    assert!(SceneBuilder::from_toml(&text).unwrap().check().is_ok(), "{text}");
+}
+
+/// The order of the axes is that of the flags, or the scene is refused.
+#[test]
+fn axes_keep_their_order_in_a_scene() {
+    let place = TempDir::new().unwrap();
+    let first_line = |out: &Path| {
+        let table = fs::read_to_string(out.join("map.csv")).unwrap();
+        table.lines().next().unwrap().to_string()
+    };
+    let common = ["pulse", "--object", "1", "--omega", "3", "--a-h", "4:6:2", "--t-max", "2"];
+    let usual = ["--backend", "cpu", "--verify", "none"];
+    for (k, axes) in [
+        ["--eccentricity", "0,0.2", "--t-h", "1", "--t-v", "0.5", "--psi", "0.1,0.3"],
+        ["--psi", "0.1,0.3", "--t-h", "1", "--t-v", "0.5", "--eccentricity", "0,0.2"],
+    ]
+    .iter()
+    .enumerate()
+    {
+        let saved = place.path().join(format!("{k}.toml")).display().to_string();
+        let flags = [&common[..], &axes[..]].concat();
+        let (direct, again) = (place.path().join("direct"), place.path().join("again"));
+        run(&[&flags[..], &usual].concat(), &direct);
+        run(&[&flags[..], &["--save-scene", &saved]].concat(), &again);
+        run(&[&["run", &saved][..], &usual].concat(), &again);
+        assert_eq!(first_line(&direct), first_line(&again));
+        same_map(&direct, &again);
+    }
+    let mixed = [
+        "--psi",
+        "0.1,0.3",
+        "--eccentricity",
+        "0,0.2",
+        "--xi-h",
+        "0.1,0.2",
+        "--t-h",
+        "1",
+        "--t-v",
+        "1",
+    ];
+    let saved = place.path().join("mixed.toml").display().to_string();
+    let line = refused(&[&common[..], &mixed, &["--save-scene", &saved]].concat());
+    assert!(line.contains("in a file the axes would have another order"), "{line}");
+}
+
+/// A run of the reference is one again.
+#[test]
+fn the_backend_is_that_of_then() {
+    let (first, again) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let cells = ["--omega", "3", "--a-h", "4:6:3", "--t-h", "1", "--t-v", "1", "--t-max", "2"];
+    run(
+        &[&["pulse", "--object", "1", "--backend", "reference"][..], &cells].concat(),
+        first.path(),
+    );
+    let results = first.path().display().to_string();
+    run(&["run", &results], again.path());
+    assert_eq!(json(again.path())["backend"], "reference");
+    same_map(first.path(), again.path());
+    run(&["run", &results, "--backend", "cpu"], again.path());
+    assert_eq!(json(again.path())["backend"], "cpu");
 }
 
 /// What is saved of a history is run as one.
@@ -238,6 +311,11 @@ fn a_history_is_saved_and_run() {
     assert!(refused(&["history", &saved, "--omega", "3"]).contains("a scene's file or the flags"));
 }
 
+/// What a scene says, in no order.
+fn value(scene: &SceneBuilder) -> serde_json::Value {
+    serde_json::to_value(scene).unwrap()
+}
+
 #[test]
 fn scenes_written_are_read_back() {
     for name in ["default", "motion"] {
@@ -245,7 +323,8 @@ fn scenes_written_are_read_back() {
         let text = text.split("[[").next().unwrap();
         let Ok(builder) = SceneBuilder::from_toml(text) else { continue };
         let written = builder.to_toml().unwrap();
-        assert_eq!(SceneBuilder::from_toml(&written).unwrap(), builder, "{written}");
+        let again = SceneBuilder::from_toml(&written).unwrap();
+        assert_eq!(value(&again), value(&builder), "{written}");
     }
     let whole = "title = \"all\"\n[base]\nt_h = \"1:2:3\"\nt_v = 0.5\nisolation = \"dual\"\n\
                  [block]\nobject = 3\neccentricity = \"0.1,-0.2\"\n[run]\nforce = true\nx = \"t_h\"\n\
@@ -253,7 +332,7 @@ fn scenes_written_are_read_back() {
                  a_h = \"0.1:10:4:log\"\nshape = \"ricker\"\n";
     let builder = SceneBuilder::from_toml(whole).unwrap();
     let again = SceneBuilder::from_toml(&builder.to_toml().unwrap()).unwrap();
-    assert_eq!(again.check().unwrap(), builder.check().unwrap());
+    assert_eq!(value(&again), value(&builder));
     // A checked scene makes itself again, whatever it was given by.
     for text in [
         whole.to_string(),

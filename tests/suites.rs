@@ -52,7 +52,14 @@ fn measures_are_those_of_another_program() {
     let pair = pair(dt, samples);
     let measures = Measures::of(&pair);
     assert_relative_eq!(measures.pga_h, figures["pga"], max_relative = 1e-9);
-    assert_relative_eq!(measures.pgv, figures["pgv"], max_relative = 1e-8);
+    // It looks at samples alone; the largest velocity lies where the acceleration passes zero.
+    let mut velocity = 0.0;
+    let at_samples = gaps.iter().fold(0.0_f64, |peak, (a, b)| {
+        velocity += 0.5 * dt * (a + b);
+        peak.max(f64::abs(velocity))
+    });
+    assert_relative_eq!(at_samples, figures["pgv"], max_relative = 1e-8);
+    assert!(measures.pgv > at_samples && measures.pgv < 1.001 * at_samples);
     let less: f64 = gaps.iter().map(|(a, b)| dt * (b - a) * (b - a) / 6.0).sum();
     let arias = measures.arias + PI / (2.0 * GRAVITY) * less;
     assert_relative_eq!(arias, figures["arias"], max_relative = 1e-9);
@@ -75,6 +82,18 @@ fn measures_are_those_of_another_program() {
     let average = Measures::average_sa(&pair, 1.0);
     let logarithms = (0..10).map(|k| Measures::sa(&pair, 0.2 + 2.8 * f64::from(k) / 9.0).ln());
     assert_relative_eq!(average, (logarithms.sum::<f64>() / 10.0).exp(), max_relative = 1e-12);
+}
+
+/// A saw tooth from 1 to -1 in a step: v grows by 1/4 of it to the zero, and a^2 has its quarters in closed form.
+#[test]
+fn measures_between_samples_are_exact() {
+    let measures = Measures::of(&pair(0.1, vec![1.0, -1.0]));
+    assert_relative_eq!(measures.pgv, 0.025, max_relative = 1e-12);
+    assert_relative_eq!(measures.cav, 0.05, max_relative = 1e-12);
+    // a = 1 - 2 x: the integral of a^2 is (1 - (1 - 2x)^3)/6 of the step.
+    let at = |share: f64| 0.1 * 0.5 * (1.0 - (1.0 - 2.0 * share).cbrt());
+    assert_relative_eq!(measures.d5_75, at(0.75) - at(0.05), max_relative = 1e-9);
+    assert_relative_eq!(measures.d5_95, at(0.95) - at(0.05), max_relative = 1e-9);
 }
 
 /// A file of PEER's form.
@@ -284,6 +303,45 @@ fn a_real_download_is_read() {
     }
     let names = Suite::read(by_name.path(), false).unwrap();
     assert_eq!((names.motions().count(), names.left_out().count()), (148, 12));
+}
+
+/// Copies count once, ids are unique, a list of one's own is found in its folder, and nothing at all is refused.
+#[test]
+fn copies_count_once() {
+    let folder = folder();
+    let copy = |from: &str, to: &str| {
+        fs::create_dir_all(folder.path().join("copy")).unwrap();
+        fs::copy(folder.path().join(from), folder.path().join(to)).unwrap();
+    };
+    copy("RSN1_QUAKE_TWN000.AT2", "copy/RSN1_QUAKE_TWN000.AT2");
+    copy("RSN1_QUAKE_TWN-UP.AT2", "copy/RSN1_QUAKE_TWN-UP.AT2");
+    let suite = Suite::read(folder.path(), false).unwrap();
+    assert_eq!(suite.motions().count(), 3);
+    let mut ids: Vec<&str> = suite.rows.iter().map(|(entry, _)| entry.id.as_str()).collect();
+    let copied = "copy/RSN1_QUAKE_TWN000.AT2";
+    assert_eq!(why(&suite, copied), "the same motion as RSN1_QUAKE_TWN000.AT2");
+    ids.sort_unstable();
+    assert!(ids.windows(2).all(|pair| pair[0] != pair[1]), "{ids:?}");
+
+    let list = "id,horizontal,vertical,scale,weight\none,RSN1_QUAKE_TWN090.AT2,RSN2_QUAKE_CTYDWN.AT2,2,5\n\
+                two,RSN1_QUAKE_TWN090.AT2,RSN2_QUAKE_CTYDWN.AT2,3,\n";
+    fs::write(folder.path().join("mine.csv"), list).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let (entry, _) = suite.motions().next().unwrap();
+    let notes = entry.notes.join("; ");
+    assert!(notes.starts_with("scaled by 2, the list's factor; weight 5"), "{notes}");
+    assert_eq!(
+        suite.motions().filter(|(entry, _)| ["one", "two"].contains(&entry.id.as_str())).count(),
+        2
+    );
+
+    let none = TempDir::new().unwrap();
+    fs::write(none.path().join("RSN1_A_B000.AT2"), "no record").unwrap();
+    let error = Suite::read(none.path(), false).unwrap_err().to_string();
+    assert!(
+        error.starts_with("none of 1 lines is a motion, the first, RSN1_A_B000: no vertical"),
+        "{error}"
+    );
 }
 
 fn suite(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {

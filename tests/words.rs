@@ -115,14 +115,28 @@ fn records_say_what_they_are() {
     let out = place.path().join("out").display().to_string();
     let seismic = ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--horizontal", &path];
     let g = ["--dt", "0.01", "--units", "g"];
-    for (text, more, said) in [
+    let cases: [(&str, &[&str], &str); 11] = [
         ("1\n2\n", &g[..2], "does not tell its units; give --units (g, m/s2 or cm/s2)"),
         ("1\n2\n", &g[2..], "does not tell its time step; give --dt"),
         ("3.5\n-1\n", &g, "if the numbers are in m/s2, it is 0.36 g; --force accepts it"),
         ("0,1 0,5\n0,2 0,4\n", &g[2..], "if its commas are decimal ones, write points"),
         ("a\nb\n1 x\n", &g, "this is not a number"),
         ("\0\u{1}\u{2}", &g, "a binary file, not a record"),
-    ] {
+        ("time (s), acc (ft/s^2)\n0 1\n0.01 2\n", &g[2..], "units of 'ft/s^2' are not read"),
+        ("time (s), velocity (cm/s)\n0 1\n0.01 2\n", &[], "this is no acceleration by its heading"),
+        ("i,acc (g)\n0,0.1\n1,0.2\n2,0.1\n", &[], "a column that counts samples is no time"),
+        (
+            "PEER\nA\nACCELERATION IN UNITS OF CM/S/S\nNPTS= 2, DT= .01 SEC\n100. 200.\n",
+            &g[2..],
+            "the file's units are cm/s2",
+        ),
+        (
+            "PEER\nA\nACCELERATION IN UNITS OF FURLONGS\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
+            &[],
+            "units of FURLONGS are not read",
+        ),
+    ];
+    for (text, more, said) in cases {
         fs::write(&file, text).unwrap();
         let line = refused(&[&seismic[..], more].concat());
         assert!(line.contains(said), "{text:?}: {line}");
@@ -230,6 +244,20 @@ fn licences_are_shipped() {
     for part in ["MIT License", "UBUNTU FONT LICENCE Version 1.0", "Copyright 2011 Canonical Ltd."]
     {
         assert!(said.contains(part), "{part}");
+    }
+}
+
+/// What cannot be printed is a failure; a reader that is gone is none.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_no_success() {
+    use std::process::{Command, Stdio};
+    for arguments in [&["scene"][..], &["licences"], &["man"], &["completions", "bash"]] {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let program = assert_cmd::cargo::cargo_bin("topple");
+        let run = Command::new(program).args(arguments).stdout(Stdio::from(full)).output().unwrap();
+        assert_eq!(run.status.code(), Some(1), "{arguments:?}");
+        assert!(String::from_utf8_lossy(&run.stderr).contains("No space left"), "{arguments:?}");
     }
 }
 

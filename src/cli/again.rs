@@ -20,6 +20,8 @@ pub struct Again {
     pub scene: Scene,
     /// How its cells were computed, where the results tell it.
     pub method: Option<Method>,
+    /// What they were computed on, where the results tell it.
+    pub backend: Option<String>,
 }
 
 /// Of run.json, or of what a map's arrays say of themselves, what makes the run again.
@@ -28,6 +30,7 @@ struct Written {
     kind: Option<Kind>,
     scene: Scene,
     record: Option<Provenance>,
+    backend: Option<String>,
     /// The axes of a map's arrays, the last one first: there the scene's keys are in alphabetical order.
     index: Option<Vec<Parameter>>,
     #[serde(flatten)]
@@ -39,8 +42,11 @@ struct Written {
 /// # Errors
 /// What is wrong with them and what to do.
 pub fn at(path: &Path) -> Option<Result<Again, String>> {
-    let folder = if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
-    let read = if path.join(zarr::DOCUMENT).exists() {
+    // A map in chunks is a folder beside run.json.
+    let is_zarr = path.join(zarr::DOCUMENT).exists();
+    let inside = path.is_dir() && !is_zarr;
+    let folder = if inside { path } else { path.parent().unwrap_or(Path::new("")) };
+    let read = if is_zarr {
         text_of(&path.join(zarr::DOCUMENT)).and_then(|text| {
             let group: Group = parsed(&text)?;
             Ok(group.attributes)
@@ -109,6 +115,15 @@ impl Written {
             }
             self.scene.numbers = numbers;
         }
+        // A map's arrays have the names of the files alone, run.json beside them has their places.
+        if let Some(record) = &self.record
+            && let Ok(text) = fs::read_to_string(folder.join(RUN))
+            && let Ok(beside) = serde_json::from_str::<Written>(&text)
+            && let Some(there) = beside.record
+            && there.without_folders() == record.without_folders()
+        {
+            self.record = Some(there);
+        }
         let record = match (&self.record, self.scene.excitation.record()) {
             (Some(record), _) => Some(RecordText::found(record, &[folder, Path::new("")])?),
             (None, Some(_)) => {
@@ -119,6 +134,7 @@ impl Written {
         };
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
-        Ok(Again { kind: self.kind.unwrap_or(Kind::Map), scene, method: self.method })
+        let kind = self.kind.unwrap_or(Kind::Map);
+        Ok(Again { kind, scene, method: self.method, backend: self.backend })
     }
 }

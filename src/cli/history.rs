@@ -94,7 +94,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         let problem = format!("{flag}: a history is of one cell; give a single number");
         return Err(InputError(problem).into());
     }
-    if options.backend == BackendRequest::Gpu {
+    if options.backend() == BackendRequest::Gpu {
         let problem = "--backend: the shader keeps no history; use cpu or reference";
         return Err(InputError(problem.into()).into());
     }
@@ -106,7 +106,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let earlier = output::refuse_other(&options.out, Kind::History)?;
     let out = output::open(&options.out)?;
     let case = scene.case();
-    let (rows, outcome) = match (options.backend, options.precision()) {
+    let (rows, outcome) = match (options.backend(), options.precision()) {
         (BackendRequest::Reference, _) => motion::by_reference(scene, &case),
         (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
@@ -117,7 +117,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;
     output::write_figure(&out, "history", &svg, &png)?;
-    let backend = if options.backend == BackendRequest::Reference { "reference" } else { "cpu" };
+    let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     let manifest = Manifest {
         kind: Kind::History,
         version: env!("CARGO_PKG_VERSION"),

@@ -97,7 +97,7 @@ pub fn run() -> anyhow::Result<()> {
             return Ok(());
         }
     };
-    match arguments.command {
+    let done = match arguments.command {
         Some(Command::Pulse(command)) => command.run(),
         Some(Command::Seismic(command)) => command.run(),
         Some(Command::Suite(command)) => command.run(),
@@ -119,7 +119,10 @@ pub fn run() -> anyhow::Result<()> {
             Ok(())
         }
         None => scene::run_default(&arguments.options),
-    }
+    };
+    done?;
+    // Files are what a run is for; what it says is lost all the same.
+    print::end().map_err(anyhow::Error::msg)
 }
 
 /// A parser's message on one line, without its usage.

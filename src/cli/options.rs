@@ -27,9 +27,9 @@ pub struct RunOptions {
     /// Directory for the results; made if need be
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     pub out: PathBuf,
-    /// What to compute on; auto takes a real GPU, else the CPU
-    #[arg(long, default_value = "auto")]
-    pub backend: BackendRequest,
+    /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
+    #[arg(long)]
+    pub backend: Option<BackendRequest>,
     /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
@@ -203,8 +203,19 @@ impl RunOptions {
         self.method().precision
     }
 
-    /// Takes over how an earlier run computed its cells, where no flag says otherwise.
-    pub fn adopt(&mut self, earlier: Option<Method>) {
+    /// What to compute on.
+    pub fn backend(&self) -> BackendRequest {
+        self.backend.unwrap_or(BackendRequest::Auto)
+    }
+
+    /// Takes over how an earlier run computed its cells, and on what, where no flag says otherwise. Of a GPU it is
+    /// only known that there was one.
+    pub fn adopt(&mut self, backend: Option<&str>, earlier: Option<Method>) {
+        self.backend = self.backend.or(match backend {
+            Some("reference") => Some(BackendRequest::Reference),
+            Some("cpu") => Some(BackendRequest::Cpu),
+            _ => None,
+        });
         let Some(earlier) = earlier else { return };
         self.precision.get_or_insert(earlier.precision);
         // A step that was accepted once is.
@@ -221,7 +232,7 @@ impl RunOptions {
     /// # Errors
     /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
-        let opened = self.backend.open(self.precision(), &self.adapter);
+        let opened = self.backend().open(self.precision(), &self.adapter);
         let OpenBackends { backends, passed_over } = opened.map_err(|e| sweep_error(e.into()))?;
         self.warn_of(&passed_over, &backends[0]);
         Ok(backends)
@@ -240,7 +251,7 @@ impl MapOptions {
     /// The settings of a scene's run.
     pub fn settings(&self, scene: &Scene) -> RunSettings {
         let mut settings = RunSettings::default();
-        settings.backend = self.run.backend;
+        settings.backend = self.run.backend();
         settings.adapters.clone_from(&self.run.adapter);
         settings.method = self.run.method();
         settings.saving = Some(Saving {
@@ -279,7 +290,7 @@ pub struct CommonFlags {
     /// When a block counts as overturned [default: critical-angle]
     #[arg(long, value_name = "WHEN", help_heading = "Run")]
     overturn: Option<Overturn>,
-    /// Write the scene that the flags make to a file for topple run, and run nothing
+    /// Write the scene that the flags make (not how it is computed) to a new file, - is stdout; run nothing
     #[arg(long, value_name = "FILE", help_heading = "Run")]
     pub save_scene: Option<PathBuf>,
     /// The number along the picture's horizontal axis

@@ -155,8 +155,11 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         let png = render::png(&svg)?;
         Ok((name.into(), svg, png))
     };
-    let others: Vec<Figure> = fields::FIELDS[1..]
-        .par_iter()
+    let directions = map.scene.isolation;
+    let shown: Vec<_> =
+        fields::FIELDS[1..].iter().filter(|field| field.moves(directions)).collect();
+    let others: Vec<Figure> = shown
+        .into_par_iter()
         .map(|field| finish(field.name, field::draw(map, field, "")?))
         .collect::<Result<_, _>>()?;
     figures.extend(others);

@@ -2,7 +2,8 @@
 //! printed, and the run goes on, for its files are what it is for.
 
 use std::fmt::Arguments;
-use std::io::Write;
+use std::io::{self, Write};
+use std::sync::OnceLock;
 
 use anstream::{stderr, stdout};
 use anstyle::{AnsiColor, Style};
@@ -26,16 +27,38 @@ macro_rules! print_line {
 }
 pub(crate) use print_line;
 
+/// Why the first line that could not be printed was not.
+static FAILED: OnceLock<io::Error> = OnceLock::new();
+
+/// Keeps why a line was not printed, unless it is that nobody reads it.
+fn keep(printed: io::Result<()>) {
+    match printed {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            // The first says enough.
+            let _ = FAILED.set(error);
+        }
+        _ => {}
+    }
+}
+
+/// Writes out what was printed.
+///
+/// # Errors
+/// Those of stdout at any line so far, but that nobody reads it.
+pub fn end() -> Result<(), String> {
+    keep(stdout().flush());
+    FAILED.get().map_or(Ok(()), |error| Err(format!("the standard output: {error}")))
+}
+
 /// Prints a line on stdout.
 pub fn line(text: Arguments) {
-    // Nobody reads it, or nobody can.
-    let _ = writeln!(stdout(), "{}", shown(&text.to_string()));
+    keep(writeln!(stdout(), "{}", shown(&text.to_string())));
 }
 
 /// Prints a line on stdout that begins with a name, in ten letters, and goes on in a style.
 pub fn named(name: &str, text: &str, style: Style) {
     let (name, text) = (shown(name), shown(text));
-    let _ = writeln!(stdout(), "{NAME}{name:<10}{NAME:#} {style}{text}{style:#}");
+    keep(writeln!(stdout(), "{NAME}{name:<10}{NAME:#} {style}{text}{style:#}"));
 }
 
 /// Prints a line on stderr that begins with the program's name.

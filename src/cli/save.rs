@@ -5,15 +5,17 @@ use std::path::Path;
 
 use topple::results::files::Directory;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::{FIRST, Parameter};
 
 use super::InputError;
+use super::print::print_line;
 use super::words::Say;
 
-/// Writes what flags say of a scene as a file that a command takes. Paths of a record are absolute there, for
-/// a file's are looked for from its own folder.
+/// Writes what flags say of a scene as a file that a command takes; `-` is the standard output. Paths of a record
+/// are absolute there, for a file's are looked for from its own folder.
 ///
 /// # Errors
-/// Those of the disk.
+/// A file that is there; axes in an order that a file cannot have; those of the disk.
 pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Result<()> {
     if let Some(record) = &mut scene.record {
         for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
@@ -23,6 +25,20 @@ pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Resu
     let refused =
         |reason: String| InputError(format!("--save-scene: {}: {reason}", path.display()));
     let text = scene.to_toml().map_err(refused)?;
+    // Flags may come in any order, a file has them table by table.
+    let again = SceneBuilder::from_toml(&text).map_err(refused)?;
+    if axes(&again) != axes(&scene) {
+        let problem = "in a file the axes would have another order; give the flags with several values of one section \
+                       one after another";
+        return Err(refused(problem.into()).into());
+    }
+    if path == Path::new("-") {
+        print_line!("{}", text.trim_end());
+        return Ok(());
+    }
+    if path.symlink_metadata().is_ok() {
+        return Err(refused("is there already; give another name, or remove it".into()).into());
+    }
     let name = path.file_name().and_then(|name| name.to_str());
     let name =
         name.ok_or_else(|| refused("no name of a file; give one, such as scene.toml".into()))?;
@@ -33,4 +49,10 @@ pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Resu
     let path = path.display();
     Say::unless(false).line("scene", format!("{path}; topple {command} {path} runs it"));
     Ok(())
+}
+
+/// The numbers of several values, in their order.
+fn axes(scene: &SceneBuilder) -> Vec<Parameter> {
+    let swept = scene.numbers.iter().filter(|(_, values)| values.count() > 1);
+    swept.map(|(parameter, _)| parameter).filter(|parameter| !FIRST.contains(parameter)).collect()
 }

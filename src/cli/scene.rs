@@ -16,8 +16,8 @@ pub const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
 
 /// Run a scene from a file, or an earlier run again.
 ///
-/// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, with
-/// the precision, the step and the shortcuts of then where no flag says otherwise.
+/// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
+/// the same backend (cpu or reference), with the same precision, step and shortcuts where no flag says otherwise.
 #[derive(clap::Args)]
 #[command(after_help = examples::RUN)]
 pub struct RunCommand {
@@ -34,9 +34,9 @@ impl RunCommand {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
         if let Some(earlier) = again::at(&self.scene) {
-            let Again { kind, scene, method } = earlier.map_err(refused)?;
+            let Again { kind, scene, method, backend } = earlier.map_err(refused)?;
             let mut options = self.options.clone();
-            options.run.adopt(method);
+            options.run.adopt(backend.as_deref(), method);
             return match kind {
                 Kind::History => history::run_cell(&scene, &options.run),
                 _ => run::run_map(&scene, &options),

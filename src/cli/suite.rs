@@ -40,13 +40,22 @@ struct Manifest<'a> {
     version: &'static str,
     suite: &'a std::path::Path,
     motions: usize,
-    /// Where each motion came from, by its id.
-    records: BTreeMap<&'a str, Option<&'a Provenance>>,
+    /// Where each motion came from, its factor and its weight, by its id.
+    records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
     /// Files that are no part of any line.
     unused: &'a [String],
     files: &'a [&'a str],
+}
+
+/// Where a motion came from.
+#[derive(Serialize)]
+struct Source<'a> {
+    #[serde(flatten)]
+    files: Option<&'a Provenance>,
+    scale: f64,
+    weight: f64,
 }
 
 /// Most reasons that are printed one by one.
@@ -72,7 +81,10 @@ impl SuiteCommand {
             motions: suite.motions().count(),
             records: suite
                 .motions()
-                .map(|(entry, motion)| (entry.id.as_str(), motion.pair.provenance.as_deref()))
+                .map(|(entry, motion)| {
+                    let files = motion.pair.provenance.as_deref();
+                    (entry.id.as_str(), Source { files, scale: entry.scale, weight: entry.weight })
+                })
                 .collect(),
             left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
             unused: &suite.unused,
@@ -101,7 +113,7 @@ fn tell(suite: &Suite, say: &Say) {
         say.line(
             "",
             format!(
-                "{noted} of them resampled, padded, turned over or scaled: see notes in the table"
+                "the table has notes on {noted} of them: resampled, padded, scaled, a sign changed, and others"
             ),
         );
     }
@@ -119,7 +131,7 @@ fn tell(suite: &Suite, say: &Say) {
         let (count, first) = (suite.unused.len(), &suite.unused[0]);
         say.line(
             "unused",
-            format!("{count} files whose names tell no component, the first {first}"),
+            format!("{} whose names tell no component, the first {first}", counted(count, "file")),
         );
     }
 }

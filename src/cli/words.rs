@@ -289,9 +289,10 @@ pub fn cells(count: usize) -> String {
 /// How the verdict is said.
 pub fn style(v: &Verification) -> Style {
     match v.verdict {
-        Verdict::Right | Verdict::AsExpected => RIGHT,
+        Verdict::Right => RIGHT,
+        Verdict::AsExpected => NOTICE,
         Verdict::Wrong => WRONG,
-        Verdict::Nothing => NOTICE,
+        Verdict::Nothing => WRONG,
     }
 }
 

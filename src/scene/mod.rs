@@ -35,6 +35,9 @@ pub use parameters::Parameter;
 pub use range::Range;
 pub use values::Values;
 
+/// The parameters that are the first axes, in this order, wherever they are given.
+pub const FIRST: [Parameter; 4] = [Parameter::Omega, Parameter::AH, Parameter::TH, Parameter::TV];
+
 /// g, m/s^2.
 pub const GRAVITY: f64 = 9.81;
 
@@ -84,9 +87,8 @@ impl Scene {
     pub fn swept(&self) -> Vec<Parameter> {
         let swept = self.numbers.iter().filter(|(_, values)| values.count() > 1);
         let mut swept: Vec<Parameter> = swept.map(|(parameter, _)| parameter).collect();
-        let first = [Parameter::Omega, Parameter::AH, Parameter::TH, Parameter::TV];
         let rank = |parameter: &Parameter| {
-            first.iter().position(|known| known == parameter).unwrap_or(first.len())
+            FIRST.iter().position(|known| known == parameter).unwrap_or(FIRST.len())
         };
         swept.sort_by_key(rank);
         swept

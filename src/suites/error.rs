@@ -41,6 +41,16 @@ pub enum SuiteError {
         /// How many files are there.
         unused: usize,
     },
+    /// Lines, of which none is a motion.
+    #[error("none of {count} lines is a motion, the first, {id}: {reason}")]
+    NoMotion {
+        /// How many lines.
+        count: usize,
+        /// The first.
+        id: String,
+        /// Why it is none.
+        reason: String,
+    },
     /// Something is missing or ambiguous, which a strict reading refuses.
     #[error(
         "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none"

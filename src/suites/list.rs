@@ -22,6 +22,13 @@ struct Row {
     weight: Option<f64>,
 }
 
+/// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite.
+pub fn matches(text: &str) -> bool {
+    let heading = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
+    let has = |wanted| heading.split(',').any(|name| name.trim() == wanted);
+    has("horizontal") && !has("arias")
+}
+
 /// The entries of a list; its files lie beside it, or below.
 pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let text = text.trim_start_matches('\u{feff}');
@@ -29,8 +36,8 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let headings = reader.headers().map_err(|error| error.to_string())?;
     if !headings.iter().any(|heading| heading == "horizontal") {
         return Err(
-            "line 1: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight, or the list of a \
-             download from PEER"
+            "line 1: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, or \
+             the list of a download from PEER"
                 .into(),
         );
     }
@@ -39,8 +46,14 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         let at = number + 2;
         let row = row.map_err(|error| match error.kind() {
             csv::ErrorKind::Deserialize { err, .. } => format!("line {at}: {err}"),
+            csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                format!("line {at}: {len} fields where the heading has {expected_len}")
+            }
             _ => format!("line {at}: {error}"),
         })?;
+        if row.horizontal.is_empty() {
+            return Err(format!("line {at}: no horizontal file; give one"));
+        }
         let there = files.find(&row.horizontal);
         let mut entry = Entry::of(there.unwrap_or(&row.horizontal));
         if there.is_none() {
@@ -70,6 +83,12 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         entry.dt = positive("dt", row.dt)?;
         entry.scale = positive("scale", row.scale)?.unwrap_or(1.0);
         entry.weight = positive("weight", row.weight)?.unwrap_or(1.0);
+        if entry.scale != 1.0 {
+            entry.notes.push(format!("scaled by {}, the list's factor", entry.scale));
+        }
+        if entry.weight != 1.0 {
+            entry.notes.push(format!("weight {}", entry.weight));
+        }
         entry.units = row.units;
         if let Some(id) = row.id.filter(|id| !id.is_empty()) {
             entry.id = id;

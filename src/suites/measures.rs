@@ -30,16 +30,11 @@ impl Measures {
     pub fn of(pair: &Pair) -> Measures {
         let a = &*pair.horizontal;
         let square = cumulative(a, pair.dt, |from, to| (from * from + from * to + to * to) / 3.0);
-        let (t5, t75, t95) = (
-            reached(&square, pair.dt, 0.05),
-            reached(&square, pair.dt, 0.75),
-            reached(&square, pair.dt, 0.95),
-        );
-        let velocity = cumulative(a, pair.dt, |from, to| 0.5 * (from + to));
+        let [t5, t75, t95] = [0.05, 0.75, 0.95].map(|share| reached(a, &square, pair.dt, share));
         Measures {
             pga_h: pair.pga_h,
             pga_v: pair.pga_v,
-            pgv: velocity.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
+            pgv: peak_velocity(a, pair.dt),
             arias: PI / (2.0 * GRAVITY) * square.last().copied().unwrap_or(0.0),
             cav: cumulative(a, pair.dt, mean_magnitude).last().copied().unwrap_or(0.0),
             d5_75: t75 - t5,
@@ -79,13 +74,35 @@ fn mean_magnitude(from: f64, to: f64) -> f64 {
     0.5 * (from * from + to * to) / (from - to).abs()
 }
 
-/// When a growing sum reaches a share of its last value, s: linear between samples.
-fn reached(sum: &[f64], dt: f64, share: f64) -> f64 {
-    let wanted = share * sum.last().copied().unwrap_or(0.0);
-    let after = sum.partition_point(|value| *value < wanted);
-    if after == 0 || after >= sum.len() {
+/// The largest velocity: at a sample, or where the acceleration passes zero between two.
+fn peak_velocity(samples: &[f64], dt: f64) -> f64 {
+    let (mut velocity, mut peak) = (0.0_f64, 0.0_f64);
+    for gap in samples.windows(2) {
+        let (from, to) = (gap[0], gap[1]);
+        if from * to < 0.0 {
+            let crest = velocity + 0.5 * dt * from * from / (from - to);
+            peak = peak.max(crest.abs());
+        }
+        velocity += 0.5 * dt * (from + to);
+        peak = peak.max(velocity.abs());
+    }
+    peak
+}
+
+/// When the integral of a^2, whose values at the samples are `square`, reaches a share of its last value, s.
+fn reached(samples: &[f64], square: &[f64], dt: f64, share: f64) -> f64 {
+    let wanted = share * square.last().copied().unwrap_or(0.0);
+    let after = square.partition_point(|value| *value < wanted);
+    if after == 0 || after >= square.len() {
         return 0.0;
     }
-    let (before, at) = (sum[after - 1], sum[after]);
-    dt * ((after - 1) as f64 + (wanted - before) / (at - before))
+    let (from, to) = (samples[after - 1], samples[after]);
+    let missing = wanted - square[after - 1];
+    // Of a = from + slope t the integral is ((from + slope t)^3 - from^3)/(3 slope).
+    let slope = (to - from) / dt;
+    let within = match (to - from).abs() <= 1.0e-9 * from.abs().max(to.abs()) {
+        true => missing / (from * from),
+        false => ((from.powi(3) + 3.0 * slope * missing).cbrt() - from) / slope,
+    };
+    dt * (after - 1) as f64 + within.clamp(0.0, dt)
 }

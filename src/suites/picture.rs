@@ -15,6 +15,8 @@ use crate::scene::record::Pair;
 const PERIODS: u32 = 60;
 const FROM: f64 = 0.02;
 const TO: f64 = 10.0;
+/// Fewest motions that have a band.
+const BANDED: usize = 3;
 /// Height of a panel, points.
 const HEIGHT: f64 = 130.0;
 /// Colours of a motion, of the band, and of the median.
@@ -43,11 +45,13 @@ pub fn draw(suite: &Suite) -> String {
         panel(&mut canvas, place, suite, component, number == 1);
         y = place.bottom();
     }
-    let entries = [
+    let mut entries = vec![
         entry(Swatch::Line(stroke(MOTION, 0.3)), "a motion"),
         entry(Swatch::Line(stroke(MEDIAN, 1.2)), "median"),
-        entry(Swatch::Fill(BAND), "16 % to 84 % of the motions"),
     ];
+    if suite.motions().count() >= BANDED {
+        entries.push(entry(Swatch::Fill(BAND), "16 % to 84 % of the motions"));
+    }
     let at = (MARGIN, y + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
     canvas.finish(end + MARGIN)
@@ -66,8 +70,9 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
         .collect();
     let most = spectra.iter().flatten().fold(0.0, |most: f64, value| most.max(*value));
     let most = if most > 0.0 { most } else { 1.0 };
-    // Four decades hold all that is of weight.
-    let (low, high) = (1.0e-4 * most, 1.5 * most);
+    let least = spectra.iter().flatten().fold(most, |least: f64, value| least.min(*value));
+    // Five decades hold all that is of weight.
+    let (low, high) = ((0.7 * least).max(1.0e-5 * most), 1.5 * most);
     let axes = (Axis::log(FROM, TO, "T [s]"), Axis::log(low, high, "Sa [m/s²]"));
     let frame = Frame::new(place, axes.0, axes.1);
     let at = |(period, sa): (&f64, f64)| frame.at((period.log10(), sa.max(low).log10()));
@@ -79,14 +84,14 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
             .collect()
     };
     canvas.clipped(place, |canvas| {
-        if spectra.len() > 2 {
+        if spectra.len() >= BANDED {
             let (upper, lower) = (curve(&share(0.84)), curve(&share(0.16)));
             canvas.polygon(upper.into_iter().chain(lower.into_iter().rev()), BAND);
         }
         for sa in &spectra {
             canvas.line(curve(sa), stroke(MOTION, 0.25));
         }
-        if spectra.len() > 2 {
+        if spectra.len() >= BANDED {
             for edge in [0.16, 0.84] {
                 canvas.line(curve(&share(edge)), stroke(MEDIAN, 0.5));
             }

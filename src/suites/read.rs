@@ -32,6 +32,7 @@ impl Suite {
     pub fn read(path: &Path, strict: bool) -> Result<Suite, SuiteError> {
         let files = Files::of(path)?;
         let (entries, unused) = entries(path, &files)?;
+        let entries = with_own_ids(entries);
         if entries.is_empty() {
             return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
         }
@@ -42,7 +43,12 @@ impl Suite {
                 (entry, motion)
             })
             .collect();
-        let suite = Suite { rows, unused };
+        let mut suite = Suite { rows, unused };
+        suite.leave_out_copies();
+        if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
+            let (id, reason) = (entry.id.clone(), reason.to_string());
+            return Err(SuiteError::NoMotion { count: suite.rows.len(), id, reason });
+        }
         let mut left_out = suite.left_out();
         if let (Some((entry, reason)), true) = (left_out.next(), strict) {
             let (id, reason) = (entry.id.clone(), reason.to_string());
@@ -51,6 +57,23 @@ impl Suite {
         }
         drop(left_out);
         Ok(suite)
+    }
+
+    /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
+    /// the others are scaled otherwise.
+    fn leave_out_copies(&mut self) {
+        let mut known: BTreeMap<(String, Option<String>, u64), String> = BTreeMap::new();
+        for (entry, motion) in &mut self.rows {
+            let files = motion.as_ref().ok().and_then(|motion| motion.pair.provenance.as_ref());
+            let Some(files) = files else { continue };
+            let vertical = files.vertical.as_ref().map(|file| file.sha256.clone());
+            let key = (files.horizontal.sha256.clone(), vertical, entry.scale.to_bits());
+            if let Some(first) = known.get(&key) {
+                *motion = Err(format!("the same motion as {first}"));
+            } else {
+                known.insert(key, entry.id.clone());
+            }
+        }
     }
 
     /// Its motions.
@@ -86,11 +109,13 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
     for name in files.names().iter().filter(|name| ending(name, "csv")) {
         let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
         let text = String::from_utf8_lossy(&bytes);
-        if peer::matches(&text) {
-            let read = peer::read(&text, files);
-            listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
-            lists.push(name);
-        }
+        let read = match (peer::matches(&text), list::matches(&text)) {
+            (true, _) => peer::read(&text, files),
+            (_, true) => list::read(&text, files),
+            _ => continue,
+        };
+        listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
+        lists.push(name);
     }
     let taken = |name: &str| {
         listed
@@ -111,6 +136,26 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
     }
     listed.extend(named);
     Ok((listed, unused))
+}
+
+/// The same lines, each with an id of its own: where names are alike in two folders, with the folders'.
+fn with_own_ids(mut entries: Vec<Entry>) -> Vec<Entry> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for entry in &entries {
+        *counts.entry(entry.id.clone()).or_default() += 1;
+    }
+    let mut known = BTreeMap::new();
+    for entry in &mut entries {
+        if counts.get(&entry.id).is_some_and(|count| *count > 1) {
+            entry.id.clone_from(&entry.horizontal);
+        }
+        let times: &mut usize = known.entry(entry.id.clone()).or_default();
+        *times += 1;
+        if *times > 1 {
+            entry.id = format!("{} ({times})", entry.id);
+        }
+    }
+    entries
 }
 
 fn ending(name: &str, wanted: &str) -> bool {

@@ -44,8 +44,7 @@ pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
     let (x, width) = SIDE;
     let mut y = caption::heading(&mut canvas, map.scene, &title) + GAP;
     let directions = map.scene.isolation;
-    let moves = [true, directions.moves_h(), directions.moves_v()];
-    for (field, _) in SHOWN.into_iter().zip(moves).filter(|(_, moves)| *moves) {
+    for field in SHOWN.into_iter().filter(|field| field.moves(directions)) {
         let place = Place { x, y, width, height: HEIGHT };
         paint(&mut canvas, map, axis, field, place);
         y += HEIGHT + GAP;

@@ -1,5 +1,6 @@
 //! The values of a cell that maps show, with their titles and scales.
 
+use crate::scene::Directions;
 use crate::stepping::outcome::{Class, Outcome};
 
 /// A value that is drawn over the grid.
@@ -71,6 +72,15 @@ pub const CONTACT: [Field; 2] = [
 const FRICTION: f64 = 1.0;
 
 impl Field {
+    /// True where it changes at all: a direction that is locked has no displacement.
+    pub fn moves(&self, directions: Directions) -> bool {
+        match self.name {
+            "displacement_u" => directions.moves_h(),
+            "displacement_v" | "stroke_v" => directions.moves_v(),
+            _ => true,
+        }
+    }
+
     /// True where a cell's value has a place on the scale: that of an overturned cell tells how far it came,
     /// not how far it can.
     pub fn counts(cell: &Outcome) -> bool {

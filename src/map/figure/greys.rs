@@ -67,7 +67,9 @@ impl Greys {
 
     /// The grey of a value.
     pub fn shade(&self, value: f64) -> u8 {
-        let share = ((value - self.low) / self.width()).clamp(0.0, 1.0);
+        // Values that are all alike may have no width.
+        let width = if self.width() > 0.0 { self.width() } else { 1.0 };
+        let share = ((value - self.low) / width).clamp(0.0, 1.0);
         (255.0 * (LIGHT + (DARK - LIGHT) * share)) as u8
     }
 

@@ -103,7 +103,10 @@ pub fn draw(
         strips.push(Strip { name: "v\u{308}_g [m/s²]", points: vertical });
     }
     let rocking = strips.len();
-    strips.extend(COORDINATES.map(|(name, value)| {
+    let moves = scene.isolation;
+    let shown = [true, moves.moves_h(), moves.moves_v(), moves.moves_h()];
+    let shown = COORDINATES.into_iter().zip(shown).filter(|(_, moves)| *moves);
+    strips.extend(shown.map(|((name, value), _)| {
         let points = rows.iter().map(|row| (row.t, value(row))).collect();
         Strip { name, points }
     }));

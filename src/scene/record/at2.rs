@@ -11,6 +11,14 @@ pub(crate) fn matches(text: &str) -> bool {
     text.lines().take(HEADER).any(|line| line.to_ascii_uppercase().contains("NPTS"))
 }
 
+/// The units that a line in capitals states: `IN UNITS OF G`, `UNITS ARE (G)`.
+fn stated_units(upper: &str) -> Option<&str> {
+    let rest =
+        ["UNITS OF ", "UNITS ARE "].iter().find_map(|words| Some(upper.split_once(words)?.1))?;
+    let word = rest.split([' ', ',', '\t']).find(|word| !word.is_empty())?;
+    Some(word.trim_matches(['(', ')', '.', ';']))
+}
+
 /// `NPTS= 4000, DT= .01000 SEC`, in either order, or the older `4096  0.0100  NPTS, DT`.
 fn count_and_step(line: &str) -> Option<(f64, f64)> {
     let upper = line.to_ascii_uppercase();
@@ -36,8 +44,11 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             let problem = "this is no acceleration; give the .AT2 file";
             return Err(RecordError::line(number, problem));
         }
-        if upper.contains("UNITS OF G") || upper.contains("UNITS ARE (G)") {
-            units = Some(Units::G);
+        if let Some(stated) = stated_units(&upper) {
+            units = Some(Units::named(stated).ok_or_else(|| {
+                let problem = format!("units of {stated} are not read; convert the values to g");
+                RecordError::line(number, problem)
+            })?);
         }
         if upper.contains("NPTS") {
             break count_and_step(line).ok_or_else(|| {

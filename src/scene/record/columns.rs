@@ -32,7 +32,8 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
                 && ((title.is_empty() && units.is_none()) || !is_row)
                 && at <= HEADING
             {
-                let of_columns = units_in(line);
+                let of_columns =
+                    units_in(line).map_err(|problem| RecordError::line(at, problem))?;
                 // Names of columns are no title.
                 if title.is_empty() && of_columns.is_none() {
                     title = line.chars().take(80).collect();
@@ -63,9 +64,9 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
                 true => "; if its commas are decimal ones, write points",
                 false => "",
             };
+            let columns = numbers.len();
             let problem = format!(
-                "{} numbers; one column of values, or two of time and value, are read{hint}",
-                numbers.len()
+                "{columns} columns here; one of values, or two of time and value, are read{hint}"
             );
             return Err(RecordError::line(at, problem));
         }
@@ -83,9 +84,33 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
 }
 
 /// The units of an acceleration that a heading has in brackets: `time (s), acc (cm/s^2)`.
-fn units_in(heading: &str) -> Option<Units> {
+///
+/// # Errors
+/// Units that are not read; a heading of velocities or displacements.
+fn units_in(heading: &str) -> Result<Option<Units>, String> {
+    let lower = heading.to_lowercase();
+    let names = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+    if names(&["veloc", "displac"]) && !names(&["acc"]) {
+        return Err("this is no acceleration by its heading; give the file of accelerations".into());
+    }
     let inside = heading.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next());
-    inside.filter_map(Units::named).last()
+    let mut found = None;
+    for text in inside {
+        let is_time =
+            matches!(text.trim().to_lowercase().as_str(), "s" | "sec" | "secs" | "seconds");
+        match Units::named(text) {
+            Some(units) => found = Some(units),
+            // Brackets may hold anything; what has a slash, or is said of an acceleration, are units.
+            None if !is_time && (text.contains('/') || names(&["acc"])) => {
+                return Err(format!(
+                    "units of '{}' are not read; convert the values to g, m/s2 or cm/s2",
+                    text.trim()
+                ));
+            }
+            None => {}
+        }
+    }
+    Ok(found)
 }
 
 /// The step of evenly spaced times.

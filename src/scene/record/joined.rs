@@ -23,6 +23,9 @@ fn questioned(
     if component::vertical(h).is_some() {
         return asked("horizontal", format!("'{h}' is a vertical component"));
     }
+    if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
+        return asked("vertical", "the same motion as the horizontal one".into());
+    }
     if component::is_horizontal(v) {
         return asked("vertical", format!("'{v}' is a horizontal component"));
     }
@@ -49,9 +52,6 @@ fn questioned(
             peak / GRAVITY
         );
         return asked("units", problem);
-    }
-    if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
-        return asked("vertical", "the same motion as the horizontal one".into());
     }
     None
 }

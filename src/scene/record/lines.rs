@@ -100,14 +100,14 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent; in quotes, with a long minus.
+/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent; with a long minus.
 pub(crate) fn number(field: &str) -> Option<f64> {
     let field = field.trim();
     let value = match field.parse::<f64>() {
         Ok(value) => value,
-        // Quotes are a spreadsheet's, the long minus a word processor's.
+        // Long minus signs are a word processor's.
         Err(_) => {
-            let plain = field.trim_matches('"').trim().replace('\u{2212}', "-");
+            let plain = field.replace(['\u{2212}', '\u{2013}'], "-");
             plain.replace(['D', 'd'], "E").parse().ok()?
         }
     };
@@ -118,7 +118,7 @@ pub(crate) fn number(field: &str) -> Option<f64> {
 /// a negative value may touch the one before it.
 pub(crate) fn free(line: &str) -> Vec<&str> {
     let mut fields = Vec::new();
-    for word in line.split(|c: char| c.is_whitespace() || c == ',' || c == ';') {
+    for word in line.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '"')) {
         let mut from = 0;
         let mut before = ' ';
         for (at, c) in word.char_indices() {
@@ -180,7 +180,8 @@ mod tests {
         assert_eq!(number("  -.1181069E-02"), Some(-0.001181069));
         assert_eq!(number("1.5D+2"), Some(150.0));
         assert_eq!(number("1."), Some(1.0));
-        assert_eq!(number("\"0.5\""), Some(0.5));
+        assert_eq!(free("\"0.5\",\"-0.25\""), ["0.5", "-0.25"]);
+        assert_eq!(number("\u{2013}0.5"), Some(-0.5));
         assert_eq!(number("\u{2212}0.5"), Some(-0.5));
         assert_eq!(number("NaN"), None);
         assert_eq!(number("1e999"), None);

@@ -23,6 +23,9 @@ pub struct RecordHints {
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 
+/// Longest time between samples that is still taken for a record's, s.
+const LONGEST_STEP: f64 = 0.25;
+
 /// Reads a file: its record, and where that came from. A record without a title is called by its file.
 ///
 /// # Errors
@@ -57,7 +60,7 @@ pub fn of_bytes(
     let file = RecordFile {
         path: std::path::absolute(path).unwrap_or_else(|_| path.into()),
         sha256: sha256(bytes),
-        format: format.into(),
+        format,
         title: record.title.clone(),
         units,
         dt: record.dt,
@@ -96,14 +99,14 @@ pub fn format_of(text: &str) -> Option<&'static str> {
 }
 
 /// The record in the bytes of a file, the name of their format, and their units.
-fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, &'static str, Units), RecordError> {
+fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, String, Units), RecordError> {
     let (text, note) = text::of(bytes)?;
     let [.., columns] = &FORMATS;
     let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
-    let mut raw = read(&text)?;
-    raw.notes.extend(note);
-    let (record, units) = check(raw, hints)?;
-    Ok((record, name, units))
+    let (record, units) = check(read(&text)?, hints)?;
+    // How a file is packed is nothing that its motion depends on.
+    let format = note.map_or_else(|| name.to_string(), |note| format!("{name}, {note}"));
+    Ok((record, format, units))
 }
 
 fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
@@ -124,8 +127,13 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
             return Err(RecordError::whole("the file does not tell its time step; give `dt`"));
         }
     };
-    if !(dt.is_finite() && dt > 0.0 && dt <= 1.0) {
-        return Err(RecordError::whole(format!("a time step of {dt} s is no record's")));
+    if !(dt.is_finite() && dt > 0.0 && dt <= LONGEST_STEP) {
+        let index = if dt == 1.0 {
+            "; a column that counts samples is no time: give `dt`, and leave it out"
+        } else {
+            ""
+        };
+        return Err(RecordError::whole(format!("a time step of {dt} s is no record's{index}")));
     }
     let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {

@@ -54,8 +54,8 @@ fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
             ZipError::UnsupportedArchive(reason) => {
                 format!("a zip that is not read here ({reason}); unpack it and give the file")
             }
-            ZipError::CompressionMethodNotSupported(_) => {
-                "a zip packed by another method than deflate; unpack it and give the file".into()
+            error if error.to_string().contains("not supported") => {
+                format!("a zip that is not read here ({error}); unpack it and give the file")
             }
             error => format!("a damaged zip file ({error}); download it again"),
         })
@@ -65,7 +65,8 @@ fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
     for name in archive.file_names() {
         let name = name.map_err(damaged)?;
         // A Mac packs what it knows of a file beside it.
-        if !name.ends_with('/') && !name.starts_with("__MACOSX/") {
+        let is_hidden = name.rsplit('/').next().is_some_and(|file| file.starts_with('.'));
+        if !name.ends_with('/') && !name.starts_with("__MACOSX/") && !is_hidden {
             names.push(name.into_owned());
         }
     }
