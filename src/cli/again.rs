@@ -93,8 +93,14 @@ fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     struct Of {
         kind: Kind,
     }
-    if let Ok(Of { kind: Kind::Suite }) = serde_json::from_str(text) {
-        return Err("a suite is no scene; read it again by topple suite".into());
+    match serde_json::from_str(text) {
+        Ok(Of { kind: Kind::Suite }) => {
+            return Err("a suite is no scene; read it again by topple suite".into());
+        }
+        Ok(Of { kind: Kind::Envelope }) => {
+            return Err("an envelope has many motions; run it again by topple envelope".into());
+        }
+        _ => {}
     }
     let problem = |error| format!("no results of this version of topple ({error}); give a scene");
     serde_json::from_str(text).map_err(problem)

@@ -64,6 +64,15 @@ Examples:
   A list of one's own, with the columns id,horizontal,vertical,dt,units,scale,weight:
     topple suite list.csv --strict --out suite";
 
+/// Of `topple envelope`.
+pub const ENVELOPE: &str = "\
+Examples:
+  Which periods keep a statue standing under all records of a folder, with 40 cm of room and 5 cm up and down:
+    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --limit-u 0.4 --limit-v 0.05
+  Under 95 % of them, each in both directions:
+    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --standing 0.95 \
+--both-directions";
+
 /// Of `topple merge`.
 pub const MERGE: &str = "\
 Examples:

@@ -6,6 +6,7 @@ mod bench;
 mod chart;
 mod completions;
 mod disk;
+mod envelope;
 mod errors;
 mod estimate;
 mod examples;
@@ -62,6 +63,8 @@ enum Command {
     Seismic(seismic::SeismicCommand),
     /// Read a set of records as one suite: which belong together, their intensity measures
     Suite(suite::SuiteCommand),
+    /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes
+    Envelope(envelope::EnvelopeCommand),
     /// Join the parts of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
@@ -101,6 +104,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Pulse(command)) => command.run(),
         Some(Command::Seismic(command)) => command.run(),
         Some(Command::Suite(command)) => command.run(),
+        Some(Command::Envelope(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),

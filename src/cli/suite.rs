@@ -99,7 +99,7 @@ impl SuiteCommand {
 }
 
 /// Says what is in a suite.
-fn tell(suite: &Suite, say: &Say) {
+pub fn tell(suite: &Suite, say: &Say) {
     let motions: Vec<_> = suite.motions().collect();
     let mut stations: Vec<_> =
         motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();
@@ -142,6 +142,6 @@ fn counted(count: usize, thing: &str) -> String {
 }
 
 /// A suite's error in terms of the command line: all of it is what was given.
-fn input_error(error: SuiteError) -> InputError {
+pub fn input_error(error: SuiteError) -> InputError {
     InputError(with_flags(&error.to_string()))
 }

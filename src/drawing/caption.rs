@@ -10,8 +10,8 @@ use crate::scene::{Directions, Excitation, GRAVITY, Overturn, Parameter, Scene};
 /// Space that no line ends at.
 const KEEP: char = '\u{a0}';
 
-/// The parameters of a scene that its axes do not show.
-pub fn parameters(scene: &Scene) -> Vec<String> {
+/// The parameters of a scene that its axes do not show, without its record's.
+pub fn fixed(scene: &Scene) -> Vec<String> {
     let single = |parameter: Parameter| scene.numbers.get(parameter)?.single();
     let mut parts = Vec::new();
     let shown = |when| PARAMETERS.iter().filter(move |entry| entry.caption == when);
@@ -39,6 +39,12 @@ pub fn parameters(scene: &Scene) -> Vec<String> {
     if scene.overturn == Overturn::QuarterTurn {
         parts.push("overturned at 90°".into());
     }
+    parts
+}
+
+/// The parameters of a scene that its axes do not show.
+pub fn parameters(scene: &Scene) -> Vec<String> {
+    let mut parts = fixed(scene);
     let scaled = [Parameter::Scale, Parameter::Pga].map(|parameter| scene.numbers.get(parameter));
     let varies = scaled.into_iter().flatten().any(|values| values.count() > 1);
     if let Some(pair) = scene.excitation.record() {

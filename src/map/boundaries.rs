@@ -6,6 +6,7 @@ use contour::ContourBuilder;
 
 use super::Map;
 use crate::results::csv::Number;
+use crate::scene::Grid;
 use crate::stepping::outcome::{Class, Outcome};
 
 /// A line in the axes' coordinates, see [`Values::coordinate`](crate::scene::Values::coordinate).
@@ -43,21 +44,26 @@ impl Boundary {
     }
 }
 
-/// For each level the lines on which a value has it, linear between cells. They end beside cells
-/// that have no value. A grid of a single row or column has none.
+/// For each level the lines on which a value has it.
 pub fn levels(
     map: &Map,
     value: impl Fn(&Outcome) -> Option<f64>,
     levels: &[f64],
 ) -> Vec<Vec<Line>> {
-    let (columns, rows) = map.grid.shape();
-    let (Some(y), x) = (map.grid.y(), map.grid.x()) else {
+    let known: Vec<Option<f64>> = map.outcomes.iter().map(value).collect();
+    contours(&map.grid, &known, levels)
+}
+
+/// For each level the lines on which the values of a grid's cells have it, linear between cells. They end beside
+/// cells that have no value. A grid of a single row or column has none.
+pub fn contours(grid: &Grid, known: &[Option<f64>], levels: &[f64]) -> Vec<Vec<Line>> {
+    let (columns, rows) = grid.shape();
+    let (Some(y), x) = (grid.y(), grid.x()) else {
         return vec![Vec::new(); levels.len()];
     };
     if columns < 2 || rows < 2 {
         return vec![Vec::new(); levels.len()];
     }
-    let known: Vec<Option<f64>> = map.outcomes.iter().map(value).collect();
     let values: Vec<f64> = known.iter().map(|value| value.unwrap_or(f64::MAX)).collect();
     let Ok(found) = ContourBuilder::new(columns, rows, true).lines(&values, levels) else {
         return vec![Vec::new(); levels.len()];

@@ -21,6 +21,8 @@ pub enum Kind {
     History,
     /// A set of records.
     Suite,
+    /// A sweep under all of one.
+    Envelope,
 }
 
 impl Kind {
@@ -30,6 +32,7 @@ impl Kind {
             Kind::Map => "a map",
             Kind::History => "a time history",
             Kind::Suite => "a suite",
+            Kind::Envelope => "an envelope",
         }
     }
 }

@@ -141,15 +141,18 @@ pub(super) fn check_record(
     };
     let horizontal = read("horizontal", horizontal, of_h)?;
     let vertical = text.vertical.as_deref().map(|path| read("vertical", path, of_v)).transpose()?;
-    let pair = joined::join(horizontal, vertical, &hints, force)?;
-    // Several factors or peaks are the cells' own.
-    let single = |values: Option<&Values>| values.and_then(Values::single);
-    Ok(match (single(numbers.get(Parameter::Scale)), single(pga)) {
+    Ok(scaled(joined::join(horizontal, vertical, &hints, force)?, numbers))
+}
+
+/// A motion scaled by a scene's factor, or to its peak. Several factors or peaks are the cells' own.
+pub(crate) fn scaled(pair: Pair, numbers: &Numbers) -> Pair {
+    let single = |parameter| numbers.get(parameter).and_then(Values::single);
+    match (single(Parameter::Scale), single(Parameter::Pga)) {
         (Some(scale), _) => pair.scaled(scale),
         (None, Some(pga)) => {
             let factor = pga / pair.pga_h;
             pair.scaled(factor)
         }
         (None, None) => pair,
-    })
+    }
 }

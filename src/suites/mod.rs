@@ -5,6 +5,9 @@
 //! ```
 
 pub mod entry;
+pub mod envelope;
+#[cfg(feature = "pictures")]
+pub mod envelope_picture;
 pub mod error;
 mod files;
 mod list;
@@ -15,6 +18,7 @@ mod peer;
 pub mod picture;
 pub mod read;
 pub mod spectrum;
+pub mod swept;
 pub mod table;
 
 pub use entry::{Entry, Motion};

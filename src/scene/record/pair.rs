@@ -100,6 +100,13 @@ impl Pair {
         self
     }
 
+    /// The same motion with the horizontal component in the other direction.
+    pub fn reversed(mut self) -> Pair {
+        self.horizontal = self.horizontal.iter().map(|a| -a).collect();
+        self.notes.push("horizontal component reversed".into());
+        self
+    }
+
     fn measure(&mut self) {
         let peak = |samples: &[f64]| samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
         self.pga_h = peak(&self.horizontal);

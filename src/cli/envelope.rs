@@ -1,0 +1,243 @@
+//! `topple envelope`.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use topple::drawing::render;
+use topple::map::earlier::Kind;
+use topple::scene::builder::SceneBuilder;
+use topple::scene::{Directions, Grid, Parameter, Scene};
+use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
+use topple::suites::swept::{SuiteSettings, SuiteSweep, SweptMotion};
+use topple::suites::{Suite, envelope_picture};
+use topple::sweep::settings::{Method, RunSettings};
+use topple::sweep::verification::Verification;
+
+use super::errors::sweep_error;
+use super::numbers::RecordNumbers;
+use super::options::{CommonFlags, RunOptions, Verify, flag_error};
+use super::progress::Screen;
+use super::suite;
+use super::words::{self, Say};
+use super::{InputError, examples, interrupt, output};
+
+/// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
+#[derive(clap::Args)]
+#[command(after_help = examples::ENVELOPE)]
+pub struct EnvelopeCommand {
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten)]
+    record: RecordNumbers,
+    /// A folder, a zip or a list of records, as of topple suite
+    #[arg(long, value_name = "PATH", help_heading = "Suite")]
+    suite: PathBuf,
+    /// Refuse a suite in which anything is missing or ambiguous
+    #[arg(long, help_heading = "Suite")]
+    strict: bool,
+    /// Take each motion twice, its horizontal component in both directions
+    #[arg(long, help_heading = "Suite")]
+    both_directions: bool,
+    /// Share of the motions under which the block must stand
+    #[arg(long, value_name = "SHARE", default_value = "1", help_heading = "Suite", value_parser = share)]
+    standing: f64,
+    /// Largest max |u| that there is room for, m [default: any]
+    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = length, allow_negative_numbers = true)]
+    limit_u: Option<f64>,
+    /// Largest stroke of v that there is room for, m [default: any]
+    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = length, allow_negative_numbers = true)]
+    limit_v: Option<f64>,
+    #[command(flatten, next_help_heading = "Computing")]
+    options: RunOptions,
+    /// Cells that the reference runs again, of all motions together, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
+    verify: Option<Verify>,
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share <= 1.0);
+    share.ok_or_else(|| "must lie above 0 and at most at 1".into())
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse::<f64>().ok().filter(|length| length.is_finite() && *length > 0.0);
+    length.ok_or_else(|| "must be a positive number of metres".into())
+}
+
+/// run.json of an envelope.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    /// The scene under the first motion.
+    scene: &'a Scene,
+    suite: &'a Path,
+    motions: Vec<&'a str>,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    records_times_cells_per_second: f64,
+    standing: f64,
+    limit_u: Option<f64>,
+    limit_v: Option<f64>,
+    feasible: usize,
+    /// Cells that the reference ran again, and those of another outcome.
+    verified: (usize, usize),
+    files: &'a [String],
+}
+
+/// Best cells that are printed.
+const BEST: usize = 3;
+
+impl EnvelopeCommand {
+    /// Runs the sweeps and writes the envelope.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        options.set_threads()?;
+        options.check_step().map_err(|error| flag_error(&error))?;
+        let text = SceneBuilder {
+            force: options.force,
+            ..self.common.text(Some("Envelope"), self.record.placed())
+        };
+        self.check_device(&text)?;
+        let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
+        if self.common.save_scene.is_some() {
+            let problem = "--save-scene: a scene's file has no suite; leave it out";
+            return Err(InputError(problem.into()).into());
+        }
+        let earlier = output::refuse_other(&options.out, Kind::Envelope)?;
+        let mut run = RunSettings::default();
+        run.backend = options.backend();
+        run.adapters.clone_from(&options.adapter);
+        run.method = options.method();
+        run.verify = Verify::settings(self.verify);
+        let settings = SuiteSettings { run, both_directions: self.both_directions };
+        interrupt::listen();
+        let say = Say::unless(options.quiet);
+        suite::tell(&suite, &say);
+        let screen = Screen::new(options.quiet);
+        let swept = SuiteSweep::run(&text, &suite, &settings, &screen).map_err(sweep_error)?;
+        screen.clear();
+        let out = output::open(&options.out)?;
+        let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
+        let envelope = Envelope::of(&swept, limits);
+        let title = format!("Envelope of {} motions", swept.motions.len());
+        let mut files = vec!["envelope.csv".to_string()];
+        let svg = envelope_picture::draw(&envelope, &title)?;
+        if svg.is_some() {
+            files.extend(["envelope.svg".to_string(), "envelope.png".to_string()]);
+        }
+        output::replace(out.path(), &earlier, &files, &say)?;
+        out.write(&files[0], |w| envelope::write(&envelope, w))?;
+        if let Some(svg) = &svg {
+            output::write_figure(&out, "envelope", svg, &render::png(svg)?)?;
+        }
+        let count = swept.motions.len() * swept.grid.len();
+        let speed = count as f64 / swept.seconds.max(1.0e-9);
+        let verified: Vec<&Verification> =
+            swept.motions.iter().filter_map(|motion| motion.verification.as_ref()).collect();
+        let sum = |of: fn(&Verification) -> usize| verified.iter().map(|v| of(v)).sum::<usize>();
+        let best = envelope.best();
+        let manifest = Manifest {
+            kind: Kind::Envelope,
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &swept.scene,
+            suite: &self.suite,
+            motions: swept.motions.iter().map(|motion| motion.id.as_str()).collect(),
+            method: options.method(),
+            cells: swept.grid.len(),
+            sweep_seconds: swept.seconds,
+            records_times_cells_per_second: speed,
+            standing: limits.standing,
+            limit_u: limits.u,
+            limit_v: limits.v,
+            feasible: best.len(),
+            verified: (sum(|v| v.sampled), sum(|v| v.differ)),
+            files: &files,
+        };
+        output::write_json(&out, &manifest)?;
+        let cells =
+            format!("{} cells under {} motions", words::sides(&swept.grid), swept.motions.len());
+        say.line(
+            "sweep",
+            format!("{cells}, {:.2} s, {speed:.0} records x cells a second", swept.seconds),
+        );
+        tell(&envelope, &best, &say);
+        if sum(|v| v.sampled) > 0 {
+            let (sampled, differ) = (sum(|v| v.sampled), sum(|v| v.differ));
+            let inside = sum(Verification::differ_inside);
+            let text = format!(
+                "{sampled} cells again, {differ} differ in outcome, {inside} of them amid one outcome"
+            );
+            say.line("reference", text);
+        }
+        if svg.is_some() {
+            say.line("picture", out.file("envelope.png").display());
+        }
+        say.line("table", format!("{} with run.json", out.file(&files[0]).display()));
+        Ok(())
+    }
+
+    /// Refuses a base that is another device under each motion.
+    fn check_device(&self, text: &SceneBuilder) -> Result<(), InputError> {
+        let moves = text.isolation.unwrap_or(Directions::Dual).moves_h();
+        let fixed = [Parameter::UY, Parameter::YieldForce].iter().any(|own| text.numbers.has(*own));
+        if moves && !fixed && !text.force {
+            let problem = "--u-y: missing; --alpha-y makes another device of the base under each motion: give --u-y or \
+                           --yield-force (--force takes alpha_y all the same)";
+            return Err(InputError(problem.into()));
+        }
+        Ok(())
+    }
+}
+
+/// Says which cells keep the limits, how far these are, and which motions govern.
+fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
+    let cells = envelope.cells.len();
+    let share = 100.0 * best.len() as f64 / cells.max(1) as f64;
+    say.line("feasible", format!("{} of {cells} cells, {share:.1} %", best.len()));
+    for (number, cell) in best.iter().take(BEST).enumerate() {
+        say.line(if number == 0 { "best" } else { "" }, one(envelope, *cell));
+    }
+    if best.is_empty()
+        && let Some(cell) = envelope.nearest()
+    {
+        say.line("nearest", one(envelope, cell));
+    }
+    if let Some(cell) = best.first().copied().or(envelope.nearest()) {
+        let by =
+            |values: fn(&SweptMotion) -> &[f32]| envelope.governing(cell, values).unwrap_or("none");
+        let (u, v) = (by(|motion| &motion.max_u), by(|motion| &motion.stroke_v));
+        say.line("governed", format!("there |u| by {u}, the stroke of v by {v}"));
+    }
+    let worst = envelope.worst();
+    let worst = worst.iter().take(BEST).filter(|(_, share)| *share > 0.0);
+    let worst: Vec<String> =
+        worst.map(|(id, share)| format!("{id} in {:.0} % of the cells", 100.0 * share)).collect();
+    if !worst.is_empty() {
+        say.line("overturns", format!("most often {}", worst.join(", ")));
+    }
+}
+
+/// A cell in words: where it is, and what it does against the limits.
+fn one(envelope: &Envelope, cell: usize) -> String {
+    let grid: &Grid = &envelope.sweep.grid;
+    let at: Vec<String> = grid
+        .axes()
+        .iter()
+        .zip(grid.coordinates(cell))
+        .map(|(axis, value)| axis.entry().written(value))
+        .collect();
+    let CellEnvelope { standing, max_u, stroke_v, .. } = envelope.cells[cell];
+    let limit = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" of {limit} m"));
+    format!(
+        "{}: stands under {:.1} %, |u| up to {:.3} m{}, stroke of v up to {:.3} m{}",
+        at.join(", "),
+        100.0 * standing,
+        max_u[2],
+        limit(envelope.limits.u),
+        stroke_v[2],
+        limit(envelope.limits.v)
+    )
+}

@@ -1,0 +1,204 @@
+//! The envelope of a suite: which cells keep the block standing under how many of its motions, within which strokes.
+
+use std::io::{self, Write};
+
+use super::swept::SuiteSweep;
+use crate::results::csv::Number;
+use crate::stepping::outcome::Class;
+
+/// What a base must do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Share of the motions under which the block must stand.
+    pub standing: f64,
+    /// Largest max |u|, m; none where there is room for any.
+    pub u: Option<f64>,
+    /// Largest stroke of v, m.
+    pub v: Option<f64>,
+}
+
+/// Shares of the motions whose strokes are told.
+pub const SHARES: [f64; 3] = [0.5, 0.84, 1.0];
+
+/// A cell under all motions. Shares are of their weights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CellEnvelope {
+    /// Share under which the block stands: it rocks, or stays in full contact.
+    pub standing: f64,
+    /// Share under which it overturns. Where cells are unresolved both sum to less than one.
+    pub overturned: f64,
+    /// Share under which it rocks and stands.
+    pub rocked: f64,
+    /// Percentiles of max |u| over the motions under which it stands, m; not numbers where there are none.
+    pub max_u: [f64; 3],
+    /// Those of the stroke of v, m.
+    pub stroke_v: [f64; 3],
+    /// Those of the rocking index.
+    pub zeta: [f64; 3],
+    /// All limits are kept.
+    pub feasible: bool,
+}
+
+/// The cells of a grid under a suite.
+#[derive(Debug)]
+pub struct Envelope<'a> {
+    /// The sweeps that it was made of.
+    pub sweep: &'a SuiteSweep,
+    /// The limits.
+    pub limits: Limits,
+    /// A cell each, in the grid's order.
+    pub cells: Vec<CellEnvelope>,
+}
+
+impl Envelope<'_> {
+    /// Reduces the sweeps of a suite, cell by cell.
+    pub fn of(sweep: &SuiteSweep, limits: Limits) -> Envelope<'_> {
+        let cells = (0..sweep.grid.len()).map(|cell| reduced(sweep, cell, limits)).collect();
+        Envelope { sweep, limits, cells }
+    }
+
+    /// The feasible cells, least max |u| first, of equal ones the least stroke of v.
+    pub fn best(&self) -> Vec<usize> {
+        let mut best: Vec<usize> =
+            (0..self.cells.len()).filter(|cell| self.cells[*cell].feasible).collect();
+        let key = |cell: &usize| (self.cells[*cell].max_u[2], self.cells[*cell].stroke_v[2]);
+        best.sort_by(|a, b| {
+            let (a, b) = (key(a), key(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        best
+    }
+
+    /// The cell under which the block stands most often, of equal ones that with the least max |u|: what comes
+    /// nearest where nothing is feasible.
+    pub fn nearest(&self) -> Option<usize> {
+        (0..self.cells.len()).min_by(|a, b| {
+            let (a, b) = (&self.cells[*a], &self.cells[*b]);
+            b.standing.total_cmp(&a.standing).then(a.max_u[2].total_cmp(&b.max_u[2]))
+        })
+    }
+
+    /// The motion with the largest of some values in a cell, among those under which the block stands.
+    pub fn governing(
+        &self,
+        cell: usize,
+        values: fn(&super::swept::SweptMotion) -> &[f32],
+    ) -> Option<&str> {
+        let standing = self.sweep.motions.iter().filter(|motion| stands(motion.outcomes[cell]));
+        let largest = standing.max_by(|a, b| values(a)[cell].total_cmp(&values(b)[cell]));
+        largest.map(|motion| motion.id.as_str())
+    }
+
+    /// The motions by the share of the grid's cells that they overturn, the worst first.
+    pub fn worst(&self) -> Vec<(&str, f64)> {
+        let share = |outcomes: &[Class]| {
+            let overturned = outcomes.iter().filter(|class| class.overturned()).count();
+            overturned as f64 / outcomes.len().max(1) as f64
+        };
+        let mut worst: Vec<(&str, f64)> = self
+            .sweep
+            .motions
+            .iter()
+            .map(|motion| (motion.id.as_str(), share(&motion.outcomes)))
+            .collect();
+        worst.sort_by(|a, b| b.1.total_cmp(&a.1));
+        worst
+    }
+}
+
+fn stands(class: Class) -> bool {
+    matches!(class, Class::FullContact | Class::Rocking)
+}
+
+/// A cell under all motions.
+fn reduced(sweep: &SuiteSweep, cell: usize, limits: Limits) -> CellEnvelope {
+    let all: f64 = sweep.motions.iter().map(|motion| motion.weight).sum();
+    let share = |holds: fn(Class) -> bool| {
+        let those = sweep.motions.iter().filter(|motion| holds(motion.outcomes[cell]));
+        // A sum of nothing is a negative zero.
+        those.fold(0.0, |sum, motion| sum + motion.weight) / all
+    };
+    let of = |values: fn(&super::swept::SweptMotion) -> &[f32]| {
+        let standing = sweep.motions.iter().filter(|motion| stands(motion.outcomes[cell]));
+        let values: Vec<(f64, f64)> =
+            standing.map(|motion| (f64::from(values(motion)[cell]), motion.weight)).collect();
+        percentiles(values)
+    };
+    let standing = share(stands);
+    let max_u = of(|motion| &motion.max_u);
+    let stroke_v = of(|motion| &motion.stroke_v);
+    let within = |limit: Option<f64>, value: f64| limit.is_none_or(|limit| value <= limit);
+    // A sum of weights may be off by its last digits.
+    let enough = standing >= limits.standing - 1.0e-9 && standing > 0.0;
+    CellEnvelope {
+        standing,
+        overturned: share(Class::overturned),
+        rocked: share(|class| class == Class::Rocking),
+        max_u,
+        stroke_v,
+        zeta: of(|motion| &motion.zeta),
+        feasible: enough && within(limits.u, max_u[2]) && within(limits.v, stroke_v[2]),
+    }
+}
+
+/// The least values below or at which [`SHARES`] of the weights lie, as numpy's percentile by `inverted_cdf`; not
+/// numbers of no value.
+fn percentiles(mut values: Vec<(f64, f64)>) -> [f64; 3] {
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let all: f64 = values.iter().map(|(_, weight)| weight).sum();
+    SHARES.map(|share| {
+        let mut sum = 0.0;
+        let reached = values.iter().find(|(_, weight)| {
+            sum += weight;
+            sum >= (share - 1.0e-12) * all
+        });
+        reached.or(values.last()).map_or(f64::NAN, |(value, _)| *value)
+    })
+}
+
+/// Writes envelope.csv: the axes, and what there is of each cell.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
+    let grid = &envelope.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = [
+        "records",
+        "standing",
+        "overturned",
+        "rocked",
+        "max_u_50",
+        "max_u_84",
+        "max_u_100",
+        "stroke_v_50",
+        "stroke_v_84",
+        "stroke_v_100",
+        "feasible",
+    ];
+    table.write_record(grid.axes().iter().map(|axis| axis.key()).chain(names))?;
+    let records = envelope.sweep.motions.len();
+    let known = |value: f64| (!value.is_nan()).then_some(Number(value));
+    for (index, cell) in envelope.cells.iter().enumerate() {
+        let axes: Vec<Number> = grid.coordinates(index).map(Number).collect();
+        let shares = [cell.standing, cell.overturned, cell.rocked].map(Number);
+        let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
+        table.serialize((axes, records, shares, u, v, u8::from(cell.feasible)))?;
+    }
+    table.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percentiles;
+
+    /// numpy.percentile(values, [50, 84, 100], method="inverted_cdf", weights=weights)
+    #[test]
+    fn percentiles_are_those_of_numpy() {
+        let values = [3.0, 1.0, 2.0, 10.0, 4.0, 7.0];
+        let of = |weights: [f64; 6]| percentiles(values.into_iter().zip(weights).collect());
+        assert_eq!(of([1.0; 6]), [3.0, 10.0, 10.0]);
+        assert_eq!(of([1.0, 5.0, 1.0, 1.0, 1.0, 1.0]), [1.0, 7.0, 10.0]);
+        assert!(percentiles(Vec::new()).iter().all(|value| value.is_nan()));
+    }
+}

@@ -1,0 +1,111 @@
+//! The picture of an envelope: the share of the motions under which the block stands, the limits, and what is
+//! feasible.
+
+use super::envelope::Envelope;
+use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke, write};
+use crate::drawing::colour::{BLACK, Colour};
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
+use crate::drawing::legend::{self, entry};
+use crate::drawing::raster::png;
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::text::{style, wrapped};
+use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
+use crate::map::boundaries::{Line, contours};
+
+/// The feasible cells.
+const FEASIBLE: Colour = [0x7f, 0xc9, 0x7f];
+/// Greys of a share of none and of all motions.
+const NONE: f64 = 70.0;
+const ALL: f64 = 248.0;
+/// Lines of the limits.
+const STANDING: Stroke = stroke(BLACK, 0.9);
+const LIMIT_U: Stroke = dashed([0x1f, 0x3f, 0x9f], 0.9, (3.2, 2.0));
+const LIMIT_V: Stroke = dashed([0xb0, 0x20, 0x20], 0.9, (1.2, 1.6));
+/// Height of the scale.
+const SCALE: f64 = 6.0;
+
+/// Draws an envelope over two axes as SVG; none where there are not two of several values.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureError> {
+    let grid = &envelope.sweep.grid;
+    let (columns, rows) = grid.shape();
+    let (Some(y_axis), 2) = (grid.y(), grid.axes().len()) else { return Ok(None) };
+    if columns < 2 || rows < 2 {
+        return Ok(None);
+    }
+    let most = COLUMN - 2.0 * MARGIN;
+    let mut canvas = Canvas::new(COLUMN);
+    let mut top =
+        write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &caption::bounded(title, TITLE, most));
+    let fixed = caption::listed(&caption::fixed(&envelope.sweep.scene));
+    top =
+        write(&mut canvas, (MARGIN, top + 1.0), style(FONT), &wrapped(&fixed, FONT, most)) + MARGIN;
+    let side = COLUMN - 2.0 * MARGIN - LEFT - 8.0;
+    let place = Place { x: MARGIN + LEFT, y: top, width: side, height: side };
+    let frame = Frame::new(place, Axis::of(Some(grid.x())), Axis::of(Some(y_axis)));
+    let grey = |share: f64| (NONE + (ALL - NONE) * share) as u8;
+    let image = png((columns, rows), |column, row| {
+        let cell = &envelope.cells[(rows - 1 - row) * columns + column];
+        match cell.feasible {
+            true => [FEASIBLE[0], FEASIBLE[1], FEASIBLE[2], 255],
+            false => [grey(cell.standing), grey(cell.standing), grey(cell.standing), 255],
+        }
+    })?;
+    canvas.image(place, &image, true);
+    let limits = envelope.limits;
+    let lines = |value: fn(&super::envelope::CellEnvelope) -> f64, level: f64| -> Vec<Line> {
+        let known: Vec<Option<f64>> =
+            envelope.cells.iter().map(|cell| Some(value(cell)).filter(|v| !v.is_nan())).collect();
+        contours(grid, &known, &[level]).pop().unwrap_or_default()
+    };
+    // A share that is just reached lies on its line: half a motion below it there is one.
+    let least = 0.5 / envelope.sweep.motions.len() as f64;
+    let all = [
+        (
+            Some(limits.standing - least),
+            lines(|cell| cell.standing, limits.standing - least),
+            STANDING,
+        ),
+        (limits.u, limits.u.map_or(Vec::new(), |u| lines(|cell| cell.max_u[2], u)), LIMIT_U),
+        (limits.v, limits.v.map_or(Vec::new(), |v| lines(|cell| cell.stroke_v[2], v)), LIMIT_V),
+    ];
+    let best = envelope.best().first().map(|cell| grid.place(*cell));
+    canvas.clipped(place, |canvas| {
+        for (_, lines, stroke) in &all {
+            for line in lines {
+                canvas.line(line.iter().map(|point| frame.at(*point)), *stroke);
+            }
+        }
+        if let Some(at) = best {
+            let coordinate = |axis: usize| grid.axes()[axis].values.coordinate(at[axis] as f64);
+            let point: Point = (coordinate(0), coordinate(1));
+            Mark::Disc.draw(canvas, frame.at(point), 2.0, BLACK);
+        }
+    });
+    frame.draw(&mut canvas, BOTH);
+    let bar = Place { x: place.x, y: place.bottom() + BELOW + MARGIN, width: side, height: SCALE };
+    let scale = png((256, 1), |column, _| {
+        let grey = grey((column as f64 + 0.5) / 256.0);
+        [grey, grey, grey, 255]
+    })?;
+    canvas.image(bar, &scale, true);
+    let axis = Axis::new(0.0, 1.0, "share of the motions under which the block stands");
+    let written = Written { y: false, x: true, beyond: 4.0 };
+    Frame::new(bar, axis, Axis::new(0.0, 1.0, "")).draw(&mut canvas, written);
+    let standing = format!("standing under {} %", 100.0 * limits.standing);
+    let mut entries = vec![
+        entry(Swatch::Fill(FEASIBLE), "all limits are kept"),
+        entry(Swatch::Line(STANDING), standing),
+    ];
+    entries.extend(limits.u.map(|u| entry(Swatch::Line(LIMIT_U), format!("largest |u| = {u} m"))));
+    entries.extend(
+        limits.v.map(|v| entry(Swatch::Line(LIMIT_V), format!("largest stroke of v = {v} m"))),
+    );
+    entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), "least |u| of these")));
+    let at = (MARGIN, bar.bottom() + BELOW + MARGIN);
+    let end = legend::draw(&mut canvas, &entries, at, most, 2);
+    Ok(Some(canvas.finish(end + MARGIN)))
+}
