@@ -220,6 +220,12 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
     }
 }
 
+/// A number to four digits.
+fn rounded(value: f64) -> f64 {
+    // What was written as a number is one.
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
 /// A cell in words: where it is, and what it does against the limits.
 fn one(envelope: &Envelope, cell: usize) -> String {
     let grid: &Grid = &envelope.sweep.grid;
@@ -227,7 +233,7 @@ fn one(envelope: &Envelope, cell: usize) -> String {
         .axes()
         .iter()
         .zip(grid.coordinates(cell))
-        .map(|(axis, value)| axis.entry().written(value))
+        .map(|(axis, value)| axis.entry().written(rounded(value)))
         .collect();
     let CellEnvelope { standing, max_u, stroke_v, .. } = envelope.cells[cell];
     let limit = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" of {limit} m"));

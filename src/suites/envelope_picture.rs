@@ -95,7 +95,10 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     let axis = Axis::new(0.0, 1.0, "share of the motions under which the block stands");
     let written = Written { y: false, x: true, beyond: 4.0 };
     Frame::new(bar, axis, Axis::new(0.0, 1.0, "")).draw(&mut canvas, written);
-    let standing = format!("standing under {} %", 100.0 * limits.standing);
+    let standing = match limits.standing {
+        1.0 => "border of standing under all motions".to_string(),
+        share => format!("border of standing under {} % of them", 100.0 * share),
+    };
     let mut entries = vec![
         entry(Swatch::Fill(FEASIBLE), "all limits are kept"),
         entry(Swatch::Line(STANDING), standing),
