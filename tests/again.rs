@@ -11,24 +11,12 @@ use topple::scene::builder::SceneBuilder;
 
 mod common;
 
-fn topple() -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
-    command.args(["-q"]);
-    command
-}
+use common::refused;
 
 /// Runs a command into a directory.
 fn run(arguments: &[&str], out: &Path) {
     let mut command = Command::cargo_bin("topple").unwrap();
     command.args(arguments).arg("-q").arg("--out").arg(out).assert().success();
-}
-
-/// The line that a command is refused with.
-fn refused(arguments: &[&str]) -> String {
-    let run = Command::cargo_bin("topple").unwrap().args(arguments).assert().code(2);
-    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-    assert_eq!(said.lines().count(), 1, "{said}");
-    said
 }
 
 fn json(out: &Path) -> serde_json::Value {
@@ -373,5 +361,5 @@ fn what_is_no_scene_is_named() {
     fs::create_dir(&empty).unwrap();
     let line = refused(&["run", &empty.display().to_string()]);
     assert!(line.contains("a directory without run.json"), "{line}");
-    topple().args(["run", "nothing.toml"]).assert().code(2);
+    refused(&["run", "nothing.toml"]);
 }

@@ -7,18 +7,14 @@ use std::fs;
 use assert_cmd::Command;
 use tempfile::TempDir;
 
+mod common;
+
+use common::refused;
+
 fn topple(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("topple").unwrap();
     command.args(arguments);
     command
-}
-
-/// The line that a command is refused with.
-fn refused(arguments: &[&str]) -> String {
-    let run = topple(arguments).assert().code(2);
-    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-    assert_eq!(said.lines().count(), 1, "{said}");
-    said
 }
 
 fn printed(arguments: &[&str]) -> String {

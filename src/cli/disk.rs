@@ -14,12 +14,16 @@ const PICTURES: f64 = 2.0e6;
 
 /// Bytes of a map's files.
 pub fn of_files(sizes: &FileSizes, files: &[MapFile]) -> f64 {
-    let of = |file: &MapFile| match file {
+    files.iter().map(|file| of_file(sizes, *file)).sum::<f64>() + PICTURES
+}
+
+/// Bytes of one of them.
+pub fn of_file(sizes: &FileSizes, file: MapFile) -> f64 {
+    match file {
         MapFile::Csv => sizes.table,
         MapFile::Npz => sizes.archive,
         MapFile::Zarr => sizes.tiles,
-    };
-    files.iter().map(of).sum::<f64>() + PICTURES
+    }
 }
 
 /// Most bytes that a run has on disk: its tiles, and beside them its files. A map that is not held in memory

@@ -6,9 +6,10 @@ use serde::Serialize;
 use topple::drawing::render;
 use topple::map::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::record::rounded;
 use topple::scene::{Directions, Grid, Parameter, Scene};
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
-use topple::suites::swept::{SuiteSettings, SuiteSweep, SweptMotion};
+use topple::suites::swept::{SuiteSettings, SuiteSweep, Values};
 use topple::suites::{Suite, envelope_picture};
 use topple::sweep::settings::{Method, RunSettings};
 use topple::sweep::verification::Verification;
@@ -206,8 +207,7 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
         say.line("nearest", one(envelope, cell));
     }
     if let Some(cell) = best.first().copied().or(envelope.nearest()) {
-        let by =
-            |values: fn(&SweptMotion) -> &[f32]| envelope.governing(cell, values).unwrap_or("none");
+        let by = |values: Values| envelope.governing(cell, values).unwrap_or("none");
         let (u, v) = (by(|motion| &motion.max_u), by(|motion| &motion.stroke_v));
         say.line("governed", format!("there |u| by {u}, the stroke of v by {v}"));
     }
@@ -220,12 +220,6 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
     }
 }
 
-/// A number to four digits.
-fn rounded(value: f64) -> f64 {
-    // What was written as a number is one.
-    format!("{value:.3e}").parse().unwrap_or(value)
-}
-
 /// A cell in words: where it is, and what it does against the limits.
 fn one(envelope: &Envelope, cell: usize) -> String {
     let grid: &Grid = &envelope.sweep.grid;
@@ -233,7 +227,7 @@ fn one(envelope: &Envelope, cell: usize) -> String {
         .axes()
         .iter()
         .zip(grid.coordinates(cell))
-        .map(|(axis, value)| axis.entry().written(rounded(value)))
+        .map(|(axis, value)| axis.entry().written(rounded(value, 4)))
         .collect();
     let CellEnvelope { standing, max_u, stroke_v, .. } = envelope.cells[cell];
     let limit = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" of {limit} m"));

@@ -11,7 +11,7 @@ use topple::sweep::settings::{RunSettings, VerifySettings};
 
 use super::disk::{self, size};
 use super::errors::sweep_error;
-use super::options::{MapFile, MapOptions, Verify};
+use super::options::{MapOptions, Verify};
 use super::progress::Screen;
 use super::words::Say;
 use super::{memory, words};
@@ -55,14 +55,9 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         format!("{} of tiles at the most", size(job.bytes(wanted.len()) as f64))
     } else {
         let files = options.files(grid);
-        let each = files.iter().map(|file| {
-            let bytes = match file {
-                MapFile::Csv => takes.files.table,
-                MapFile::Npz => takes.files.archive,
-                MapFile::Zarr => takes.files.tiles,
-            };
-            format!("{} {}", file.name(), size(bytes))
-        });
+        let each = files
+            .iter()
+            .map(|file| format!("{} {}", file.name(), size(disk::of_file(&takes.files, *file))));
         let each: Vec<String> = each.collect();
         let all = size(disk::of_files(&takes.files, &files));
         let most = size(disk::of_run(&job, &takes, options));

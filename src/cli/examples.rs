@@ -1,5 +1,17 @@
 //! Examples in the help of each command. A test parses each line.
 
+/// What the values of a number are, for commands that make maps.
+macro_rules! values {
+    () => {
+        "\
+VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
+larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
+its range is refused; --force accepts what is only improbable.
+
+"
+    };
+}
+
 /// Of `topple` itself.
 pub const TOPPLE: &str = "\
 Examples:
@@ -10,11 +22,9 @@ Examples:
   topple scene                                 a scene's file to start from";
 
 /// Of `topple pulse`.
-pub const PULSE: &str = "\
-VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
-larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
-its range is refused; --force accepts what is only improbable.
-
+pub const PULSE: &str = concat!(
+    values!(),
+    "\
 Examples:
   A map over the pulse's frequency and amplitude:
     topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400
@@ -23,14 +33,13 @@ Examples:
   A block of one's own on the ground, a curve along the amplitude:
     topple pulse --half-width 0.3 --height 1.2 --isolation none --pulse ricker --omega 5 --a-h 1:10:500
   What a large map would take:
-    topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run";
+    topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run"
+);
 
 /// Of `topple seismic`.
-pub const SEISMIC: &str = "\
-VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
-larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
-its range is refused; --force accepts what is only improbable.
-
+pub const SEISMIC: &str = concat!(
+    values!(),
+    "\
 Examples:
   A map over both periods of the base under the synthetic pair of records:
     topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
@@ -38,7 +47,8 @@ Examples:
     topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
   A column of numbers, horizontal isolation alone, over its period and the eccentricity:
     topple seismic --object 3 --horizontal a.txt --dt 0.01 --units g --isolation horizontal --t-h 0.5:4:200 \
---eccentricity 0:0.6:100";
+--eccentricity 0:0.6:100"
+);
 
 /// Of `topple history`.
 pub const HISTORY: &str = "\

@@ -58,7 +58,7 @@ impl Tally {
                 if let Some(sliding) = &mut tally.sliding {
                     *sliding += usize::from(slides(grid, index, cell));
                 }
-                if !cell.class.overturned() && cell.class != Class::Unresolved {
+                if cell.class.stands() {
                     stand += 1;
                     time += cell.t_simulated;
                 }

@@ -134,7 +134,9 @@ pub(super) fn check_record(
     // Where one file tells its own step and units, and the other does not, what is given is meant for the other.
     let own = RecordHints { dt: None, units: None, ..hints };
     let tells = |path: &Path| read::file(&directory.join(path), &own).is_ok();
-    let (of_h, of_v) = match text.vertical.as_deref().map(|path| (tells(horizontal), tells(path))) {
+    let given = text.dt.is_some() || text.units.is_some();
+    let pair = text.vertical.as_deref().filter(|_| given);
+    let (of_h, of_v) = match pair.map(|path| (tells(horizontal), tells(path))) {
         Some((true, false)) => (&own, &hints),
         Some((false, true)) => (&hints, &own),
         _ => (&hints, &hints),

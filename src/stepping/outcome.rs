@@ -28,6 +28,11 @@ impl Class {
         Class::Unresolved,
     ];
 
+    /// True of a block that stands to the end: it rocks, or never lifts.
+    pub fn stands(self) -> bool {
+        matches!(self, Class::FullContact | Class::Rocking)
+    }
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {

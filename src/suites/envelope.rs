@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::swept::SuiteSweep;
+use super::swept::{SuiteSweep, SweptMotion, Values};
 use crate::results::csv::Number;
 use crate::stepping::outcome::Class;
 
@@ -79,12 +79,8 @@ impl Envelope<'_> {
     }
 
     /// The motion with the largest of some values in a cell, among those under which the block stands.
-    pub fn governing(
-        &self,
-        cell: usize,
-        values: fn(&super::swept::SweptMotion) -> &[f32],
-    ) -> Option<&str> {
-        let standing = self.sweep.motions.iter().filter(|motion| stands(motion.outcomes[cell]));
+    pub fn governing(&self, cell: usize, values: Values) -> Option<&str> {
+        let standing = self.sweep.standing(cell);
         let largest = standing.max_by(|a, b| values(a)[cell].total_cmp(&values(b)[cell]));
         largest.map(|motion| motion.id.as_str())
     }
@@ -106,10 +102,6 @@ impl Envelope<'_> {
     }
 }
 
-fn stands(class: Class) -> bool {
-    matches!(class, Class::FullContact | Class::Rocking)
-}
-
 /// A cell under all motions.
 fn reduced(sweep: &SuiteSweep, cell: usize, limits: Limits) -> CellEnvelope {
     let all: f64 = sweep.motions.iter().map(|motion| motion.weight).sum();
@@ -118,13 +110,11 @@ fn reduced(sweep: &SuiteSweep, cell: usize, limits: Limits) -> CellEnvelope {
         // A sum of nothing is a negative zero.
         those.fold(0.0, |sum, motion| sum + motion.weight) / all
     };
-    let of = |values: fn(&super::swept::SweptMotion) -> &[f32]| {
-        let standing = sweep.motions.iter().filter(|motion| stands(motion.outcomes[cell]));
-        let values: Vec<(f64, f64)> =
-            standing.map(|motion| (f64::from(values(motion)[cell]), motion.weight)).collect();
-        percentiles(values)
+    let of = |values: Values| {
+        let weighted = |motion: &SweptMotion| (f64::from(values(motion)[cell]), motion.weight);
+        percentiles(sweep.standing(cell).map(weighted).collect())
     };
-    let standing = share(stands);
+    let standing = share(Class::stands);
     let max_u = of(|motion| &motion.max_u);
     let stroke_v = of(|motion| &motion.stroke_v);
     let within = |limit: Option<f64>, value: f64| limit.is_none_or(|limit| value <= limit);

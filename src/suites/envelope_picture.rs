@@ -5,13 +5,14 @@ use super::envelope::Envelope;
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke, write};
 use crate::drawing::colour::{BLACK, Colour};
 use crate::drawing::error::FigureError;
-use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::raster::png;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
 use crate::map::boundaries::{Line, contours};
+use crate::map::figure::layout::{SIDE, frame};
 
 /// The feasible cells.
 const FEASIBLE: Colour = [0x7f, 0xc9, 0x7f];
@@ -32,8 +33,7 @@ const SCALE: f64 = 6.0;
 pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureError> {
     let grid = &envelope.sweep.grid;
     let (columns, rows) = grid.shape();
-    let (Some(y_axis), 2) = (grid.y(), grid.axes().len()) else { return Ok(None) };
-    if columns < 2 || rows < 2 {
+    if grid.axes().len() != 2 || columns < 2 || rows < 2 {
         return Ok(None);
     }
     let most = COLUMN - 2.0 * MARGIN;
@@ -43,9 +43,9 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     let fixed = caption::listed(&caption::fixed(&envelope.sweep.scene));
     top =
         write(&mut canvas, (MARGIN, top + 1.0), style(FONT), &wrapped(&fixed, FONT, most)) + MARGIN;
-    let side = COLUMN - 2.0 * MARGIN - LEFT - 8.0;
-    let place = Place { x: MARGIN + LEFT, y: top, width: side, height: side };
-    let frame = Frame::new(place, Axis::of(Some(grid.x())), Axis::of(Some(y_axis)));
+    let (x, side) = SIDE;
+    let place = Place { x, y: top, width: side, height: side };
+    let frame = frame(place, grid);
     let grey = |share: f64| (NONE + (ALL - NONE) * share) as u8;
     let image = png((columns, rows), |column, row| {
         let cell = &envelope.cells[(rows - 1 - row) * columns + column];
@@ -64,17 +64,13 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     // A share that is just reached lies on its line: half a motion below it there is one.
     let least = 0.5 / envelope.sweep.motions.len() as f64;
     let all = [
-        (
-            Some(limits.standing - least),
-            lines(|cell| cell.standing, limits.standing - least),
-            STANDING,
-        ),
-        (limits.u, limits.u.map_or(Vec::new(), |u| lines(|cell| cell.max_u[2], u)), LIMIT_U),
-        (limits.v, limits.v.map_or(Vec::new(), |v| lines(|cell| cell.stroke_v[2], v)), LIMIT_V),
+        (lines(|cell| cell.standing, limits.standing - least), STANDING),
+        (limits.u.map_or(Vec::new(), |u| lines(|cell| cell.max_u[2], u)), LIMIT_U),
+        (limits.v.map_or(Vec::new(), |v| lines(|cell| cell.stroke_v[2], v)), LIMIT_V),
     ];
     let best = envelope.best().first().map(|cell| grid.place(*cell));
     canvas.clipped(place, |canvas| {
-        for (_, lines, stroke) in &all {
+        for (lines, stroke) in &all {
             for line in lines {
                 canvas.line(line.iter().map(|point| frame.at(*point)), *stroke);
             }

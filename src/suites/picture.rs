@@ -84,17 +84,16 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
             .collect()
     };
     canvas.clipped(place, |canvas| {
-        if spectra.len() >= BANDED {
-            let (upper, lower) = (curve(&share(0.84)), curve(&share(0.16)));
-            canvas.polygon(upper.into_iter().chain(lower.into_iter().rev()), BAND);
+        let edges = if spectra.len() >= BANDED { &[0.16, 0.84][..] } else { &[] };
+        let edges: Vec<Vec<Point>> = edges.iter().map(|edge| curve(&share(*edge))).collect();
+        if let [lower, upper] = &edges[..] {
+            canvas.polygon(upper.iter().chain(lower.iter().rev()).copied(), BAND);
         }
         for sa in &spectra {
             canvas.line(curve(sa), stroke(MOTION, 0.25));
         }
-        if spectra.len() >= BANDED {
-            for edge in [0.16, 0.84] {
-                canvas.line(curve(&share(edge)), stroke(MEDIAN, 0.5));
-            }
+        for edge in edges {
+            canvas.line(edge, stroke(MEDIAN, 0.5));
         }
         if !spectra.is_empty() {
             canvas.line(curve(&share(0.5)), stroke(MEDIAN, 1.2));

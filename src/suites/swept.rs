@@ -47,6 +47,9 @@ pub struct SweptMotion {
     pub verification: Option<Verification>,
 }
 
+/// The values of a motion's cells.
+pub type Values = fn(&SweptMotion) -> &[f32];
+
 /// How a suite is swept.
 #[derive(Debug, Clone)]
 pub struct SuiteSettings {
@@ -81,6 +84,11 @@ impl Observer for Watch<'_> {
 }
 
 impl SuiteSweep {
+    /// The motions under which the block of a cell stands.
+    pub fn standing(&self, cell: usize) -> impl Iterator<Item = &SweptMotion> {
+        self.motions.iter().filter(move |motion| motion.outcomes[cell].stands())
+    }
+
     /// Runs a scene, which has no excitation of its own, under every motion of a suite.
     ///
     /// # Errors

@@ -3,6 +3,10 @@
 use std::io::{self, Write};
 
 use super::read::Suite;
+use crate::scene::record::rounded;
+
+/// Digits of the numbers: records have fewer.
+const DIGITS: usize = 7;
 
 /// The columns.
 pub const COLUMNS: [&str; 15] = [
@@ -36,7 +40,7 @@ pub fn write(suite: &Suite, writer: impl Write) -> io::Result<()> {
         let numbers = motion.as_ref().map_or([const { String::new() }; 9], |motion| {
             let (pair, m) = (&motion.pair, &motion.measures);
             [pair.dt, pair.duration(), m.pga_h, m.pga_v, m.pgv, m.arias, m.cav, m.d5_75, m.d5_95]
-                .map(rounded)
+                .map(|number| rounded(number, DIGITS).to_string())
         });
         let mut notes = entry.notes.clone();
         if let Err(reason) = motion {
@@ -46,9 +50,4 @@ pub fn write(suite: &Suite, writer: impl Write) -> io::Result<()> {
         table.write_record(named.into_iter().chain(&numbers).chain(&notes))?;
     }
     table.flush()
-}
-
-/// A number to seven digits: records have fewer.
-fn rounded(number: f64) -> String {
-    format!("{number:.6e}").parse::<f64>().unwrap_or(number).to_string()
 }

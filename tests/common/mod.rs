@@ -118,6 +118,14 @@ pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
     Some(path)
 }
 
+/// The line that a command is refused with, status 2.
+pub fn refused(arguments: &[&str]) -> String {
+    let run = Command::cargo_bin("topple").unwrap().args(arguments).assert().code(2);
+    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert_eq!(said.lines().count(), 1, "{said}");
+    said
+}
+
 /// The values of a grid's first two axes at a cell.
 pub fn xy(grid: &Grid, cell: usize) -> (f64, f64) {
     let at: Vec<f64> = grid.coordinates(cell).collect();

@@ -1,7 +1,7 @@
 //! The values of a cell that maps show, with their titles and scales.
 
 use crate::scene::Directions;
-use crate::stepping::outcome::{Class, Outcome};
+use crate::stepping::outcome::Outcome;
 
 /// A value that is drawn over the grid.
 #[derive(Debug, Clone, Copy)]
@@ -84,6 +84,6 @@ impl Field {
     /// True where a cell's value has a place on the scale: that of an overturned cell tells how far it came,
     /// not how far it can.
     pub fn counts(cell: &Outcome) -> bool {
-        cell.class != Class::Unresolved && !cell.class.overturned()
+        cell.class.stands()
     }
 }

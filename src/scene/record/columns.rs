@@ -2,7 +2,7 @@
 //! semicolons a comma is a decimal one.
 
 use super::lines::{MOST_SAMPLES, free, number};
-use super::{Raw, RecordError, Units, rounded};
+use super::{DIGITS, Raw, RecordError, Units, rounded};
 
 /// Most lines of a heading.
 const HEADING: usize = 20;
@@ -118,7 +118,7 @@ fn even_step(times: &[f64]) -> Result<f64, RecordError> {
     let (Some(first), Some(last)) = (times.first(), times.last()) else {
         return Err(RecordError::whole("no samples"));
     };
-    let step = rounded((last - first) / (times.len().max(2) - 1) as f64);
+    let step = rounded((last - first) / (times.len().max(2) - 1) as f64, DIGITS);
     if !(step > 0.0) {
         return Err(RecordError::whole(
             "the times in the first column do not grow; if its commas are decimal ones, write points",

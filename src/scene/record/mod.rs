@@ -48,13 +48,16 @@ impl Record {
 
 /// The time of a sample, s: without the last digits, in which a product of binary numbers misses a decimal one.
 fn time_of(sample: usize, dt: f64) -> f64 {
-    rounded(sample as f64 * dt)
+    rounded(sample as f64 * dt, DIGITS)
 }
 
-/// A number to 13 digits.
-fn rounded(number: f64) -> f64 {
+/// Digits to which times are told: a product of binary numbers misses a decimal one beyond them.
+const DIGITS: usize = 13;
+
+/// A number to so many digits.
+pub fn rounded(number: f64, digits: usize) -> f64 {
     // What was written as a number is one.
-    format!("{number:.12e}").parse().unwrap_or(number)
+    format!("{number:.*e}", digits.saturating_sub(1)).parse().unwrap_or(number)
 }
 
 /// Units of the numbers in a file.
