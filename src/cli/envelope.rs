@@ -1,26 +1,22 @@
 //! `topple envelope`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Serialize;
 use topple::drawing::render;
 use topple::map::earlier::Kind;
-use topple::scene::builder::SceneBuilder;
 use topple::scene::record::rounded;
-use topple::scene::{Directions, Grid, Parameter, Scene};
+use topple::scene::{Grid, Scene};
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
-use topple::suites::swept::{SuiteSettings, SuiteSweep, Values};
-use topple::suites::{Suite, envelope_picture};
-use topple::sweep::settings::{Method, RunSettings};
-use topple::sweep::verification::Verification;
+use topple::suites::envelope_picture;
+use topple::suites::swept::Values;
+use topple::sweep::settings::Method;
 
-use super::errors::sweep_error;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, Verify, flag_error};
-use super::progress::Screen;
-use super::suite;
-use super::words::{self, Say};
-use super::{InputError, examples, interrupt, output};
+use super::options::{CommonFlags, RunOptions};
+use super::suite_run::{self, SuiteFlags};
+use super::words::Say;
+use super::{examples, output, suite};
 
 /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
 #[derive(clap::Args)]
@@ -30,15 +26,8 @@ pub struct EnvelopeCommand {
     common: CommonFlags,
     #[command(flatten)]
     record: RecordNumbers,
-    /// A folder, a zip or a list of records, as of topple suite
-    #[arg(long, value_name = "PATH", help_heading = "Suite")]
-    suite: PathBuf,
-    /// Refuse a suite in which anything is missing or ambiguous
-    #[arg(long, help_heading = "Suite")]
-    strict: bool,
-    /// Take each motion twice, its horizontal component in both directions
-    #[arg(long, help_heading = "Suite")]
-    both_directions: bool,
+    #[command(flatten)]
+    motions: SuiteFlags,
     /// Share of the motions under which the block must stand
     #[arg(long, value_name = "SHARE", default_value = "1", help_heading = "Suite", value_parser = share)]
     standing: f64,
@@ -50,9 +39,6 @@ pub struct EnvelopeCommand {
     limit_v: Option<f64>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
-    /// Cells that the reference runs again, of all motions together, or none [default: 128, or as many as 30 s allow]
-    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
-    verify: Option<Verify>,
 }
 
 fn share(text: &str) -> Result<f64, String> {
@@ -83,8 +69,8 @@ struct Manifest<'a> {
     limit_u: Option<f64>,
     limit_v: Option<f64>,
     feasible: usize,
-    /// Cells that the reference ran again, and those of another outcome.
-    verified: (usize, usize),
+    /// Cells that the reference ran again, those of another outcome, and those of them amid one outcome.
+    verified: (usize, usize, usize),
     files: &'a [String],
 }
 
@@ -95,31 +81,15 @@ impl EnvelopeCommand {
     /// Runs the sweeps and writes the envelope.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        options.set_threads()?;
-        options.check_step().map_err(|error| flag_error(&error))?;
-        let text = SceneBuilder {
-            force: options.force,
-            ..self.common.text(Some("Envelope"), self.record.placed())
-        };
-        self.check_device(&text)?;
-        let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
-        if self.common.save_scene.is_some() {
-            let problem = "--save-scene: a scene's file has no suite; leave it out";
-            return Err(InputError(problem.into()).into());
-        }
         let earlier = output::refuse_other(&options.out, Kind::Envelope)?;
-        let mut run = RunSettings::default();
-        run.backend = options.backend();
-        run.adapters.clone_from(&options.adapter);
-        run.method = options.method();
-        run.verify = Verify::settings(self.verify);
-        let settings = SuiteSettings { run, both_directions: self.both_directions };
-        interrupt::listen();
+        let text = self.common.text(Some("Envelope"), self.record.placed());
+        let input = self.motions.read(&self.common, options, text)?;
         let say = Say::unless(options.quiet);
-        suite::tell(&suite, &say);
-        let screen = Screen::new(options.quiet);
-        let swept = SuiteSweep::run(&text, &suite, &settings, &screen).map_err(sweep_error)?;
-        screen.clear();
+        suite::tell(&input.suite, &say);
+        let motions = self.motions.motions(&input);
+        let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
+            return Ok(());
+        };
         let out = output::open(&options.out)?;
         let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
         let envelope = Envelope::of(&swept, limits);
@@ -136,15 +106,12 @@ impl EnvelopeCommand {
         }
         let count = swept.motions.len() * swept.grid.len();
         let speed = count as f64 / swept.seconds.max(1.0e-9);
-        let verified: Vec<&Verification> =
-            swept.motions.iter().filter_map(|motion| motion.verification.as_ref()).collect();
-        let sum = |of: fn(&Verification) -> usize| verified.iter().map(|v| of(v)).sum::<usize>();
         let best = envelope.best();
         let manifest = Manifest {
             kind: Kind::Envelope,
             version: env!("CARGO_PKG_VERSION"),
             scene: &swept.scene,
-            suite: &self.suite,
+            suite: &self.motions.suite,
             motions: swept.motions.iter().map(|motion| motion.id.as_str()).collect(),
             method: options.method(),
             cells: swept.grid.len(),
@@ -154,41 +121,17 @@ impl EnvelopeCommand {
             limit_u: limits.u,
             limit_v: limits.v,
             feasible: best.len(),
-            verified: (sum(|v| v.sampled), sum(|v| v.differ)),
+            verified: suite_run::verified(&swept),
             files: &files,
         };
         output::write_json(&out, &manifest)?;
-        let cells =
-            format!("{} cells under {} motions", words::sides(&swept.grid), swept.motions.len());
-        say.line(
-            "sweep",
-            format!("{cells}, {:.2} s, {speed:.0} records x cells a second", swept.seconds),
-        );
         tell(&envelope, &best, &say);
-        if sum(|v| v.sampled) > 0 {
-            let (sampled, differ) = (sum(|v| v.sampled), sum(|v| v.differ));
-            let inside = sum(Verification::differ_inside);
-            let text = format!(
-                "{sampled} cells again, {differ} differ in outcome, {inside} of them amid one outcome"
-            );
-            say.line("reference", text);
-        }
+        suite_run::tell_verified(&swept, &say);
+        self.motions.finish(options)?;
         if svg.is_some() {
             say.line("picture", out.file("envelope.png").display());
         }
         say.line("table", format!("{} with run.json", out.file(&files[0]).display()));
-        Ok(())
-    }
-
-    /// Refuses a base that is another device under each motion.
-    fn check_device(&self, text: &SceneBuilder) -> Result<(), InputError> {
-        let moves = text.isolation.unwrap_or(Directions::Dual).moves_h();
-        let fixed = [Parameter::UY, Parameter::YieldForce].iter().any(|own| text.numbers.has(*own));
-        if moves && !fixed && !text.force {
-            let problem = "--u-y: missing; --alpha-y makes another device of the base under each motion: give --u-y or \
-                           --yield-force (--force takes alpha_y all the same)";
-            return Err(InputError(problem.into()));
-        }
         Ok(())
     }
 }

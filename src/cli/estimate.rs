@@ -22,8 +22,8 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let mut settings = settings.clone();
     settings.saving = None;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
-    options.run.warn_of(&job.passed_over, &job.backends[0]);
-    let (grid, backend) = (&job.grid, &job.backends[0]);
+    options.run.warn_of(job.passed_over(), &job.backends()[0]);
+    let (grid, backend) = (&job.grid, &job.backends()[0]);
     let wanted = options.tile.map_or(0..grid.len(), |part| part.cells(grid.len()));
     let screen = Screen::new(options.run.quiet);
     let takes = job.estimate(&screen).map_err(sweep_error)?;
@@ -33,7 +33,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         None => String::new(),
         Some(part) => format!(", part {part} of them {}", wanted.len()),
     };
-    let workers = job.backends.len() as f64;
+    let workers = job.backends().len() as f64;
     say.line("cells", format!("{} = {}{part}", words::sides(grid), grid.len()));
     say.line("motion", format!("{:.3e} s simulated at the most", motion(&job, wanted.len())));
     let time = format!(
@@ -76,7 +76,7 @@ pub fn line(job: &Job, estimate: Option<&Estimate>, options: &MapOptions) -> Str
     let left = job.left();
     let motion = format!("{left} cells, {:.2e} s of motion at the most", motion(job, left));
     let Some(estimate) = estimate else { return format!("{motion}{}", verification(job, options)) };
-    let time = left as f64 / estimate.rate / job.backends.len() as f64;
+    let time = left as f64 / estimate.rate / job.backends().len() as f64;
     let disk = size(disk::of_run(job, estimate, options));
     let verify = verification(job, options);
     format!("{motion}, about {}{verify}, up to {disk} of disk", duration(time))
@@ -87,7 +87,7 @@ fn verification(job: &Job, options: &MapOptions) -> String {
     let VerifySettings { cells, within } = Verify::settings(options.verify);
     match (cells, within) {
         _ if options.tile.is_some() => String::new(),
-        _ if matches!(job.backends[0], Backend::Reference) => String::new(),
+        _ if matches!(job.backends()[0], Backend::Reference) => String::new(),
         (0, _) => String::new(),
         (_, Duration::MAX) => format!(" and the time of {cells} cells by the reference"),
         _ => format!(" and up to {} of verification", duration(within.as_secs_f64())),
@@ -101,7 +101,7 @@ fn motion(job: &Job, cells: usize) -> f64 {
 }
 
 /// A time in the unit that a reader would use.
-fn duration(seconds: f64) -> String {
+pub fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 1.0 => "a second".into(),
         s if s < 120.0 => format!("{s:.0} s"),

@@ -40,7 +40,7 @@ pub fn for_columns(scene: &Scene, precision: Precision) -> u64 {
 /// is drawn of it, unless it is a part; and of the batches at work, twice where each cell runs twice.
 pub fn of_run(job: &Job, (part, twice): (bool, bool)) -> u64 {
     let runs = if twice { 2 } else { 1 };
-    let batches = BATCHES * job.backends.iter().map(Backend::batch).sum::<usize>() * runs;
+    let batches = BATCHES * job.backends().iter().map(Backend::batch).sum::<usize>() * runs;
     let grid = &job.grid;
     let (columns, rows) = grid.shape();
     let most = for_columns(&job.plan.scene, job.method().precision);

@@ -30,6 +30,7 @@ mod save;
 mod scene;
 mod seismic;
 mod suite;
+mod suite_run;
 mod template;
 mod words;
 

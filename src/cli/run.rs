@@ -27,7 +27,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let earlier = output::refuse_other(&options.run.out, Kind::Map)?;
     let out = output::open(&options.run.out)?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
-    options.run.warn_of(&job.passed_over, &job.backends[0]);
+    options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
     if options.resume && options.tile.is_none() && job.left() == job.wanted.len() {
         match earlier.tag {
@@ -56,7 +56,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if let Some(estimate) = &estimate {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
     }
-    words::head(&say, &job.plan, &job.grid, &job.backends, options.run.precision());
+    words::head(&say, &job.plan, &job.grid, job.backends(), options.run.precision());
     words::warn_of_cut_pulses(&job.grid);
     words::warn_of_lossless_impacts(&job.plan, &job.grid);
     begin(&say, &job, options);

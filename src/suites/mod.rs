@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! files (a folder, a zip, a list) -> entries (which belong together) -> motions -> measures -> table, picture
+//!   motions -> wanted (at which levels) -> swept, runner (sweeps; saved) -> envelope
 //! ```
 
 pub mod entry;
@@ -9,6 +10,7 @@ pub mod envelope;
 #[cfg(feature = "pictures")]
 pub mod envelope_picture;
 pub mod error;
+pub mod estimate;
 mod files;
 mod list;
 pub mod measures;
@@ -17,9 +19,12 @@ mod peer;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod read;
+mod runner;
+pub mod saved;
 pub mod spectrum;
 pub mod swept;
 pub mod table;
+pub mod wanted;
 
 pub use entry::{Entry, Motion};
 pub use error::SuiteError;

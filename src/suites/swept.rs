@@ -1,18 +1,18 @@
-//! A sweep under every motion of a suite.
+//! A sweep under every motion of a suite, each at all its levels.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
 
-use super::read::Suite;
-use crate::results::columns::Column;
-use crate::scene::record::Pair;
-use crate::scene::{Excitation, Grid, Scene, SceneBuilder, SceneError, excitation};
+use super::runner::Runner;
+use super::wanted::WantedMotion;
+use crate::results::part::Part;
+use crate::scene::{Excitation, Grid, Scene, SceneBuilder, SceneError};
 use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
 use crate::sweep::observer::{Observer, Phase};
-use crate::sweep::progress::Progress;
-use crate::sweep::run::sweep;
-use crate::sweep::settings::{RunSettings, VerifySettings};
+use crate::sweep::request::OpenBackends;
+use crate::sweep::settings::RunSettings;
 use crate::sweep::verification::Verification;
 
 /// The cells of a grid under every motion of a suite.
@@ -24,12 +24,16 @@ pub struct SuiteSweep {
     pub grid: Grid,
     /// What became of the cells under each.
     pub motions: Vec<SweptMotion>,
+    /// Motions of which there was an earlier run's word.
+    pub resumed: usize,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,
+    /// What the reference says of samples, a motion each.
+    pub verifications: Vec<Verification>,
 }
 
-/// The cells of a grid under a motion, in the grid's order.
-#[derive(Debug)]
+/// The cells of a grid under a motion: level by level, in the grid's order.
+#[derive(Debug, Clone, PartialEq)]
 pub struct SweptMotion {
     /// The motion's id.
     pub id: String,
@@ -43,8 +47,6 @@ pub struct SweptMotion {
     pub stroke_v: Vec<f32>,
     /// The rocking index.
     pub zeta: Vec<f32>,
-    /// What the reference says of a sample.
-    pub verification: Option<Verification>,
 }
 
 /// The values of a motion's cells.
@@ -55,105 +57,94 @@ pub type Values = fn(&SweptMotion) -> &[f32];
 pub struct SuiteSettings {
     /// How each sweep is run; its verification is of all of them together.
     pub run: RunSettings,
-    /// Each motion is taken twice, its horizontal component in both directions.
-    pub both_directions: bool,
+    /// The directory in which each motion is saved when it is done; nowhere without it.
+    pub saving: Option<PathBuf>,
+    /// Run the k-th of n parts of the motions only, and leave them there.
+    pub part: Option<Part>,
 }
 
-/// Hears of the cells of all sweeps, and of nothing else.
-struct Watch<'a> {
-    observer: &'a dyn Observer,
-    sweeping: AtomicBool,
+/// A scene under a suite, ready to run.
+pub struct SuiteJob {
+    /// The scene under the first motion.
+    pub scene: Scene,
+    /// Its grid, that of all motions.
+    pub grid: Grid,
+    /// Each motion with the scene under it.
+    pub(super) all: Vec<(WantedMotion, Scene)>,
+    pub(super) settings: SuiteSettings,
+    pub(super) opened: Arc<OpenBackends>,
 }
 
-impl Progress for Watch<'_> {
-    fn advance(&self, cells: usize) {
-        if self.sweeping.load(Ordering::Relaxed) {
-            self.observer.advance(cells);
+impl SuiteJob {
+    /// Makes a scene, which has no excitation of its own, ready to run under motions.
+    ///
+    /// # Errors
+    /// Numbers that make no sense, a backend that cannot be had.
+    pub fn open(
+        scene: &SceneBuilder,
+        wanted: Vec<WantedMotion>,
+        settings: SuiteSettings,
+    ) -> Result<SuiteJob, SweepError> {
+        let under = |wanted: WantedMotion| {
+            let under = scene.check_under(Excitation::Record(wanted.pair.clone()))?;
+            Ok((wanted, under))
+        };
+        // What is wrong with the scene is said before anything runs.
+        let all: Vec<(WantedMotion, Scene)> =
+            wanted.into_iter().map(under).collect::<Result<_, SceneError>>()?;
+        let Some((_, first)) = all.first() else {
+            let problem = "no motion; give a suite that has one".into();
+            return Err(SceneError { key: "suite", problem }.into());
+        };
+        let (first, grid) = (first.clone(), Grid::of(first));
+        let run = &settings.run;
+        let opened = Arc::new(run.backend.open(run.method.precision, &run.adapters)?);
+        Ok(SuiteJob { scene: first, grid, all, settings, opened })
+    }
+
+    /// What runs its cells, and GPUs that were passed over.
+    pub fn backends(&self) -> &OpenBackends {
+        &self.opened
+    }
+
+    /// Cells of all sweeps together.
+    pub fn cells(&self) -> usize {
+        self.all.iter().map(|(wanted, _)| wanted.factors.len() * self.grid.len()).sum()
+    }
+
+    /// Motions.
+    pub fn motions(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Runs it; none where a part was asked for, whose motions are saved.
+    ///
+    /// # Errors
+    /// A backend that failed, a directory that cannot be written, an observer that ended it.
+    pub fn run(self, observer: &dyn Observer) -> Result<Option<SuiteSweep>, SweepError> {
+        let began = Instant::now();
+        let runs = if self.settings.run.method.resolve { 2 } else { 1 };
+        let part = self.settings.part;
+        let wanted = part.map_or(0..self.all.len(), |part| part.cells(self.all.len()));
+        let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
+        let total: usize = self.all[wanted.clone()].iter().map(cells).sum();
+        observer.begins(Phase::Sweeping, runs * total);
+        let runner = Runner::new(&self, wanted, observer);
+        let swept = runner.run()?;
+        let seconds = began.elapsed().as_secs_f64();
+        if part.is_some() {
+            return Ok(None);
         }
-    }
-
-    fn cancelled(&self) -> bool {
-        self.observer.cancelled()
-    }
-}
-
-impl Observer for Watch<'_> {
-    fn begins(&self, phase: Phase, _: usize) {
-        self.sweeping.store(phase == Phase::Sweeping, Ordering::Relaxed);
+        let verifications = swept.verify(self.settings.run.verify.within, observer)?;
+        let (motions, resumed) = (swept.motions, swept.resumed);
+        let SuiteJob { scene, grid, .. } = self;
+        Ok(Some(SuiteSweep { scene, grid, motions, resumed, seconds, verifications }))
     }
 }
 
 impl SuiteSweep {
-    /// The motions under which the block of a cell stands.
+    /// The motions under which the block of a cell stands, at their first level.
     pub fn standing(&self, cell: usize) -> impl Iterator<Item = &SweptMotion> {
         self.motions.iter().filter(move |motion| motion.outcomes[cell].stands())
     }
-
-    /// Runs a scene, which has no excitation of its own, under every motion of a suite.
-    ///
-    /// # Errors
-    /// Those of [`sweep`]: numbers that make no sense, a backend that failed, an observer that ended it.
-    pub fn run(
-        scene: &SceneBuilder,
-        suite: &Suite,
-        settings: &SuiteSettings,
-        observer: &dyn Observer,
-    ) -> Result<SuiteSweep, SweepError> {
-        let mut pairs: Vec<(String, f64, Pair)> = Vec::new();
-        for (entry, motion) in suite.motions() {
-            let pair = excitation::scaled(motion.pair.clone(), &scene.numbers);
-            if settings.both_directions {
-                let reversed = format!("{} reversed", entry.id);
-                pairs.push((reversed, entry.weight, pair.clone().reversed()));
-            }
-            pairs.push((entry.id.clone(), entry.weight, pair));
-        }
-        // What is wrong with the scene is said before anything runs.
-        let under = |pair: &Pair| scene.check_under(Excitation::Record(pair.clone()));
-        let scenes: Vec<Scene> =
-            pairs.iter().map(|(.., pair)| under(pair)).collect::<Result<_, SceneError>>()?;
-        let Some(first) = scenes.first().cloned() else {
-            let problem = "no motion; give a suite that has one".into();
-            return Err(SceneError { key: "suite", problem }.into());
-        };
-        let grid = Grid::of(&first);
-        let runs = if settings.run.method.resolve { 2 } else { 1 };
-        observer.begins(Phase::Sweeping, runs * grid.len() * scenes.len());
-        let watch = Watch { observer, sweeping: AtomicBool::new(false) };
-        let verify = shared_out(settings.run.verify, scenes.len());
-        let mut motions = Vec::with_capacity(scenes.len());
-        let mut seconds = 0.0;
-        for ((id, weight, _), scene) in pairs.into_iter().zip(&scenes) {
-            let mut run = settings.run.clone();
-            (run.verify, run.saving) = (verify, None);
-            let map = sweep(scene, &[], &run, &watch)?;
-            seconds += map.parts.iter().map(|(_, report)| report.sweep).sum::<f64>();
-            let column = |column| map.column(column);
-            let single = |values: Vec<f64>| values.into_iter().map(|value| value as f32).collect();
-            // Codes are places among the classes.
-            let class = |code: f64| Class::ALL.get(code as usize).copied();
-            let outcomes = column(Column::Outcome)?.into_iter();
-            motions.push(SweptMotion {
-                id,
-                weight,
-                outcomes: outcomes.map(|code| class(code).unwrap_or(Class::Unresolved)).collect(),
-                max_u: single(column(Column::MaxU)?),
-                stroke_v: single(column(Column::StrokeV)?),
-                zeta: single(column(Column::Zeta)?),
-                verification: map.verification,
-            });
-        }
-        Ok(SuiteSweep { scene: first, grid, motions, seconds })
-    }
-}
-
-/// The part of a verification that each of so many sweeps has: a cell at least, where there is to be any.
-fn shared_out(all: VerifySettings, sweeps: usize) -> VerifySettings {
-    let sweeps = sweeps.max(1);
-    let within = match all.within {
-        Duration::MAX => Duration::MAX,
-        // Counts of motions are small.
-        within => within / u32::try_from(sweeps).unwrap_or(u32::MAX),
-    };
-    VerifySettings { cells: all.cells.div_ceil(sweeps), within }
 }

@@ -68,7 +68,7 @@ impl SweepError {
     }
 
     /// The same of a run of which so many of its cells are saved in a folder.
-    pub(super) fn stopped(self, saved: usize, cells: usize, folder: &Path) -> SweepError {
+    pub(crate) fn stopped(self, saved: usize, cells: usize, folder: &Path) -> SweepError {
         let (error, folder) = (Box::new(self), folder.to_path_buf());
         SweepError::Stopped { error, saved, cells, folder }
     }

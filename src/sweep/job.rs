@@ -3,7 +3,7 @@
 use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::backend::Backend;
@@ -39,14 +39,12 @@ pub struct Job {
     pub plan: Plan,
     /// Its cells.
     pub grid: Grid,
-    /// What runs them: one backend, or several GPUs that are alike.
-    pub backends: Vec<Backend>,
-    /// Errors of GPUs that are listed and were skipped.
-    pub passed_over: Vec<BackendError>,
+    /// What runs them.
+    opened: Arc<OpenBackends>,
     /// The cells wanted.
     pub wanted: Range<usize>,
     settings: RunSettings,
-    opened: Duration,
+    opening: Duration,
     saved: Option<(Store, SavedTiles)>,
     left: Vec<Range<usize>>,
 }
@@ -90,6 +88,30 @@ impl Job {
         axes: &[(Parameter, Values)],
         settings: &RunSettings,
     ) -> Result<Job, SweepError> {
+        Job::prepare(scene, axes, settings, || {
+            Ok(Arc::new(settings.backend.open(settings.method.precision, &settings.adapters)?))
+        })
+    }
+
+    /// The same on backends that are open, which those of the settings are not looked at for.
+    ///
+    /// # Errors
+    /// Those of [`Job::open`], but for the backends'.
+    pub fn on(
+        opened: &Arc<OpenBackends>,
+        scene: &Scene,
+        axes: &[(Parameter, Values)],
+        settings: &RunSettings,
+    ) -> Result<Job, SweepError> {
+        Job::prepare(scene, axes, settings, || Ok(Arc::clone(opened)))
+    }
+
+    fn prepare(
+        scene: &Scene,
+        axes: &[(Parameter, Values)],
+        settings: &RunSettings,
+        open: impl FnOnce() -> Result<Arc<OpenBackends>, SweepError>,
+    ) -> Result<Job, SweepError> {
         let mut scene = scene.clone();
         for (parameter, values) in axes {
             scene.set(*parameter, values.clone());
@@ -99,17 +121,27 @@ impl Job {
         let grid = Grid::of(&scene);
         let saving = settings.saving.as_ref();
         let wanted = wanted(&grid, saving)?;
-        let opening = Instant::now();
-        let OpenBackends { backends, passed_over } =
-            settings.backend.open(settings.method.precision, &settings.adapters)?;
-        let opened = opening.elapsed();
+        let began = Instant::now();
+        let opened = open()?;
+        let opening = began.elapsed();
         // A request opens one backend at least.
-        let saved = saving.map(|saving| saved(&plan, &grid, &backends[0], settings, saving));
+        let first = &opened.backends[0];
+        let saved = saving.map(|saving| saved(&plan, &grid, first, settings, saving));
         let saved = saved.transpose()?;
         let done = saved.as_ref().map(|(_, found)| found.done()).unwrap_or_default();
         let left = missing(&done, &wanted);
         let settings = settings.clone();
-        Ok(Job { plan, grid, backends, passed_over, wanted, settings, opened, saved, left })
+        Ok(Job { plan, grid, opened, wanted, settings, opening, saved, left })
+    }
+
+    /// What runs its cells: one backend, or several GPUs that are alike.
+    pub fn backends(&self) -> &[Backend] {
+        &self.opened.backends
+    }
+
+    /// Errors of GPUs that are listed and were skipped.
+    pub fn passed_over(&self) -> &[BackendError] {
+        &self.opened.passed_over
     }
 
     /// A checksum of all that its outcomes depend on; none where nothing is saved.
@@ -153,7 +185,7 @@ impl Job {
     /// Those of the backend.
     pub fn estimate(&self, progress: &dyn Progress) -> Result<Estimate, SweepError> {
         let scene = &self.plan.scene;
-        Estimate::of(scene, &self.settings.method, &self.backends[0], self.left(), progress)
+        Estimate::of(scene, &self.settings.method, &self.backends()[0], self.left(), progress)
     }
 
     /// Bytes that the columns of so many cells take in memory.
@@ -170,7 +202,7 @@ impl Job {
 
     /// The number type of its columns.
     fn columns(&self) -> Precision {
-        self.backends[0].columns(self.settings.method.precision)
+        self.backends()[0].columns(self.settings.method.precision)
     }
 
     /// Runs what is left; `estimate` tells how many cells a batch may have.
@@ -255,7 +287,7 @@ impl Job {
         observer: &dyn Observer,
         keep: impl FnMut(usize, &[Outcome]) -> Result<(), StoreError> + Send,
     ) -> Result<WorkReport, SweepError> {
-        let Job { plan, grid, backends, .. } = self;
+        let (Job { plan, grid, .. }, backends) = (self, self.backends());
         let Method { precision, resolve, .. } = self.settings.method;
         let cells = self.left();
         observer.begins(Phase::Sweeping, if resolve { 2 * cells } else { cells });
@@ -292,16 +324,16 @@ impl Job {
 
     fn report(&self, estimate: Option<&Estimate>, work: &WorkReport) -> Report {
         let sampled = estimate.map_or(Duration::ZERO, |estimate| estimate.compile);
-        let backend = &self.backends[0];
+        let backend = &self.backends()[0];
         let is_part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
         Report {
             first: self.wanted.start,
             cells: self.wanted.len(),
             backend: backend.name().into(),
             adapter: backend.adapter().cloned(),
-            devices: self.backends.len(),
+            devices: self.backends().len(),
             threads: threads(),
-            start: (self.opened + sampled + work.compile).as_secs_f64(),
+            start: (self.opening + sampled + work.compile).as_secs_f64(),
             sweep: work.elapsed.as_secs_f64(),
             resumed_cells: self.wanted.len() - self.left(),
             record: is_part.then(|| self.plan.scene.excitation.provenance().cloned()).flatten(),

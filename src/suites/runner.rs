@@ -1,0 +1,298 @@
+//! Sweeps under the motions of a suite, several at a time: while the last cells of one are run, the next begins.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::saved;
+use super::wanted::WantedMotion;
+use super::swept::{SuiteJob, SweptMotion};
+use crate::results::columns::Column;
+use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
+use crate::stepping::outcome::Class;
+use crate::sweep::backend::Backend;
+use crate::sweep::backend_error::BackendError;
+use crate::sweep::error::SweepError;
+use crate::sweep::job::{Job, SweepResult};
+use crate::sweep::map::MapSweep;
+use crate::sweep::observer::{Observer, Phase};
+use crate::sweep::plan::Plan;
+use crate::sweep::progress::Progress;
+use crate::sweep::sample::Chosen;
+use crate::sweep::settings::{RunSettings, VerifySettings};
+use crate::sweep::verification::{self, Verification};
+
+/// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
+/// comes to its end.
+const AT_A_TIME: usize = 2;
+/// Cells of a sweep to which levels are put together: enough to fill vectors, few enough for the motions that
+/// they share in full contact.
+const TOGETHER: usize = 4096;
+
+/// Runs a suite's motions.
+pub(super) struct Runner<'a> {
+    job: &'a SuiteJob,
+    range: Range<usize>,
+    observer: &'a dyn Observer,
+    /// The next motion to begin.
+    next: AtomicUsize,
+    /// Set by the first error.
+    stopped: AtomicBool,
+    /// Cells that are saved.
+    saved: AtomicUsize,
+}
+
+/// What became of the motions.
+pub(super) struct Swept {
+    pub(super) motions: Vec<SweptMotion>,
+    /// Those that an earlier run had saved.
+    pub(super) resumed: usize,
+    samples: Vec<Sample>,
+}
+
+/// Cells of a sweep that the reference is to run again.
+struct Sample {
+    plan: Plan,
+    grid: Grid,
+    chosen: Vec<Chosen>,
+}
+
+/// A motion's cells with samples of its sweeps, or what an earlier run has saved of it.
+struct Done {
+    motion: SweptMotion,
+    samples: Vec<Sample>,
+    resumed: bool,
+}
+
+/// Hears of the cells of a sweep, and of nothing else.
+struct Watch<'a> {
+    runner: &'a Runner<'a>,
+    sweeping: AtomicBool,
+}
+
+impl Progress for Watch<'_> {
+    fn advance(&self, cells: usize) {
+        if self.sweeping.load(Ordering::Relaxed) {
+            self.runner.observer.advance(cells);
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.runner.stopped.load(Ordering::Relaxed) || self.runner.observer.cancelled()
+    }
+}
+
+impl Observer for Watch<'_> {
+    fn begins(&self, phase: Phase, _: usize) {
+        self.sweeping.store(phase == Phase::Sweeping, Ordering::Relaxed);
+    }
+}
+
+impl<'a> Runner<'a> {
+    pub(super) fn new(
+        job: &'a SuiteJob,
+        range: Range<usize>,
+        observer: &'a dyn Observer,
+    ) -> Runner<'a> {
+        let (next, stopped) = (AtomicUsize::new(range.start), AtomicBool::new(false));
+        Runner { job, range, observer, next, stopped, saved: AtomicUsize::new(0) }
+    }
+
+    /// Runs the motions.
+    pub(super) fn run(&self) -> Result<Swept, SweepError> {
+        let workers = match self.job.opened.backends[0] {
+            Backend::Cpu => AT_A_TIME,
+            _ => 1,
+        };
+        let count = self.range.len();
+        let done: Vec<Mutex<Option<Done>>> = (0..count).map(|_| Mutex::new(None)).collect();
+        let first_error = Mutex::new(None);
+        thread::scope(|scope| {
+            for _ in 0..workers {
+                scope.spawn(|| {
+                    while let Some(number) = self.take() {
+                        match self.motion(number) {
+                            Ok(motion) => {
+                                let place = &done[number - self.range.start];
+                                // What is stored is whole, whoever panicked.
+                                *place.lock().unwrap_or_else(PoisonError::into_inner) =
+                                    Some(motion);
+                            }
+                            Err(error) => {
+                                self.stopped.store(true, Ordering::Relaxed);
+                                let mut first =
+                                    first_error.lock().unwrap_or_else(PoisonError::into_inner);
+                                first.get_or_insert(error);
+                            }
+                        }
+                    }
+                });
+            }
+        });
+        if let Some(error) = first_error.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            let (saved, all) = (self.saved.load(Ordering::Relaxed), self.job.cells());
+            return Err(match &self.job.settings.saving {
+                Some(folder) if saved > 0 => error.stopped(saved, all, folder),
+                _ => error,
+            });
+        }
+        let mut swept = Swept { motions: Vec::with_capacity(count), resumed: 0, samples: Vec::new() };
+        let all = done.into_iter().map(|one| one.into_inner().unwrap_or_else(PoisonError::into_inner));
+        for Done { motion, samples, resumed } in all.flatten() {
+            swept.motions.push(motion);
+            swept.samples.extend(samples);
+            swept.resumed += usize::from(resumed);
+        }
+        Ok(swept)
+    }
+
+    fn take(&self) -> Option<usize> {
+        if self.stopped.load(Ordering::Relaxed) {
+            return None;
+        }
+        Some(self.next.fetch_add(1, Ordering::Relaxed)).filter(|next| self.range.contains(next))
+    }
+
+    /// A motion at all its levels, or what is saved of it.
+    fn motion(&self, number: usize) -> Result<Done, SweepError> {
+        let SuiteJob { grid, all, settings, opened, .. } = self.job;
+        let (wanted, scene) = &all[number];
+        let cells = grid.len();
+        let place = settings.saving.as_ref().map(|folder| {
+            let tag = saved::tag(wanted, scene, &opened.backends[0], &settings.run.method)?;
+            Ok::<_, SweepError>((folder, tag))
+        });
+        let place = place.transpose()?;
+        if let Some((folder, tag)) = &place
+            && let Some(motion) = saved::load(folder, tag, wanted, cells)
+        {
+            let runs = if settings.run.method.resolve { 2 } else { 1 };
+            self.observer.advance(runs * motion.outcomes.len());
+            self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);
+            return Ok(Done { motion, samples: Vec::new(), resumed: true });
+        }
+        let mut motion = SweptMotion {
+            id: wanted.id.clone(),
+            weight: wanted.weight,
+            outcomes: Vec::new(),
+            max_u: Vec::new(),
+            stroke_v: Vec::new(),
+            zeta: Vec::new(),
+        };
+        let mut samples = Vec::new();
+        let together = (TOGETHER / cells).max(1);
+        // The sample is spread over all motions, and the levels of each.
+        let share = |at: usize, of: usize| settings.run.verify.cells * at / of;
+        let sampled = share(number + 1, all.len()) - share(number, all.len());
+        let sweeps = wanted.factors.len().div_ceil(together);
+        for (k, factors) in wanted.factors.chunks(together).enumerate() {
+            let some = sampled * (k + 1) / sweeps - sampled * k / sweeps;
+            let sample = self.levels(scene, wanted, factors, some, &mut motion)?;
+            samples.extend(sample);
+        }
+        if let Some((folder, tag)) = &place {
+            saved::save(folder, tag, &motion)?;
+            self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);
+        }
+        Ok(Done { motion, samples, resumed: false })
+    }
+
+    /// Adds the cells at some levels to a motion's.
+    fn levels(
+        &self,
+        scene: &Scene,
+        wanted: &WantedMotion,
+        factors: &[f64],
+        sampled: usize,
+        motion: &mut SweptMotion,
+    ) -> Result<Option<Sample>, SweepError> {
+        let mut settings: RunSettings = self.job.settings.run.clone();
+        (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
+        let mut axes = Vec::new();
+        if factors != [1.0] {
+            // The factor of a scene is on the file's values.
+            let scales = factors.iter().map(|factor| factor * wanted.pair.factor).collect();
+            let values = Values::list(scales).map_err(|error| SceneError {
+                key: "levels",
+                problem: error.to_string(),
+            })?;
+            axes.push((Parameter::Scale, values));
+        }
+        let watch = Watch { runner: self, sweeping: AtomicBool::new(false) };
+        let job = Job::on(&self.job.opened, scene, &axes, &settings)?;
+        let estimate = job.estimate_if_long(&watch)?;
+        let SweepResult::Map(map) = job.run(estimate.as_ref(), &watch)? else {
+            // No part was asked for.
+            return Ok(None);
+        };
+        self.add(&map, factors.len(), motion)?;
+        if sampled == 0 || map.by_reference() {
+            return Ok(None);
+        }
+        let chosen = map.choose(sampled, &watch)?;
+        let MapSweep { plan, grid, .. } = *map;
+        Ok(Some(Sample { plan, grid, chosen }))
+    }
+
+    /// Adds the cells of a map, whose levels may lie along any of its axes.
+    fn add(&self, map: &MapSweep, levels: usize, motion: &mut SweptMotion) -> Result<(), SweepError> {
+        let own = &self.job.grid;
+        let axis = |parameter| map.grid.axes().iter().position(|axis| axis.parameter == parameter);
+        let along: Vec<Option<usize>> =
+            own.axes().iter().map(|of| axis(of.parameter)).collect();
+        let of_level = axis(Parameter::Scale).filter(|_| levels > 1);
+        let cell_of = |level: usize, cell: usize| {
+            let mut there = [0; crate::scene::grid::AXES];
+            for (at, along) in own.place(cell).iter().zip(&along) {
+                if let Some(along) = along {
+                    there[*along] = *at;
+                }
+            }
+            if let Some(of_level) = of_level {
+                there[of_level] = level;
+            }
+            map.grid.cell(&there)
+        };
+        let order: Vec<usize> = (0..levels)
+            .flat_map(|level| (0..own.len()).map(move |cell| (level, cell)))
+            .map(|(level, cell)| cell_of(level, cell))
+            .collect();
+        let column = |column| map.column(column);
+        let put = |values: Vec<f64>, to: &mut Vec<f32>| {
+            to.extend(order.iter().map(|cell| values[*cell] as f32));
+        };
+        // Codes are places among the classes.
+        let class = |code: f64| Class::ALL.get(code as usize).copied().unwrap_or(Class::Unresolved);
+        let codes = column(Column::Outcome)?;
+        motion.outcomes.extend(order.iter().map(|cell| class(codes[*cell])));
+        put(column(Column::MaxU)?, &mut motion.max_u);
+        put(column(Column::StrokeV)?, &mut motion.stroke_v);
+        put(column(Column::Zeta)?, &mut motion.zeta);
+        Ok(())
+    }
+}
+
+impl Swept {
+    /// What the reference says of the samples, within a time.
+    pub(super) fn verify(
+        &self,
+        within: Duration,
+        observer: &dyn Observer,
+    ) -> Result<Vec<Verification>, SweepError> {
+        let count: usize = self.samples.iter().map(|sample| sample.chosen.len()).sum();
+        if count == 0 {
+            return Ok(Vec::new());
+        }
+        observer.begins(Phase::Verifying, count);
+        let began = Instant::now();
+        let verify = |sample: &Sample| {
+            let left = within.saturating_sub(began.elapsed());
+            let Sample { plan, grid, chosen } = sample;
+            verification::verify(plan, grid, (chosen, left), observer)
+                .ok_or_else(|| BackendError::Cancelled.into())
+        };
+        self.samples.iter().map(verify).collect()
+    }
+}

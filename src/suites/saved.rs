@@ -1,0 +1,101 @@
+//! What is done of a suite's sweep, on disk: a file a motion, named by all that its cells depend on. So a run that
+//! was interrupted goes on, and parts that ran on several machines are one.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use super::wanted::WantedMotion;
+use super::swept::SweptMotion;
+use crate::results::files::{Directory, remove};
+use crate::results::store_error::StoreError;
+use crate::scene::Scene;
+use crate::stepping::outcome::Class;
+use crate::sweep::backend::Backend;
+use crate::sweep::error::SweepError;
+use crate::sweep::identity::Content;
+use crate::sweep::settings::Method;
+
+/// The folder in a run's directory.
+const FOLDER: &str = "motions";
+/// Bytes of a cell: its outcome, and three numbers of four bytes.
+const CELL: usize = 13;
+
+/// The folder of a run's directory that motions are saved in.
+pub fn folder(out: &Path) -> PathBuf {
+    out.join(FOLDER)
+}
+
+/// True where an earlier run has left motions.
+pub fn is_begun(out: &Path) -> bool {
+    folder(out).exists()
+}
+
+/// Removes what was saved, when it is not needed any more.
+///
+/// # Errors
+/// Those of the disk.
+pub fn discard(out: &Path) -> io::Result<()> {
+    remove(&folder(out))
+}
+
+/// The name of a motion's file: a checksum of all that its cells depend on.
+pub(super) fn tag(
+    wanted: &WantedMotion,
+    scene: &Scene,
+    backend: &Backend,
+    method: &Method,
+) -> Result<String, SweepError> {
+    let identity = Content::new(scene, backend, method, None).identity().map_err(io::Error::from)?;
+    let mut sum = Sha256::new();
+    sum.update(identity.text().as_bytes());
+    for factor in &wanted.factors {
+        sum.update(factor.to_le_bytes());
+    }
+    Ok(sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+/// The motion that is saved under a tag, if its file is there and whole.
+pub(super) fn load(
+    folder: &Path,
+    tag: &str,
+    wanted: &WantedMotion,
+    cells: usize,
+) -> Option<SweptMotion> {
+    let bytes = fs::read(folder.join(tag)).ok()?;
+    let count = cells * wanted.factors.len();
+    let (cells, sum) = bytes.split_at_checked(count * CELL)?;
+    if sum != crc32c::crc32c(cells).to_le_bytes() {
+        return None;
+    }
+    let (codes, numbers) = cells.split_at(count);
+    let classes = codes.iter().map(|code| Class::ALL.get(usize::from(*code)).copied());
+    let (numbers, _) = numbers.as_chunks::<4>();
+    let column = |k: usize| -> Vec<f32> {
+        let own = &numbers[k * count..(k + 1) * count];
+        own.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect()
+    };
+    Some(SweptMotion {
+        id: wanted.id.clone(),
+        weight: wanted.weight,
+        outcomes: classes.collect::<Option<_>>()?,
+        max_u: column(0),
+        stroke_v: column(1),
+        zeta: column(2),
+    })
+}
+
+/// Saves a motion under its tag.
+pub(super) fn save(folder: &Path, tag: &str, motion: &SweptMotion) -> Result<(), SweepError> {
+    let mut bytes: Vec<u8> = motion.outcomes.iter().map(|class| *class as u8).collect();
+    for column in [&motion.max_u, &motion.stroke_v, &motion.zeta] {
+        bytes.extend(column.iter().flat_map(|value| value.to_le_bytes()));
+    }
+    let sum = crc32c::crc32c(&bytes).to_le_bytes();
+    bytes.extend(sum);
+    let folder = Directory::open(folder).map_err(StoreError::from)?;
+    folder.write(tag, |writer| writer.write_all(&bytes)).map_err(StoreError::from)?;
+    Ok(())
+}
