@@ -83,6 +83,15 @@ Examples:
     topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --standing 0.95 \
 --both-directions";
 
+/// Of `topple fragility`.
+pub const FRAGILITY: &str = "\
+Examples:
+  How likely a statue on a dual isolation overturns, by the largest acceleration of the ground:
+    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log
+  Its annual rate at a site, and the periods at which it is below 1 in 2500 years:
+    topple fragility --object 1 --u-y 0.01 --t-h 0.5:5:30 --t-v 0.05:1:30 --suite records --im sa:1 \
+--levels 0.5:20:20:log --hazard site.csv --target 0.0004";
+
 /// Of `topple merge`.
 pub const MERGE: &str = "\
 Examples:

@@ -7,6 +7,8 @@ mod chart;
 mod completions;
 mod disk;
 mod envelope;
+mod fragility;
+mod fragility_words;
 mod errors;
 mod estimate;
 mod examples;
@@ -66,6 +68,8 @@ enum Command {
     Suite(suite::SuiteCommand),
     /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes
     Envelope(envelope::EnvelopeCommand),
+    /// How likely the block overturns under a suite, by the intensity of its motions
+    Fragility(Box<fragility::FragilityCommand>),
     /// Join the parts of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
@@ -106,6 +110,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Seismic(command)) => command.run(),
         Some(Command::Suite(command)) => command.run(),
         Some(Command::Envelope(command)) => command.run(),
+        Some(Command::Fragility(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),

@@ -107,6 +107,7 @@ impl Observer for Screen {
             Phase::Counting => Bar::share("counting", total, self.quiet),
             Phase::Choosing => Bar::share("choosing the reference's sample", total, self.quiet),
             Phase::Verifying => Bar::share("verifying by the reference", total, self.quiet),
+            Phase::Fitting => Bar::share("fitting fragilities", total, self.quiet),
             Phase::Writing => Bar::share("writing", total, self.quiet),
             _ => Bar::new(total, self.quiet),
         };

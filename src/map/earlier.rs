@@ -23,6 +23,8 @@ pub enum Kind {
     Suite,
     /// A sweep under all of one.
     Envelope,
+    /// The same at levels of their intensity.
+    Fragility,
 }
 
 impl Kind {
@@ -33,6 +35,7 @@ impl Kind {
             Kind::History => "a time history",
             Kind::Suite => "a suite",
             Kind::Envelope => "an envelope",
+            Kind::Fragility => "a fragility",
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
-use super::{Overturn, SceneError};
+use super::{GRAVITY, Overturn, SceneError};
 
 /// A rigid block, Fig. 1(a) of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -66,6 +66,12 @@ impl Block {
     /// Critical angle about a corner, rad (section 2.6).
     pub fn critical_angle(&self, side: f64) -> f64 {
         self.arm(side).atan2(self.height)
+    }
+
+    /// p = sqrt(M g R/I_O), its frequency parameter about a corner, rad/s.
+    pub fn frequency(&self, side: f64) -> f64 {
+        let radius = self.arm(side).hypot(self.height);
+        (self.mass * GRAVITY * radius / (self.inertia + self.mass * radius * radius)).sqrt()
     }
 
     /// |phi| at which it counts as overturned about a corner, rad.

@@ -10,6 +10,7 @@ pub mod envelope;
 #[cfg(feature = "pictures")]
 pub mod envelope_picture;
 pub mod error;
+pub mod intensity;
 pub mod estimate;
 mod files;
 mod list;

@@ -16,6 +16,8 @@ pub enum Phase {
     Choosing,
     /// The reference runs its sample, in cells.
     Verifying,
+    /// Fragilities are fitted, in cells times limit states.
+    Fitting,
     /// Files are written, in cells.
     Writing,
 }

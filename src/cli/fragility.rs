@@ -1,0 +1,283 @@
+//! `topple fragility`.
+
+use std::fs;
+use std::num::NonZeroU32;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use topple::drawing::error::FigureError;
+use topple::drawing::render;
+use topple::fragility::limit_state::LimitState;
+use topple::fragility::study::{Asked, Study};
+use topple::fragility::{Bootstrap, Estimator, HazardCurve, levels, picture, tables};
+use topple::map::earlier::Kind;
+use topple::scene::parameters::Section;
+use topple::scene::{Parameter, Scene, Values};
+use topple::suites::intensity::Intensity;
+use topple::suites::wanted::WantedMotion;
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::settings::Method;
+
+use super::fragility_words as told;
+use super::options::{CommonFlags, RunOptions, flag_error};
+use super::output::Figure;
+use super::progress::Screen;
+use super::suite_run::{self, SuiteFlags, SuiteInput};
+use super::words::Say;
+use super::errors::sweep_error;
+use super::{InputError, examples, output, suite};
+
+/// How likely a block overturns under the motions of a suite, by their intensity.
+#[derive(clap::Args)]
+#[command(after_help = examples::FRAGILITY)]
+pub struct FragilityCommand {
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten)]
+    motions: SuiteFlags,
+    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
+    /// relative to the block
+    #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
+    im: Intensity,
+    /// Levels of it that each motion is scaled to, in SI units [default: each motion as it is]
+    #[arg(long, value_name = "LEVELS", help_heading = "Fragility")]
+    levels: Option<Values>,
+    /// The rocking index is not to exceed these
+    #[arg(long, value_name = "ZETA,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    limit_zeta: Vec<f64>,
+    /// max |u| is not to exceed these, m
+    #[arg(long, value_name = "M,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    limit_u: Vec<f64>,
+    /// The stroke of v is not to exceed these, m
+    #[arg(long, value_name = "M,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    limit_v: Vec<f64>,
+    /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
+    estimator: Vec<Estimator>,
+    /// Sets of records that are drawn for the intervals [default: 1000, of more than 100 cells 100]
+    #[arg(long, value_name = "N", help_heading = "Fragility")]
+    bootstrap: Option<NonZeroU32>,
+    /// Seed of what is drawn
+    #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Fragility")]
+    seed: u64,
+    /// Hazard curve: a CSV level,rate with annual rates of exceedance
+    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
+    hazard: Option<PathBuf>,
+    /// Annual rate that is accepted, drawn on maps
+    #[arg(long, value_name = "RATE", help_heading = "Fragility", requires = "hazard", value_parser = positive, allow_negative_numbers = true)]
+    target: Option<f64>,
+    #[command(flatten, next_help_heading = "Computing")]
+    options: RunOptions,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok();
+    let number = number.filter(|number| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "must be a positive number".into())
+}
+
+fn estimator(text: &str) -> Result<Estimator, String> {
+    Estimator::named(text).ok_or_else(|| {
+        let known: Vec<&str> = Estimator::ALL.iter().map(|known| known.name()).collect();
+        format!("no estimator of this name; there are {}", known.join(", "))
+    })
+}
+
+/// run.json of a fragility.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    /// The scene under the first motion.
+    scene: &'a Scene,
+    suite: &'a Path,
+    motions: Vec<&'a str>,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    records_times_cells_per_second: f64,
+    im: Intensity,
+    /// Levels; none where each motion is as it is.
+    levels: Option<Vec<f64>>,
+    limit_states: &'a [LimitState],
+    estimators: Vec<&'static str>,
+    replicates: u32,
+    seed: u64,
+    hazard: Option<&'a Path>,
+    target: Option<f64>,
+    /// Runs of which nothing is known: they are left out.
+    unresolved: usize,
+    /// Cells that the reference ran again, those of another outcome, and those of them amid one outcome.
+    verified: (usize, usize, usize),
+    files: &'a [String],
+}
+
+/// Sets that are drawn for a few cells, and for many.
+const REPLICATES: [u32; 2] = [1000, 100];
+/// Cells from which on there are many.
+const MANY: usize = 100;
+
+impl FragilityCommand {
+    /// Runs the sweeps and writes the fragility.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        let earlier = output::refuse_other(&options.out, Kind::Fragility)?;
+        let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
+        let (states, estimators) = (self.states(), self.estimators()?);
+        let text = self.common.text(Some("Fragility"), std::iter::empty());
+        let input = self.motions.read(&self.common, options, text)?;
+        let mut motions = self.motions.motions(&input);
+        let levels = self.scaled(&input, &mut motions)?;
+        let say = Say::unless(options.quiet);
+        suite::tell(&input.suite, &say);
+        let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
+            return Ok(());
+        };
+        let cells = swept.grid.len();
+        let usual = REPLICATES[usize::from(cells > MANY)];
+        let replicates = self.bootstrap.map_or(usual, NonZeroU32::get);
+        let bootstrap = Bootstrap { replicates, seed: self.seed };
+        let asked = Asked { levels, times: 1, states, estimators, bootstrap };
+        let screen = Screen::new(options.quiet);
+        let Some(study) = Study::of(&swept, asked, &screen) else {
+            return Err(sweep_error(BackendError::Cancelled.into()));
+        };
+        screen.clear();
+        let out = output::open(&options.out)?;
+        let figures = self.figures(&study, hazard.as_ref())?;
+        let tables = ["fragility.csv", "fits.csv", "capacities.csv", "rates.csv"];
+        let mut files: Vec<String> = tables.map(String::from).into();
+        files.truncate(if hazard.is_some() { 4 } else { 3 });
+        let pictures = figures.iter().map(|(name, ..)| name);
+        files.extend(pictures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
+        output::replace(out.path(), &earlier, &files, &say)?;
+        out.write(tables[0], |w| tables::write_counts(&study, w))?;
+        out.write(tables[1], |w| tables::write_fits(&study, w))?;
+        out.write(tables[2], |w| tables::write_capacities(&study, w))?;
+        if let Some(hazard) = &hazard {
+            out.write(tables[3], |w| tables::write_rates(&study, hazard, self.target, w))?;
+        }
+        for (name, svg, png) in &figures {
+            output::write_figure(&out, name, svg, png)?;
+        }
+        let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
+        let manifest = Manifest {
+            kind: Kind::Fragility,
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &swept.scene,
+            suite: &self.motions.suite,
+            motions: study.records().collect(),
+            method: options.method(),
+            cells,
+            sweep_seconds: swept.seconds,
+            records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+            im: self.im,
+            levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
+            limit_states: &study.asked.states,
+            estimators: study.asked.estimators.iter().map(|one| one.name()).collect(),
+            replicates,
+            seed: self.seed,
+            hazard: self.hazard.as_deref(),
+            target: self.target,
+            unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
+            verified: suite_run::verified(&swept),
+            files: &files,
+        };
+        output::write_json(&out, &manifest)?;
+        told::tell(&study, hazard.as_ref(), self.target, &say);
+        suite_run::tell_verified(&swept, &say);
+        self.motions.finish(options)?;
+        for (name, ..) in &figures {
+            say.line("picture", out.file(&format!("{name}.png")).display());
+        }
+        let names = &files[..if hazard.is_some() { 4 } else { 3 }];
+        say.line("tables", format!("{} with run.json", told::listed(&out, names)));
+        Ok(())
+    }
+
+    /// What the block is not to do.
+    fn states(&self) -> Vec<LimitState> {
+        let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
+        let u = self.limit_u.iter().copied().map(LimitState::U);
+        let v = self.limit_v.iter().copied().map(LimitState::V);
+        [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta).chain(u).chain(v).collect()
+    }
+
+    /// The estimators that are asked for.
+    fn estimators(&self) -> Result<Vec<Estimator>, InputError> {
+        let own_levels = self.levels.is_none();
+        if own_levels && self.estimator.contains(&Estimator::Ida) {
+            let problem = "--estimator: ida scales each motion up until it overturns; give --levels";
+            return Err(InputError(problem.into()));
+        }
+        Ok(match &self.estimator[..] {
+            [] => {
+                let all = Estimator::ALL.into_iter();
+                all.filter(|one| !own_levels || *one != Estimator::Ida).collect()
+            }
+            asked => asked.to_vec(),
+        })
+    }
+
+    /// Gives the motions their factors, and tells the levels of each.
+    fn scaled(
+        &self,
+        input: &SuiteInput,
+        motions: &mut [WantedMotion],
+    ) -> anyhow::Result<Vec<Vec<f64>>> {
+        let Some(first) = motions.first() else { return Ok(Vec::new()) };
+        let scene = suite_run::under(&input.text, first).map_err(|error| flag_error(&error))?;
+        let mut body = Parameter::of_section(Section::Block);
+        if self.im.is_of_block() && body.any(|own| scene.swept().contains(&own)) {
+            let problem = format!("--im: {} is another measure for each block of the grid", self.im);
+            return Err(InputError(format!("{problem}; give pga or pgv")).into());
+        }
+        let block = scene.case().block;
+        levels::scale(motions, self.im, self.levels.as_ref(), &block)
+            .map_err(|error| flag_error(&error).into())
+    }
+
+    /// The pictures of a study.
+    fn figures(
+        &self,
+        study: &Study,
+        hazard: Option<&HazardCurve>,
+    ) -> Result<Vec<Figure>, FigureError> {
+        let grid = &study.sweep.grid;
+        let finish = |name: String, svg: String| -> Result<Figure, FigureError> {
+            let png = render::png(&svg)?;
+            Ok((name, svg, png))
+        };
+        if grid.len() == 1 {
+            return Ok(vec![finish("fragility".into(), picture::curves(study, self.im))?]);
+        }
+        if let Some(axis) = grid.line() {
+            return Ok(vec![finish("fragility".into(), picture::along(study, axis, self.im))?]);
+        }
+        if grid.axes().len() != 2 {
+            return Ok(Vec::new());
+        }
+        let states = study.asked.states.iter().enumerate();
+        let figure = |(number, state): (usize, &LimitState)| {
+            let rates: Option<Vec<Option<f64>>> = hazard.map(|hazard| {
+                let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
+                fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.rate)).collect()
+            });
+            let target = rates.as_deref().zip(self.target);
+            let name = match state {
+                LimitState::Overturning => "fragility".to_string(),
+                state => format!("fragility-{}", state.file()),
+            };
+            finish(name, picture::maps(study, number, self.im, target)?)
+        };
+        states.map(figure).collect()
+    }
+}
+
+/// Reads a hazard curve.
+fn read_hazard(path: &Path) -> Result<HazardCurve, InputError> {
+    let named = |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
+    let bytes = fs::read(path).map_err(|e| named(format!("{e}; give a file that can be read")))?;
+    HazardCurve::parse(&String::from_utf8_lossy(&bytes)).map_err(|error| named(error.to_string()))
+}

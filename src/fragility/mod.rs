@@ -1,0 +1,38 @@
+//! Fragility: the probability that a block fails as a function of the intensity, from runs of many records.
+//!
+//! ```text
+//! runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
+//!      -> records resampled -> intervals        hazard curve -> annual rate
+//! ```
+//!
+//! These are functions of numbers: they know nothing of blocks or files.
+
+pub mod binary;
+pub mod capacity;
+pub mod cloud;
+pub mod estimate;
+pub mod fit;
+pub mod hazard;
+pub mod ida;
+pub mod interval;
+pub mod levels;
+pub mod limit_state;
+pub mod link;
+pub mod newton;
+pub mod normal;
+#[cfg(feature = "pictures")]
+pub mod picture;
+pub mod profile;
+pub mod runs;
+#[cfg(feature = "pictures")]
+pub mod shades;
+pub mod stripes;
+pub mod study;
+pub mod tables;
+
+pub use capacity::{Capacity, share_that_stands_again};
+pub use estimate::{Estimate, Estimator, Note, estimate};
+pub use fit::{Fit, Gap, Lognormal};
+pub use hazard::{HazardCurve, HazardError};
+pub use interval::Bootstrap;
+pub use runs::{RecordRuns, Run};

@@ -1,0 +1,138 @@
+//! The fragility of a grid's cells under a suite: every limit state by every estimator.
+
+use rayon::prelude::*;
+
+use super::capacity::{Capacity, share_that_stands_again};
+use super::estimate::{Estimate, Estimator, estimate};
+use super::interval::Bootstrap;
+use super::limit_state::LimitState;
+use super::runs::{RecordRuns, Run};
+use crate::stepping::outcome::Class;
+use crate::suites::swept::SuiteSweep;
+use crate::sweep::observer::{Observer, Phase};
+
+/// What is asked of a study.
+#[derive(Debug, Clone)]
+pub struct Asked {
+    /// The level of each motion at each of its factors.
+    pub levels: Vec<Vec<f64>>,
+    /// Motions of each record: more than one where numbers vary. They follow each other.
+    pub times: usize,
+    /// What the block is not to do.
+    pub states: Vec<LimitState>,
+    /// How fragilities are estimated.
+    pub estimators: Vec<Estimator>,
+    /// How intervals are.
+    pub bootstrap: Bootstrap,
+}
+
+/// The cells of a grid under a suite, with what is estimated of each.
+#[derive(Debug)]
+pub struct Study<'a> {
+    /// The sweeps that it was made of.
+    pub sweep: &'a SuiteSweep,
+    /// What was asked.
+    pub asked: Asked,
+    /// A cell each, in the grid's order.
+    pub cells: Vec<CellStudy>,
+}
+
+/// What is estimated of a cell.
+#[derive(Debug, Clone)]
+pub struct CellStudy {
+    /// A limit state each.
+    pub states: Vec<StateStudy>,
+    /// Where each record overturns it, by the record's number; none where it never does.
+    pub capacities: Vec<Option<Capacity>>,
+    /// The share of the records that overturn it which stand again at a higher level.
+    pub stands_again: Option<f64>,
+    /// Runs of which nothing is known.
+    pub unresolved: usize,
+}
+
+/// A limit state of a cell.
+#[derive(Debug, Clone)]
+pub struct StateStudy {
+    /// Levels by ascending value: how many runs there are at each, and how many of them exceed the state.
+    pub counts: Vec<(f64, usize, usize)>,
+    /// What each estimator says.
+    pub estimates: Vec<Estimate>,
+}
+
+impl Study<'_> {
+    /// Estimates the fragility of every cell; none where `observer` ends it.
+    pub fn of<'a>(
+        sweep: &'a SuiteSweep,
+        asked: Asked,
+        observer: &dyn Observer,
+    ) -> Option<Study<'a>> {
+        observer.begins(Phase::Fitting, sweep.grid.len() * asked.states.len());
+        let cell = |cell: usize| {
+            let mut states = Vec::with_capacity(asked.states.len());
+            for state in &asked.states {
+                if observer.cancelled() {
+                    return None;
+                }
+                let records = records(sweep, &asked, *state, cell);
+                let by = |estimator: &Estimator| estimate(*estimator, &records, &asked.bootstrap);
+                let estimates = asked.estimators.iter().map(by).collect();
+                states.push(StateStudy { counts: counts(&records), estimates });
+                observer.advance(1);
+            }
+            let overturning = records(sweep, &asked, LimitState::Overturning, cell);
+            Some(CellStudy {
+                states,
+                capacities: overturning.iter().map(|record| Capacity::of(&record.runs)).collect(),
+                stands_again: share_that_stands_again(&overturning),
+                unresolved: unresolved(sweep, cell),
+            })
+        };
+        let cells = (0..sweep.grid.len()).into_par_iter().map(cell).collect::<Option<Vec<_>>>()?;
+        Some(Study { sweep, asked, cells })
+    }
+
+    /// The ids of the records.
+    pub fn records(&self) -> impl Iterator<Item = &str> {
+        self.sweep.motions.iter().step_by(self.asked.times).map(|motion| motion.id.as_str())
+    }
+}
+
+/// The runs of a cell, a record each.
+fn records(sweep: &SuiteSweep, asked: &Asked, state: LimitState, cell: usize) -> Vec<RecordRuns> {
+    let cells = sweep.grid.len();
+    let motions = sweep.motions.chunks(asked.times).zip(asked.levels.chunks(asked.times));
+    let of_record = |(motions, levels): (&[_], &[Vec<f64>])| {
+        let runs = motions.iter().zip(levels).flat_map(|(motion, levels): (&crate::suites::swept::SweptMotion, _)| {
+            levels.iter().enumerate().filter_map(move |(k, level)| {
+                let index = k * cells + cell;
+                let class = motion.outcomes[index];
+                (class != Class::Unresolved).then(|| Run {
+                    level: *level,
+                    failed: state.is_exceeded(motion, index),
+                    demand: state.demand(motion, index),
+                    collapsed: class.overturned(),
+                })
+            })
+        });
+        let mut runs: Vec<Run> = runs.collect();
+        runs.sort_by(|a, b| a.level.total_cmp(&b.level));
+        RecordRuns { weight: motions[0].weight, runs }
+    };
+    motions.map(of_record).collect()
+}
+
+/// How many runs there are at each level, and how many of them exceed the state.
+fn counts(records: &[RecordRuns]) -> Vec<(f64, usize, usize)> {
+    let mut runs: Vec<&Run> = records.iter().flat_map(|record| &record.runs).collect();
+    runs.sort_by(|a, b| a.level.total_cmp(&b.level));
+    let levels = runs.chunk_by(|a, b| a.level == b.level);
+    levels.map(|at| (at[0].level, at.len(), at.iter().filter(|run| run.failed).count())).collect()
+}
+
+fn unresolved(sweep: &SuiteSweep, cell: usize) -> usize {
+    let cells = sweep.grid.len();
+    let of = |outcomes: &[Class]| {
+        outcomes.iter().skip(cell).step_by(cells).filter(|class| **class == Class::Unresolved).count()
+    };
+    sweep.motions.iter().map(|motion| of(&motion.outcomes)).sum()
+}

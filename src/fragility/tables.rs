@@ -1,0 +1,139 @@
+//! The tables of a study: fragility.csv, fits.csv, capacities.csv and rates.csv.
+
+use std::io::Write;
+
+use super::estimate::Estimate;
+use super::fit::Lognormal;
+use super::hazard::{AnnualRate, HazardCurve, in_50_years};
+use super::study::Study;
+use crate::results::csv::Number;
+use crate::scene::Grid;
+
+/// A number that may be missing.
+fn known(value: Option<f64>) -> Option<Number> {
+    value.filter(|value| value.is_finite()).map(Number)
+}
+
+fn axes(grid: &Grid) -> impl Iterator<Item = &'static str> {
+    grid.axes().iter().map(|axis| axis.key())
+}
+
+fn at(grid: &Grid, cell: usize) -> Vec<Number> {
+    grid.coordinates(cell).map(Number).collect()
+}
+
+/// Writes fragility.csv: how many runs there are at each level, and how many of them exceed each limit state.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    table.write_record(axes(grid).chain(["limit_state", "level", "records", "failed"]))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (state, of) in study.asked.states.iter().zip(&cell.states) {
+            for (level, records, failed) in &of.counts {
+                table.serialize((at(grid, index), state, Number(*level), records, failed))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
+/// Writes fits.csv: theta and beta of each limit state by each estimator, with their intervals.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = [
+        "limit_state",
+        "estimator",
+        "theta",
+        "theta_low",
+        "theta_high",
+        "beta",
+        "beta_low",
+        "beta_high",
+        "separable",
+    ];
+    table.write_record(axes(grid).chain(names))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (state, of) in study.asked.states.iter().zip(&cell.states) {
+            for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
+                let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
+                let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
+                let separable = u8::from(fit.separable);
+                let name = estimator.name();
+                table.serialize((at(grid, index), state, name, theta, beta, separable))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
+/// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
+/// stands at one between.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    table.write_record(axes(grid).chain(["record", "lowest", "highest", "stands_again"]))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (record, capacity) in study.records().zip(&cell.capacities) {
+            let lowest = known(capacity.map(|capacity| capacity.lowest));
+            let highest = known(capacity.map(|capacity| capacity.highest));
+            let again = u8::from(capacity.is_some_and(|capacity| capacity.stands_again));
+            table.serialize((at(grid, index), record, lowest, highest, again))?;
+        }
+    }
+    Ok(table.flush()?)
+}
+
+/// The annual rate at which a limit state is exceeded; none where its fragility is not known.
+pub fn rate(fit: &Estimate, hazard: &HazardCurve) -> Option<AnnualRate> {
+    // Of separable data the step in the middle of the gap is taken.
+    let beta = fit.beta.or(fit.separable.then_some(0.0))?;
+    Some(hazard.rate(&Lognormal { theta: fit.theta?, beta }))
+}
+
+/// True where a rate is below a target, motions above the curve's last level counted as if all of them failed.
+pub fn is_below(rate: &AnnualRate, target: f64) -> bool {
+    rate.rate + rate.missing_above <= target
+}
+
+/// Writes rates.csv: the annual rate of each limit state over a hazard curve, and its probability in 50 years.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_rates(
+    study: &Study,
+    hazard: &HazardCurve,
+    target: Option<f64>,
+    writer: impl Write,
+) -> csv::Result<()> {
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names =
+        ["limit_state", "estimator", "rate", "in_50_years", "missing_above", "below_target"];
+    table.write_record(axes(grid).chain(names))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (state, of) in study.asked.states.iter().zip(&cell.states) {
+            for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
+                let rate = rate(fit, hazard);
+                let numbers = [
+                    rate.map(|rate| rate.rate),
+                    rate.map(|rate| in_50_years(rate.rate)),
+                    rate.map(|rate| rate.missing_above),
+                ];
+                let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
+                let row = (at(grid, index), state, estimator.name(), numbers.map(known), below);
+                table.serialize(row)?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
