@@ -18,13 +18,13 @@ use topple::suites::wanted::WantedMotion;
 use topple::sweep::backend_error::BackendError;
 use topple::sweep::settings::Method;
 
+use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output::Figure;
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteInput};
 use super::words::Say;
-use super::errors::sweep_error;
 use super::{InputError, examples, output, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
@@ -201,14 +201,20 @@ impl FragilityCommand {
         let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
         let u = self.limit_u.iter().copied().map(LimitState::U);
         let v = self.limit_v.iter().copied().map(LimitState::V);
-        [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta).chain(u).chain(v).collect()
+        [LimitState::Overturning, LimitState::Uplift]
+            .into_iter()
+            .chain(zeta)
+            .chain(u)
+            .chain(v)
+            .collect()
     }
 
     /// The estimators that are asked for.
     fn estimators(&self) -> Result<Vec<Estimator>, InputError> {
         let own_levels = self.levels.is_none();
         if own_levels && self.estimator.contains(&Estimator::Ida) {
-            let problem = "--estimator: ida scales each motion up until it overturns; give --levels";
+            let problem =
+                "--estimator: ida scales each motion up until it overturns; give --levels";
             return Err(InputError(problem.into()));
         }
         Ok(match &self.estimator[..] {
@@ -230,7 +236,8 @@ impl FragilityCommand {
         let scene = suite_run::under(&input.text, first).map_err(|error| flag_error(&error))?;
         let mut body = Parameter::of_section(Section::Block);
         if self.im.is_of_block() && body.any(|own| scene.swept().contains(&own)) {
-            let problem = format!("--im: {} is another measure for each block of the grid", self.im);
+            let problem =
+                format!("--im: {} is another measure for each block of the grid", self.im);
             return Err(InputError(format!("{problem}; give pga or pgv")).into());
         }
         let block = scene.case().block;

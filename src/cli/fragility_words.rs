@@ -48,7 +48,10 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
                 let fifty = rounded(in_50_years(rate.rate), 3);
                 let text = format!("annual rate {}, in 50 years {fifty}", rounded(rate.rate, 3));
                 let missing = rounded(rate.missing_above, 3);
-                say.line("", format!("         {text}; up to {missing} more above the curve's end"));
+                say.line(
+                    "",
+                    format!("         {text}; up to {missing} more above the curve's end"),
+                );
             }
         }
     }
@@ -89,7 +92,11 @@ fn curve(fit: &Estimate) -> String {
             between(fit.beta_low, fit.beta_high)
         ),
         (Some(_), None) => {
-            format!("theta{}, beta{}{note}", between(fit.theta_low, fit.theta_high), between(None, fit.beta_high))
+            format!(
+                "theta{}, beta{}{note}",
+                between(fit.theta_low, fit.theta_high),
+                between(None, fit.beta_high)
+            )
         }
         (None, _) => format!("no curve{note}"),
     }

@@ -59,9 +59,10 @@ pub fn fit(
     if !(spread > 0.0) {
         return Binary::NotIncreasing;
     }
-    let score = stripes.iter().zip(&logarithms).map(|(stripe, ln)| {
-        (stripe.z - stripe.n * share) / runs * (ln - centre) / spread
-    });
+    let score = stripes
+        .iter()
+        .zip(&logarithms)
+        .map(|(stripe, ln)| (stripe.z - stripe.n * share) / runs * (ln - centre) / spread);
     // Of a score that is zero, rounding leaves this much.
     if !(score.sum::<f64>() > 1.0e-13) {
         return Binary::NotIncreasing;
@@ -69,9 +70,7 @@ pub fn fit(
     let counts: Vec<[f64; 3]> = stripes
         .iter()
         .zip(&logarithms)
-        .map(|(stripe, ln)| {
-            [(ln - centre) / spread, stripe.z / runs, (stripe.n - stripe.z) / runs]
-        })
+        .map(|(stripe, ln)| [(ln - centre) / spread, stripe.z / runs, (stripe.n - stripe.z) / runs])
         .collect();
     let start = match near {
         Some(line) => [(centre - line.at) / line.scale, spread / line.scale],
@@ -106,8 +105,7 @@ fn likelihood(
         value += sum(|of| of.value);
         let (slope, bend) = (sum(|of| of.slope), sum(|of| of.curvature));
         gradient = [gradient[0] + slope, gradient[1] + slope * s];
-        curvature =
-            [curvature[0] + bend, curvature[1] + bend * s, curvature[2] + bend * s * s];
+        curvature = [curvature[0] + bend, curvature[1] + bend * s, curvature[2] + bend * s * s];
     }
     let finite = value.is_finite() && curvature[2].is_finite() && gradient[1].is_finite();
     finite.then_some(Point { value, gradient, curvature })

@@ -60,7 +60,8 @@ impl Cloud {
 
     pub(super) fn of_weighed(records: &[Weighed]) -> Cloud {
         let some = records.iter().flat_map(|record| &record.runs).any(|run| run.demand.is_some());
-        let collapses = Pool::of_weighed(records, |run| if some { run.collapsed } else { run.failed });
+        let collapses =
+            Pool::of_weighed(records, |run| if some { run.collapsed } else { run.failed });
         let near = match binary::fit(&collapses.stripes(None), logit, None) {
             Binary::Line(line) => Some(line),
             _ => None,
@@ -173,7 +174,15 @@ impl Sums {
         let with = stand.filter_map(|run| Some((run.level, run.demand.filter(demand)?)));
         let one = |(level, demand): (f64, f64)| {
             let (s, d, w) = (level.ln() - centre, demand.ln(), record.weight);
-            Sums { runs: 1.0, n: w, s: w * s, d: w * d, ss: w * s * s, sd: w * s * d, dd: w * d * d }
+            Sums {
+                runs: 1.0,
+                n: w,
+                s: w * s,
+                d: w * d,
+                ss: w * s * s,
+                sd: w * s * d,
+                dd: w * d * d,
+            }
         };
         with.map(one).sum()
     }

@@ -34,7 +34,9 @@ pub enum HazardError {
         problem: String,
     },
     /// A level or a rate that is no number above zero.
-    #[error("line {line}: {name} `{text}` is no number above zero; write one, or leave the line out")]
+    #[error(
+        "line {line}: {name} `{text}` is no number above zero; write one, or leave the line out"
+    )]
     Number {
         /// Which line.
         line: u64,

@@ -75,7 +75,8 @@ fn fit(records: &[Record], count: f64, near: Option<Lognormal>) -> Fit {
     }
     let highest = records.iter().filter_map(|record| record.stands).reduce(f64::max);
     let lowest = failing().map(|record| record.level).reduce(f64::min);
-    let (Some(lowest), Some(last)) = (lowest, failing().map(|record| record.level).reduce(f64::max))
+    let (Some(lowest), Some(last)) =
+        (lowest, failing().map(|record| record.level).reduce(f64::max))
     else {
         return Fit::Separable(Gap { stands: highest, fails: None });
     };
@@ -106,10 +107,7 @@ fn fit(records: &[Record], count: f64, near: Option<Lognormal>) -> Fit {
         .collect();
     let likelihood = |[gamma, delta]: [f64; 2]| likelihood(&standard, gamma, delta);
     let from = |curve: Lognormal| {
-        newton::maximum(
-            [spread / curve.beta, (curve.theta.ln() - centre) / curve.beta],
-            likelihood,
-        )
+        newton::maximum([spread / curve.beta, (curve.theta.ln() - centre) / curve.beta], likelihood)
     };
     match near.and_then(from).or_else(|| newton::maximum([1.0, 0.0], likelihood)) {
         Some([gamma, delta]) if gamma > 0.0 => {

@@ -62,8 +62,8 @@ pub fn bootstrap(
         betas.extend(beta);
     }
     let curves = fits.iter().filter(|fit| fit.curve().is_some()).count();
-    let theta = percentiles(thetas)
-        .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
+    let theta =
+        percentiles(thetas).map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
     Interval { theta, beta: percentiles(betas), without_fit: fits.len() - curves }
 }
 

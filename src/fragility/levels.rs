@@ -33,8 +33,7 @@ pub fn scale(
         match &wanted {
             None => all.push(vec![own]),
             Some(levels) => {
-                motion.factors =
-                    levels.iter().map(|level| intensity.factor(level / own)).collect();
+                motion.factors = levels.iter().map(|level| intensity.factor(level / own)).collect();
                 all.push(levels.clone());
             }
         }

@@ -21,10 +21,7 @@ const STEPS: u32 = 200;
 
 /// Where the function is largest, from a start. The values must be of order one (a mean over the data). `None` where the
 /// function says that it is not defined at the start, or where no maximum is found.
-pub fn maximum(
-    start: [f64; 2],
-    function: impl Fn([f64; 2]) -> Option<Point>,
-) -> Option<[f64; 2]> {
+pub fn maximum(start: [f64; 2], function: impl Fn([f64; 2]) -> Option<Point>) -> Option<[f64; 2]> {
     let mut at = start;
     let mut here = function(at)?;
     for _ in 0..STEPS {

@@ -46,9 +46,8 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     let x = MARGIN + LEFT;
     let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
     let levels = study.asked.levels.iter().flatten();
-    let (low, high) = levels.fold((f64::MAX, 0.0_f64), |(low, high), level| {
-        (low.min(*level), high.max(*level))
-    });
+    let (low, high) =
+        levels.fold((f64::MAX, 0.0_f64), |(low, high), level| (low.min(*level), high.max(*level)));
     let (low, high) = if high > 1.05 * low { (low, high) } else { (0.8 * low, 1.25 * high) };
     let axis = Axis::log(low, high, intensity.label());
     let frame = Frame::new(place, axis, Axis::new(0.0, 1.0, "probability"));
@@ -186,7 +185,8 @@ pub fn maps(
     let betas: Vec<Option<f64>> = fits().map(|fit| fit.beta).collect();
     let mut end = top;
     let label = format!("θ: {}", intensity.label());
-    for (k, (values, label)) in [(&thetas, label.as_str()), (&betas, "β")].into_iter().enumerate() {
+    for (k, (values, label)) in [(&thetas, label.as_str()), (&betas, "β")].into_iter().enumerate()
+    {
         let x = MARGIN + LEFT + k as f64 * (width + APART);
         let place = Place { x, y: top, width, height: width };
         let shades = Shades::over(values);
@@ -216,7 +216,6 @@ pub fn maps(
     }
     let by = study.asked.estimators[0].name();
     entries.push(entry(Swatch::None, format!("By {by}.")));
-    let end =
-        legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), COLUMN - 2.0 * MARGIN, 2);
     Ok(canvas.finish(end + MARGIN))
 }

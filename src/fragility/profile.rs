@@ -57,10 +57,9 @@ pub fn bounds(stripes: &[Stripe]) -> Bounds {
 /// What the logarithm of the likelihood comes to as beta goes to zero: zero, and of a level at which runs stand and
 /// fail that of its own share.
 fn supremum(stripes: &[Stripe], gap: Gap) -> f64 {
-    let mixed = stripes.iter().filter(|stripe| gap.stands == gap.fails && gap.fails == Some(stripe.level));
-    mixed
-        .map(|Stripe { n, z, .. }| z * (z / n).ln() + (n - z) * (1.0 - z / n).ln())
-        .sum()
+    let mixed =
+        stripes.iter().filter(|stripe| gap.stands == gap.fails && gap.fails == Some(stripe.level));
+    mixed.map(|Stripe { n, z, .. }| z * (z / n).ln() + (n - z) * (1.0 - z / n).ln()).sum()
 }
 
 struct Profile {

@@ -92,9 +92,7 @@ impl Pool {
         Pool {
             ends: ends.collect(),
             weights: records.iter().map(|record| record.weight).collect(),
-            runs: runs()
-                .map(|run| (place(run.level), f64::from(u8::from(failed(run)))))
-                .collect(),
+            runs: runs().map(|run| (place(run.level), f64::from(u8::from(failed(run))))).collect(),
             levels,
         }
     }

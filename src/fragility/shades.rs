@@ -23,9 +23,8 @@ impl Shades {
     /// Those of the values that are known.
     pub fn over(values: &[Option<f64>]) -> Shades {
         let known = values.iter().flatten();
-        let (from, to) = known.fold((f64::MAX, f64::MIN), |(low, high), value| {
-            (low.min(*value), high.max(*value))
-        });
+        let (from, to) = known
+            .fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(*value), high.max(*value)));
         match to > from {
             true => Shades { from, to },
             // One value has no scale to lie on.

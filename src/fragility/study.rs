@@ -102,18 +102,20 @@ fn records(sweep: &SuiteSweep, asked: &Asked, state: LimitState, cell: usize) ->
     let cells = sweep.grid.len();
     let motions = sweep.motions.chunks(asked.times).zip(asked.levels.chunks(asked.times));
     let of_record = |(motions, levels): (&[_], &[Vec<f64>])| {
-        let runs = motions.iter().zip(levels).flat_map(|(motion, levels): (&crate::suites::swept::SweptMotion, _)| {
-            levels.iter().enumerate().filter_map(move |(k, level)| {
-                let index = k * cells + cell;
-                let class = motion.outcomes[index];
-                (class != Class::Unresolved).then(|| Run {
-                    level: *level,
-                    failed: state.is_exceeded(motion, index),
-                    demand: state.demand(motion, index),
-                    collapsed: class.overturned(),
+        let runs = motions.iter().zip(levels).flat_map(
+            |(motion, levels): (&crate::suites::swept::SweptMotion, _)| {
+                levels.iter().enumerate().filter_map(move |(k, level)| {
+                    let index = k * cells + cell;
+                    let class = motion.outcomes[index];
+                    (class != Class::Unresolved).then(|| Run {
+                        level: *level,
+                        failed: state.is_exceeded(motion, index),
+                        demand: state.demand(motion, index),
+                        collapsed: class.overturned(),
+                    })
                 })
-            })
-        });
+            },
+        );
         let mut runs: Vec<Run> = runs.collect();
         runs.sort_by(|a, b| a.level.total_cmp(&b.level));
         RecordRuns { weight: motions[0].weight, runs }
@@ -132,7 +134,12 @@ fn counts(records: &[RecordRuns]) -> Vec<(f64, usize, usize)> {
 fn unresolved(sweep: &SuiteSweep, cell: usize) -> usize {
     let cells = sweep.grid.len();
     let of = |outcomes: &[Class]| {
-        outcomes.iter().skip(cell).step_by(cells).filter(|class| **class == Class::Unresolved).count()
+        outcomes
+            .iter()
+            .skip(cell)
+            .step_by(cells)
+            .filter(|class| **class == Class::Unresolved)
+            .count()
     };
     sweep.motions.iter().map(|motion| of(&motion.outcomes)).sum()
 }

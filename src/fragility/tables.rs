@@ -129,7 +129,8 @@ pub fn write_rates(
                     rate.map(|rate| in_50_years(rate.rate)),
                     rate.map(|rate| rate.missing_above),
                 ];
-                let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
+                let below =
+                    rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
                 let row = (at(grid, index), state, estimator.name(), numbers.map(known), below);
                 table.serialize(row)?;
             }

@@ -10,9 +10,9 @@ pub mod envelope;
 #[cfg(feature = "pictures")]
 pub mod envelope_picture;
 pub mod error;
-pub mod intensity;
 pub mod estimate;
 mod files;
+pub mod intensity;
 mod list;
 pub mod measures;
 mod names;

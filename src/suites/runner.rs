@@ -7,8 +7,8 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::saved;
-use super::wanted::WantedMotion;
 use super::swept::{SuiteJob, SweptMotion};
+use super::wanted::WantedMotion;
 use crate::results::columns::Column;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::stepping::outcome::Class;
@@ -138,8 +138,10 @@ impl<'a> Runner<'a> {
                 _ => error,
             });
         }
-        let mut swept = Swept { motions: Vec::with_capacity(count), resumed: 0, samples: Vec::new() };
-        let all = done.into_iter().map(|one| one.into_inner().unwrap_or_else(PoisonError::into_inner));
+        let mut swept =
+            Swept { motions: Vec::with_capacity(count), resumed: 0, samples: Vec::new() };
+        let all =
+            done.into_iter().map(|one| one.into_inner().unwrap_or_else(PoisonError::into_inner));
         for Done { motion, samples, resumed } in all.flatten() {
             swept.motions.push(motion);
             swept.samples.extend(samples);
@@ -214,14 +216,14 @@ impl<'a> Runner<'a> {
         if factors != [1.0] {
             // The factor of a scene is on the file's values.
             let scales = factors.iter().map(|factor| factor * wanted.pair.factor).collect();
-            let values = Values::list(scales).map_err(|error| SceneError {
-                key: "levels",
-                problem: error.to_string(),
-            })?;
+            let values = Values::list(scales)
+                .map_err(|error| SceneError { key: "levels", problem: error.to_string() })?;
             axes.push((Parameter::Scale, values));
         }
         let watch = Watch { runner: self, sweeping: AtomicBool::new(false) };
-        let job = Job::on(&self.job.opened, scene, &axes, &settings)?;
+        let mut job = Job::on(&self.job.opened, scene, &axes, &settings)?;
+        // No column of these is kept.
+        job.plan = job.plan.without_forces();
         let estimate = job.estimate_if_long(&watch)?;
         let SweepResult::Map(map) = job.run(estimate.as_ref(), &watch)? else {
             // No part was asked for.
@@ -237,11 +239,15 @@ impl<'a> Runner<'a> {
     }
 
     /// Adds the cells of a map, whose levels may lie along any of its axes.
-    fn add(&self, map: &MapSweep, levels: usize, motion: &mut SweptMotion) -> Result<(), SweepError> {
+    fn add(
+        &self,
+        map: &MapSweep,
+        levels: usize,
+        motion: &mut SweptMotion,
+    ) -> Result<(), SweepError> {
         let own = &self.job.grid;
         let axis = |parameter| map.grid.axes().iter().position(|axis| axis.parameter == parameter);
-        let along: Vec<Option<usize>> =
-            own.axes().iter().map(|of| axis(of.parameter)).collect();
+        let along: Vec<Option<usize>> = own.axes().iter().map(|of| axis(of.parameter)).collect();
         let of_level = axis(Parameter::Scale).filter(|_| levels > 1);
         let cell_of = |level: usize, cell: usize| {
             let mut there = [0; crate::scene::grid::AXES];

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::wanted::WantedMotion;
 use super::swept::SweptMotion;
+use super::wanted::WantedMotion;
 use crate::results::files::{Directory, remove};
 use crate::results::store_error::StoreError;
 use crate::scene::Scene;
@@ -48,7 +48,8 @@ pub(super) fn tag(
     backend: &Backend,
     method: &Method,
 ) -> Result<String, SweepError> {
-    let identity = Content::new(scene, backend, method, None).identity().map_err(io::Error::from)?;
+    let identity =
+        Content::new(scene, backend, method, None).identity().map_err(io::Error::from)?;
     let mut sum = Sha256::new();
     sum.update(identity.text().as_bytes());
     for factor in &wanted.factors {

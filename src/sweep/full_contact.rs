@@ -40,6 +40,8 @@ pub struct FullContactMotions<R> {
     pub(super) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
     pub(super) still: bool,
+    /// Forces inside gaps are known.
+    pub(super) forces: bool,
     /// The vector instructions of this machine.
     pub(super) level: Level,
 }
@@ -167,6 +169,7 @@ impl<R: Real> FullContactMotions<R> {
             across: horizontal(along_x, strides(grid, &window, &of.across)),
             up: vertical(along_y, strides(grid, &window, &of.up)),
             still: of.still,
+            forces: plan.forces,
             level: Level::new(),
         })
     }

@@ -15,6 +15,7 @@ pub(super) struct Key {
     pub(super) grid: Grid,
     pub(super) resolution: Resolution,
     pub(super) reductions: Shortcuts,
+    pub(super) forces: bool,
     pub(super) laws: Laws,
 }
 

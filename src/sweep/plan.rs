@@ -42,6 +42,9 @@ pub struct Plan {
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub reductions: Shortcuts,
+    /// Contact forces are asked for: where they are not, min_contact and the friction asked for in full contact are not
+    /// looked for.
+    pub forces: bool,
     /// The laws that all its cells have.
     pub(super) laws: Laws,
     /// Its cells differ in their body.
@@ -60,8 +63,16 @@ impl Plan {
         let bodies = Grid::of(scene).sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
         let cycles = most > 1.0;
-        let mut plan =
-            Plan { scene: copy, resolution, reductions, laws, bodies, cycles, motion_cache };
+        let mut plan = Plan {
+            scene: copy,
+            resolution,
+            reductions,
+            forces: true,
+            laws,
+            bodies,
+            cycles,
+            motion_cache,
+        };
         plan.laws = plan.laws_of(&scene.case());
         plan
     }
@@ -76,6 +87,11 @@ impl Plan {
         let mut plan = Plan { reductions: Shortcuts::NONE, ..self.clone() };
         plan.laws = plan.laws_of(&plan.scene.case());
         plan
+    }
+
+    /// The plan of a sweep of which nobody asks for contact forces.
+    pub fn without_forces(&self) -> Plan {
+        Plan { forces: false, ..self.clone() }
     }
 
     /// The plan with steps half as long.

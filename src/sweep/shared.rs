@@ -19,8 +19,8 @@ impl Plan {
         progress: &dyn Progress,
     ) -> Arc<Option<FullContactMotions<R>>> {
         let (scene, grid) = (self.scene.clone(), grid.clone());
-        let Plan { resolution, reductions, laws, .. } = *self;
-        let key = Key { scene, grid, resolution, reductions, laws };
+        let Plan { resolution, reductions, forces, laws, .. } = *self;
+        let key = Key { scene, grid, resolution, reductions, forces, laws };
         if let Some(motions) = self.motion_cache.find(&key) {
             return motions;
         }

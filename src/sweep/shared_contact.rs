@@ -68,8 +68,12 @@ pub(super) fn full_contact<R: Real>(
     } else {
         // A scan along rows of numbers, with the widest vectors that this machine has.
         dispatch!(motions.level, _simd => {
-            let (sample, friction) = gap_by_gap(motions, arms, place, scale, lever);
-            (sample, crests(motions, place, scale.abs(), sample, friction))
+            if motions.forces {
+                let (sample, friction) = gap_by_gap::<R, true>(motions, arms, place, scale, lever);
+                (sample, crests(motions, place, scale.abs(), sample, friction))
+            } else {
+                gap_by_gap::<R, false>(motions, arms, place, scale, lever)
+            }
         })
     };
     let at = sample.min(last_v);
@@ -98,9 +102,10 @@ pub(super) fn full_contact<R: Real>(
     }
 }
 
-/// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it.
+/// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it where forces are
+/// looked at.
 #[inline(always)]
-fn gap_by_gap<R: Real>(
+fn gap_by_gap<R: Real, const FORCES: bool>(
     motions: &FullContactMotions<R>,
     arms: [R; 2],
     place: &Place,
@@ -127,8 +132,10 @@ fn gap_by_gap<R: Real>(
         let mut largest = friction;
         for i in 0..BLOCK {
             any |= lifts(arms, lever, most[i], least[i], least_y[i]);
-            let share = size * x[i].abs() / y[i];
-            largest = largest.max(if y[i] > zero { share } else { zero });
+            if FORCES {
+                let share = size * x[i].abs() / y[i];
+                largest = largest.max(if y[i] > zero { share } else { zero });
+            }
         }
         if any {
             break;
@@ -141,7 +148,7 @@ fn gap_by_gap<R: Real>(
         if lifts(arms, lever, most[sample], least[sample], least_y[gap]) {
             break;
         }
-        if y[gap] > zero {
+        if FORCES && y[gap] > zero {
             friction = friction.max(size * x[sample].abs() / y[gap]);
         }
         sample += 1;

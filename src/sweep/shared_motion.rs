@@ -133,6 +133,8 @@ struct GapForces<R> {
 trait Integrator<R> {
     /// Takes a step; the forces in the steps since the gap began.
     fn step(&mut self) -> GapForces<R>;
+    /// Takes a step; X or Y at its end.
+    fn step_to_end(&mut self) -> R;
     /// The motion; of v the least and the largest so far, of u zero and the largest magnitude.
     fn place(&mut self) -> (Motion<R>, [R; 2]);
     /// Begins a gap.
@@ -170,6 +172,11 @@ impl<R: Real> Integrator<R> for Smooth<'_, R> {
         self.forces
     }
 
+    fn step_to_end(&mut self) -> R {
+        let [.., end] = self.standing.step();
+        self.direction.of(end)
+    }
+
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
         let Standing { motion, max_u, range_v, .. } = self.standing;
         let range_u = [R::of(0.0), max_u];
@@ -190,6 +197,17 @@ struct Yielding<'a, R: Real> {
 /// Adds the spans of a yielding base's steps to the forces of the gap.
 struct ForceListener<'a, R>(&'a Cell<GapForces<R>>);
 
+/// Keeps the force at the end of a yielding base's last span.
+struct EndListener<'a, R>(&'a Cell<GapForces<R>>);
+
+impl<R: Real> Log<R> for EndListener<'_, R> {
+    fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
+
+    fn moved(&mut self, [.., end]: [Contact<R>; 3]) {
+        self.0.set(GapForces { end: end.shear, ..self.0.get() });
+    }
+}
+
 impl<R: Real> Log<R> for ForceListener<'_, R> {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
 
@@ -203,6 +221,11 @@ impl<R: Real> Integrator<R> for Yielding<'_, R> {
         self.forces.set(GapForces { spans: 0, ..self.forces.get() });
         self.single.step();
         self.forces.get()
+    }
+
+    fn step_to_end(&mut self) -> R {
+        self.single.step();
+        self.forces.get().end
     }
 
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
@@ -263,36 +286,39 @@ impl<R: Real> SampledMotion<R> {
         let now = direction.of(k.contact());
         if set.variant.kinks {
             let forces = Cell::new(no_forces(direction));
-            let mut listener = ForceListener(&forces);
-            let single = Single::new(&set, &state, &mut listener);
-            SampledMotion::integrate(
-                &set,
-                direction,
-                now,
-                &mut Yielding { single, forces: &forces },
-            )
+            let (mut all, mut ends) = (ForceListener(&forces), EndListener(&forces));
+            let listener: &mut dyn Log<R> = if plan.forces { &mut all } else { &mut ends };
+            let single = Single::new(&set, &state, listener);
+            let mut yielding = Yielding { single, forces: &forces };
+            SampledMotion::by(&mut yielding, &set, direction, now, plan.forces)
         } else {
             let standing = Standing::new(&set, &state);
             let forces = no_forces(direction);
-            SampledMotion::integrate(
-                &set,
-                direction,
-                now,
-                &mut Smooth { standing, direction, forces },
-            )
+            let mut smooth = Smooth { standing, direction, forces };
+            SampledMotion::by(&mut smooth, &set, direction, now, plan.forces)
         }
     }
 
-    /// Integrates through all gaps from a start where X or Y is `now`.
-    fn integrate(
+    /// The motion by an integrator from a start where X or Y is `now`, with its forces inside gaps or without.
+    fn by(
+        integrator: &mut dyn Integrator<R>,
         set: &CellEquations<R>,
         direction: Direction,
-        mut now: R,
-        integrator: &mut dyn Integrator<R>,
+        now: R,
+        forces: bool,
     ) -> SampledMotion<R> {
         let cell = set.cell;
         let count = (cell.steps_forced / cell.substeps) as usize + 1;
-        let mut sampled = SampledMotion {
+        if forces {
+            SampledMotion::integrate(count, set, direction, now, integrator)
+        } else {
+            SampledMotion::bounded(count, cell.substeps, now, integrator)
+        }
+    }
+
+    /// A motion of so many samples, nothing in it.
+    fn of(count: usize, parts: u32) -> SampledMotion<R> {
+        SampledMotion {
             motion: Vec::with_capacity(count),
             acceleration: Vec::with_capacity(count),
             least: Vec::with_capacity(count),
@@ -300,13 +326,64 @@ impl<R: Real> SampledMotion<R> {
             bottom: Vec::with_capacity(count),
             top: Vec::with_capacity(count),
             lowest: Vec::with_capacity(count),
-            inside: (1..direction.parts()).map(|_| Vec::with_capacity(count)).collect(),
+            inside: (1..parts).map(|_| Vec::with_capacity(count)).collect(),
             crest: Vec::with_capacity(count),
             highest: Vec::new(),
             deepest: Vec::new(),
             strongest: Vec::new(),
-        };
+        }
+    }
+
+    /// Integrates through all gaps from a start where X or Y is `now`, and keeps of each gap the bounds of it alone.
+    fn bounded(
+        count: usize,
+        substeps: u32,
+        mut now: R,
+        integrator: &mut dyn Integrator<R>,
+    ) -> SampledMotion<R> {
+        let mut sampled = SampledMotion::of(count, 1);
+        // No force is on record.
+        sampled.lowest.resize(count, Direction::Vertical.no_crest());
+        for sample in 0..count {
+            let (motion, [bottom, top]) = integrator.place();
+            sampled.motion.push(motion);
+            sampled.acceleration.push(now);
+            sampled.bottom.push(bottom);
+            sampled.top.push(top);
+            if sample + 1 == count {
+                break;
+            }
+            let (mut least, mut most, mut change) = (now, now, R::of(0.0));
+            for _ in 0..substeps {
+                let next = integrator.step_to_end();
+                change = change.max((next - now).abs());
+                least = least.min(next);
+                most = most.max(next);
+                now = next;
+            }
+            sampled.bound(least, most, change);
+        }
+        sampled.finish(false)
+    }
+
+    /// Adds the bounds of a gap: the least and the largest value at ends of steps, and the largest change in a step.
+    fn bound(&mut self, least: R, most: R, change: R) {
+        let slack = change + R::of(SLACK) * most.abs().max(least.abs());
+        self.least.push(least - slack);
+        self.most.push(most + slack);
+    }
+
+    /// Integrates through all gaps from a start where X or Y is `now`.
+    fn integrate(
+        count: usize,
+        set: &CellEquations<R>,
+        direction: Direction,
+        mut now: R,
+        integrator: &mut dyn Integrator<R>,
+    ) -> SampledMotion<R> {
+        let cell = set.cell;
         let parts = direction.parts();
+        let mut sampled = SampledMotion::of(count, parts);
         // With few steps to a gap every other part is told by those beside it.
         let apart = if cell.substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 };
         let mut values = vec![R::of(0.0); parts as usize + 1];
@@ -368,9 +445,7 @@ impl<R: Real> SampledMotion<R> {
             if crest < lowest {
                 lowest = crest;
             }
-            let slack = change + R::of(SLACK) * most.abs().max(least.abs());
-            sampled.least.push(least - slack);
-            sampled.most.push(most + slack);
+            sampled.bound(least, most, change);
         }
         let missed = missed > direction.allowed(&sampled, set.model.gravity);
         sampled.finish(missed)
