@@ -22,6 +22,7 @@ mod numbers;
 mod options;
 mod output;
 mod print;
+mod probability;
 mod progress;
 mod pulse;
 mod ratios;
@@ -31,6 +32,7 @@ mod scene;
 mod seismic;
 mod suite;
 mod template;
+mod uncertain;
 mod words;
 
 use clap::{CommandFactory, Parser, Subcommand};

@@ -23,6 +23,8 @@ pub enum Kind {
     Suite,
     /// A sweep under all of one.
     Envelope,
+    /// The outcomes of many sweeps.
+    Probability,
 }
 
 impl Kind {
@@ -33,6 +35,7 @@ impl Kind {
             Kind::History => "a time history",
             Kind::Suite => "a suite",
             Kind::Envelope => "an envelope",
+            Kind::Probability => "a probability map",
         }
     }
 }

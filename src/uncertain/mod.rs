@@ -10,11 +10,16 @@ pub mod distribution;
 pub mod ensemble;
 pub mod indices;
 pub mod normal;
+#[cfg(feature = "pictures")]
+pub mod picture;
+pub mod pixel;
 pub mod points;
+pub mod probability;
 pub mod varied;
 
 pub use distribution::Distribution;
 pub use ensemble::Ensemble;
 pub use indices::{Bootstrap, Design, Index, indices};
 pub use points::points;
+pub use probability::{Probabilities, Uncertainty};
 pub use varied::Varied;
