@@ -102,6 +102,12 @@ mod sweep;
 #[doc(hidden)]
 pub mod sweep;
 
+#[cfg(not(feature = "internals"))]
+mod uncertain;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod uncertain;
+
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
 pub use results::columns::{Column, STATUS_NAMES};

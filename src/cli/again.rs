@@ -11,6 +11,7 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
 use topple::sweep::settings::Method;
+use topple::uncertain::Uncertainty;
 
 /// What was run.
 pub struct Again {
@@ -22,6 +23,8 @@ pub struct Again {
     pub method: Option<Method>,
     /// What they were computed on, where the results tell it.
     pub backend: Option<String>,
+    /// What was not known, of a probability map.
+    pub uncertainty: Option<Uncertainty>,
 }
 
 /// Of run.json, or of what a map's arrays say of themselves, what makes the run again.
@@ -35,6 +38,8 @@ struct Written {
     index: Option<Vec<Parameter>>,
     #[serde(flatten)]
     method: Option<Method>,
+    #[serde(flatten)]
+    uncertainty: Option<Uncertainty>,
 }
 
 /// The results at a path: a directory, a run.json, or a map's file; none where it is no such thing.
@@ -141,6 +146,7 @@ impl Written {
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
         let kind = self.kind.unwrap_or(Kind::Map);
-        Ok(Again { kind, scene, method: self.method, backend: self.backend })
+        let Written { method, backend, uncertainty, .. } = self;
+        Ok(Again { kind, scene, method, backend, uncertainty })
     }
 }

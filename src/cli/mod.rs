@@ -24,6 +24,7 @@ mod numbers;
 mod options;
 mod output;
 mod print;
+mod probability;
 mod progress;
 mod pulse;
 mod ratios;
@@ -34,6 +35,7 @@ mod seismic;
 mod suite;
 mod suite_run;
 mod template;
+mod uncertain;
 mod words;
 
 use clap::{CommandFactory, Parser, Subcommand};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 
+use topple::map::earlier::Kind;
 use topple::model::precision::Precision;
 use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
@@ -18,6 +19,7 @@ use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 
 use super::errors::sweep_error;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
+use super::uncertain::UncertainFlags;
 use super::words::with_flags;
 use super::{InputError, memory, words};
 
@@ -95,6 +97,8 @@ pub struct MapOptions {
     pub dry_run: bool,
     #[command(flatten)]
     pub talk: Talk,
+    #[command(flatten)]
+    pub uncertain: UncertainFlags,
 }
 
 /// What the reference is to run again.
@@ -248,6 +252,20 @@ impl RunOptions {
 }
 
 impl MapOptions {
+    /// What the files are of.
+    pub fn kind(&self) -> Kind {
+        if self.uncertain.asked() { Kind::Probability } else { Kind::Map }
+    }
+
+    /// Refuses what is wrong with a scene before anything is made.
+    ///
+    /// # Errors
+    /// Those of the plan, and of what is not known.
+    pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
+        self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))
+    }
+
     /// The settings of a scene's run.
     pub fn settings(&self, scene: &Scene) -> RunSettings {
         let mut settings = RunSettings::default();

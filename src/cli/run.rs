@@ -8,16 +8,19 @@ use topple::sweep::job::{Job, SweepResult};
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::options::{MapOptions, Verify, flag_error};
+use super::options::{MapOptions, Verify};
 use super::progress::Screen;
 use super::words::{self, Say};
-use super::{InputError, disk, estimate, interrupt, output};
+use super::{InputError, disk, estimate, interrupt, output, probability};
 
 /// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     options.run.set_threads()?;
     // What is wrong with the scene is told before anything is made.
-    options.run.plan(scene).map_err(|error| flag_error(&error))?;
+    options.check(scene)?;
+    if options.uncertain.asked() {
+        return probability::run(scene, options);
+    }
     let settings = options.settings(scene);
     if options.dry_run {
         return estimate::tell(scene, options, &settings);

@@ -34,9 +34,12 @@ impl RunCommand {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
         if let Some(earlier) = again::at(&self.scene) {
-            let Again { kind, scene, method, backend } = earlier.map_err(refused)?;
+            let Again { kind, scene, method, backend, uncertainty } = earlier.map_err(refused)?;
             let mut options = self.options.clone();
             options.run.adopt(backend.as_deref(), method);
+            if let Some(uncertainty) = uncertainty {
+                options.uncertain.adopt(uncertainty);
+            }
             return match kind {
                 Kind::History => history::run_cell(&scene, &options.run),
                 _ => run::run_map(&scene, &options),

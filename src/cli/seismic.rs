@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use topple::map::earlier::Kind;
 use topple::results::files::Directory;
 use topple::scene::Excitation;
 use topple::scene::builder::SceneBuilder;
@@ -50,8 +49,8 @@ impl SeismicCommand {
             if self.options.dry_run {
                 return run::run_map(&scene, &self.options);
             }
-            self.options.run.plan(&scene).map_err(|error| flag_error(&error))?;
-            output::refuse_other(&self.options.run.out, Kind::Map)?;
+            self.options.check(&scene)?;
+            output::refuse_other(&self.options.run.out, self.options.kind())?;
             let out = output::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }

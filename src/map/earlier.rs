@@ -25,6 +25,8 @@ pub enum Kind {
     Envelope,
     /// The same at levels of their intensity.
     Fragility,
+    /// The outcomes of many sweeps.
+    Probability,
 }
 
 impl Kind {
@@ -36,6 +38,7 @@ impl Kind {
             Kind::Suite => "a suite",
             Kind::Envelope => "an envelope",
             Kind::Fragility => "a fragility",
+            Kind::Probability => "a probability map",
         }
     }
 }

@@ -153,6 +153,20 @@ impl Legal {
                 }
             }
     }
+
+    /// The least and the largest value, and whether the least is one of them.
+    pub fn ends(self) -> ((f64, f64), bool) {
+        let any = (f64::NEG_INFINITY, f64::INFINITY);
+        match self {
+            Finite | NotZero => (any, true),
+            Positive => ((0.0, any.1), false),
+            NotNegative => ((0.0, any.1), true),
+            Within(low, high) => ((low, high), true),
+            InBase => ((-1.0, 1.0), true),
+            AboveUpTo(low, high) => ((low, high), false),
+            Whole(low, high) => ((f64::from(low), f64::from(high)), true),
+        }
+    }
 }
 
 impl fmt::Display for Legal {
@@ -413,17 +427,7 @@ impl Entry {
     /// From where to where its values may lie, in words: what makes sense at all and is plausible; empty where
     /// there are no ends.
     pub fn range(&self) -> String {
-        let any = (f64::NEG_INFINITY, f64::INFINITY);
-        // The least value, and whether it is one of them.
-        let ((low, high), included) = match self.legal {
-            Finite | NotZero => (any, true),
-            Positive => ((0.0, any.1), false),
-            NotNegative => ((0.0, any.1), true),
-            Within(low, high) => ((low, high), true),
-            InBase => ((-1.0, 1.0), true),
-            AboveUpTo(low, high) => ((low, high), false),
-            Whole(low, high) => ((f64::from(low), f64::from(high)), true),
-        };
+        let ((low, high), included) = self.legal.ends();
         let (least, most) = self.plausible;
         let high = high.min(most);
         let (low, included) = match low {

@@ -46,6 +46,7 @@ pub mod request;
 pub mod run;
 pub mod sample;
 pub mod settings;
+pub mod several;
 pub mod shared;
 pub mod shared_contact;
 mod shared_motion;

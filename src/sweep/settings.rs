@@ -61,6 +61,17 @@ impl Default for VerifySettings {
 }
 
 impl VerifySettings {
+    /// The part that each of so many sweeps has: a cell at least, where there is to be any.
+    pub fn shared_out(self, sweeps: usize) -> VerifySettings {
+        let sweeps = sweeps.max(1);
+        let within = match self.within {
+            Duration::MAX => Duration::MAX,
+            // Beyond so many sweeps none has time.
+            within => within / u32::try_from(sweeps).unwrap_or(u32::MAX),
+        };
+        VerifySettings { cells: self.cells.div_ceil(sweeps), within }
+    }
+
     /// So many cells, however long they take.
     pub fn cells(cells: usize) -> VerifySettings {
         VerifySettings { cells, within: Duration::MAX }

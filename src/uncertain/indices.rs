@@ -1,0 +1,233 @@
+//! How much of a result's variance each parameter explains: Sobol indices by Saltelli's design.
+//!
+//! First-order indices are those of Saltelli et al. (2010), Computer Physics Communications 181:259-270, Table 2 (b);
+//! total ones those of Jansen (1999), Computer Physics Communications 117:35-43.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+
+use super::points::{shares, values};
+use super::varied::Varied;
+
+/// Points of N(k + 2) evaluations for k parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// N points.
+    pub a: Vec<Vec<f64>>,
+    /// N others.
+    pub b: Vec<Vec<f64>>,
+    /// For each parameter the points of `a` with its value out of `b`.
+    pub ab: Vec<Vec<Vec<f64>>>,
+}
+
+/// Intervals by resampling the design's rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bootstrap {
+    /// How often.
+    pub count: usize,
+    /// The share of the resampled indices between the two ends.
+    pub level: f64,
+    /// Seed of the resampling.
+    pub seed: u32,
+}
+
+impl Default for Bootstrap {
+    fn default() -> Bootstrap {
+        Bootstrap { count: 1000, level: 0.95, seed: 0 }
+    }
+}
+
+/// What a parameter explains of the variance. All are not numbers where the outputs are all the same.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Index {
+    /// The share that it explains alone.
+    pub first: f64,
+    /// Low end of the interval of `first`.
+    pub first_low: f64,
+    /// High end.
+    pub first_high: f64,
+    /// The share that it explains alone and together with others.
+    pub total: f64,
+    /// Low end of the interval of `total`.
+    pub total_low: f64,
+    /// High end.
+    pub total_high: f64,
+}
+
+impl Design {
+    /// The design of so many rows: the scrambled points of twice as many coordinates as there are parameters.
+    pub fn of(varied: &[Varied], samples: usize, seed: u32) -> Design {
+        let k = varied.len();
+        let rows = shares(2 * k, samples, seed);
+        let half = |from: usize| -> Vec<Vec<f64>> {
+            rows.iter().map(|row| values(varied, &row[from..from + k])).collect()
+        };
+        let (a, b) = (half(0), half(k));
+        let exchanged = |parameter: usize| {
+            let rows = a.iter().zip(&b).map(|(a, b)| {
+                let mut row = a.clone();
+                row[parameter] = b[parameter];
+                row
+            });
+            rows.collect()
+        };
+        let ab = (0..k).map(exchanged).collect();
+        Design { a, b, ab }
+    }
+
+    /// All points in the order `a`, `b`, `ab` of each parameter: what is to be evaluated.
+    pub fn rows(&self) -> impl Iterator<Item = &Vec<f64>> {
+        self.a.iter().chain(&self.b).chain(self.ab.iter().flatten())
+    }
+}
+
+/// The first-order and total indices of each parameter from the outputs at the points of a design, a number each.
+pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], bootstrap: Bootstrap) -> Vec<Index> {
+    let n = y_a.len();
+    let all: Vec<usize> = (0..n).collect();
+    let whole: Vec<[f64; 2]> = estimates(y_a, y_b, y_ab, &all);
+    let mut noise = Pcg64Mcg::new(u128::from(bootstrap.seed) | 1 << 64 | 1);
+    let mut resampled: Vec<[Vec<f64>; 2]> = vec![Default::default(); y_ab.len()];
+    for _ in 0..bootstrap.count {
+        let rows: Vec<usize> = (0..n).map(|_| below(&mut noise, n)).collect();
+        for (kept, [first, total]) in resampled.iter_mut().zip(estimates(y_a, y_b, y_ab, &rows)) {
+            // A resample may have a single output.
+            if first.is_finite() {
+                kept[0].push(first);
+                kept[1].push(total);
+            }
+        }
+    }
+    let one = |([first, total], [firsts, totals]): ([f64; 2], [Vec<f64>; 2])| {
+        let (first_low, first_high) = interval(firsts, bootstrap.level);
+        let (total_low, total_high) = interval(totals, bootstrap.level);
+        Index { first, first_low, first_high, total, total_low, total_high }
+    };
+    whole.into_iter().zip(resampled).map(one).collect()
+}
+
+/// A whole number below n, each as likely.
+fn below(noise: &mut Pcg64Mcg, n: usize) -> usize {
+    ((u128::from(noise.next_u64()) * n as u128) >> 64) as usize
+}
+
+/// First-order and total index of each parameter over some rows.
+fn estimates(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], rows: &[usize]) -> Vec<[f64; 2]> {
+    let n = rows.len() as f64;
+    let sum = |of: &dyn Fn(usize) -> f64| rows.iter().map(|row| of(*row)).sum::<f64>();
+    let mean = sum(&|row| y_a[row] + y_b[row]) / (2.0 * n);
+    let variance = sum(&|row| (y_a[row] - mean).powi(2) + (y_b[row] - mean).powi(2)) / (2.0 * n);
+    let one = |y_ab: &Vec<f64>| {
+        // Of outputs about their mean, which the sum does not depend on but its scatter does.
+        let first = sum(&|row| (y_b[row] - mean) * (y_ab[row] - y_a[row])) / n;
+        let total = sum(&|row| (y_a[row] - y_ab[row]).powi(2)) / (2.0 * n);
+        match variance > 0.0 {
+            true => [first / variance, total / variance],
+            false => [f64::NAN; 2],
+        }
+    };
+    y_ab.iter().map(one).collect()
+}
+
+/// The ends between which a share of the values lies, as much beyond either; not numbers of none.
+fn interval(mut values: Vec<f64>, level: f64) -> (f64, f64) {
+    values.sort_by(f64::total_cmp);
+    let at = |share: f64| {
+        let place = share * (values.len().max(1) - 1) as f64;
+        values.get(place.round() as usize).copied().unwrap_or(f64::NAN)
+    };
+    let beyond = 0.5 * (1.0 - level);
+    (at(beyond), at(1.0 - beyond))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::{Bootstrap, Design, Index, indices};
+    use crate::uncertain::Varied;
+
+    /// Parameters that may have any value, in place of x_1, x_2, ...
+    const KEYS: [&str; 6] = ["phase", "tilt", "a_h", "a_v", "psi", "eccentricity"];
+
+    fn of(distributions: &[&str], n: usize, model: impl Fn(&[f64]) -> f64) -> Vec<Index> {
+        let parameter = |(key, distribution): (&&str, &&str)| -> Varied {
+            format!("{key}={distribution}").parse().unwrap()
+        };
+        let varied: Vec<Varied> = KEYS.iter().zip(distributions).map(parameter).collect();
+        let design = Design::of(&varied, n, 5);
+        assert_eq!(design.rows().count(), n * (varied.len() + 2));
+        let y = |rows: &[Vec<f64>]| rows.iter().map(|row| model(row)).collect::<Vec<f64>>();
+        let y_ab: Vec<Vec<f64>> = design.ab.iter().map(|rows| y(rows)).collect();
+        indices(&y(&design.a), &y(&design.b), &y_ab, Bootstrap::default())
+    }
+
+    /// An index may be off by three standard errors, which the interval of 95 % tells, and the interval itself may be
+    /// as wide as N rows allow: a summand's standard deviation over the variance is below 2 in these models.
+    fn compare(found: &[Index], first: &[f64], total: &[f64], n: usize) {
+        let widest = 2.0 * 1.96 * 2.0 / (n as f64).sqrt();
+        let close = |value: f64, (low, high): (f64, f64), wanted: f64, said: &str| {
+            assert!(low <= value && value <= high && high - low < widest, "{said}");
+            let error = (high - low) / (2.0 * 1.96);
+            assert!((value - wanted).abs() <= 3.0 * error, "{said} for {wanted}");
+        };
+        for (i, index) in found.iter().enumerate() {
+            let said = format!("x_{}: {index:?}", i + 1);
+            close(index.first, (index.first_low, index.first_high), first[i], &said);
+            close(index.total, (index.total_low, index.total_high), total[i], &said);
+        }
+    }
+
+    /// Ishigami & Homma (1990): sin x_1 + a sin² x_2 + b x_3⁴ sin x_1.
+    #[test]
+    fn ishigami() {
+        let (a, b) = (7.0, 0.1);
+        let uniform = "uniform(-3.141592653589793,3.141592653589793)";
+        let n = 4096;
+        let found = of(&[uniform; 3], n, |x| {
+            x[0].sin() + a * x[1].sin().powi(2) + b * x[2].powi(4) * x[0].sin()
+        });
+        let v_1 = 0.5 * (1.0 + b * PI.powi(4) / 5.0).powi(2);
+        let v_2 = a * a / 8.0;
+        let v_13 = b * b * PI.powi(8) * (1.0 / 18.0 - 1.0 / 50.0);
+        let v = v_1 + v_2 + v_13;
+        compare(&found, &[v_1 / v, v_2 / v, 0.0], &[(v_1 + v_13) / v, v_2 / v, v_13 / v], n);
+        // x_3 explains nothing by itself, but a quarter together with x_1.
+        let third = found[2];
+        assert!(third.first_low < 0.0 && third.first_high > 0.0 && third.total_low > 0.2);
+    }
+
+    /// Sobol's g-function: the product of (|4 x_i - 2| + a_i)/(1 + a_i).
+    #[test]
+    fn g_function() {
+        let a = [0.0, 1.0, 4.5, 9.0, 99.0, 99.0];
+        let n = 4096;
+        let found = of(&["uniform(0,1)"; 6], n, |x| {
+            x.iter().zip(a).map(|(x, a)| ((4.0 * x - 2.0).abs() + a) / (1.0 + a)).product()
+        });
+        let own = a.map(|a| 1.0 / (3.0 * (1.0_f64 + a).powi(2)));
+        let all = own.iter().map(|own| 1.0 + own).product::<f64>();
+        let v = all - 1.0;
+        compare(&found, &own.map(|own| own / v), &own.map(|own| own * all / (1.0 + own) / v), n);
+    }
+
+    /// Of a sum each parameter explains its own variance, and both indices are the same.
+    #[test]
+    fn an_additive_model_and_a_parameter_without_effect() {
+        let n = 1024;
+        let found = of(&["normal(0,1)", "normal(5,2)", "uniform(0,1)"], n, |x| x[0] + x[1]);
+        compare(&found, &[0.2, 0.8, 0.0], &[0.2, 0.8, 0.0], n);
+        let none = found[2];
+        assert!(
+            none.first_low <= 0.0 && none.first_high >= 0.0 && none.total_low <= 0.0,
+            "{none:?}"
+        );
+        assert_eq!((none.total, none.total_high), (0.0, 0.0));
+    }
+
+    #[test]
+    fn an_output_that_never_changes_has_no_indices() {
+        let found = of(&["uniform(0,1)"], 16, |_| 3.0);
+        assert!(found[0].first.is_nan() && found[0].total_low.is_nan(), "{found:?}");
+    }
+}
