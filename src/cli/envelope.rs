@@ -85,7 +85,7 @@ impl EnvelopeCommand {
         let text = self.common.text(Some("Envelope"), self.record.placed());
         let input = self.motions.read(&self.common, options, text)?;
         let say = Say::unless(options.quiet);
-        suite::tell(&input.suite, &say);
+        suite::count(&input.suite, &say);
         let motions = self.motions.motions(&input);
         let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
             return Ok(());

@@ -8,6 +8,7 @@ use serde::Serialize;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
 use topple::fragility::limit_state::LimitState;
+use topple::fragility::sensitivity::Unknown;
 use topple::fragility::study::{Asked, Study};
 use topple::fragility::{Bootstrap, Estimator, HazardCurve, levels, picture, tables};
 use topple::map::earlier::Kind;
@@ -17,6 +18,7 @@ use topple::suites::intensity::Intensity;
 use topple::suites::wanted::WantedMotion;
 use topple::sweep::backend_error::BackendError;
 use topple::sweep::settings::Method;
+use topple::uncertain::{Ensemble, Varied};
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
@@ -60,6 +62,13 @@ pub struct FragilityCommand {
     /// Seed of what is drawn
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Fragility")]
     seed: u64,
+    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
+    /// at two more numbers LOW,HIGH
+    #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
+    vary: Vec<Varied>,
+    /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
+    #[arg(long, value_name = "N", default_value_t = 32, help_heading = "Uncertainty", requires = "vary", value_parser = clap::value_parser!(u32).range(2..=1 << 16))]
+    samples: u32,
     /// Hazard curve: a CSV level,rate with annual rates of exceedance
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
     hazard: Option<PathBuf>,
@@ -104,6 +113,8 @@ struct Manifest<'a> {
     estimators: Vec<&'static str>,
     replicates: u32,
     seed: u64,
+    vary: &'a [Varied],
+    samples: Option<u32>,
     hazard: Option<&'a Path>,
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
@@ -117,6 +128,13 @@ struct Manifest<'a> {
 const REPLICATES: [u32; 2] = [1000, 100];
 /// Cells from which on there are many.
 const MANY: usize = 100;
+/// The tables.
+const COUNTS: &str = "fragility.csv";
+const FITS: &str = "fits.csv";
+const CAPACITIES: &str = "capacities.csv";
+const SENSITIVITY: &str = "sensitivity.csv";
+const POINTS: &str = "points.csv";
+const RATES: &str = "rates.csv";
 
 impl FragilityCommand {
     /// Runs the sweeps and writes the fragility.
@@ -128,9 +146,16 @@ impl FragilityCommand {
         let text = self.common.text(Some("Fragility"), std::iter::empty());
         let input = self.motions.read(&self.common, options, text)?;
         let mut motions = self.motions.motions(&input);
-        let levels = self.scaled(&input, &mut motions)?;
+        let mut levels = self.scaled(&input, &mut motions)?;
+        let unknown = self.unknown(&input, &motions)?;
+        let (mut times, mut drawn) = (1, 1);
+        if let Some(unknown) = &unknown {
+            (times, drawn) = (unknown.points(), unknown.drawn());
+            motions = unknown.spread(motions);
+            levels = levels.into_iter().flat_map(|own| vec![own; times]).collect();
+        }
         let say = Say::unless(options.quiet);
-        suite::tell(&input.suite, &say);
+        suite::count(&input.suite, &say);
         let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
             return Ok(());
         };
@@ -138,7 +163,7 @@ impl FragilityCommand {
         let usual = REPLICATES[usize::from(cells > MANY)];
         let replicates = self.bootstrap.map_or(usual, NonZeroU32::get);
         let bootstrap = Bootstrap { replicates, seed: self.seed };
-        let asked = Asked { levels, times: 1, states, estimators, bootstrap };
+        let asked = Asked { levels, times, drawn, unknown, states, estimators, bootstrap };
         let screen = Screen::new(options.quiet);
         let Some(study) = Study::of(&swept, asked, &screen) else {
             return Err(sweep_error(BackendError::Cancelled.into()));
@@ -146,17 +171,25 @@ impl FragilityCommand {
         screen.clear();
         let out = output::open(&options.out)?;
         let figures = self.figures(&study, hazard.as_ref())?;
-        let tables = ["fragility.csv", "fits.csv", "capacities.csv", "rates.csv"];
-        let mut files: Vec<String> = tables.map(String::from).into();
-        files.truncate(if hazard.is_some() { 4 } else { 3 });
+        let varies = study.asked.unknown.is_some();
+        let mut files = vec![COUNTS, FITS];
+        files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
+        files.extend(hazard.as_ref().map(|_| RATES));
+        let mut files: Vec<String> = files.into_iter().map(String::from).collect();
+        let tables = files.len();
         let pictures = figures.iter().map(|(name, ..)| name);
         files.extend(pictures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
         output::replace(out.path(), &earlier, &files, &say)?;
-        out.write(tables[0], |w| tables::write_counts(&study, w))?;
-        out.write(tables[1], |w| tables::write_fits(&study, w))?;
-        out.write(tables[2], |w| tables::write_capacities(&study, w))?;
+        out.write(COUNTS, |w| tables::write_counts(&study, w))?;
+        out.write(FITS, |w| tables::write_fits(&study, w))?;
+        if varies {
+            out.write(SENSITIVITY, |w| tables::write_sensitivity(&study, w))?;
+            out.write(POINTS, |w| tables::write_points(&study, w))?;
+        } else {
+            out.write(CAPACITIES, |w| tables::write_capacities(&study, w))?;
+        }
         if let Some(hazard) = &hazard {
-            out.write(tables[3], |w| tables::write_rates(&study, hazard, self.target, w))?;
+            out.write(RATES, |w| tables::write_rates(&study, hazard, self.target, w))?;
         }
         for (name, svg, png) in &figures {
             output::write_figure(&out, name, svg, png)?;
@@ -178,6 +211,8 @@ impl FragilityCommand {
             estimators: study.asked.estimators.iter().map(|one| one.name()).collect(),
             replicates,
             seed: self.seed,
+            vary: &self.vary,
+            samples: varies.then_some(self.samples),
             hazard: self.hazard.as_deref(),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
@@ -191,8 +226,7 @@ impl FragilityCommand {
         for (name, ..) in &figures {
             say.line("picture", out.file(&format!("{name}.png")).display());
         }
-        let names = &files[..if hazard.is_some() { 4 } else { 3 }];
-        say.line("tables", format!("{} with run.json", told::listed(&out, names)));
+        say.line("tables", format!("{} with run.json", told::listed(&out, &files[..tables])));
         Ok(())
     }
 
@@ -217,7 +251,16 @@ impl FragilityCommand {
                 "--estimator: ida scales each motion up until it overturns; give --levels";
             return Err(InputError(problem.into()));
         }
+        let other = self.estimator.iter().find(|one| **one != Estimator::Stripes);
+        if let (false, Some(other)) = (self.vary.is_empty(), other) {
+            let problem = format!(
+                "--estimator: {} takes a number for known; --vary has stripes",
+                other.name()
+            );
+            return Err(InputError(problem));
+        }
         Ok(match &self.estimator[..] {
+            [] if !self.vary.is_empty() => vec![Estimator::Stripes],
             [] => {
                 let all = Estimator::ALL.into_iter();
                 all.filter(|one| !own_levels || *one != Estimator::Ida).collect()
@@ -233,7 +276,7 @@ impl FragilityCommand {
         motions: &mut [WantedMotion],
     ) -> anyhow::Result<Vec<Vec<f64>>> {
         let Some(first) = motions.first() else { return Ok(Vec::new()) };
-        let scene = suite_run::under(&input.text, first).map_err(|error| flag_error(&error))?;
+        let scene = first.under(&input.text).map_err(|error| flag_error(&error))?;
         let mut body = Parameter::of_section(Section::Block);
         if self.im.is_of_block() && body.any(|own| scene.swept().contains(&own)) {
             let problem =
@@ -243,6 +286,23 @@ impl FragilityCommand {
         let block = scene.case().block;
         levels::scale(motions, self.im, self.levels.as_ref(), &block)
             .map_err(|error| flag_error(&error).into())
+    }
+
+    /// The numbers that are not known, where there are any.
+    fn unknown(
+        &self,
+        input: &SuiteInput,
+        motions: &[WantedMotion],
+    ) -> anyhow::Result<Option<Unknown>> {
+        let (false, Some(first)) = (self.vary.is_empty(), motions.first()) else { return Ok(None) };
+        let checked = first.under(&input.text).and_then(|scene| {
+            let unknown = Unknown::of(self.vary.clone(), self.samples as usize, self.seed as u32);
+            let ensemble = Ensemble::of(&scene, &self.vary, self.options.force)?;
+            let points: Vec<Vec<f64>> = unknown.design.rows().cloned().collect();
+            let _checked = ensemble.scenes(&points)?;
+            Ok(unknown)
+        });
+        Ok(Some(checked.map_err(|error| flag_error(&error))?))
     }
 
     /// The pictures of a study.

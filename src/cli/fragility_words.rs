@@ -2,6 +2,7 @@
 
 use topple::fragility::estimate::Estimate;
 use topple::fragility::hazard::in_50_years;
+use topple::fragility::sensitivity::Sensitivity;
 use topple::fragility::study::Study;
 use topple::fragility::{HazardCurve, tables};
 use topple::results::files::Directory;
@@ -44,6 +45,12 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
         for (k, (estimator, fit)) in study.asked.estimators.iter().zip(estimates).enumerate() {
             let name = if k == 0 { state.to_string() } else { String::new() };
             say.line(&name, format!("{:8} {}", estimator.name(), curve(fit)));
+            let sensitivity = study.cells[0].states[number].sensitivity.as_ref();
+            if let Some((records, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
+                let [records, numbers] = [records, numbers].map(|beta| rounded(beta, 3));
+                let text = format!("of beta the records {records}, what is not known {numbers}");
+                say.line("", format!("         {text}"));
+            }
             if let Some(rate) = hazard.and_then(|hazard| tables::rate(fit, hazard)) {
                 let fifty = rounded(in_50_years(rate.rate), 3);
                 let text = format!("annual rate {}, in 50 years {fifty}", rounded(rate.rate, 3));
@@ -55,7 +62,25 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
             }
         }
     }
+    if let ([one], Some(unknown)) = (&study.cells[..], &study.asked.unknown) {
+        let overturning = one.states[0].sensitivity.iter().flat_map(|of| &of.indices);
+        for (k, (varied, index)) in unknown.varied.iter().zip(overturning).enumerate() {
+            let number = |value: f64| format!("{value:.2}");
+            let text = format!(
+                "{}: {} alone ({} to {}), {} with others ({} to {})",
+                varied.parameter.key(),
+                number(index.first),
+                number(index.first_low),
+                number(index.first_high),
+                number(index.total),
+                number(index.total_low),
+                number(index.total_high)
+            );
+            say.line(if k == 0 { "explains" } else { "" }, text);
+        }
+    }
     if let [one] = &study.cells[..]
+        && study.asked.unknown.is_none()
         && let Some(share) = one.stands_again
         && study.asked.levels.iter().any(|levels| levels.len() > 1)
     {

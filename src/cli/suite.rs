@@ -98,8 +98,22 @@ impl SuiteCommand {
     }
 }
 
+/// Says how many motions a suite has, and how many lines have none.
+pub fn count(suite: &Suite, say: &Say) {
+    let left_out = suite.left_out().count();
+    let text = match left_out {
+        0 => counted(suite.motions().count(), "motion"),
+        some => format!(
+            "{}; {} without one, topple suite tells why",
+            counted(suite.motions().count(), "motion"),
+            counted(some, "line")
+        ),
+    };
+    say.line("suite", text);
+}
+
 /// Says what is in a suite.
-pub fn tell(suite: &Suite, say: &Say) {
+fn tell(suite: &Suite, say: &Say) {
     let motions: Vec<_> = suite.motions().collect();
     let mut stations: Vec<_> =
         motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();

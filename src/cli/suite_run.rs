@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use topple::results::part::Part;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
-use topple::scene::{Directions, Excitation, Parameter, Scene, SceneError};
+use topple::scene::{Directions, Parameter};
 use topple::suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};
 use topple::suites::wanted::WantedMotion;
 use topple::suites::{Suite, saved};
@@ -147,11 +147,6 @@ impl SuiteFlags {
     pub fn finish(&self, options: &RunOptions) -> anyhow::Result<()> {
         Ok(saved::discard(&options.out)?)
     }
-}
-
-/// The scene under a motion.
-pub fn under(text: &SceneBuilder, motion: &WantedMotion) -> Result<Scene, SceneError> {
-    text.check_under(Excitation::Record(motion.pair.clone()))
 }
 
 /// Refuses a base that is another device under each motion.

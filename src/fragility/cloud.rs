@@ -116,8 +116,10 @@ impl Cloud {
         // The third number is below the number of standard deviations at which Phi is half the share.
         let beta = 0.5 * (level(UPPER, -0.3) - level(1.0 - UPPER, -1.5));
         if beta <= 1.0e-12 * (1.0 + middle.abs()) {
-            let step = Some(middle.exp()).filter(|level| level.is_finite() && *level > 0.0);
-            return Fit::Separable(Gap { stands: step, fails: step });
+            let step = middle.exp();
+            let gap = Gap { stands: Some(step), fails: Some(step) };
+            let told = step > 0.0 && step.is_finite();
+            return if told { Fit::Separable(gap) } else { Fit::NotIncreasing };
         }
         Fit::of_logarithm(middle, beta)
     }

@@ -183,7 +183,7 @@ fn resampled(
     prepared: &Prepared,
 ) -> Estimate {
     let refit = |times: &[u32]| prepared.fit(Some(times), Some(curve));
-    let interval = interval::bootstrap(records, bootstrap, refit);
+    let interval = interval::bootstrap(records, bootstrap, curve, refit);
     let note = Note::WithoutFit { count: interval.without_fit, of: bootstrap.replicates as usize };
     Estimate {
         theta: Some(curve.theta),

@@ -48,8 +48,10 @@ impl Capacities {
     /// maximise the product of phi((ln x_i - ln theta)/beta)/(x_i beta) over those that fail and of
     /// 1 - Phi(ln(x_max/theta)/beta) over the others. That is a maximum, not corrected for n - 1.
     ///
-    /// A record that stands again above its lowest failing level counts as failing there: theta is then too low. A record
-    /// that fails at its lowest level counts as if its capacity were that level.
+    /// A record that stands again above its lowest failing level counts as failing there: theta is then too low. The true
+    /// capacity is between the lowest failing level and the level below it: theta is too high by up to the distance of
+    /// levels, about half of it on average. A record that fails at its lowest level counts as if its capacity were that
+    /// level.
     pub fn fit(&self) -> Fit {
         self.fit_near(None, None)
     }

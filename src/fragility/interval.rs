@@ -4,7 +4,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 
-use super::fit::Fit;
+use super::fit::{Fit, Lognormal};
+use super::normal;
 
 /// How records are resampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,10 +21,13 @@ pub const FEWEST: u32 = 39;
 /// Sets that a thread takes at once: fewer cost more to hand over than to fit.
 const AT_ONCE: usize = 32;
 
+/// Standard deviations within which 95 % are.
+const DEVIATIONS: f64 = 1.959_963_984_540_054;
+
 /// What resampling gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// 2.5 % and 97.5 % points of theta; none where it is open at that end.
+    /// Lower and upper bound of theta; none where it is open at that end.
     pub theta: [Option<f64>; 2],
     /// Those of beta.
     pub beta: [Option<f64>; 2],
@@ -31,7 +35,9 @@ pub struct Interval {
     pub without_fit: usize,
 }
 
-/// Draws sets of as many records with replacement, fits each, and takes the percentile intervals of theta and beta.
+/// Draws sets of as many records with replacement, fits each, and takes the percentiles of theta and beta, corrected for
+/// bias and acceleration (Efron 1987, J. Am. Stat. Assoc. 82, 171-185); for the acceleration each record is left out
+/// once. The plain percentiles are too low for beta, which resampling makes smaller.
 ///
 /// Records are drawn, not runs: the runs of a record belong together. `refit` gets how often each record is drawn.
 ///
@@ -42,13 +48,32 @@ pub struct Interval {
 pub fn bootstrap(
     records: usize,
     settings: &Bootstrap,
+    estimate: Lognormal,
     refit: impl Fn(&[u32]) -> Fit + Sync,
 ) -> Interval {
     let draw = |replicate: u32| refit(&multipliers(records, settings.seed, replicate));
     let fits: Vec<Fit> =
         (0..settings.replicates).into_par_iter().with_min_len(AT_ONCE).map(draw).collect();
+    let (thetas, betas) = values(&fits);
+    let without_fit = fits.iter().filter(|fit| fit.curve().is_none()).count();
+    if thetas.len() < FEWEST as usize {
+        return Interval { theta: [None; 2], beta: [None; 2], without_fit };
+    }
+    let without = |left_out: usize| {
+        refit(&(0..records).map(|record| u32::from(record != left_out)).collect::<Vec<_>>())
+    };
+    let fits: Vec<Fit> = (0..records).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
+    let [theta_bends, beta_bends] =
+        <[_; 2]>::from(values(&fits)).map(|values| acceleration(&values));
+    let theta = percentiles(thetas, estimate.theta, theta_bends)
+        .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
+    Interval { theta, beta: percentiles(betas, estimate.beta, beta_bends), without_fit }
+}
+
+/// What fits say of theta and of beta.
+fn values(fits: &[Fit]) -> (Vec<f64>, Vec<f64>) {
     let (mut thetas, mut betas) = (Vec::new(), Vec::new());
-    for fit in &fits {
+    for fit in fits {
         let (theta, beta) = match fit {
             Fit::Fitted(curve) => (Some(curve.theta), Some(curve.beta)),
             Fit::Separable(gap) => match (gap.stands, gap.fails) {
@@ -61,10 +86,14 @@ pub fn bootstrap(
         thetas.extend(theta);
         betas.extend(beta);
     }
-    let curves = fits.iter().filter(|fit| fit.curve().is_some()).count();
-    let theta =
-        percentiles(thetas).map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
-    Interval { theta, beta: percentiles(betas), without_fit: fits.len() - curves }
+    (thetas, betas)
+}
+
+/// A sixth of the skewness of the estimates without one record each; zero where they are all equal, or one is infinite.
+fn acceleration(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let power = |n| values.iter().map(|value| (mean - value).powi(n)).sum::<f64>();
+    Some(power(3) / (6.0 * power(2).powf(1.5))).filter(|a| a.is_finite()).unwrap_or(0.0)
 }
 
 /// How often each record is drawn in a set. Each set has a generator of its own, so that the order of the sets, and the
@@ -93,16 +122,28 @@ fn below(random: &mut impl Rng, bound: u64) -> u64 {
     }
 }
 
-/// The 2.5 % and 97.5 % points: the values of ranks p (N + 1), between two ranks in proportion (Davison & Hinkley 1997,
-/// Bootstrap Methods and their Application, section 5.3).
-fn percentiles(mut values: Vec<f64>) -> [Option<f64>; 2] {
+/// The points in the place of 2.5 % and 97.5 %: with z_0 the deviation that corresponds to the share of values below the
+/// estimate, and a the acceleration, those of Phi(z_0 + (z_0 + z)/(1 - a (z_0 + z))), z = -1.96 and 1.96. They are
+/// values of ranks p (N + 1), between two ranks in proportion (Davison & Hinkley 1997, Bootstrap Methods and their
+/// Application, section 5.3), and not beyond the smallest and the largest.
+fn percentiles(mut values: Vec<f64>, estimate: f64, acceleration: f64) -> [Option<f64>; 2] {
     if values.len() < FEWEST as usize {
         return [None; 2];
     }
     values.sort_by(f64::total_cmp);
-    [0.025, 0.975].map(|share| {
-        let rank = share * (values.len() + 1) as f64 - 1.0;
-        let place = (rank.floor() as usize).min(values.len() - 1);
+    let count = values.len() as f64;
+    let below = values.partition_point(|value| *value < estimate) as f64;
+    let equal = values.partition_point(|value| *value <= estimate) as f64 - below;
+    // Half of those that equal it; never all or none, which would have no number of deviations.
+    let share = ((below + 0.5 * equal) / count).clamp(0.5 / count, 1.0 - 0.5 / count);
+    let shift = normal::quantile(share);
+    [-DEVIATIONS, DEVIATIONS].map(|deviation| {
+        let moved = shift + deviation;
+        // The correction is one of small a; where it would turn around, the last value is meant.
+        let point = shift + moved / (1.0 - acceleration * moved).max(0.1);
+        let rank = normal::cdf(point) * (count + 1.0) - 1.0;
+        let rank = rank.clamp(0.0, count - 1.0);
+        let place = rank.floor() as usize;
         let (from, to) = (values[place], values[(place + 1).min(values.len() - 1)]);
         let part = rank - place as f64;
         // An infinite neighbour that has no part leaves the value finite.
@@ -129,18 +170,50 @@ mod tests {
         }
     }
 
+    /// The values 1 to `count`.
+    fn values(count: u32) -> Vec<f64> {
+        (1..=count).map(f64::from).collect()
+    }
+
     #[test]
     fn percentiles_are_between_ranks_and_open_at_an_infinite_value() {
-        let values = |count: u32| (1..=count).map(f64::from).collect::<Vec<_>>();
-        assert_eq!(percentiles(values(38)), [None, None]);
-        assert_eq!(percentiles(values(39)), [Some(1.0), Some(39.0)]);
-        let [low, high] = percentiles(values(99)).map(Option::unwrap);
-        assert!((low - 2.5).abs() < 1e-12 && (high - 97.5).abs() < 1e-12, "{low} {high}");
+        let near = |found: [Option<f64>; 2], wanted: [f64; 2]| {
+            found.iter().zip(wanted).all(|(found, wanted)| (found.unwrap() - wanted).abs() < 1e-6)
+        };
+        assert_eq!(percentiles(values(38), 19.5, 0.0), [None, None]);
+        assert!(near(percentiles(values(39), 20.0, 0.0), [1.0, 39.0]));
+        assert!(near(percentiles(values(99), 50.0, 0.0), [2.5, 97.5]));
         let mut open = values(99);
         open[98] = f64::INFINITY;
-        assert_eq!(percentiles(open.clone())[0], Some(low));
-        assert!((percentiles(open.clone())[1].unwrap() - 97.5).abs() < 1e-12);
+        assert!(near(percentiles(open.clone(), 50.0, 0.0), [2.5, 97.5]));
         open[97] = f64::INFINITY;
-        assert_eq!(percentiles(open)[1], Some(f64::INFINITY));
+        assert_eq!(percentiles(open, 50.0, 0.0)[1], Some(f64::INFINITY));
+    }
+
+    #[test]
+    fn percentiles_move_with_the_estimate() {
+        // Phi(0.25) of the values are below: half a deviation is added to either point.
+        let count = 9999;
+        let estimate = normal::cdf(0.25) * 1.0e4;
+        let wanted = [-1.0, 1.0].map(|side| normal::cdf(0.5 + side * DEVIATIONS) * 1.0e4);
+        for (found, wanted) in percentiles(values(count), estimate, 0.0).into_iter().zip(wanted) {
+            assert!((found.unwrap() - wanted).abs() < 3.0, "{found:?} {wanted}");
+        }
+        assert_eq!(percentiles(values(100), 1.0e3, 0.0), [Some(100.0); 2]);
+        // A positive skewness moves both points up.
+        let skewed = percentiles(values(count), 5000.0, 0.1);
+        for (found, side) in skewed.into_iter().zip([-DEVIATIONS, DEVIATIONS]) {
+            let wanted = normal::cdf(side / (1.0 - 0.1 * side)) * 1.0e4;
+            assert!((found.unwrap() - wanted).abs() < 3.0, "{found:?} {wanted}");
+        }
+    }
+
+    #[test]
+    fn acceleration_is_a_sixth_of_the_skewness() {
+        // Means of x without one: the values 1, 1, 4 have the deviations -1, -1, 2, those of the rest half, turned around.
+        assert!((acceleration(&[2.5, 2.5, 1.0]) - 6.0 / (6.0 * 6.0_f64.powf(1.5))).abs() < 1.0e-12);
+        assert_eq!(acceleration(&[1.0; 4]), 0.0);
+        assert_eq!(acceleration(&[1.0, f64::INFINITY]), 0.0);
+        assert_eq!(acceleration(&[]), 0.0);
     }
 }

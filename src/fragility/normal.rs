@@ -14,6 +14,16 @@ pub fn cdf(x: f64) -> f64 {
     0.5 * libm::erfc(-x * FRAC_1_SQRT_2)
 }
 
+/// x where Phi(x) is a share, to 1e-12; within -38 to 38.
+pub fn quantile(share: f64) -> f64 {
+    let (mut low, mut high) = (-38.0, 38.0);
+    for _ in 0..56 {
+        let middle = 0.5 * (low + high);
+        if cdf(middle) < share { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
 /// ln Phi(x). It is finite down to x = -1e154, where x^2 overflows.
 pub fn ln_cdf(x: f64) -> f64 {
     below_and_above(x)[0].ln
@@ -73,7 +83,7 @@ mod tests {
         (-3.0, -6.607726221510349, 3.2830986549304364),
         (-1.0, -1.8410216450092636, 1.525135276160981),
         (-0.25, -0.9130617648111351, 0.9635539794164039),
-        (0.0, -0.6931471805599453, 0.7978845608028654),
+        (0.0, -std::f64::consts::LN_2, 0.7978845608028654),
         (0.25, -0.5129840754094305, 0.6458393710168173),
         (0.7, -0.27702394227713123, 0.41192475041929066),
         (2.0, -0.02301290932896349, 0.055247862678989956),
@@ -93,6 +103,14 @@ mod tests {
                 assert!(error < 1.0e-12, "{x}: {error:e}");
             }
         }
+    }
+
+    #[test]
+    fn a_quantile_has_its_share_below() {
+        for x in [-6.0, -1.959963984540054, -0.3, 0.0, 0.7, 3.0] {
+            assert!((quantile(cdf(x)) - x).abs() < 1.0e-11, "{x}: {}", quantile(cdf(x)));
+        }
+        assert!(quantile(0.0) <= -37.0 && quantile(1.0).is_finite());
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! The fragility of a grid's cells under a suite: every limit state by every estimator.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::capacity::{Capacity, share_that_stands_again};
@@ -7,8 +9,9 @@ use super::estimate::{Estimate, Estimator, estimate};
 use super::interval::Bootstrap;
 use super::limit_state::LimitState;
 use super::runs::{RecordRuns, Run};
+use super::sensitivity::{Sensitivity, Unknown};
 use crate::stepping::outcome::Class;
-use crate::suites::swept::SuiteSweep;
+use crate::suites::swept::{SuiteSweep, SweptMotion};
 use crate::sweep::observer::{Observer, Phase};
 
 /// What is asked of a study.
@@ -18,6 +21,10 @@ pub struct Asked {
     pub levels: Vec<Vec<f64>>,
     /// Motions of each record: more than one where numbers vary. They follow each other.
     pub times: usize,
+    /// Of these the first that count: the others tell which number matters.
+    pub drawn: usize,
+    /// Numbers that are not known.
+    pub unknown: Option<Unknown>,
     /// What the block is not to do.
     pub states: Vec<LimitState>,
     /// How fragilities are estimated.
@@ -57,6 +64,8 @@ pub struct StateStudy {
     pub counts: Vec<(f64, usize, usize)>,
     /// What each estimator says.
     pub estimates: Vec<Estimate>,
+    /// What is not known, where numbers vary.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 impl Study<'_> {
@@ -76,7 +85,10 @@ impl Study<'_> {
                 let records = records(sweep, &asked, *state, cell);
                 let by = |estimator: &Estimator| estimate(*estimator, &records, &asked.bootstrap);
                 let estimates = asked.estimators.iter().map(by).collect();
-                states.push(StateStudy { counts: counts(&records), estimates });
+                let unknown = asked.unknown.as_ref();
+                let sensitivity =
+                    unknown.map(|unknown| unknown.sensitivity(sweep, &asked, *state, cell));
+                states.push(StateStudy { counts: counts(&records), estimates, sensitivity });
                 observer.advance(1);
             }
             let overturning = records(sweep, &asked, LimitState::Overturning, cell);
@@ -99,23 +111,34 @@ impl Study<'_> {
 
 /// The runs of a cell, a record each.
 fn records(sweep: &SuiteSweep, asked: &Asked, state: LimitState, cell: usize) -> Vec<RecordRuns> {
+    records_of(sweep, asked, state, cell, 0..asked.drawn)
+}
+
+/// Those of some motions of each record.
+pub(super) fn records_of(
+    sweep: &SuiteSweep,
+    asked: &Asked,
+    state: LimitState,
+    cell: usize,
+    range: Range<usize>,
+) -> Vec<RecordRuns> {
     let cells = sweep.grid.len();
-    let motions = sweep.motions.chunks(asked.times).zip(asked.levels.chunks(asked.times));
-    let of_record = |(motions, levels): (&[_], &[Vec<f64>])| {
-        let runs = motions.iter().zip(levels).flat_map(
-            |(motion, levels): (&crate::suites::swept::SweptMotion, _)| {
-                levels.iter().enumerate().filter_map(move |(k, level)| {
-                    let index = k * cells + cell;
-                    let class = motion.outcomes[index];
-                    (class != Class::Unresolved).then(|| Run {
-                        level: *level,
-                        failed: state.is_exceeded(motion, index),
-                        demand: state.demand(motion, index),
-                        collapsed: class.overturned(),
-                    })
+    let motions = sweep.motions.chunks(asked.times).map(|motions| &motions[range.clone()]);
+    let motions =
+        motions.zip(asked.levels.chunks(asked.times).map(|levels| &levels[range.clone()]));
+    let of_record = |(motions, levels): (&[SweptMotion], &[Vec<f64>])| {
+        let runs = motions.iter().zip(levels).flat_map(|(motion, levels): (&SweptMotion, _)| {
+            levels.iter().enumerate().filter_map(move |(k, level)| {
+                let index = k * cells + cell;
+                let class = motion.outcomes[index];
+                (class != Class::Unresolved).then(|| Run {
+                    level: *level,
+                    failed: state.is_exceeded(motion, index),
+                    demand: state.demand(motion, index),
+                    collapsed: class.overturned(),
                 })
-            },
-        );
+            })
+        });
         let mut runs: Vec<Run> = runs.collect();
         runs.sort_by(|a, b| a.level.total_cmp(&b.level));
         RecordRuns { weight: motions[0].weight, runs }

@@ -93,6 +93,63 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
     Ok(table.flush()?)
 }
 
+/// Writes sensitivity.csv: what each number that is not known explains of the share of all runs that fail.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = [
+        "limit_state",
+        "parameter",
+        "first",
+        "first_low",
+        "first_high",
+        "total",
+        "total_low",
+        "total_high",
+    ];
+    table.write_record(axes(grid).chain(names))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (state, of) in study.asked.states.iter().zip(&cell.states) {
+            let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
+            for (varied, one) in unknown.varied.iter().zip(indices) {
+                let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
+                let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
+                table.serialize((at(grid, index), state, varied.parameter.key(), first, total))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
+/// Writes points.csv: the points that are drawn of numbers that are not known, and theta and beta at each.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let keys = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
+    let names = axes(grid).map(String::from).chain(["limit_state".into()]).chain(keys);
+    table.write_record(names.chain(["theta".into(), "beta".into()]))?;
+    for (index, cell) in study.cells.iter().enumerate() {
+        for (state, of) in study.asked.states.iter().zip(&cell.states) {
+            let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
+            for (point, curve) in unknown.design.rows().zip(curves) {
+                let point: Vec<Number> = point.iter().copied().map(Number).collect();
+                let theta = known(curve.map(|curve| curve.theta));
+                let beta = known(curve.map(|curve| curve.beta));
+                table.serialize((at(grid, index), state, point, theta, beta))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
 /// The annual rate at which a limit state is exceeded; none where its fragility is not known.
 pub fn rate(fit: &Estimate, hazard: &HazardCurve) -> Option<AnnualRate> {
     // Of separable data the step in the middle of the gap is taken.

@@ -31,6 +31,9 @@ const AT_A_TIME: usize = 2;
 /// they share in full contact.
 const TOGETHER: usize = 4096;
 
+/// A motion that took no longer is run again when a run goes on: a file takes about as long to be written.
+const WORTH_SAVING: Duration = Duration::from_millis(50);
+
 /// Runs a suite's motions.
 pub(super) struct Runner<'a> {
     job: &'a SuiteJob,
@@ -183,7 +186,7 @@ impl<'a> Runner<'a> {
             stroke_v: Vec::new(),
             zeta: Vec::new(),
         };
-        let mut samples = Vec::new();
+        let (began, mut samples) = (Instant::now(), Vec::new());
         let together = (TOGETHER / cells).max(1);
         // The sample is spread over all motions, and the levels of each.
         let share = |at: usize, of: usize| settings.run.verify.cells * at / of;
@@ -194,7 +197,9 @@ impl<'a> Runner<'a> {
             let sample = self.levels(scene, wanted, factors, some, &mut motion)?;
             samples.extend(sample);
         }
-        if let Some((folder, tag)) = &place {
+        if let Some((folder, tag)) = &place
+            && began.elapsed() >= WORTH_SAVING
+        {
             saved::save(folder, tag, &motion)?;
             self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);
         }

@@ -15,7 +15,6 @@ use crate::scene::Scene;
 use crate::stepping::outcome::Class;
 use crate::sweep::backend::Backend;
 use crate::sweep::error::SweepError;
-use crate::sweep::identity::Content;
 use crate::sweep::settings::Method;
 
 /// The folder in a run's directory.
@@ -48,12 +47,15 @@ pub(super) fn tag(
     backend: &Backend,
     method: &Method,
 ) -> Result<String, SweepError> {
-    let identity =
-        Content::new(scene, backend, method, None).identity().map_err(io::Error::from)?;
+    let adapter = backend.adapter().map(|adapter| adapter.name.as_str());
+    let run = (env!("CARGO_PKG_VERSION"), backend.name(), adapter, method);
+    // Of its record the scene's text tells no samples.
+    let text = serde_json::to_vec(&(run, scene)).map_err(io::Error::from)?;
     let mut sum = Sha256::new();
-    sum.update(identity.text().as_bytes());
-    for factor in &wanted.factors {
-        sum.update(factor.to_le_bytes());
+    sum.update(text);
+    for numbers in [&wanted.factors[..], &wanted.pair.horizontal, &wanted.pair.vertical] {
+        sum.update(numbers.len().to_le_bytes());
+        numbers.iter().for_each(|number| sum.update(number.to_le_bytes()));
     }
     Ok(sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
 }

@@ -7,7 +7,7 @@ use std::time::Instant;
 use super::runner::Runner;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
-use crate::scene::{Excitation, Grid, Scene, SceneBuilder, SceneError};
+use crate::scene::{Grid, Scene, SceneBuilder, SceneError};
 use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
 use crate::sweep::observer::{Observer, Phase};
@@ -86,17 +86,19 @@ impl SuiteJob {
         settings: SuiteSettings,
     ) -> Result<SuiteJob, SweepError> {
         let under = |wanted: WantedMotion| {
-            let under = scene.check_under(Excitation::Record(wanted.pair.clone()))?;
+            let under = wanted.under(scene)?;
             Ok((wanted, under))
         };
         // What is wrong with the scene is said before anything runs.
         let all: Vec<(WantedMotion, Scene)> =
             wanted.into_iter().map(under).collect::<Result<_, SceneError>>()?;
-        let Some((_, first)) = all.first() else {
+        let Some((first, _)) = all.first() else {
             let problem = "no motion; give a suite that has one".into();
             return Err(SceneError { key: "suite", problem }.into());
         };
-        let (first, grid) = (first.clone(), Grid::of(first));
+        // As it is given: what varies is told by its own value.
+        let first = WantedMotion { settings: Vec::new(), ..first.clone() }.under(scene)?;
+        let grid = Grid::of(&first);
         let run = &settings.run;
         let opened = Arc::new(run.backend.open(run.method.precision, &run.adapters)?);
         Ok(SuiteJob { scene: first, grid, all, settings, opened })
