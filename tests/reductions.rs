@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use topple::model::CellEquations;
 use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use topple::model::precision::Precision;
-use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
+use topple::scene::{Excitation, GRAVITY, Grid, Parameter, Range, Scene, SceneBuilder};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Pole, System, U, V, Z};
@@ -331,5 +331,32 @@ proptest! {
         if energy > least {
             prop_assert!(!proved, "{} of {}", energy, least);
         }
+    }
+}
+
+/// Under a record with a given yield displacement u is proportional to nothing, and yet each value of T_h has one motion
+/// in full contact for all eccentricities, blocks and values of T_v. Where nobody asks for contact forces, all else is
+/// as it was, bit by bit.
+#[test]
+fn full_contact_of_a_given_device() {
+    for (name, isolation) in [("yields", ""), ("linear", "psi = 1\n")] {
+        let text = format!(
+            "[block]\nobject = 1\neccentricity = \"0,0.3\"\n[base]\nt_h = \"0.8:3:10\"\nt_v = \"0.3:1.5:10\"\n\
+             u_y = 0.01\n{isolation}[run]\nt_max = 14\n"
+        );
+        let given = SceneBuilder::from_toml(&text).unwrap();
+        let scene = given.check_under(Excitation::Record(synthetic_pair())).unwrap();
+        let cells = hold(&format!("given u_y, {name}"), &scene, FULL_CONTACT);
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let mut plan = plan.without_forces();
+        plan.reductions = FULL_CONTACT;
+        let without = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let mut others = 0;
+        for (all, less) in cells.iter().zip(&without) {
+            others += usize::from(all.min_contact != less.min_contact);
+            let (min_contact, friction) = (all.min_contact, all.friction);
+            assert_eq!(*all, Outcome { min_contact, friction, ..*less });
+        }
+        assert!(others > 0 && cells.iter().any(|cell| cell.class == Class::Rocking), "{name}");
     }
 }
