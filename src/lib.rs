@@ -91,6 +91,12 @@ mod suites;
 pub mod suites;
 
 #[cfg(not(feature = "internals"))]
+mod fragility;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod fragility;
+
+#[cfg(not(feature = "internals"))]
 mod sweep;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
