@@ -7,5 +7,11 @@
 //!
 //! These are functions of numbers: they know nothing of blocks or files.
 
+pub mod binary;
+pub mod fit;
+pub mod link;
+pub mod newton;
 pub mod normal;
+pub mod runs;
+pub mod stripes;
 

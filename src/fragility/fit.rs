@@ -1,0 +1,80 @@
+//! What a fit answers: a lognormal curve, or why there is none.
+
+use super::normal;
+
+/// A lognormal fragility: P(x) = Phi(ln(x/theta)/beta).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lognormal {
+    /// The median: the level at which half of the records fail.
+    pub theta: f64,
+    /// The standard deviation of the logarithm of the level. Zero makes a step at theta.
+    pub beta: f64,
+}
+
+impl Lognormal {
+    /// From the logarithm of theta; `None` where theta or beta is beyond what numbers hold.
+    pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Option<Lognormal> {
+        let theta = ln_theta.exp();
+        (theta > 0.0 && theta.is_finite() && beta >= 0.0 && beta.is_finite())
+            .then_some(Lognormal { theta, beta })
+    }
+
+    /// The probability that the limit state fails at a level.
+    pub fn probability(&self, level: f64) -> f64 {
+        let above = level.ln() - self.theta.ln();
+        if self.beta > 0.0 {
+            return normal::cdf(above / self.beta);
+        }
+        if above == 0.0 { 0.5 } else { f64::from(u8::from(above > 0.0)) }
+    }
+}
+
+/// Between which levels standing turns into failing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// The highest level at which a run stands; none where no run stands.
+    pub stands: Option<f64>,
+    /// The lowest level at which a run fails; none where no run fails. It is not below `stands`. Both are equal where
+    /// runs stand and fail at one level, and at no other level both happen.
+    pub fails: Option<f64>,
+}
+
+impl Gap {
+    /// The geometric middle; none where an end is open.
+    pub fn middle(&self) -> Option<f64> {
+        Some((0.5 * (self.stands?.ln() + self.fails?.ln())).exp())
+    }
+}
+
+/// What an estimator answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fit {
+    /// The curve.
+    Fitted(Lognormal),
+    /// No run fails below a level, and none stands above it: the likelihood has no maximum with beta > 0, it grows while
+    /// beta goes to zero. Where an end of the gap is open, all runs fail or none does.
+    Separable(Gap),
+    /// Failures do not become more likely with the level, or by so little that theta is beyond what numbers hold.
+    NotIncreasing,
+    /// Fewer than two records fail: their capacities have no deviation.
+    TooFewFailed,
+    /// Fewer than three runs that stand have a demand above zero, or all of them are at one level.
+    TooFewDemands,
+    /// There is no run.
+    NoRuns,
+}
+
+impl Fit {
+    /// The curve, if there is one.
+    pub fn curve(&self) -> Option<Lognormal> {
+        match self {
+            Fit::Fitted(curve) => Some(*curve),
+            _ => None,
+        }
+    }
+
+    /// Of a position and a scale on the axis of ln x.
+    pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Fit {
+        Lognormal::of_logarithm(ln_theta, beta).map_or(Fit::NotIncreasing, Fit::Fitted)
+    }
+}
