@@ -8,7 +8,10 @@
 //! These are functions of numbers: they know nothing of blocks or files.
 
 pub mod binary;
+pub mod capacity;
+pub mod cloud;
 pub mod fit;
+pub mod ida;
 pub mod link;
 pub mod newton;
 pub mod normal;
