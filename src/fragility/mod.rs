@@ -10,11 +10,19 @@
 pub mod binary;
 pub mod capacity;
 pub mod cloud;
+pub mod estimate;
 pub mod fit;
 pub mod ida;
+pub mod interval;
 pub mod link;
 pub mod newton;
 pub mod normal;
+pub mod profile;
 pub mod runs;
 pub mod stripes;
 
+pub use capacity::{Capacity, share_that_stands_again};
+pub use estimate::{Estimate, Estimator, Note, estimate};
+pub use fit::{Fit, Gap, Lognormal};
+pub use interval::Bootstrap;
+pub use runs::{RecordRuns, Run};

@@ -1,0 +1,227 @@
+//! One call for every estimator: the curve, its interval, and why there is none.
+
+use std::fmt;
+
+use super::cloud::Cloud;
+use super::fit::{Fit, Gap, Lognormal};
+use super::ida::Capacities;
+use super::interval::{self, Bootstrap};
+use super::profile;
+use super::runs::{Pool, RecordRuns, Run, Weighed, weighed};
+use super::stripes;
+
+/// How a fragility is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Estimator {
+    /// Multiple stripes: every run counts at its level.
+    Stripes,
+    /// Incremental dynamic analysis: each record's lowest failing level is its capacity.
+    Ida,
+    /// A regression of the demand on those that stand, and the share of those that collapse.
+    Cloud,
+}
+
+impl Estimator {
+    /// All of them.
+    pub const ALL: [Estimator; 3] = [Estimator::Stripes, Estimator::Ida, Estimator::Cloud];
+
+    /// Its name in commands and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Estimator::Stripes => "stripes",
+            Estimator::Ida => "ida",
+            Estimator::Cloud => "cloud",
+        }
+    }
+
+    /// The one of a name.
+    pub fn named(name: &str) -> Option<Estimator> {
+        Estimator::ALL.into_iter().find(|estimator| estimator.name() == name)
+    }
+}
+
+/// A fragility with its uncertainty. A bound that is none is open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The median; in separable data the geometric middle of the gap.
+    pub theta: Option<f64>,
+    /// Lower bound of its 95 % interval.
+    pub theta_low: Option<f64>,
+    /// Upper bound.
+    pub theta_high: Option<f64>,
+    /// The standard deviation of the logarithm; none in separable data.
+    pub beta: Option<f64>,
+    /// Lower bound of its 95 % interval.
+    pub beta_low: Option<f64>,
+    /// Upper bound.
+    pub beta_high: Option<f64>,
+    /// A level separates standing from failing: the interval is that of the profile likelihood of the stripes, whatever
+    /// the estimator.
+    pub separable: bool,
+    /// Resampled sets without a curve.
+    pub without_fit: usize,
+    /// What a reader of the numbers must know, if anything.
+    pub note: Option<Note>,
+}
+
+/// Why a number is missing, or is to be read with care.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Note {
+    /// A level separates standing from failing.
+    Separable(Gap),
+    /// Failures do not become more likely with the level.
+    NotIncreasing,
+    /// Fewer than two records fail.
+    TooFewFailed,
+    /// Too few runs that stand have a demand.
+    TooFewDemands,
+    /// There is no run.
+    NoRuns,
+    /// Some resampled sets have no curve.
+    WithoutFit {
+        /// How many.
+        count: usize,
+        /// Of how many.
+        of: usize,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Note::Separable(Gap { stands: Some(stands), fails: Some(fails) }) => {
+                let [stands, fails] = [*stands, *fails].map(four_digits);
+                match stands == fails {
+                    true => write!(out, "runs stand up to {stands} and fail from it on")?,
+                    false => write!(out, "all stand up to {stands} and all fail from {fails} on")?,
+                }
+                write!(out, ": beta has an upper bound only")
+            }
+            Note::Separable(Gap { stands: Some(stands), fails: None }) => {
+                write!(out, "none fails up to the highest level, {}", four_digits(*stands))
+            }
+            Note::Separable(Gap { stands: None, fails: Some(fails) }) => {
+                write!(out, "all fail from the lowest level on, {}", four_digits(*fails))
+            }
+            Note::Separable(Gap { stands: None, fails: None }) | Note::NoRuns => {
+                write!(out, "there is no run")
+            }
+            Note::NotIncreasing => write!(out, "failures do not become more likely with the level"),
+            Note::TooFewFailed => write!(out, "fewer than two records fail"),
+            Note::TooFewDemands => write!(
+                out,
+                "fewer than three runs that stand have a demand, or all of them are at one level"
+            ),
+            Note::WithoutFit { count, of } => {
+                write!(out, "{count} of {of} resampled sets of records have no curve")
+            }
+        }
+    }
+}
+
+/// A level as people read it.
+fn four_digits(level: f64) -> String {
+    let rounded: f64 = format!("{level:.3e}").parse().unwrap_or(level);
+    match (1.0e-3..1.0e6).contains(&rounded) {
+        true => rounded.to_string(),
+        false => format!("{rounded:e}"),
+    }
+}
+
+/// Records prepared for an estimator.
+enum Prepared {
+    Stripes(Pool),
+    Ida(Capacities),
+    Cloud(Cloud),
+}
+
+impl Prepared {
+    fn of(estimator: Estimator, records: &[Weighed]) -> Prepared {
+        match estimator {
+            Estimator::Stripes => Prepared::Stripes(Pool::of_weighed(records, failed)),
+            Estimator::Ida => Prepared::Ida(Capacities::of_weighed(records)),
+            Estimator::Cloud => Prepared::Cloud(Cloud::of_weighed(records)),
+        }
+    }
+
+    /// The fit of records counted as often as multipliers say, from a curve that is near.
+    fn fit(&self, times: Option<&[u32]>, near: Option<Lognormal>) -> Fit {
+        match self {
+            Prepared::Stripes(pool) => stripes::fit_near(&pool.stripes(times), near),
+            Prepared::Ida(capacities) => capacities.fit_near(times, near),
+            Prepared::Cloud(cloud) => cloud.fit_resampled(times),
+        }
+    }
+}
+
+fn failed(run: &Run) -> bool {
+    run.failed
+}
+
+/// The fragility of records by an estimator. Its interval comes from resampling the records; that of separable data from
+/// the profile likelihood of their stripes.
+pub fn estimate(estimator: Estimator, records: &[RecordRuns], bootstrap: &Bootstrap) -> Estimate {
+    let records = weighed(records);
+    let prepared = Prepared::of(estimator, &records);
+    let note = match prepared.fit(None, None) {
+        Fit::Fitted(curve) => {
+            return resampled(curve, bootstrap, records.len(), &prepared);
+        }
+        Fit::Separable(gap) => return separable(gap, &Pool::of_weighed(&records, failed)),
+        Fit::NotIncreasing => Note::NotIncreasing,
+        Fit::TooFewFailed => Note::TooFewFailed,
+        Fit::TooFewDemands => Note::TooFewDemands,
+        Fit::NoRuns => Note::NoRuns,
+    };
+    Estimate { note: Some(note), ..Estimate::NONE }
+}
+
+fn resampled(
+    curve: Lognormal,
+    bootstrap: &Bootstrap,
+    records: usize,
+    prepared: &Prepared,
+) -> Estimate {
+    let refit = |times: &[u32]| prepared.fit(Some(times), Some(curve));
+    let interval = interval::bootstrap(records, bootstrap, curve, refit);
+    let note = Note::WithoutFit { count: interval.without_fit, of: bootstrap.replicates as usize };
+    Estimate {
+        theta: Some(curve.theta),
+        theta_low: interval.theta[0],
+        theta_high: interval.theta[1],
+        beta: Some(curve.beta),
+        beta_low: interval.beta[0],
+        beta_high: interval.beta[1],
+        separable: false,
+        without_fit: interval.without_fit,
+        note: (interval.without_fit > 0).then_some(note),
+    }
+}
+
+fn separable(gap: Gap, pool: &Pool) -> Estimate {
+    let bounds = profile::bounds(&pool.stripes(None));
+    Estimate {
+        theta: gap.middle(),
+        theta_low: bounds.theta[0],
+        theta_high: bounds.theta[1],
+        beta_low: gap.middle().map(|_| 0.0),
+        beta_high: bounds.beta_high,
+        separable: true,
+        note: Some(Note::Separable(gap)),
+        ..Estimate::NONE
+    }
+}
+
+impl Estimate {
+    const NONE: Estimate = Estimate {
+        theta: None,
+        theta_low: None,
+        theta_high: None,
+        beta: None,
+        beta_low: None,
+        beta_high: None,
+        separable: false,
+        without_fit: 0,
+        note: None,
+    };
+}
