@@ -219,7 +219,7 @@ fn a_curve_without_deviation_is_a_step() {
 }
 
 #[test]
-fn the_demand_of_a_block_that_fell_does_not_count() {
+fn demands_that_do_not_count_and_demands_that_fall() {
     let mut random = Pcg64Mcg::seed_from_u64(4);
     let mut records =
         sample(&mut random, Lognormal { theta: 1.0, beta: 0.4 }, 30, levels(0.3, 3.0, 8));
@@ -232,6 +232,22 @@ fn the_demand_of_a_block_that_fell_does_not_count() {
     let runs = fallen.iter_mut().flat_map(|record| &mut record.runs);
     runs.filter(|run| run.collapsed).for_each(|run| run.demand = Some(0.01));
     assert_eq!(fits(&fallen)[2], without);
+
+    // Without an uplift the demand is zero and has no logarithm.
+    let mut still = records.clone();
+    still.iter_mut().for_each(|record| {
+        record
+            .runs
+            .insert(0, Run { level: 0.3, failed: false, demand: Some(0.0), collapsed: false });
+    });
+    let curve = fits(&still)[2].curve().unwrap();
+    assert!((curve.theta / without.curve().unwrap().theta - 1.0).abs() < 0.02, "{curve:?}");
+
+    let standing = records.iter_mut().flat_map(|record| &mut record.runs);
+    for run in standing.filter(|run| !run.failed) {
+        run.demand = Some(1.0 / run.level);
+    }
+    assert_eq!(fits(&records)[2], Fit::NotIncreasing);
 }
 
 /// Bounds by a search over a grid.
