@@ -181,6 +181,14 @@ fn every_fit_without_a_curve_says_why() {
     let demands = [demand(1.0, 0.5), Run { collapsed: false, ..demand(2.0, 1.5) }];
     assert_eq!(of(Estimator::Cloud, &[&demands]).note, Some(Note::TooFewDemands));
 
+    // Without the one that fails early, or the one that stands, a resampled set is separable.
+    let said = of(Estimator::Stripes, &[&both, &both, &both, &both, &fails, &stands]);
+    assert!(said.beta.is_some() && said.without_fit > 60 && said.without_fit < 200, "{said:?}");
+    assert_eq!(
+        said.note.unwrap().to_string(),
+        format!("{} of 200 resampled sets of records have no curve", said.without_fit)
+    );
+
     let said = of(Estimator::Stripes, &[&both, &both, &both]);
     assert!(said.separable && said.beta.is_none());
     assert_relative_eq!(said.theta.unwrap(), 2.0_f64.sqrt(), max_relative = 1e-12);
@@ -191,6 +199,55 @@ fn every_fit_without_a_curve_says_why() {
     let said = of(Estimator::Stripes, &[&stands, &stands]);
     assert_eq!(said.note.unwrap().to_string(), "none fails up to the highest level, 2");
     assert!(said.theta.is_none() && said.theta_high.is_none() && said.beta_high.is_none());
+}
+
+#[test]
+fn equal_shares_have_no_curve_whatever_rounding_leaves() {
+    for shares in [[3.0, 1.0], [7.0, 2.0], [0.3, 0.1], [11.0, 3.3]] {
+        for level in [0.7, 1.3, 9.1] {
+            let stripe = |level, k| Stripe { level, n: k * shares[0], z: k * shares[1] };
+            let counts = [stripe(0.1, 1.0), stripe(level, 3.0), stripe(20.0, 0.7)];
+            assert_eq!(stripes::fit(&counts), Fit::NotIncreasing, "{counts:?}");
+        }
+    }
+}
+
+#[test]
+fn a_curve_without_deviation_is_a_step() {
+    let step = Lognormal { theta: 2.0, beta: 0.0 };
+    assert_eq!([1.9, 2.0, 2.1].map(|level| step.probability(level)), [0.0, 0.5, 1.0]);
+}
+
+#[test]
+fn demands_that_do_not_count_and_demands_that_fall() {
+    let mut random = Pcg64Mcg::seed_from_u64(4);
+    let mut records =
+        sample(&mut random, Lognormal { theta: 1.0, beta: 0.4 }, 30, levels(0.3, 3.0, 8));
+    for run in records.iter_mut().flat_map(|record| &mut record.runs).filter(|run| !run.failed) {
+        run.demand = Some(run.level.powf(1.5) * (0.2 * normal(&mut random)).exp());
+    }
+    let without = fits(&records)[2];
+    assert!(without.curve().is_some(), "{without:?}");
+    let mut fallen = records.clone();
+    let runs = fallen.iter_mut().flat_map(|record| &mut record.runs);
+    runs.filter(|run| run.collapsed).for_each(|run| run.demand = Some(0.01));
+    assert_eq!(fits(&fallen)[2], without);
+
+    // Without an uplift the demand is zero and has no logarithm.
+    let mut still = records.clone();
+    still.iter_mut().for_each(|record| {
+        record
+            .runs
+            .insert(0, Run { level: 0.3, failed: false, demand: Some(0.0), collapsed: false });
+    });
+    let curve = fits(&still)[2].curve().unwrap();
+    assert!((curve.theta / without.curve().unwrap().theta - 1.0).abs() < 0.02, "{curve:?}");
+
+    let standing = records.iter_mut().flat_map(|record| &mut record.runs);
+    for run in standing.filter(|run| !run.failed) {
+        run.demand = Some(1.0 / run.level);
+    }
+    assert_eq!(fits(&records)[2], Fit::NotIncreasing);
 }
 
 /// Bounds by a search over a grid.

@@ -73,7 +73,7 @@ impl Cloud {
     }
 
     /// The curve P = P(demand exceeds its limit | stands, x) (1 - P(C | x)) + P(C | x) (Jalayer et al. 2017, Earthquake
-    /// Engng Struct. Dyn. 46, cloud analysis with collapse), told by two numbers: theta is the level where P = 1/2,
+    /// Engng Struct. Dyn. 46(15)), told by two numbers: theta is the level where P = 1/2,
     /// and beta half the distance in ln x between P = Phi(-1) and P = Phi(1), about 16 % and 84 %. The curve is not
     /// lognormal, unless nothing collapses.
     ///

@@ -1,9 +1,8 @@
 //! Intervals by resampling records.
 
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 
+use super::draws::multipliers;
 use super::fit::{Fit, Lognormal};
 use super::normal;
 
@@ -96,32 +95,6 @@ fn acceleration(values: &[f64]) -> f64 {
     Some(power(3) / (6.0 * power(2).powf(1.5))).filter(|a| a.is_finite()).unwrap_or(0.0)
 }
 
-/// How often each record is drawn in a set. Each set has a generator of its own, so that the order of the sets, and the
-/// number of threads, change nothing.
-fn multipliers(records: usize, seed: u64, replicate: u32) -> Vec<u32> {
-    // Odd, so that sets of one seed start apart; the generator mixes the number into its state.
-    const APART: u64 = 0x9e37_79b9_7f4a_7c15;
-    let start = seed.wrapping_add(u64::from(replicate).wrapping_mul(APART));
-    let mut random = Pcg64Mcg::seed_from_u64(start);
-    let mut times = vec![0; records];
-    for _ in 0..records {
-        times[below(&mut random, records as u64) as usize] += 1;
-    }
-    times
-}
-
-/// A whole number below a bound, each equally likely: the high half of a product, and another draw where the low half
-/// falls into the part that the bound does not divide (Lemire 2019, ACM Trans. Model. Comput. Simul. 29(1)).
-fn below(random: &mut impl Rng, bound: u64) -> u64 {
-    let uneven = bound.wrapping_neg() % bound;
-    loop {
-        let product = u128::from(random.next_u64()) * u128::from(bound);
-        if product as u64 >= uneven {
-            return (product >> 64) as u64;
-        }
-    }
-}
-
 /// The points in the place of 2.5 % and 97.5 %: with z_0 the deviation that corresponds to the share of values below the
 /// estimate, and a the acceleration, those of Phi(z_0 + (z_0 + z)/(1 - a (z_0 + z))), z = -1.96 and 1.96. They are
 /// values of ranks p (N + 1), between two ranks in proportion (Davison & Hinkley 1997, Bootstrap Methods and their
@@ -145,30 +118,16 @@ fn percentiles(mut values: Vec<f64>, estimate: f64, acceleration: f64) -> [Optio
         let rank = rank.clamp(0.0, count - 1.0);
         let place = rank.floor() as usize;
         let (from, to) = (values[place], values[(place + 1).min(values.len() - 1)]);
-        let part = rank - place as f64;
-        // An infinite neighbour that has no part leaves the value finite.
-        Some(if part < 1.0e-9 { from } else { from + part * (to - from) })
-            .filter(|value| !value.is_nan())
+        let value = from + (rank - place as f64) * (to - from);
+        // Between two infinite values there is no number.
+        Some(value).filter(|value| !value.is_nan())
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_draw_is_even_and_every_set_has_as_many_records() {
-        let mut counts = [0_u32; 7];
-        for replicate in 0..10_000 {
-            let times = multipliers(7, 3, replicate);
-            assert_eq!(times.iter().sum::<u32>(), 7);
-            counts.iter_mut().zip(&times).for_each(|(count, times)| *count += times);
-        }
-        // 70,000 draws in seven: the standard deviation of a count is 93.
-        for count in counts {
-            assert!(count.abs_diff(10_000) < 400, "{counts:?}");
-        }
-    }
+    use crate::fragility::fit::Gap;
 
     /// The values 1 to `count`.
     fn values(count: u32) -> Vec<f64> {
@@ -215,5 +174,52 @@ mod tests {
         assert_eq!(acceleration(&[1.0; 4]), 0.0);
         assert_eq!(acceleration(&[1.0, f64::INFINITY]), 0.0);
         assert_eq!(acceleration(&[]), 0.0);
+    }
+
+    /// Of two records: the first twice, each once, the second twice.
+    fn of_two(first: Fit, second: Fit) -> Interval {
+        let curve = Lognormal { theta: 1.0, beta: 0.4 };
+        let refit = |times: &[u32]| match times {
+            [2, 0] => first,
+            [0, 2] => second,
+            _ => Fit::Fitted(curve),
+        };
+        bootstrap(2, &Bootstrap { replicates: 400, seed: 4 }, curve, refit)
+    }
+
+    #[test]
+    fn sets_without_a_curve_count_as_what_they_say() {
+        let gap = |stands, fails| Fit::Separable(Gap { stands, fails });
+        let found = of_two(gap(Some(4.0), None), gap(Some(0.25), Some(1.0)));
+        // A quarter of the sets each: none fails, so that theta is open above; a step at 0.5.
+        assert_eq!(found.theta, [Some(0.5), None]);
+        assert_eq!(found.beta, [Some(0.0), Some(0.4)]);
+        assert!(found.without_fit.abs_diff(200) < 60, "{found:?}");
+        let found = of_two(gap(None, Some(0.1)), Fit::NotIncreasing);
+        assert_eq!((found.theta, found.beta), ([None, Some(1.0)], [Some(0.4); 2]));
+        let found = of_two(Fit::TooFewFailed, Fit::NotIncreasing);
+        assert_eq!((found.theta, found.beta), ([Some(1.0); 2], [Some(0.4); 2]));
+    }
+
+    #[test]
+    fn the_interval_of_a_mean_is_corrected_for_its_skewness() {
+        // theta is the mean of values that are skewed, so that the corrected interval reaches further up than down, and
+        // as far as ranks by the formula say.
+        let values: Vec<f64> = (0..60).map(|k| (0.08 * f64::from(k)).exp()).collect();
+        let mean = |times: &[u32]| {
+            let sum: f64 = values.iter().zip(times).map(|(v, n)| v * f64::from(*n)).sum();
+            sum / f64::from(times.iter().sum::<u32>())
+        };
+        let fit = |times: &[u32]| Fit::Fitted(Lognormal { theta: mean(times), beta: 1.0 });
+        let estimate = Lognormal { theta: mean(&[1; 60]), beta: 1.0 };
+        let settings = Bootstrap { replicates: 4000, seed: 1 };
+        let found = bootstrap(60, &settings, estimate, fit);
+        let skewness = |n| values.iter().map(|v| (v - estimate.theta).powi(n)).sum::<f64>();
+        let drawn = (0..4000).map(|k| mean(&multipliers(60, 1, k))).collect();
+        let a = skewness(3) / (6.0 * skewness(2).powf(1.5));
+        assert!(a > 0.02, "{a}");
+        for (found, wanted) in found.theta.into_iter().zip(percentiles(drawn, estimate.theta, a)) {
+            assert!((found.unwrap() / wanted.unwrap() - 1.0).abs() < 1.0e-9);
+        }
     }
 }

@@ -10,6 +10,7 @@
 pub mod binary;
 pub mod capacity;
 pub mod cloud;
+mod draws;
 pub mod estimate;
 pub mod fit;
 pub mod hazard;

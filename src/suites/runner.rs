@@ -198,7 +198,7 @@ impl<'a> Runner<'a> {
             samples.extend(sample);
         }
         if let Some((folder, tag)) = &place
-            && began.elapsed() >= WORTH_SAVING
+            && (settings.part.is_some() || began.elapsed() >= WORTH_SAVING)
         {
             saved::save(folder, tag, &motion)?;
             self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);

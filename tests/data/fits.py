@@ -72,6 +72,11 @@ def nearly_separable():
     return rounded(runs)
 
 
+def falling_at(level, runs):
+    """Every block collapses from a level on."""
+    return [[r, w, x, 1, 1, None] if x > level else [r, w, x, f, c, d] for r, w, x, f, c, d in runs]
+
+
 sets = {
     "plain": made(1, 24, fixed(*np.linspace(0.3, 3.0, 8))),
     "weighted": made(2, 24, fixed(*np.linspace(0.3, 3.0, 8)), weights=lambda rng: rng.uniform(0.2, 3.0)),
@@ -85,6 +90,7 @@ sets = {
                       weights=lambda rng: rng.uniform(0.5, 2.0)),
     "overturning": made(9, 25, fixed(*np.linspace(0.3, 3.0, 7)), demands=False,
                         weights=lambda rng: rng.uniform(0.5, 2.0)),
+    "step": falling_at(2.1, made(10, 20, fixed(*np.linspace(0.4, 3.2, 8)), theta=1.8, collapse=1e9)),
 }
 
 
