@@ -32,6 +32,9 @@ Examples:
     topple pulse --object 2 --eccentricity -0.6:0.6:200 --t-h 0.5:4:200 --t-v 0.5 --omega 6 --a-h 5
   A block of one's own on the ground, a curve along the amplitude:
     topple pulse --half-width 0.3 --height 1.2 --isolation none --pulse ricker --omega 5 --a-h 1:10:500
+  Probabilities where the eccentricity and the damping are not known, of 256 samples:
+    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:200 --a-h 0.1:15:200 \
+--vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3) --samples 256
   What a large map would take:
     topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run"
 );
@@ -45,6 +48,10 @@ Examples:
     topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
   Under records of one's own, scaled to a horizontal peak of 5 m/s²:
     topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
+  Where rocking is chaotic, the probability in each pixel in place of the outcome of one value:
+    topple seismic --object 1 --t-h 1.6:1.95:60 --t-v 0.1:0.16:60 --pixel
+  How sharp the boundaries of that map are:
+    topple seismic --object 1 --t-h 1.6:1.95:150 --t-v 0.1:0.16:150 --sharpness
   A column of numbers, horizontal isolation alone, over its period and the eccentricity:
     topple seismic --object 3 --horizontal a.txt --dt 0.01 --units g --isolation horizontal --t-h 0.5:4:200 \
 --eccentricity 0:0.6:100"

@@ -34,6 +34,8 @@ pub struct Finish<'a> {
     pub estimate: Duration,
     /// A checksum of what is run.
     pub tag: Option<u32>,
+    /// How sharp the boundaries are is asked for.
+    pub sharpness: bool,
     /// What is printed besides.
     pub talk: Talk,
 }
@@ -59,6 +61,16 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     };
     screen.clear();
     say.line("outcomes", words::shares(&tally, map.plan.scene.numbers.get(Parameter::Friction)));
+    let sharpness = match to.sharpness {
+        true => Some(map.sharpness(screen).map_err(|error| sweep_error(map.stopped(error)))?),
+        false => None,
+    };
+    screen.clear();
+    if let Some(sharpness) = &sharpness {
+        for (number, text) in words::sharpness(sharpness).iter().enumerate() {
+            say.line(if number == 0 { "sharpness" } else { "" }, text);
+        }
+    }
     took.counting = lap(&mut began);
     let slices = slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?;
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
@@ -83,7 +95,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     }
     took.writing = lap(&mut began);
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
-    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag };
+    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, sharpness };
     output::write_json(out, &Manifest::of(&map, &facts, took))?;
     map.discard_saved().map_err(sweep_error)?;
     let thinned = match cells == map.grid.len() {

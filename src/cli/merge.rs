@@ -36,6 +36,9 @@ pub struct MergeCommand {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
+    /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    #[arg(long)]
+    sharpness: bool,
     /// Print nothing but errors
     #[arg(short, long)]
     quiet: bool,
@@ -75,7 +78,8 @@ impl MergeCommand {
         say.line("takes", format!("{} of disk", size(bytes)));
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
-        let to = Finish { out, files, earlier, verify, estimate, tag: None, talk: self.talk };
+        let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
+        let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
         finish::write(map, &to, &say, &Screen::new(self.quiet))
     }
 }

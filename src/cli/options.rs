@@ -92,6 +92,9 @@ pub struct MapOptions {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
+    /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
+    pub sharpness: bool,
     /// Print the expected time, memory and disk, and run a sample only
     #[arg(long)]
     pub dry_run: bool,

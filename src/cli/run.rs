@@ -88,7 +88,8 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
-            let to = Finish { out, files, earlier, verify, estimate, tag, talk: options.talk };
+            let (sharpness, talk) = (options.sharpness, options.talk);
+            let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {

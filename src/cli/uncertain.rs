@@ -3,8 +3,8 @@
 use topple::scene::{Scene, SceneError};
 use topple::uncertain::{Uncertainty, Varied};
 
-/// What cannot stand beside what is not known: of a probability map nothing is saved until it is done.
-const NOT_BESIDE: [&str; 5] = ["resume", "keep_every", "tile", "files", "dry_run"];
+/// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
+const NOT_BESIDE: [&str; 6] = ["resume", "keep_every", "tile", "files", "sharpness", "dry_run"];
 /// Sweeps where no count is given.
 const SAMPLES: u32 = 64;
 

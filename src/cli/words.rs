@@ -10,6 +10,7 @@ use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
+use topple::results::sharpness::{Estimate, Sharpness};
 use topple::results::tally::Tally;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
@@ -217,6 +218,36 @@ pub fn shares(tally: &Tally, friction: Option<&Values>) -> String {
         parts.push(format!("friction above {mu} needed in {} %", percent(sliding)));
     }
     parts.join(", ")
+}
+
+/// How sharp boundaries are, in lines.
+pub fn sharpness(sharpness: &Sharpness) -> Vec<String> {
+    let told = |estimate: &Estimate| {
+        let Estimate { value, low, high } = estimate;
+        format!("{value:.3} ({low:.3} to {high:.3})")
+    };
+    let mut lines = Vec::new();
+    let [wide, high] = sharpness.box_cells;
+    let boxes = format!("in boxes of {wide} x {high} cells");
+    if let (Some(s_b), Some(s_bb)) = (&sharpness.s_b, &sharpness.s_bb) {
+        let says = match sharpness.above_ln_2 {
+            true => "above ln 2: a boundary is fractal",
+            false => "not above ln 2, which decides nothing",
+        };
+        lines.push(format!("S_b = {:.3}, S_bb = {} {boxes}, {says}", s_b.value, told(s_bb)));
+    } else if let Some(s_b) = &sharpness.s_b {
+        lines.push(format!("S_b = {} {boxes}", told(s_b)));
+    }
+    if let (Some(alpha), Some(dimension), Some(farthest)) =
+        (&sharpness.alpha, &sharpness.dimension, sharpness.distances.last())
+    {
+        let over = format!("over distances of 1 to {farthest} cells");
+        lines.push(format!("α = {} {over}, D = {}", told(alpha), told(dimension)));
+    }
+    lines.extend(
+        sharpness.not_told.iter().map(|why| format!("not told: {}", why.replace("alpha", "α"))),
+    );
+    lines
 }
 
 /// Cells that took so many seconds.

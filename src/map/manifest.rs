@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::earlier::Kind;
+use crate::results::sharpness::Sharpness;
 use crate::results::tally::Tally;
 use crate::scene::record::Provenance;
 use crate::scene::{Grid, Scene};
@@ -56,6 +57,8 @@ pub struct Manifest<'a> {
     pub tensile_cells: usize,
     /// Cells that ask for more friction than the scene's coefficient, if it has one.
     pub sliding_cells: Option<usize>,
+    /// How sharp the boundaries between outcomes are; none where it was not asked for.
+    pub sharpness: Option<&'a Sharpness>,
     /// What was left out of the model.
     pub model: Reduced,
     /// The sample that the reference ran again; none before, and where none was asked for.
@@ -115,12 +118,14 @@ pub struct Facts<'a> {
     pub files: &'a [String],
     /// A checksum of all that it depends on.
     pub tag: Option<u32>,
+    /// How sharp its boundaries are, where that was asked for.
+    pub sharpness: Option<Sharpness>,
 }
 
 impl<'a> Manifest<'a> {
     /// What is known of a map; `took` has the times of what came beside the sweep.
-    pub fn of(map: &'a MapSweep, facts: &Facts<'a>, took: Timings) -> Manifest<'a> {
-        let Facts { tally, steps, drawn, files, tag } = facts;
+    pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
+        let Facts { tally, steps, drawn, files, tag, sharpness } = facts;
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
         let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -154,6 +159,7 @@ impl<'a> Manifest<'a> {
             outcomes: tally.classes(),
             tensile_cells: tally.tensile,
             sliding_cells: tally.sliding,
+            sharpness: sharpness.as_ref(),
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),
             drawn: *drawn,

@@ -1,0 +1,449 @@
+//! How sharp the boundaries between a map's outcomes are: basin entropy and the uncertainty exponent.
+//!
+//! Basin entropy is that of Daza et al. (2016), Scientific Reports 6:31416: in a box of cells with shares p of the
+//! outcomes S = -sum p ln p; S_b is the mean of all boxes, S_bb that of the boxes with two outcomes or more. A smooth
+//! boundary parts two outcomes and has S_bb <= ln 2: more is a sufficient sign of a fractal one, less decides nothing.
+//!
+//! The uncertainty exponent is that of Grebogi et al. (1983), Physics Letters A 99:415-418: the share f of cells whose
+//! outcome another has at a distance of so many cells along an axis is proportional to the distance to the power
+//! alpha, and the boundary's dimension is D = d - alpha over d axes.
+
+use std::f64::consts::LN_2;
+use std::io;
+use std::ops::Range;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+use serde::Serialize;
+
+use super::columns::Column;
+use super::outcomes::{BLOCK, Outcomes};
+use crate::scene::Grid;
+use crate::scene::grid::Axis;
+use crate::stepping::outcome::Class;
+
+/// Cells of a box along an axis.
+pub const BOX: usize = 5;
+/// The largest distance is at most this share of the shorter axis, and at most so many cells.
+const FARTHEST: (usize, usize) = (8, 32);
+/// Blocks along an axis, which are resampled: neighbours in a block are not independent.
+const BLOCKS: usize = 8;
+/// Fewest boxes with two outcomes, fewest pairs of neighbours that differ, and fewest distances, to say anything.
+const FEWEST: (usize, u64, usize) = (20, 100, 3);
+/// Standard errors of a slope on either side of it that hold 95 %, of 3, 4, 5 and 6 points (Student's distribution).
+const STUDENT: [f64; 4] = [12.71, 4.303, 3.182, 2.776];
+/// Resamples, of which 95 % lie within an interval.
+const RESAMPLES: usize = 500;
+/// Place of a cell of which nothing can be said.
+const UNRESOLVED: u8 = Class::Unresolved as u8;
+
+/// A value, with an interval of 95 %.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Estimate {
+    /// The value.
+    pub value: f64,
+    /// Low end.
+    pub low: f64,
+    /// High end.
+    pub high: f64,
+}
+
+/// How sharp the boundaries of a map are.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sharpness {
+    /// Cells of a box along the first two axes.
+    pub box_cells: [usize; 2],
+    /// Boxes.
+    pub boxes: usize,
+    /// Those with two outcomes or more.
+    pub boundary_boxes: usize,
+    /// Basin entropy; none where there are no boxes.
+    pub s_b: Option<Estimate>,
+    /// Boundary basin entropy; none where too few boxes have two outcomes.
+    pub s_bb: Option<Estimate>,
+    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False decides nothing.
+    pub above_ln_2: bool,
+    /// Distances, in cells.
+    pub distances: Vec<usize>,
+    /// Shares of the pairs of cells at these distances whose outcomes differ.
+    pub uncertain: Vec<f64>,
+    /// The exponent alpha, its interval the wider one of resampled blocks and of the line's slope; none where the grid
+    /// is too coarse.
+    pub alpha: Option<Estimate>,
+    /// The standard error of the straight line's slope.
+    pub alpha_error: Option<f64>,
+    /// The boundary's dimension.
+    pub dimension: Option<Estimate>,
+    /// Why what is missing is not told.
+    pub not_told: Vec<String>,
+}
+
+/// What is summed up of a block.
+#[derive(Debug, Clone, Default)]
+struct Sums {
+    entropy: f64,
+    boxes: f64,
+    boundary: f64,
+    /// Of each distance the pairs, and those that differ.
+    pairs: Vec<[u64; 2]>,
+}
+
+impl Sums {
+    fn add(&mut self, other: &Sums) {
+        self.entropy += other.entropy;
+        self.boxes += other.boxes;
+        self.boundary += other.boundary;
+        self.pairs.resize(other.pairs.len().max(self.pairs.len()), [0; 2]);
+        for (sum, own) in self.pairs.iter_mut().zip(&other.pairs) {
+            *sum = [sum[0] + own[0], sum[1] + own[1]];
+        }
+    }
+
+    fn s_b(&self) -> f64 {
+        self.entropy / self.boxes
+    }
+
+    /// Boxes of one outcome have no entropy.
+    fn s_bb(&self) -> f64 {
+        self.entropy / self.boundary
+    }
+
+    fn uncertain(&self) -> Vec<f64> {
+        self.pairs.iter().map(|[all, differ]| *differ as f64 / *all as f64).collect()
+    }
+}
+
+impl Sharpness {
+    /// Goes through the outcomes of a grid, a few rows at a time. Of more than two axes all slices of the first two
+    /// count together.
+    ///
+    /// # Errors
+    /// Those of reading.
+    pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Sharpness> {
+        let (columns, rows) = (grid.x().count(), grid.y().map_or(1, Axis::count));
+        let sides = [columns, rows];
+        let long = sides.into_iter().filter(|count| *count > 1);
+        let shorter = long.clone().min().unwrap_or(1);
+        let farthest = (shorter / FARTHEST.0).clamp(1, FARTHEST.1);
+        let distances: Vec<usize> =
+            (0..).map(|k| 1 << k).take_while(|distance| *distance <= farthest).collect();
+        let sizes = sides.map(|count| if count > 1 { BOX } else { 1 });
+        let mut blocks = Vec::new();
+        for slice in 0..grid.slices() {
+            let first = slice * columns * rows;
+            let read = |rows: Range<usize>| {
+                classes(outcomes, first + rows.start * columns..first + rows.end * columns)
+            };
+            blocks.extend(sums((columns, rows), sizes, &distances, read)?);
+        }
+        Ok(of_blocks(&blocks, sizes, distances, long.count()))
+    }
+}
+
+/// The places of the classes of some cells.
+fn classes(outcomes: &dyn Outcomes, cells: Range<usize>) -> io::Result<Vec<u8>> {
+    let mut classes = Vec::with_capacity(cells.len());
+    for first in cells.clone().step_by(BLOCK) {
+        let block = outcomes.read(first..(first + BLOCK).min(cells.end), &[Column::Outcome])?;
+        classes.extend(block.iter().map(|cell| cell.class as u8));
+    }
+    Ok(classes)
+}
+
+/// The sums of the blocks of a slice; `read` gives the classes of some of its rows.
+fn sums(
+    (columns, rows): (usize, usize),
+    [wide, high]: [usize; 2],
+    distances: &[usize],
+    read: impl Fn(Range<usize>) -> io::Result<Vec<u8>>,
+) -> io::Result<Vec<Sums>> {
+    let none = Sums { pairs: vec![[0; 2]; distances.len()], ..Sums::default() };
+    let mut blocks = vec![none; BLOCKS * BLOCKS];
+    let block = |i: usize, j: usize| BLOCKS * (j * BLOCKS / rows) + i * BLOCKS / columns;
+    let farthest = distances.last().copied().unwrap_or(0);
+    // Rows of boxes, and those that are as far from them as is looked.
+    let height = (BLOCK / columns).max(2 * farthest).max(1).div_ceil(high) * high;
+    for first in (0..rows).step_by(height) {
+        let last = (first + height).min(rows);
+        let read = read(first..(last + farthest).min(rows))?;
+        let class = |i: usize, j: usize| read[(j - first) * columns + i];
+        for j in (first..last).step_by(high).filter(|j| j + high <= rows) {
+            for i in (0..columns).step_by(wide).filter(|i| i + wide <= columns) {
+                let cells = (j..j + high).flat_map(|j| (i..i + wide).map(move |i| (i, j)));
+                if let Some(entropy) = entropy(cells.map(|(i, j)| class(i, j))) {
+                    let sums = &mut blocks[block(i, j)];
+                    sums.entropy += entropy;
+                    sums.boxes += 1.0;
+                    sums.boundary += f64::from(u8::from(entropy > 0.0));
+                }
+            }
+        }
+        for j in first..last {
+            for i in 0..columns {
+                let own = class(i, j);
+                let pairs = &mut blocks[block(i, j)].pairs;
+                for (distance, pairs) in distances.iter().zip(pairs) {
+                    let along = (i + distance < columns).then(|| class(i + distance, j));
+                    let across = (j + distance < rows).then(|| class(i, j + distance));
+                    for other in along.into_iter().chain(across) {
+                        let known = own != UNRESOLVED && other != UNRESOLVED;
+                        pairs[0] += u64::from(known);
+                        pairs[1] += u64::from(known && own != other);
+                    }
+                }
+            }
+        }
+    }
+    Ok(blocks)
+}
+
+/// The entropy of a box; none where less than two of its cells have an outcome.
+fn entropy(cells: impl Iterator<Item = u8>) -> Option<f64> {
+    let mut counts = [0_u32; Class::ALL.len()];
+    cells.for_each(|class| counts[usize::from(class)] += 1);
+    counts[usize::from(UNRESOLVED)] = 0;
+    let all = f64::from(counts.iter().sum::<u32>());
+    let part = |count: &u32| {
+        let share = f64::from(*count) / all;
+        if *count == 0 { 0.0 } else { -share * share.ln() }
+    };
+    // One outcome alone has a share of 1, whose logarithm is exactly zero.
+    (all >= 2.0).then(|| counts.iter().map(part).sum::<f64>())
+}
+
+/// What blocks say together, of boundaries over so many axes.
+fn of_blocks(
+    blocks: &[Sums],
+    box_cells: [usize; 2],
+    distances: Vec<usize>,
+    axes: usize,
+) -> Sharpness {
+    let mut whole = Sums::default();
+    blocks.iter().for_each(|block| whole.add(block));
+    let uncertain = whole.uncertain();
+    let near = whole.pairs.first().map_or(0, |[_, differ]| *differ);
+    let (boxes, boundary_boxes) = (whole.boxes as usize, whole.boundary as usize);
+    let (fewest_boxes, fewest_pairs, fewest_distances) = FEWEST;
+    let mut not_told = Vec::new();
+    if boundary_boxes < fewest_boxes {
+        not_told.push(format!(
+            "S_bb, for {fewest_boxes} boxes with two outcomes are needed and {boundary_boxes} are there; take more points"
+        ));
+    }
+    let coarse = distances.len() < fewest_distances;
+    if near < fewest_pairs {
+        not_told.push(format!(
+            "alpha, for {fewest_pairs} pairs of neighbours with different outcomes are needed and {near} are there; take \
+             more points"
+        ));
+    } else if coarse {
+        let least = FARTHEST.0 << (fewest_distances - 1);
+        not_told.push(format!(
+            "alpha, for the grid is too coarse; take {least} points an axis or more"
+        ));
+    }
+    let tells_box = boundary_boxes >= fewest_boxes;
+    let tells_alpha = near >= fewest_pairs && !coarse;
+    let mut resampled: [Vec<f64>; 3] = Default::default();
+    let mut noise = Pcg64Mcg::new(1);
+    for _ in 0..RESAMPLES {
+        let mut sums = Sums::default();
+        for _ in blocks {
+            let place = (u128::from(noise.next_u64()) * blocks.len() as u128) >> 64;
+            sums.add(&blocks[place as usize]);
+        }
+        let slope = slope(&distances, &sums.uncertain()).map_or(f64::NAN, |(slope, _)| slope);
+        for (kept, value) in resampled.iter_mut().zip([sums.s_b(), sums.s_bb(), slope]) {
+            // A resample may have no boundary.
+            kept.extend(Some(value).filter(|value| value.is_finite()));
+        }
+    }
+    let [of_b, of_bb, of_alpha] = resampled.map(interval);
+    let estimate = |value, (low, high)| Estimate { value, low, high };
+    let line = slope(&distances, &uncertain).filter(|_| tells_alpha);
+    let alpha = line.map(|(value, error)| {
+        // Blocks scatter, and the points need not lie on a straight line.
+        let beside = STUDENT[(distances.len() - FEWEST.2).min(STUDENT.len() - 1)] * error;
+        estimate(value, (of_alpha.0.min(value - beside), of_alpha.1.max(value + beside)))
+    });
+    let s_bb = tells_box.then(|| estimate(whole.s_bb(), of_bb));
+    let whole_axes = axes as f64;
+    Sharpness {
+        box_cells,
+        boxes,
+        boundary_boxes,
+        s_b: (boxes > 0).then(|| estimate(whole.s_b(), of_b)),
+        s_bb,
+        above_ln_2: s_bb.is_some_and(|s_bb| s_bb.low > LN_2),
+        distances,
+        uncertain,
+        alpha,
+        alpha_error: line.map(|(_, error)| error),
+        dimension: alpha.map(|alpha| {
+            estimate(whole_axes - alpha.value, (whole_axes - alpha.high, whole_axes - alpha.low))
+        }),
+        not_told,
+    }
+}
+
+/// The slope of the straight line through the logarithms of shares over those of distances, by least squares, and its
+/// standard error; none of fewer than three, or where a share is zero.
+fn slope(distances: &[usize], uncertain: &[f64]) -> Option<(f64, f64)> {
+    let n = distances.len() as f64;
+    let x: Vec<f64> = distances.iter().map(|distance| (*distance as f64).ln()).collect();
+    let y: Vec<f64> = uncertain.iter().map(|share| share.ln()).collect();
+    if distances.len() < FEWEST.2 || y.iter().any(|y| !y.is_finite()) {
+        return None;
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
+    let (mean_x, mean_y) = (mean(&x), mean(&y));
+    let sum = |of: &dyn Fn(f64, f64) -> f64| x.iter().zip(&y).map(|(x, y)| of(*x, *y)).sum::<f64>();
+    let width = sum(&|x, _| (x - mean_x).powi(2));
+    let slope = sum(&|x, y| (x - mean_x) * (y - mean_y)) / width;
+    let rest = sum(&|x, y| (y - mean_y - slope * (x - mean_x)).powi(2));
+    Some((slope, (rest / (n - 2.0) / width).sqrt()))
+}
+
+/// The ends between which 95 % of the values lie; not numbers of none.
+fn interval(mut values: Vec<f64>) -> (f64, f64) {
+    values.sort_by(f64::total_cmp);
+    let at = |share: f64| {
+        let place = share * (values.len().max(1) - 1) as f64;
+        values.get(place.round() as usize).copied().unwrap_or(f64::NAN)
+    };
+    (at(0.025), at(0.975))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{LN_2, PI};
+
+    use rand_pcg::Pcg64Mcg;
+    use rand_pcg::rand_core::Rng;
+
+    use super::{BOX, Sharpness, of_blocks, sums};
+
+    /// The sharpness of classes over a square of so many cells a side.
+    fn square(side: usize, class: impl Fn(f64, f64) -> u8) -> Sharpness {
+        let at = |k: usize| (k as f64 + 0.5) / side as f64;
+        let all: Vec<u8> =
+            (0..side * side).map(|cell| class(at(cell % side), at(cell / side))).collect();
+        let distances: Vec<usize> =
+            (0..6).map(|k| 1 << k).filter(|distance| 8 * distance <= side).collect();
+        let read =
+            |rows: std::ops::Range<usize>| Ok(all[rows.start * side..rows.end * side].to_vec());
+        let blocks = sums((side, side), [BOX; 2], &distances, read).unwrap();
+        of_blocks(&blocks, [BOX; 2], distances, 2)
+    }
+
+    fn noise() -> impl FnMut(usize) -> u8 {
+        let mut noise = Pcg64Mcg::new(7);
+        move |k| ((u128::from(noise.next_u64()) * k as u128) >> 64) as u8
+    }
+
+    /// A line at right angles to an axis parts k of the N - k pairs of each row at a distance of k cells, so that the
+    /// logarithms rise by ln((N - 1)/(N - k)) too much, 0.081 from 1 to 32 cells of 400: alpha is above 1 by 0.024.
+    #[test]
+    fn a_straight_boundary_has_dimension_one() {
+        for (a, b) in [(1.0, 0.0), (0.0, 1.0), (1.0, 0.37), (0.6, 1.0)] {
+            let found = square(400, |x, y| u8::from(a * x + b * y > 0.503 * (a + b)));
+            let dimension = found.dimension.unwrap();
+            assert!((dimension.value - 1.0).abs() < 0.03, "{a} {b}: {found:?}");
+            assert!(dimension.low <= dimension.value && dimension.value <= dimension.high);
+            // Of a straight boundary boxes have two outcomes.
+            let s_bb = found.s_bb.unwrap();
+            assert!(s_bb.value < LN_2 && !found.above_ln_2, "{found:?}");
+        }
+        // A line between boxes is in none of them.
+        let between = square(400, |x, _| u8::from(x > 0.5));
+        assert_eq!((between.boundary_boxes, between.s_bb), (0, None));
+        assert!(between.not_told[0].contains("and 0 are there"), "{:?}", between.not_told);
+    }
+
+    /// Of k outcomes in equal shares the entropy is ln k; of 25 random cells its mean is less by (k - 1)/(2 · 25) in
+    /// the first order, and the mean over 6400 boxes scatters by less than 0.005.
+    #[test]
+    fn random_outcomes_have_the_entropy_of_their_count_and_dimension_two() {
+        for k in [2, 3, 4] {
+            let next = std::cell::RefCell::new(noise());
+            let found = square(400, |_, _| next.borrow_mut()(k));
+            let wanted = (k as f64).ln() - (k as f64 - 1.0) / 50.0;
+            let s_bb = found.s_bb.unwrap();
+            assert!((s_bb.value - wanted).abs() < 0.005, "{k}: {found:?}, {wanted}");
+            assert_eq!(found.above_ln_2, k > 2);
+            assert!((found.dimension.unwrap().value - 2.0).abs() < 0.01, "{k}: {found:?}");
+        }
+        // 13 cells of 25 have one colour.
+        let board = square(100, |x, y| ((100.0 * x) as u8 + (100.0 * y) as u8) % 2);
+        let share: f64 = 13.0 / 25.0;
+        let wanted = -share * share.ln() - (1.0 - share) * (1.0 - share).ln();
+        assert!((board.s_bb.unwrap().value - wanted).abs() < 1e-12 && wanted < LN_2);
+    }
+
+    /// The basins of Newton's method for z³ = 1, on a square from -1 to 1: every boundary point is one of all three
+    /// (Wada), and the box dimension of the set is about 1.44 (Nusse & Yorke measure the like; Daza et al. have
+    /// S_bb > ln 2).
+    #[test]
+    fn newtons_basins_are_fractal() {
+        let basin = |x: f64, y: f64| {
+            let (mut x, mut y) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+            for _ in 0..60 {
+                // z - (z³ - 1)/(3 z²) = (2 z + 1/z²)/3.
+                let (re, im) = (x * x - y * y, 2.0 * x * y);
+                let size = re * re + im * im;
+                (x, y) = ((2.0 * x + re / size) / 3.0, (2.0 * y - im / size) / 3.0);
+            }
+            let angle = y.atan2(x);
+            if angle.abs() < PI / 3.0 {
+                0
+            } else if angle > 0.0 {
+                1
+            } else {
+                2
+            }
+        };
+        let found = square(600, basin);
+        let dimension = found.dimension.unwrap();
+        assert!(dimension.value > 1.35 && dimension.value < 1.55, "{found:?}");
+        assert!(found.above_ln_2, "{found:?}");
+    }
+
+    /// Stripes whose edges are the ends of the middle-third Cantor set's gaps, a Cantor set times a line: D = 1 +
+    /// ln 2/ln 3. The gaps of each generation have one of two outcomes by turns.
+    #[test]
+    fn a_cantor_set_has_its_own_dimension() {
+        let stripe = |x: f64| {
+            let mut x = x;
+            for generation in 0..20_u8 {
+                x *= 3.0;
+                if x > 1.0 && x < 2.0 {
+                    return generation % 2;
+                }
+                x -= if x >= 2.0 { 2.0 } else { 0.0 };
+            }
+            0
+        };
+        let wanted = 1.0 + 2.0_f64.ln() / 3.0_f64.ln();
+        let found = square(729, |x, _| stripe(x));
+        // The set looks the same at every power of 3, but not between, where the distances are: the points lie on no
+        // straight line, which the interval tells.
+        let dimension = found.dimension.unwrap();
+        assert!((dimension.value - wanted).abs() < 0.1, "{found:?} {wanted}");
+        assert!(dimension.low < wanted && wanted < dimension.high, "{found:?} {wanted}");
+    }
+
+    #[test]
+    fn what_is_too_coarse_is_not_told() {
+        let found = square(20, |x, y| u8::from(x > y));
+        assert_eq!((found.alpha, found.dimension, found.s_bb), (None, None, None));
+        assert_eq!(found.not_told.len(), 2, "{:?}", found.not_told);
+        let found = square(24, |x, y| ((24.0 * x) as u8 + (24.0 * y) as u8) % 2);
+        assert!(
+            found.not_told.iter().any(|why| why.contains("too coarse; take 32 points")),
+            "{found:?}"
+        );
+        // One outcome everywhere.
+        let found = square(100, |_, _| 1);
+        assert_eq!((found.s_b.unwrap().value, found.boundary_boxes, found.s_bb), (0.0, 0, None));
+    }
+}
