@@ -8,8 +8,8 @@ use topple::map::earlier::Kind;
 use topple::scene::record::rounded;
 use topple::scene::{Grid, Scene};
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
-use topple::suites::envelope_picture;
 use topple::suites::swept::Values;
+use topple::suites::{envelope_curves, envelope_picture};
 use topple::sweep::settings::Method;
 
 use super::numbers::RecordNumbers;
@@ -95,12 +95,17 @@ impl EnvelopeCommand {
         let envelope = Envelope::of(&swept, limits);
         let title = format!("Envelope of {} motions", swept.motions.len());
         let mut files = vec!["envelope.csv".to_string()];
-        let svg = envelope_picture::draw(&envelope, &title)?;
+        files.push("zeta.csv".into());
+        let svg = match swept.grid.line() {
+            Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title)),
+            None => envelope_picture::draw(&envelope, &title)?,
+        };
         if svg.is_some() {
             files.extend(["envelope.svg".to_string(), "envelope.png".to_string()]);
         }
         output::replace(out.path(), &earlier, &files, &say)?;
         out.write(&files[0], |w| envelope::write(&envelope, w))?;
+        out.write(&files[1], |w| envelope::write_zeta(&envelope, w))?;
         if let Some(svg) = &svg {
             output::write_figure(&out, "envelope", svg, &render::png(svg)?)?;
         }

@@ -3,8 +3,8 @@
 use super::binary::{self, Binary, Line};
 use super::fit::{Fit, Gap};
 use super::link::logit;
-use super::normal;
 use super::runs::{Pool, RecordRuns, Weighed, weighed};
+use crate::uncertain::normal;
 
 /// Phi(1): a lognormal curve has this probability at ln theta + beta.
 const UPPER: f64 = 0.841_344_746_068_542_9;

@@ -2,7 +2,7 @@
 
 use super::fit::Lognormal;
 use super::hazard_error::HazardError;
-use super::normal;
+use crate::uncertain::normal;
 
 /// Annual rates at which levels of the intensity measure are exceeded.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::draws::multipliers;
 use super::fit::{Fit, Lognormal};
-use super::normal;
+use crate::uncertain::normal;
 
 /// How records are resampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -21,7 +21,6 @@ pub mod levels;
 pub mod limit_state;
 pub mod link;
 pub mod newton;
-pub mod normal;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod profile;

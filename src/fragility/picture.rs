@@ -60,14 +60,18 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     };
     let one = study.cells[0].states.iter().zip(&study.asked.states);
     canvas.clipped(place, |canvas| {
-        for (k, (of, state)) in one.enumerate() {
-            let ((colour, band), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for (k, (of, _)) in one.clone().enumerate() {
             let fit = &of.estimates[0];
             // Curves between theta's bounds: beta is that of the fit.
             if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
                 let (left, right) = (curve(low, beta), curve(high, beta));
+                let band = COLOURS[k % COLOURS.len()].1;
                 canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
             }
+        }
+        for (k, (of, state)) in one.enumerate() {
+            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+            let fit = &of.estimates[0];
             if let Some(theta) = fit.theta {
                 canvas.line(curve(theta, fit.beta.unwrap_or(0.0)), stroke(colour, 1.1));
             }

@@ -178,6 +178,23 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
     table.flush()
 }
 
+/// Writes zeta.csv: the axes, and percentiles of the rocking index over the motions under which the block stands.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
+    let grid = &envelope.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = ["zeta_50", "zeta_84", "zeta_100"];
+    table.write_record(grid.axes().iter().map(|axis| axis.key()).chain(names))?;
+    for (index, cell) in envelope.cells.iter().enumerate() {
+        let axes: Vec<Number> = grid.coordinates(index).map(Number).collect();
+        table
+            .serialize((axes, cell.zeta.map(|value| (!value.is_nan()).then_some(Number(value)))))?;
+    }
+    table.flush()
+}
+
 #[cfg(test)]
 mod tests {
     use super::percentiles;

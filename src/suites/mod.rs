@@ -8,6 +8,8 @@
 pub mod entry;
 pub mod envelope;
 #[cfg(feature = "pictures")]
+pub mod envelope_curves;
+#[cfg(feature = "pictures")]
 pub mod envelope_picture;
 pub mod error;
 pub mod estimate;

@@ -92,7 +92,7 @@ impl Form {
     fn share(self, standard: f64) -> f64 {
         match self {
             Form::Uniform { .. } => standard + 0.5,
-            _ => normal::below(standard),
+            _ => normal::cdf(standard),
         }
     }
 
