@@ -102,8 +102,7 @@ mod sweep;
 #[doc(hidden)]
 pub mod sweep;
 
-#[cfg(not(feature = "internals"))]
-mod uncertain;
+// Nothing of it is on this page yet.
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod uncertain;

@@ -37,8 +37,13 @@ impl RunCommand {
             let Again { kind, scene, method, backend, uncertainty } = earlier.map_err(refused)?;
             let mut options = self.options.clone();
             options.run.adopt(backend.as_deref(), method);
-            if let Some(uncertainty) = uncertainty {
-                options.uncertain.adopt(uncertainty);
+            match uncertainty {
+                Some(uncertainty) => options.uncertain.adopt(uncertainty),
+                None if kind == Kind::Probability && !options.uncertain.asked() => {
+                    let problem = "it does not say what was not known; give --vary or --pixel";
+                    return Err(refused(problem.into()).into());
+                }
+                None => {}
             }
             return match kind {
                 Kind::History => history::run_cell(&scene, &options.run),
