@@ -1,11 +1,12 @@
 //! Fragility: the probability that a block fails as a function of the intensity, from runs of many records.
 //!
 //! ```text
-//! runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
-//!      -> records resampled -> intervals        hazard curve -> annual rate
+//! levels (of an intensity measure) -> a suite's sweep -> shaken (runs of a cell, a record each), limit_state
+//!   runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
+//!        -> records resampled -> intervals        hazard curve -> annual rate
+//!        -> sensitivity (numbers that are not known)
+//!   -> study (all cells) -> tables, picture
 //! ```
-//!
-//! These are functions of numbers: they know nothing of blocks or files.
 
 pub mod binary;
 pub mod capacity;
@@ -28,6 +29,7 @@ pub mod runs;
 pub mod sensitivity;
 #[cfg(feature = "pictures")]
 pub mod shades;
+pub mod shaken;
 pub mod stripes;
 pub mod study;
 pub mod tables;

@@ -4,11 +4,10 @@ use rayon::prelude::*;
 
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns};
+use super::shaken::Shaken;
 use super::stripes;
-use super::study::{Asked, records_of};
 use super::{Fit, Lognormal};
 use crate::stepping::outcome::Class;
-use crate::suites::swept::SuiteSweep;
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Bootstrap, Design, Index, Varied, indices};
 
@@ -59,22 +58,16 @@ impl Unknown {
     }
 
     /// What is not known of a limit state of a cell.
-    pub fn sensitivity(
-        &self,
-        sweep: &SuiteSweep,
-        asked: &Asked,
-        state: LimitState,
-        cell: usize,
-    ) -> Sensitivity {
+    pub fn sensitivity(&self, shaken: &Shaken, state: LimitState, cell: usize) -> Sensitivity {
         let shares: Vec<f64> =
-            (0..self.points()).map(|point| self.share(sweep, asked, state, cell, point)).collect();
+            (0..self.points()).map(|point| share(shaken, state, cell, point)).collect();
         let n = self.design.a.len();
         let (a, rest) = shares.split_at(n);
         let (b, rest) = rest.split_at(n);
         let ab: Vec<Vec<f64>> = rest.chunks(n).map(<[f64]>::to_vec).collect();
         let curve = |point: usize| {
             let one = point..point + 1;
-            let records: Vec<RecordRuns> = records_of(sweep, asked, state, cell, one);
+            let records: Vec<RecordRuns> = shaken.records(state, cell, one);
             match stripes::fit(&Pool::of(&records, |run| run.failed).stripes(None)) {
                 Fit::Fitted(curve) => Some(curve),
                 _ => None,
@@ -84,28 +77,6 @@ impl Unknown {
             indices: indices(a, b, &ab, Bootstrap::default()),
             curves: (0..self.drawn()).into_par_iter().map(curve).collect(),
         }
-    }
-
-    /// The share of all runs at a point that fail, by the weights of the motions.
-    fn share(
-        &self,
-        sweep: &SuiteSweep,
-        asked: &Asked,
-        state: LimitState,
-        cell: usize,
-        point: usize,
-    ) -> f64 {
-        let cells = sweep.grid.len();
-        let (mut failed, mut all) = (0.0, 0.0);
-        for motion in sweep.motions.iter().skip(point).step_by(asked.times) {
-            for index in (cell..motion.outcomes.len()).step_by(cells) {
-                if motion.outcomes[index] != Class::Unresolved {
-                    all += motion.weight;
-                    failed += if state.is_exceeded(motion, index) { motion.weight } else { 0.0 };
-                }
-            }
-        }
-        if all > 0.0 { failed / all } else { f64::NAN }
     }
 }
 
@@ -129,4 +100,19 @@ impl Sensitivity {
         let square = logarithms().map(|value| (value - mean).powi(2)).sum::<f64>();
         Some((median, (square / (curves.len() - 1) as f64).sqrt()))
     }
+}
+
+/// The share of all runs at a point that fail, by the weights of the motions.
+fn share(shaken: &Shaken, state: LimitState, cell: usize, point: usize) -> f64 {
+    let cells = shaken.sweep.grid.len();
+    let (mut failed, mut all) = (0.0, 0.0);
+    for motion in shaken.sweep.motions.iter().skip(point).step_by(shaken.times) {
+        for index in (cell..motion.outcomes.len()).step_by(cells) {
+            if motion.outcomes[index] != Class::Unresolved {
+                all += motion.weight;
+                failed += if state.is_exceeded(motion, index) { motion.weight } else { 0.0 };
+            }
+        }
+    }
+    if all > 0.0 { failed / all } else { f64::NAN }
 }

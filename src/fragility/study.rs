@@ -1,7 +1,5 @@
 //! The fragility of a grid's cells under a suite: every limit state by every estimator.
 
-use std::ops::Range;
-
 use rayon::prelude::*;
 
 use super::capacity::{Capacity, share_that_stands_again};
@@ -10,8 +8,8 @@ use super::interval::Bootstrap;
 use super::limit_state::LimitState;
 use super::runs::{RecordRuns, Run};
 use super::sensitivity::{Sensitivity, Unknown};
-use crate::stepping::outcome::Class;
-use crate::suites::swept::{SuiteSweep, SweptMotion};
+use super::shaken::Shaken;
+use crate::suites::swept::SuiteSweep;
 use crate::sweep::observer::{Observer, Phase};
 
 /// What is asked of a study.
@@ -76,27 +74,27 @@ impl Study<'_> {
         observer: &dyn Observer,
     ) -> Option<Study<'a>> {
         observer.begins(Phase::Fitting, sweep.grid.len() * asked.states.len());
+        let shaken = Shaken { sweep, levels: &asked.levels, times: asked.times };
         let cell = |cell: usize| {
             let mut states = Vec::with_capacity(asked.states.len());
             for state in &asked.states {
                 if observer.cancelled() {
                     return None;
                 }
-                let records = records(sweep, &asked, *state, cell);
+                let records = shaken.records(*state, cell, 0..asked.drawn);
                 let by = |estimator: &Estimator| estimate(*estimator, &records, &asked.bootstrap);
                 let estimates = asked.estimators.iter().map(by).collect();
                 let unknown = asked.unknown.as_ref();
-                let sensitivity =
-                    unknown.map(|unknown| unknown.sensitivity(sweep, &asked, *state, cell));
+                let sensitivity = unknown.map(|unknown| unknown.sensitivity(&shaken, *state, cell));
                 states.push(StateStudy { counts: counts(&records), estimates, sensitivity });
                 observer.advance(1);
             }
-            let overturning = records(sweep, &asked, LimitState::Overturning, cell);
+            let overturning = shaken.records(LimitState::Overturning, cell, 0..asked.drawn);
             Some(CellStudy {
                 states,
                 capacities: overturning.iter().map(|record| Capacity::of(&record.runs)).collect(),
                 stands_again: share_that_stands_again(&overturning),
-                unresolved: unresolved(sweep, cell),
+                unresolved: shaken.unresolved(cell),
             })
         };
         let cells = (0..sweep.grid.len()).into_par_iter().map(cell).collect::<Option<Vec<_>>>()?;
@@ -109,60 +107,10 @@ impl Study<'_> {
     }
 }
 
-/// The runs of a cell, a record each.
-fn records(sweep: &SuiteSweep, asked: &Asked, state: LimitState, cell: usize) -> Vec<RecordRuns> {
-    records_of(sweep, asked, state, cell, 0..asked.drawn)
-}
-
-/// Those of some motions of each record.
-pub(super) fn records_of(
-    sweep: &SuiteSweep,
-    asked: &Asked,
-    state: LimitState,
-    cell: usize,
-    range: Range<usize>,
-) -> Vec<RecordRuns> {
-    let cells = sweep.grid.len();
-    let motions = sweep.motions.chunks(asked.times).map(|motions| &motions[range.clone()]);
-    let motions =
-        motions.zip(asked.levels.chunks(asked.times).map(|levels| &levels[range.clone()]));
-    let of_record = |(motions, levels): (&[SweptMotion], &[Vec<f64>])| {
-        let runs = motions.iter().zip(levels).flat_map(|(motion, levels): (&SweptMotion, _)| {
-            levels.iter().enumerate().filter_map(move |(k, level)| {
-                let index = k * cells + cell;
-                let class = motion.outcomes[index];
-                (class != Class::Unresolved).then(|| Run {
-                    level: *level,
-                    failed: state.is_exceeded(motion, index),
-                    demand: state.demand(motion, index),
-                    collapsed: class.overturned(),
-                })
-            })
-        });
-        let mut runs: Vec<Run> = runs.collect();
-        runs.sort_by(|a, b| a.level.total_cmp(&b.level));
-        RecordRuns { weight: motions[0].weight, runs }
-    };
-    motions.map(of_record).collect()
-}
-
 /// How many runs there are at each level, and how many of them exceed the state.
 fn counts(records: &[RecordRuns]) -> Vec<(f64, usize, usize)> {
     let mut runs: Vec<&Run> = records.iter().flat_map(|record| &record.runs).collect();
     runs.sort_by(|a, b| a.level.total_cmp(&b.level));
     let levels = runs.chunk_by(|a, b| a.level == b.level);
     levels.map(|at| (at[0].level, at.len(), at.iter().filter(|run| run.failed).count())).collect()
-}
-
-fn unresolved(sweep: &SuiteSweep, cell: usize) -> usize {
-    let cells = sweep.grid.len();
-    let of = |outcomes: &[Class]| {
-        outcomes
-            .iter()
-            .skip(cell)
-            .step_by(cells)
-            .filter(|class| **class == Class::Unresolved)
-            .count()
-    };
-    sweep.motions.iter().map(|motion| of(&motion.outcomes)).sum()
 }

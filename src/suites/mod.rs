@@ -14,6 +14,7 @@ pub mod envelope_picture;
 pub mod error;
 pub mod estimate;
 mod files;
+mod gather;
 pub mod intensity;
 mod list;
 pub mod measures;
@@ -22,6 +23,7 @@ mod peer;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod read;
+mod run;
 mod runner;
 pub mod saved;
 pub mod spectrum;

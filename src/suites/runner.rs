@@ -6,12 +6,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::gather::gather;
 use super::saved;
 use super::swept::{SuiteJob, SweptMotion};
 use super::wanted::WantedMotion;
-use crate::results::columns::Column;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
-use crate::stepping::outcome::Class;
 use crate::sweep::backend::Backend;
 use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
@@ -234,54 +233,13 @@ impl<'a> Runner<'a> {
             // No part was asked for.
             return Ok(None);
         };
-        self.add(&map, factors.len(), motion)?;
+        gather(&map, &self.job.grid, factors.len(), motion)?;
         if sampled == 0 || map.by_reference() {
             return Ok(None);
         }
         let chosen = map.choose(sampled, &watch)?;
         let MapSweep { plan, grid, .. } = *map;
         Ok(Some(Sample { plan, grid, chosen }))
-    }
-
-    /// Adds the cells of a map, whose levels may lie along any of its axes.
-    fn add(
-        &self,
-        map: &MapSweep,
-        levels: usize,
-        motion: &mut SweptMotion,
-    ) -> Result<(), SweepError> {
-        let own = &self.job.grid;
-        let axis = |parameter| map.grid.axes().iter().position(|axis| axis.parameter == parameter);
-        let along: Vec<Option<usize>> = own.axes().iter().map(|of| axis(of.parameter)).collect();
-        let of_level = axis(Parameter::Scale).filter(|_| levels > 1);
-        let cell_of = |level: usize, cell: usize| {
-            let mut there = [0; crate::scene::grid::AXES];
-            for (at, along) in own.place(cell).iter().zip(&along) {
-                if let Some(along) = along {
-                    there[*along] = *at;
-                }
-            }
-            if let Some(of_level) = of_level {
-                there[of_level] = level;
-            }
-            map.grid.cell(&there)
-        };
-        let order: Vec<usize> = (0..levels)
-            .flat_map(|level| (0..own.len()).map(move |cell| (level, cell)))
-            .map(|(level, cell)| cell_of(level, cell))
-            .collect();
-        let column = |column| map.column(column);
-        let put = |values: Vec<f64>, to: &mut Vec<f32>| {
-            to.extend(order.iter().map(|cell| values[*cell] as f32));
-        };
-        // Codes are places among the classes.
-        let class = |code: f64| Class::ALL.get(code as usize).copied().unwrap_or(Class::Unresolved);
-        let codes = column(Column::Outcome)?;
-        motion.outcomes.extend(order.iter().map(|cell| class(codes[*cell])));
-        put(column(Column::MaxU)?, &mut motion.max_u);
-        put(column(Column::StrokeV)?, &mut motion.stroke_v);
-        put(column(Column::Zeta)?, &mut motion.zeta);
-        Ok(())
     }
 }
 
