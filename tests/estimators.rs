@@ -106,7 +106,7 @@ fn an_ida_is_too_low_where_records_stand_again() {
     assert!((share - 0.3).abs() < 0.01, "{share}");
 
     let p = |x: f64| {
-        let fails = |from: f64| topple::fragility::normal::cdf((x / from).ln() / beta);
+        let fails = |from: f64| topple::uncertain::normal::cdf((x / from).ln() / beta);
         0.7 * fails(1.0) + 0.3 * (fails(1.0) - fails(1.1) + fails(1.5))
     };
     let truth = levels(0.5, 2.0, 10_000).find(|x| p(*x) >= 0.5).unwrap();
@@ -257,7 +257,7 @@ fn searched(stripes: &[Stripe], supremum: f64) -> [f64; 3] {
         for beta in levels(1e-3, 5.0, 400) {
             let one = |s: &Stripe| {
                 let u = (s.level / theta).ln() / beta;
-                let ln = topple::fragility::normal::ln_cdf;
+                let ln = topple::uncertain::normal::ln_cdf;
                 let fails = if s.z > 0.0 { s.z * ln(u) } else { 0.0 };
                 fails + if s.n > s.z { (s.n - s.z) * ln(-u) } else { 0.0 }
             };

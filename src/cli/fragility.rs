@@ -135,6 +135,8 @@ const CAPACITIES: &str = "capacities.csv";
 const SENSITIVITY: &str = "sensitivity.csv";
 const POINTS: &str = "points.csv";
 const RATES: &str = "rates.csv";
+/// Each run by itself, of no more than [`MANY`] cells.
+const RUNS: &str = "runs.csv";
 
 impl FragilityCommand {
     /// Runs the sweeps and writes the fragility.
@@ -174,6 +176,8 @@ impl FragilityCommand {
         let varies = study.asked.unknown.is_some();
         let mut files = vec![COUNTS, FITS];
         files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
+        let told_one_by_one = !varies && cells <= MANY;
+        files.extend(told_one_by_one.then_some(RUNS));
         files.extend(hazard.as_ref().map(|_| RATES));
         let mut files: Vec<String> = files.into_iter().map(String::from).collect();
         let tables = files.len();
@@ -187,6 +191,9 @@ impl FragilityCommand {
             out.write(POINTS, |w| tables::write_points(&study, w))?;
         } else {
             out.write(CAPACITIES, |w| tables::write_capacities(&study, w))?;
+        }
+        if told_one_by_one {
+            out.write(RUNS, |w| tables::write_runs(&study, w))?;
         }
         if let Some(hazard) = &hazard {
             out.write(RATES, |w| tables::write_rates(&study, hazard, self.target, w))?;

@@ -73,6 +73,29 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
     Ok(table.flush()?)
 }
 
+/// Writes runs.csv: every run, level by level, with its outcome, max |u|, the stroke of v and the rocking index.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let grid = &study.sweep.grid;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = ["record", "level", "outcome", "max_u", "stroke_v", "zeta"];
+    table.write_record(axes(grid).chain(names))?;
+    for cell in 0..grid.len() {
+        for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
+            for (k, level) in levels.iter().enumerate() {
+                let index = k * grid.len() + cell;
+                let numbers = [&motion.max_u, &motion.stroke_v, &motion.zeta];
+                let numbers = numbers.map(|values| Number(f64::from(values[index])));
+                let outcome = motion.outcomes[index].name();
+                table.serialize((at(grid, cell), &motion.id, Number(*level), outcome, numbers))?;
+            }
+        }
+    }
+    Ok(table.flush()?)
+}
+
 /// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
 /// stands at one between.
 ///
