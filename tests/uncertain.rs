@@ -117,6 +117,24 @@ fn a_distribution_is_cut_where_the_outcome_changes() {
     assert_eq!(all.counts[0].iter().sum::<u32>(), samples);
 }
 
+/// What varies and what is moved in its pixel are coordinates of their own: 16 points fill 4 x 4 boxes evenly.
+#[test]
+fn distributions_and_pixels_are_independent() {
+    let text =
+        "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n[pulse]\nomega = \"1:2:2\"\na_h = 1\n";
+    let scene = scene(text);
+    let unknown = uncertainty(&["psi=uniform(0,1)"], true, 16);
+    let points = unknown.check(&scene, false).unwrap();
+    let mut count = [0; 16];
+    for number in 0..16 {
+        let made = points.scene(&scene, number).unwrap();
+        let first = |parameter| made.numbers.get(parameter).unwrap().first();
+        let (psi, moved) = (first(Parameter::Psi), first(Parameter::Omega) - 0.5);
+        count[4 * (4.0 * psi) as usize + (4.0 * moved) as usize] += 1;
+    }
+    assert_eq!(count, [1; 16]);
+}
+
 /// What is read of a slice of rows at a time is what the whole map says, for grids of any number of axes.
 #[test]
 fn sharpness_is_of_all_slices_together() {
@@ -141,7 +159,6 @@ fn sharpness_is_of_all_slices_together() {
         (&three.uncertain, three.s_bb.unwrap().value)
     );
     assert!((one.dimension.unwrap().value - 1.0).abs() < 0.05, "{one:?}");
-    // Three times the same are not three times as certain, but more than one: the interval is no wider.
     assert_eq!(one.distances, [1, 2, 4, 8, 16]);
 }
 
@@ -300,7 +317,7 @@ fn an_interrupted_run_leaves_nothing() {
     let out = place.path().join("out");
     let mut run = Command::new(assert_cmd::cargo::cargo_bin("topple"))
         .args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "0.2:15:400"])
-        .args(["--a-h", "0.1:15:400", "--pixel", "--samples", "65536", "--verify", "none"])
+        .args(["--a-h", "0.1:15:400", "--pixel", "--samples", "4096", "--verify", "none"])
         .args(["--backend", "cpu", "--out"])
         .arg(&out)
         .stdout(Stdio::null())

@@ -17,7 +17,7 @@ use super::options::{MapOptions, Verify};
 use super::print::print_line;
 use super::progress::Screen;
 use super::words::{self, Say};
-use super::{interrupt, memory, output};
+use super::{memory, output};
 
 /// run.json of a probability map.
 #[derive(Serialize)]
@@ -52,7 +52,6 @@ pub fn run(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let columns = bytes_a_cell(options.run.precision()) + size_of::<[u32; 5]>();
     let needed = grid.len() as u64 * columns as u64;
     memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
-    interrupt::listen();
     let say = Say::unless(options.run.quiet || options.talk.json);
     let earlier = output::refuse_other(&options.run.out, Kind::Probability)?;
     words::scene(&say, scene, &grid);

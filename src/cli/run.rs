@@ -16,6 +16,10 @@ use super::{InputError, disk, estimate, interrupt, output, probability};
 /// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     options.run.set_threads()?;
+    if options.uncertain.asked() {
+        // A scene a sample is checked, which takes its time, too.
+        interrupt::listen();
+    }
     // What is wrong with the scene is told before anything is made.
     options.check(scene)?;
     if options.uncertain.asked() {
