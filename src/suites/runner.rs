@@ -14,13 +14,13 @@ use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::sweep::backend::Backend;
 use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
-use crate::sweep::job::{Job, SweepResult};
 use crate::sweep::map::MapSweep;
 use crate::sweep::observer::{Observer, Phase};
 use crate::sweep::plan::Plan;
-use crate::sweep::progress::Progress;
+use crate::sweep::run::sweep_outcomes;
 use crate::sweep::sample::Chosen;
 use crate::sweep::settings::{RunSettings, VerifySettings};
+use crate::sweep::several::OneOfSeveral;
 use crate::sweep::verification::{self, Verification};
 
 /// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
@@ -66,30 +66,6 @@ struct Done {
     motion: SweptMotion,
     samples: Vec<Sample>,
     resumed: bool,
-}
-
-/// Hears of the cells of a sweep, and of nothing else.
-struct Watch<'a> {
-    runner: &'a Runner<'a>,
-    sweeping: AtomicBool,
-}
-
-impl Progress for Watch<'_> {
-    fn advance(&self, cells: usize) {
-        if self.sweeping.load(Ordering::Relaxed) {
-            self.runner.observer.advance(cells);
-        }
-    }
-
-    fn cancelled(&self) -> bool {
-        self.runner.stopped.load(Ordering::Relaxed) || self.runner.observer.cancelled()
-    }
-}
-
-impl Observer for Watch<'_> {
-    fn begins(&self, phase: Phase, _: usize) {
-        self.sweeping.store(phase == Phase::Sweeping, Ordering::Relaxed);
-    }
 }
 
 impl<'a> Runner<'a> {
@@ -224,21 +200,14 @@ impl<'a> Runner<'a> {
                 .map_err(|error| SceneError { key: "levels", problem: error.to_string() })?;
             axes.push((Parameter::Scale, values));
         }
-        let watch = Watch { runner: self, sweeping: AtomicBool::new(false) };
-        let mut job = Job::on(&self.job.opened, scene, &axes, &settings)?;
-        // No column of these is kept.
-        job.plan = job.plan.without_forces();
-        let estimate = job.estimate_if_long(&watch)?;
-        let SweepResult::Map(map) = job.run(estimate.as_ref(), &watch)? else {
-            // No part was asked for.
-            return Ok(None);
-        };
+        let watch = OneOfSeveral::of(self.observer, &self.stopped);
+        let map = sweep_outcomes(&self.job.opened, scene, &axes, &settings, &watch)?;
         gather(&map, &self.job.grid, factors.len(), motion)?;
         if sampled == 0 || map.by_reference() {
             return Ok(None);
         }
         let chosen = map.choose(sampled, &watch)?;
-        let MapSweep { plan, grid, .. } = *map;
+        let MapSweep { plan, grid, .. } = map;
         Ok(Some(Sample { plan, grid, chosen }))
     }
 }

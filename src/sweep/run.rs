@@ -1,9 +1,12 @@
 //! The one way to run a sweep.
 
+use std::sync::Arc;
+
 use super::error::SweepError;
 use super::job::{Job, SweepResult};
 use super::map::MapSweep;
 use super::observer::Observer;
+use super::request::OpenBackends;
 use super::settings::RunSettings;
 use crate::scene::{Parameter, Scene, SceneError, Values};
 
@@ -27,14 +30,34 @@ pub fn sweep(
     settings: &RunSettings,
     observer: &dyn Observer,
 ) -> Result<MapSweep, SweepError> {
-    let no_map = || {
-        let problem = "a part is no map; run it as a job".into();
-        SweepError::from(SceneError { key: "tile", problem })
-    };
     if settings.saving.as_ref().is_some_and(|saving| saving.part.is_some()) {
         return Err(no_map());
     }
-    let job = Job::open(scene, axes, settings)?;
+    finish(Job::open(scene, axes, settings)?, settings, observer)
+}
+
+/// The same on backends that are open, of which nobody asks for contact forces: min_contact and friction_demand of its map
+/// mean nothing.
+///
+/// # Errors
+/// Those of [`sweep`].
+pub fn sweep_outcomes(
+    opened: &Arc<OpenBackends>,
+    scene: &Scene,
+    axes: &[(Parameter, Values)],
+    settings: &RunSettings,
+    observer: &dyn Observer,
+) -> Result<MapSweep, SweepError> {
+    let mut job = Job::on(opened, scene, axes, settings)?;
+    job.plan = job.plan.without_forces();
+    finish(job, settings, observer)
+}
+
+fn finish(
+    job: Job,
+    settings: &RunSettings,
+    observer: &dyn Observer,
+) -> Result<MapSweep, SweepError> {
     let estimate = job.estimate_if_long(observer)?;
     match job.run(estimate.as_ref(), observer)? {
         SweepResult::Map(mut map) => {
@@ -46,4 +69,9 @@ pub fn sweep(
         }
         SweepResult::Part(..) => Err(no_map()),
     }
+}
+
+fn no_map() -> SweepError {
+    let problem = "a part is no map; run it as a job".into();
+    SceneError { key: "tile", problem }.into()
 }

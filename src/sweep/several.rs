@@ -1,25 +1,27 @@
-//! Several sweeps watched as one.
+//! One of several sweeps that are watched as one.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::observer::{Observer, Phase};
 use super::progress::Progress;
 
-/// Passes on the cells that several sweeps run, and nothing else of them: who watches is told all their cells at once.
-pub struct Several<'a> {
+/// Passes on the cells that one of several sweeps runs, and nothing else of it: who watches was told the cells of all
+/// of them when the first began.
+pub struct OneOfSeveral<'a> {
     observer: &'a dyn Observer,
+    /// Set where one of them has failed: the others are to end.
+    stopped: &'a AtomicBool,
     sweeping: AtomicBool,
 }
 
-impl<'a> Several<'a> {
-    /// For sweeps of so many cells together; `observer` hears that they begin.
-    pub fn of(observer: &'a dyn Observer, cells: usize) -> Several<'a> {
-        observer.begins(Phase::Sweeping, cells);
-        Several { observer, sweeping: AtomicBool::new(false) }
+impl<'a> OneOfSeveral<'a> {
+    /// For a sweep that ends when `stopped` is set.
+    pub fn of(observer: &'a dyn Observer, stopped: &'a AtomicBool) -> OneOfSeveral<'a> {
+        OneOfSeveral { observer, stopped, sweeping: AtomicBool::new(false) }
     }
 }
 
-impl Progress for Several<'_> {
+impl Progress for OneOfSeveral<'_> {
     fn advance(&self, cells: usize) {
         if self.sweeping.load(Ordering::Relaxed) {
             self.observer.advance(cells);
@@ -27,11 +29,11 @@ impl Progress for Several<'_> {
     }
 
     fn cancelled(&self) -> bool {
-        self.observer.cancelled()
+        self.stopped.load(Ordering::Relaxed) || self.observer.cancelled()
     }
 }
 
-impl Observer for Several<'_> {
+impl Observer for OneOfSeveral<'_> {
     fn begins(&self, phase: Phase, _: usize) {
         self.sweeping.store(phase == Phase::Sweeping, Ordering::Relaxed);
     }

@@ -1,6 +1,8 @@
 //! The probability of each outcome in the cells of a grid: sweeps of the whole grid at many points of what is not known.
 
 use std::io::{self, Write};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
 
@@ -13,10 +15,10 @@ use crate::results::csv::Number;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
-use crate::sweep::observer::Observer;
-use crate::sweep::run::sweep;
+use crate::sweep::observer::{Observer, Phase};
+use crate::sweep::run::sweep_outcomes;
 use crate::sweep::settings::RunSettings;
-use crate::sweep::several::Several;
+use crate::sweep::several::OneOfSeveral;
 
 /// What is not known of a grid's cells, and how many sweeps are to tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -108,7 +110,7 @@ impl Probabilities {
     /// `settings` tell how each sweep is run, their verification of all sweeps together.
     ///
     /// # Errors
-    /// Those of [`Uncertainty::check`] and of [`sweep`].
+    /// Those of [`Uncertainty::check`] and of [`sweep_outcomes`].
     pub fn run(
         scene: &Scene,
         uncertainty: &Uncertainty,
@@ -120,7 +122,10 @@ impl Probabilities {
         let grid = Grid::of(scene);
         let samples = uncertainty.samples as usize;
         let runs = if settings.method.resolve { 2 } else { 1 };
-        let several = Several::of(observer, runs * samples * grid.len());
+        observer.begins(Phase::Sweeping, runs * samples * grid.len());
+        let (never, method) = (AtomicBool::new(false), settings.method);
+        let several = OneOfSeveral::of(observer, &never);
+        let opened = Arc::new(settings.backend.open(method.precision, &settings.adapters)?);
         let mut run = settings.clone();
         (run.verify, run.saving) = (settings.verify.shared_out(samples), None);
         let mut all = Probabilities {
@@ -134,7 +139,8 @@ impl Probabilities {
             differ_inside: 0,
         };
         for number in 0..samples {
-            let map = sweep(&points.scene(scene, number)?, &[], &run, &several)?;
+            let scene = points.scene(scene, number)?;
+            let map = sweep_outcomes(&opened, &scene, &[], &run, &several)?;
             // Codes are places among the classes.
             for (counts, code) in all.counts.iter_mut().zip(map.column(Column::Outcome)?) {
                 counts[code as usize] += 1;
