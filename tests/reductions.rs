@@ -342,7 +342,7 @@ fn full_contact_of_a_given_device() {
     for (name, isolation) in [("yields", ""), ("linear", "psi = 1\n")] {
         let text = format!(
             "[block]\nobject = 1\neccentricity = \"0,0.3\"\n[base]\nt_h = \"0.8:3:10\"\nt_v = \"0.3:1.5:10\"\n\
-             u_y = 0.01\n{isolation}[run]\nt_max = 14\n"
+             u_y = 0.01\n{isolation}"
         );
         let given = SceneBuilder::from_toml(&text).unwrap();
         let scene = given.check_under(Excitation::Record(synthetic_pair())).unwrap();

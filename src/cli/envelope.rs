@@ -9,6 +9,7 @@ use topple::scene::record::rounded;
 use topple::scene::{Grid, Scene};
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
 use topple::suites::swept::Values;
+use topple::suites::verified::Verified;
 use topple::suites::{envelope_curves, envelope_picture};
 use topple::sweep::settings::Method;
 
@@ -69,8 +70,8 @@ struct Manifest<'a> {
     limit_u: Option<f64>,
     limit_v: Option<f64>,
     feasible: usize,
-    /// Cells that the reference ran again, those of another outcome, and those of them amid one outcome.
-    verified: (usize, usize, usize),
+    /// What the reference says of a sample.
+    verified: &'a Verified,
     files: &'a [String],
 }
 
@@ -83,6 +84,7 @@ impl EnvelopeCommand {
         let options = &self.options;
         let earlier = output::refuse_other(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
+        suite_run::check_limits(&text, [self.limit_u.is_some(), self.limit_v.is_some()])?;
         let input = self.motions.read(&self.common, options, text)?;
         let say = Say::unless(options.quiet);
         suite::count(&input.suite, &say);
@@ -126,7 +128,7 @@ impl EnvelopeCommand {
             limit_u: limits.u,
             limit_v: limits.v,
             feasible: best.len(),
-            verified: suite_run::verified(&swept),
+            verified: &swept.verified,
             files: &files,
         };
         output::write_json(&out, &manifest)?;
@@ -154,10 +156,17 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
     {
         say.line("nearest", one(envelope, cell));
     }
+    let moves = envelope.sweep.scene.isolation;
     if let Some(cell) = best.first().copied().or(envelope.nearest()) {
         let by = |values: Values| envelope.governing(cell, values).unwrap_or("none");
-        let (u, v) = (by(|motion| &motion.max_u), by(|motion| &motion.stroke_v));
-        say.line("governed", format!("there |u| by {u}, the stroke of v by {v}"));
+        let u = moves.moves_h().then(|| format!("|u| by {}", by(|motion| &motion.max_u)));
+        let v = moves
+            .moves_v()
+            .then(|| format!("the stroke of v by {}", by(|motion| &motion.stroke_v)));
+        let both: Vec<String> = u.into_iter().chain(v).collect();
+        if !both.is_empty() {
+            say.line("governed", format!("there {}", both.join(", ")));
+        }
     }
     let worst = envelope.worst();
     let worst = worst.iter().take(BEST).filter(|(_, share)| *share > 0.0);
@@ -171,21 +180,28 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
 /// A cell in words: where it is, and what it does against the limits.
 fn one(envelope: &Envelope, cell: usize) -> String {
     let grid: &Grid = &envelope.sweep.grid;
-    let at: Vec<String> = grid
-        .axes()
-        .iter()
-        .zip(grid.coordinates(cell))
-        .map(|(axis, value)| axis.entry().written(rounded(value, 4)))
-        .collect();
+    let coordinates: Vec<f64> = grid.coordinates(cell).collect();
+    let at = grid
+        .told()
+        .into_iter()
+        .map(|place| grid.axes()[place].entry().written(rounded(coordinates[place], 4)));
+    let at: Vec<String> = at.collect();
+    let at = if at.is_empty() { "the block".to_string() } else { at.join(", ") };
     let CellEnvelope { standing, max_u, stroke_v, .. } = envelope.cells[cell];
     let limit = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" of {limit} m"));
-    format!(
-        "{}: stands under {:.1} %, |u| up to {:.3} m{}, stroke of v up to {:.3} m{}",
-        at.join(", "),
-        100.0 * standing,
-        max_u[2],
-        limit(envelope.limits.u),
-        stroke_v[2],
-        limit(envelope.limits.v)
-    )
+    let mut text = format!("{at}: stands under {:.1} %", 100.0 * standing);
+    // The strokes of those that overturn it do not count.
+    let of = if standing < 1.0 { ", of these " } else { ", " };
+    let moves = envelope.sweep.scene.isolation;
+    if moves.moves_h() {
+        text += &format!("{of}|u| up to {:.3} m{}", max_u[2], limit(envelope.limits.u));
+    }
+    if moves.moves_v() {
+        let of = if moves.moves_h() { ", " } else { of };
+        text += &format!("{of}stroke of v up to {:.3} m{}", stroke_v[2], limit(envelope.limits.v));
+    }
+    if envelope.cells[cell].feasible && envelope.is_alone(cell) {
+        text += "; no cell beside it is feasible";
+    }
+    text
 }

@@ -15,6 +15,7 @@ use topple::map::earlier::Kind;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, Values};
 use topple::suites::intensity::Intensity;
+use topple::suites::verified::Verified;
 use topple::suites::wanted::WantedMotion;
 use topple::sweep::backend_error::BackendError;
 use topple::sweep::settings::Method;
@@ -42,7 +43,7 @@ pub struct FragilityCommand {
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
     im: Intensity,
     /// Levels of it that each motion is scaled to, in SI units [default: each motion as it is]
-    #[arg(long, value_name = "LEVELS", help_heading = "Fragility")]
+    #[arg(long, value_name = "LEVELS", help_heading = "Fragility", allow_hyphen_values = true)]
     levels: Option<Values>,
     /// The rocking index is not to exceed these
     #[arg(long, value_name = "ZETA,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
@@ -67,7 +68,7 @@ pub struct FragilityCommand {
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
     vary: Vec<Varied>,
     /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
-    #[arg(long, value_name = "N", default_value_t = 32, help_heading = "Uncertainty", requires = "vary", value_parser = clap::value_parser!(u32).range(2..=1 << 16))]
+    #[arg(long, value_name = "N", default_value_t = 64, help_heading = "Uncertainty", requires = "vary", value_parser = clap::value_parser!(u32).range(2..=1 << 16))]
     samples: u32,
     /// Hazard curve: a CSV level,rate with annual rates of exceedance
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
@@ -119,8 +120,8 @@ struct Manifest<'a> {
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
-    /// Cells that the reference ran again, those of another outcome, and those of them amid one outcome.
-    verified: (usize, usize, usize),
+    /// What the reference says of a sample.
+    verified: &'a Verified,
     files: &'a [String],
 }
 
@@ -146,13 +147,15 @@ impl FragilityCommand {
         let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
         let (states, estimators) = (self.states(), self.estimators()?);
         let text = self.common.text(Some("Fragility"), std::iter::empty());
-        let input = self.motions.read(&self.common, options, text)?;
+        suite_run::check_limits(&text, [!self.limit_u.is_empty(), !self.limit_v.is_empty()])?;
+        let mut input = self.motions.read(&self.common, options, text)?;
         let mut motions = self.motions.motions(&input);
         let mut levels = self.scaled(&input, &mut motions)?;
         let unknown = self.unknown(&input, &motions)?;
         let (mut times, mut drawn) = (1, 1);
         if let Some(unknown) = &unknown {
             (times, drawn) = (unknown.points(), unknown.drawn());
+            input.points = times;
             motions = unknown.spread(motions);
             levels = levels.into_iter().flat_map(|own| vec![own; times]).collect();
         }
@@ -223,7 +226,7 @@ impl FragilityCommand {
             hazard: self.hazard.as_deref(),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
-            verified: suite_run::verified(&swept),
+            verified: &swept.verified,
             files: &files,
         };
         output::write_json(&out, &manifest)?;

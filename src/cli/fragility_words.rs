@@ -116,9 +116,10 @@ fn curve(fit: &Estimate) -> String {
             digits(beta),
             between(fit.beta_low, fit.beta_high)
         ),
-        (Some(_), None) => {
+        (Some(theta), None) => {
             format!(
-                "theta{}, beta{}{note}",
+                "theta about {}{}, beta{}{note}",
+                digits(theta),
                 between(fit.theta_low, fit.theta_high),
                 between(None, fit.beta_high)
             )

@@ -151,7 +151,7 @@ fn tell(suite: &Suite, say: &Say) {
 }
 
 /// So many things: `1 motion`, `2 motions`.
-fn counted(count: usize, thing: &str) -> String {
+pub fn counted(count: usize, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 

@@ -7,17 +7,17 @@ use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Directions, Parameter};
 use topple::suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};
+use topple::suites::verified::Verified;
 use topple::suites::wanted::WantedMotion;
 use topple::suites::{Suite, saved};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::RunSettings;
-use topple::sweep::verification::Verification;
 
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::progress::Screen;
-use super::words::{self, Say};
+use super::words::Say;
 use super::{InputError, interrupt, output, suite};
 
 /// Which motions, and how they are run.
@@ -52,6 +52,8 @@ pub struct SuiteInput {
     pub text: SceneBuilder,
     /// The motions.
     pub suite: Suite,
+    /// Sets of numbers under each motion: one, where none vary.
+    pub points: usize,
 }
 
 impl SuiteFlags {
@@ -71,7 +73,7 @@ impl SuiteFlags {
         let text = SceneBuilder { force: options.force, ..text };
         check_device(&text)?;
         let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
-        Ok(SuiteInput { text, suite })
+        Ok(SuiteInput { text, suite, points: 1 })
     }
 
     /// The motions as they are.
@@ -102,16 +104,9 @@ impl SuiteFlags {
         let screen = Screen::new(options.quiet);
         let job = SuiteJob::open(&input.text, motions, settings).map_err(sweep_error)?;
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
-        let (cells, motions) = (job.cells(), job.motions());
-        let each = job.grid.len();
-        let levels = cells / (each * motions).max(1);
-        let size = match levels {
-            1 => format!("{} cells under {motions} motions", words::sides(&job.grid)),
-            _ => format!(
-                "{} cells under {motions} motions at {levels} levels",
-                words::sides(&job.grid)
-            ),
-        };
+        let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
+        let levels = cells / (each * count).max(1);
+        let size = size(&job, input.points, levels);
         if self.dry_run {
             let seconds = job.estimate(&screen).map_err(sweep_error)?;
             screen.clear();
@@ -124,14 +119,8 @@ impl SuiteFlags {
         output::open(&options.out)?;
         let swept = job.run(&screen).map_err(sweep_error)?;
         screen.clear();
-        let Some(swept) = swept else {
-            let folder = saved::folder(&options.out);
-            let joins = "the same command without --tile and with --resume joins the parts";
-            say.line("motions", format!("{}; {joins}", folder.display()));
-            return Ok(None);
-        };
         if self.resume {
-            say.line("resumed", format!("{} of {motions} motions were done", swept.resumed));
+            say.line("resumed", format!("{} of {count} motions were done", swept.resumed));
         }
         let ran = cells - swept.resumed * each * levels;
         if ran > 0 {
@@ -139,6 +128,13 @@ impl SuiteFlags {
             let text =
                 format!("{size}, {:.2} s, {speed:.0} records x cells a second", swept.seconds);
             say.line("sweep", text);
+        }
+        if let Some(part) = self.tile {
+            tell_verified(&swept, say);
+            let folder = saved::folder(&options.out);
+            let joins = "the same command without --tile and with --resume joins the parts";
+            say.line("motions", format!("part {part} in {}; {joins}", folder.display()));
+            return Ok(None);
         }
         Ok(Some(swept))
     }
@@ -161,19 +157,59 @@ fn check_device(text: &SceneBuilder) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Cells that the reference ran again, those of another outcome, and those of them amid one outcome.
-pub fn verified(swept: &SuiteSweep) -> (usize, usize, usize) {
-    let sum = |of: fn(&Verification) -> usize| swept.verifications.iter().map(of).sum();
-    (sum(|v| v.sampled), sum(|v| v.differ), sum(Verification::differ_inside))
+/// Refuses limits of a stroke that the base does not have.
+pub fn check_limits(text: &SceneBuilder, limits: [bool; 2]) -> Result<(), InputError> {
+    let moves = text.isolation.unwrap_or(Directions::Dual);
+    for (flag, limited, there) in
+        [("--limit-u", limits[0], moves.moves_h()), ("--limit-v", limits[1], moves.moves_v())]
+    {
+        if limited && !there {
+            let problem = format!("{flag}: the base does not move in this direction; leave it out");
+            return Err(InputError(problem));
+        }
+    }
+    Ok(())
+}
+
+/// How much is swept, in words: cells, motions, levels.
+fn size(job: &SuiteJob, points: usize, levels: usize) -> String {
+    let counts: Vec<String> = job
+        .grid
+        .axes()
+        .iter()
+        .filter(|axis| axis.count() > 1)
+        .map(|axis| axis.count().to_string())
+        .collect();
+    let cells = match counts.is_empty() {
+        true => "1 cell".to_string(),
+        false => format!("{} cells", counts.join(" x ")),
+    };
+    let motions = job.motions().len() / points;
+    let mut text = format!("{cells} under {}", suite::counted(motions, "motion"));
+    if points > 1 {
+        text += &format!(" with {points} sets of numbers");
+    }
+    if levels > 1 {
+        text += &format!(" at {levels} levels");
+    }
+    text
 }
 
 /// Says what the reference says.
 pub fn tell_verified(swept: &SuiteSweep, say: &Say) {
-    let (sampled, differ, inside) = verified(swept);
-    if sampled > 0 {
-        let text = format!(
-            "{sampled} cells again, {differ} differ in outcome, {inside} of them amid one outcome"
-        );
-        say.line("reference", text);
+    let Verified { sampled, differ, inside, wrong } = &swept.verified;
+    if *sampled == 0 {
+        return;
+    }
+    let verdict = match inside {
+        0 => "none of them amid one outcome".to_string(),
+        some => format!("{some} of them amid one outcome: the sweep is not right there"),
+    };
+    say.line("reference", format!("{sampled} cells again, {differ} differ in outcome, {verdict}"));
+    for place in wrong.iter().take(SHOWN) {
+        say.line("", place);
     }
 }
+
+/// Wrong cells that are printed.
+const SHOWN: usize = 3;

@@ -92,7 +92,9 @@ impl fmt::Display for Note {
             Note::Separable(Gap { stands: Some(stands), fails: Some(fails) }) => {
                 let [stands, fails] = [*stands, *fails].map(four_digits);
                 match stands == fails {
-                    true => write!(out, "runs stand up to {stands} and fail from it on")?,
+                    true => {
+                        write!(out, "below {stands} all stand, above it all fail, at it some do")?
+                    }
                     false => write!(out, "all stand up to {stands} and all fail from {fails} on")?,
                 }
                 write!(out, ": beta has an upper bound only")

@@ -33,7 +33,12 @@ pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
     let mut canvas = Canvas::new(COLUMN);
     let lines = caption::bounded(title, TITLE, most);
     let top = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &lines);
-    let fixed = caption::listed(&caption::fixed(&study.sweep.scene));
+    let mut parts = caption::fixed(&study.sweep.scene);
+    if let Some(unknown) = &study.asked.unknown {
+        let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
+        parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));
+    }
+    let fixed = caption::listed(&parts);
     let top = write(&mut canvas, (MARGIN, top + 1.0), style(FONT), &wrapped(&fixed, FONT, most));
     (canvas, top + MARGIN)
 }
@@ -90,10 +95,9 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     });
     frame.draw(&mut canvas, BOTH);
     let by = study.asked.estimators[0].name();
-    entries.push(entry(
-        Swatch::None,
-        format!("Marks: shares of the records. Lines by {by}; bands: 95 % of θ."),
-    ));
+    let shares = study.cells[0].states[0].counts.iter().any(|(_, records, _)| *records > 1);
+    let marks = if shares { "Marks: shares of the motions. " } else { "" };
+    entries.push(entry(Swatch::None, format!("{marks}Lines by {by}; bands: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 1);
     canvas.finish(end + MARGIN)

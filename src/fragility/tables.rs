@@ -7,19 +7,11 @@ use super::fit::Lognormal;
 use super::hazard::{AnnualRate, HazardCurve, in_50_years};
 use super::study::Study;
 use crate::results::csv::Number;
-use crate::scene::Grid;
+use crate::suites::columns;
 
 /// A number that may be missing.
 fn known(value: Option<f64>) -> Option<Number> {
     value.filter(|value| value.is_finite()).map(Number)
-}
-
-fn axes(grid: &Grid) -> impl Iterator<Item = &'static str> {
-    grid.axes().iter().map(|axis| axis.key())
-}
-
-fn at(grid: &Grid, cell: usize) -> Vec<Number> {
-    grid.coordinates(cell).map(Number).collect()
 }
 
 /// Writes fragility.csv: how many runs there are at each level, and how many of them exceed each limit state.
@@ -29,11 +21,17 @@ fn at(grid: &Grid, cell: usize) -> Vec<Number> {
 pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
     let grid = &study.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(axes(grid).chain(["limit_state", "level", "records", "failed"]))?;
+    table.write_record(columns::keys(grid).chain(["limit_state", "level", "records", "failed"]))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (state, of) in study.asked.states.iter().zip(&cell.states) {
             for (level, records, failed) in &of.counts {
-                table.serialize((at(grid, index), state, Number(*level), records, failed))?;
+                table.serialize((
+                    columns::values(grid, index),
+                    state,
+                    Number(*level),
+                    records,
+                    failed,
+                ))?;
             }
         }
     }
@@ -58,7 +56,7 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
         "beta_high",
         "separable",
     ];
-    table.write_record(axes(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (state, of) in study.asked.states.iter().zip(&cell.states) {
             for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
@@ -66,7 +64,14 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
                 let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
                 let separable = u8::from(fit.separable);
                 let name = estimator.name();
-                table.serialize((at(grid, index), state, name, theta, beta, separable))?;
+                table.serialize((
+                    columns::values(grid, index),
+                    state,
+                    name,
+                    theta,
+                    beta,
+                    separable,
+                ))?;
             }
         }
     }
@@ -81,7 +86,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
     let grid = &study.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
     let names = ["record", "level", "outcome", "max_u", "stroke_v", "zeta"];
-    table.write_record(axes(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     for cell in 0..grid.len() {
         for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
             for (k, level) in levels.iter().enumerate() {
@@ -89,7 +94,13 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
                 let numbers = [&motion.max_u, &motion.stroke_v, &motion.zeta];
                 let numbers = numbers.map(|values| Number(f64::from(values[index])));
                 let outcome = motion.outcomes[index].name();
-                table.serialize((at(grid, cell), &motion.id, Number(*level), outcome, numbers))?;
+                table.serialize((
+                    columns::values(grid, cell),
+                    &motion.id,
+                    Number(*level),
+                    outcome,
+                    numbers,
+                ))?;
             }
         }
     }
@@ -104,13 +115,18 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
     let grid = &study.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(axes(grid).chain(["record", "lowest", "highest", "stands_again"]))?;
+    table.write_record(columns::keys(grid).chain([
+        "record",
+        "lowest",
+        "highest",
+        "stands_again",
+    ]))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (record, capacity) in study.records().zip(&cell.capacities) {
             let lowest = known(capacity.map(|capacity| capacity.lowest));
             let highest = known(capacity.map(|capacity| capacity.highest));
             let again = u8::from(capacity.is_some_and(|capacity| capacity.stands_again));
-            table.serialize((at(grid, index), record, lowest, highest, again))?;
+            table.serialize((columns::values(grid, index), record, lowest, highest, again))?;
         }
     }
     Ok(table.flush()?)
@@ -134,14 +150,20 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
         "total_low",
         "total_high",
     ];
-    table.write_record(axes(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (state, of) in study.asked.states.iter().zip(&cell.states) {
             let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
             for (varied, one) in unknown.varied.iter().zip(indices) {
                 let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
                 let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
-                table.serialize((at(grid, index), state, varied.parameter.key(), first, total))?;
+                table.serialize((
+                    columns::values(grid, index),
+                    state,
+                    varied.parameter.key(),
+                    first,
+                    total,
+                ))?;
             }
         }
     }
@@ -157,7 +179,7 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
     let grid = &study.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
     let keys = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
-    let names = axes(grid).map(String::from).chain(["limit_state".into()]).chain(keys);
+    let names = columns::keys(grid).map(String::from).chain(["limit_state".into()]).chain(keys);
     table.write_record(names.chain(["theta".into(), "beta".into()]))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (state, of) in study.asked.states.iter().zip(&cell.states) {
@@ -166,7 +188,7 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
                 let point: Vec<Number> = point.iter().copied().map(Number).collect();
                 let theta = known(curve.map(|curve| curve.theta));
                 let beta = known(curve.map(|curve| curve.beta));
-                table.serialize((at(grid, index), state, point, theta, beta))?;
+                table.serialize((columns::values(grid, index), state, point, theta, beta))?;
             }
         }
     }
@@ -199,7 +221,7 @@ pub fn write_rates(
     let mut table = csv::Writer::from_writer(writer);
     let names =
         ["limit_state", "estimator", "rate", "in_50_years", "missing_above", "below_target"];
-    table.write_record(axes(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     for (index, cell) in study.cells.iter().enumerate() {
         for (state, of) in study.asked.states.iter().zip(&cell.states) {
             for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
@@ -211,7 +233,13 @@ pub fn write_rates(
                 ];
                 let below =
                     rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
-                let row = (at(grid, index), state, estimator.name(), numbers.map(known), below);
+                let row = (
+                    columns::values(grid, index),
+                    state,
+                    estimator.name(),
+                    numbers.map(known),
+                    below,
+                );
                 table.serialize(row)?;
             }
         }

@@ -11,7 +11,7 @@ pub mod columns;
 pub mod csv;
 pub mod files;
 pub mod identity;
-mod lock;
+pub mod lock;
 pub mod npz;
 pub mod outcomes;
 pub mod part;

@@ -108,6 +108,13 @@ impl Grid {
         self.axes.get(1)
     }
 
+    /// The places of the axes that tell cells apart or say what they have. A grid of nothing but a cell's end, which lies
+    /// elsewhere under each record, has none.
+    pub fn told(&self) -> Vec<usize> {
+        let end = |axis: &Axis| axis.parameter == Parameter::TMax && axis.count() == 1;
+        (0..self.axes.len()).filter(|place| !end(&self.axes[*place])).collect()
+    }
+
     /// The axis along which alone the cells lie, where there is one.
     pub fn line(&self) -> Option<&Axis> {
         let mut swept = self.axes.iter().filter(|axis| axis.count() > 1);

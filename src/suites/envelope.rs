@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::columns;
 use super::swept::{SuiteSweep, SweptMotion, Values};
 use crate::results::csv::Number;
 use crate::stepping::outcome::Class;
@@ -57,16 +58,32 @@ impl Envelope<'_> {
         Envelope { sweep, limits, cells }
     }
 
-    /// The feasible cells, least max |u| first, of equal ones the least stroke of v.
+    /// The feasible cells: those that have a feasible neighbour before those alone, least max |u| first, of equal ones the
+    /// least stroke of v.
     pub fn best(&self) -> Vec<usize> {
         let mut best: Vec<usize> =
             (0..self.cells.len()).filter(|cell| self.cells[*cell].feasible).collect();
-        let key = |cell: &usize| (self.cells[*cell].max_u[2], self.cells[*cell].stroke_v[2]);
-        best.sort_by(|a, b| {
-            let (a, b) = (key(a), key(b));
-            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        best.sort_by_cached_key(|cell| {
+            let CellEnvelope { max_u, stroke_v, .. } = self.cells[*cell];
+            // Strokes are not negative: their bits sort as they do.
+            (self.is_alone(*cell), max_u[2].to_bits(), stroke_v[2].to_bits())
         });
         best
+    }
+
+    /// True of a feasible cell that has neighbours, none of them feasible: a small change of the base is too much.
+    pub fn is_alone(&self, cell: usize) -> bool {
+        let grid = &self.sweep.grid;
+        let place = grid.place(cell);
+        let mut neighbours = Vec::new();
+        for (axis, along) in grid.axes().iter().enumerate() {
+            for at in [place[axis].checked_sub(1), Some(place[axis] + 1)].into_iter().flatten() {
+                let mut beside = place;
+                beside[axis] = at;
+                neighbours.extend((at < along.count()).then(|| grid.cell(&beside)));
+            }
+        }
+        !neighbours.is_empty() && !neighbours.iter().any(|cell| self.cells[*cell].feasible)
     }
 
     /// The cell under which the block stands most often, of equal ones that with the least max |u|: what comes
@@ -166,11 +183,11 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
         "stroke_v_100",
         "feasible",
     ];
-    table.write_record(grid.axes().iter().map(|axis| axis.key()).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     let records = envelope.sweep.motions.len();
     let known = |value: f64| (!value.is_nan()).then_some(Number(value));
     for (index, cell) in envelope.cells.iter().enumerate() {
-        let axes: Vec<Number> = grid.coordinates(index).map(Number).collect();
+        let axes = columns::values(grid, index);
         let shares = [cell.standing, cell.overturned, cell.rocked].map(Number);
         let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
         table.serialize((axes, records, shares, u, v, u8::from(cell.feasible)))?;
@@ -186,9 +203,9 @@ pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
     let grid = &envelope.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
     let names = ["zeta_50", "zeta_84", "zeta_100"];
-    table.write_record(grid.axes().iter().map(|axis| axis.key()).chain(names))?;
+    table.write_record(columns::keys(grid).chain(names))?;
     for (index, cell) in envelope.cells.iter().enumerate() {
-        let axes: Vec<Number> = grid.coordinates(index).map(Number).collect();
+        let axes = columns::values(grid, index);
         table
             .serialize((axes, cell.zeta.map(|value| (!value.is_nan()).then_some(Number(value)))))?;
     }

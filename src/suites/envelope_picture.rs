@@ -46,7 +46,10 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     let (x, side) = SIDE;
     let place = Place { x, y: top, width: side, height: side };
     let frame = frame(place, grid);
-    let grey = |share: f64| (NONE + (ALL - NONE) * share) as u8;
+    // From a tenth below the least share on, so that large ones are told apart.
+    let least = envelope.cells.iter().map(|cell| cell.standing).fold(1.0, f64::min);
+    let from = ((10.0 * least).floor() / 10.0).min(0.9);
+    let grey = |share: f64| (NONE + (ALL - NONE) * (share - from) / (1.0 - from)) as u8;
     let image = png((columns, rows), |column, row| {
         let cell = &envelope.cells[(rows - 1 - row) * columns + column];
         match cell.feasible {
@@ -84,25 +87,30 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     frame.draw(&mut canvas, BOTH);
     let bar = Place { x: place.x, y: place.bottom() + BELOW + MARGIN, width: side, height: SCALE };
     let scale = png((256, 1), |column, _| {
-        let grey = grey((column as f64 + 0.5) / 256.0);
+        let grey = grey(from + (1.0 - from) * (column as f64 + 0.5) / 256.0);
         [grey, grey, grey, 255]
     })?;
     canvas.image(bar, &scale, true);
-    let axis = Axis::new(0.0, 1.0, "share of the motions under which the block stands");
+    let axis = Axis::new(from, 1.0, "share of the motions under which the block stands");
     let written = Written { y: false, x: true, beyond: 4.0 };
     Frame::new(bar, axis, Axis::new(0.0, 1.0, "")).draw(&mut canvas, written);
     let standing = match limits.standing {
         1.0 => "border of standing under all motions".to_string(),
         share => format!("border of standing under {} % of them", 100.0 * share),
     };
-    let mut entries = vec![
-        entry(Swatch::Fill(FEASIBLE), "all limits are kept"),
-        entry(Swatch::Line(STANDING), standing),
-    ];
-    entries.extend(limits.u.map(|u| entry(Swatch::Line(LIMIT_U), format!("largest |u| = {u} m"))));
-    entries.extend(
-        limits.v.map(|v| entry(Swatch::Line(LIMIT_V), format!("largest stroke of v = {v} m"))),
-    );
+    let [around, of_u, of_v] = all.each_ref().map(|(lines, _)| !lines.is_empty());
+    let feasible = best.is_some();
+    let mut entries = Vec::new();
+    entries.extend(feasible.then(|| entry(Swatch::Fill(FEASIBLE), "all limits are kept")));
+    entries.extend(around.then(|| entry(Swatch::Line(STANDING), standing)));
+    let limit = |of: &str, limit: f64| format!("largest {of} = {limit} m");
+    let u = limits.u.filter(|_| of_u);
+    entries.extend(u.map(|u| entry(Swatch::Line(LIMIT_U), limit("|u|", u))));
+    let v = limits.v.filter(|_| of_v);
+    entries.extend(v.map(|v| entry(Swatch::Line(LIMIT_V), limit("stroke of v", v))));
+    if !feasible {
+        entries.push(entry(Swatch::None, "No cell keeps all limits."));
+    }
     entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), "least |u| of these")));
     let at = (MARGIN, bar.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, most, 2);

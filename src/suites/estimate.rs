@@ -17,7 +17,7 @@ impl SuiteJob {
     /// Those of the backend, and that it was cancelled.
     pub fn estimate(&self, progress: &dyn Progress) -> Result<f64, SweepError> {
         let samples = |wanted: &WantedMotion| wanted.pair.horizontal.len() as f64;
-        let mut sorted: Vec<&(WantedMotion, Scene)> = self.all.iter().collect();
+        let mut sorted: Vec<&(WantedMotion, Scene)> = self.all[self.motions()].iter().collect();
         sorted.sort_by(|a, b| samples(&a.0).total_cmp(&samples(&b.0)));
         let count = sorted.len().min(MOTIONS);
         let (mut work, mut seconds) = (0.0, 0.0);
@@ -38,6 +38,6 @@ impl SuiteJob {
         let all = |(wanted, _): &(WantedMotion, Scene)| {
             (self.grid.len() * wanted.factors.len()) as f64 * samples(wanted)
         };
-        Ok(seconds / work.max(1.0) * self.all.iter().map(all).sum::<f64>())
+        Ok(seconds / work.max(1.0) * self.all[self.motions()].iter().map(all).sum::<f64>())
     }
 }

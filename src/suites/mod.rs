@@ -5,6 +5,7 @@
 //!   motions -> wanted (at which levels) -> swept, runner (sweeps; saved) -> envelope
 //! ```
 
+pub mod columns;
 pub mod entry;
 pub mod envelope;
 #[cfg(feature = "pictures")]
@@ -29,6 +30,7 @@ pub mod saved;
 pub mod spectrum;
 pub mod swept;
 pub mod table;
+pub mod verified;
 pub mod wanted;
 
 pub use entry::{Entry, Motion};

@@ -4,33 +4,29 @@ use std::time::Instant;
 
 use super::runner::Runner;
 use super::swept::{SuiteJob, SuiteSweep};
-use super::wanted::WantedMotion;
-use crate::scene::Scene;
+use super::{saved, verified::Verified};
 use crate::sweep::error::SweepError;
 use crate::sweep::observer::{Observer, Phase};
 
 impl SuiteJob {
-    /// Runs it; none where a part was asked for, whose motions are saved.
+    /// Runs it; the sweep has the motions of the part, where one was asked for, and these are saved.
     ///
     /// # Errors
-    /// A backend that failed, a directory that cannot be written, an observer that ended it.
-    pub fn run(self, observer: &dyn Observer) -> Result<Option<SuiteSweep>, SweepError> {
+    /// A backend that failed, a directory that is in use or cannot be written, an observer that ended it.
+    pub fn run(self, observer: &dyn Observer) -> Result<SuiteSweep, SweepError> {
+        // Parts may run at the same time: each motion is a file of its own.
+        let alone = self.settings.saving.as_ref().filter(|_| self.settings.part.is_none());
+        let lock = alone.map(|folder| saved::lock(folder)).transpose()?;
         let began = Instant::now();
         let runs = if self.settings.run.method.resolve { 2 } else { 1 };
-        let part = self.settings.part;
-        let wanted = part.map_or(0..self.all.len(), |part| part.cells(self.all.len()));
-        let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
-        let total: usize = self.all[wanted.clone()].iter().map(cells).sum();
-        observer.begins(Phase::Sweeping, runs * total);
-        let runner = Runner::new(&self, wanted, observer);
-        let swept = runner.run()?;
-        let seconds = began.elapsed().as_secs_f64();
-        if part.is_some() {
-            return Ok(None);
-        }
-        let verifications = swept.verify(self.settings.run.verify.within, observer)?;
+        observer.begins(Phase::Sweeping, runs * self.cells());
+        let swept = Runner::new(&self, self.motions(), observer).run()?;
+        let seconds = began.elapsed().as_secs_f64() - swept.verifying;
+        drop(lock);
+        let mut verified = Verified::default();
+        swept.motions.iter().for_each(|motion| verified.add(&motion.verified));
         let (motions, resumed) = (swept.motions, swept.resumed);
         let SuiteJob { scene, grid, .. } = self;
-        Ok(Some(SuiteSweep { scene, grid, motions, resumed, seconds, verifications }))
+        Ok(SuiteSweep { scene, grid, motions, resumed, seconds, verified })
     }
 }

@@ -1,7 +1,7 @@
 //! Sweeps under the motions of a suite, several at a time: while the last cells of one are run, the next begins.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -9,19 +9,17 @@ use std::time::{Duration, Instant};
 use super::gather::gather;
 use super::saved;
 use super::swept::{SuiteJob, SweptMotion};
+use super::verified::Verified;
 use super::wanted::WantedMotion;
-use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
+use crate::scene::{Parameter, Scene, SceneError, Values};
 use crate::sweep::backend::Backend;
 use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
-use crate::sweep::map::MapSweep;
-use crate::sweep::observer::{Observer, Phase};
-use crate::sweep::plan::Plan;
+use crate::sweep::observer::Observer;
 use crate::sweep::run::sweep_outcomes;
-use crate::sweep::sample::Chosen;
 use crate::sweep::settings::{RunSettings, VerifySettings};
 use crate::sweep::several::OneOfSeveral;
-use crate::sweep::verification::{self, Verification};
+use crate::sweep::verification;
 
 /// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
 /// comes to its end.
@@ -32,6 +30,9 @@ const TOGETHER: usize = 4096;
 
 /// A motion that took no longer is run again when a run goes on: a file takes about as long to be written.
 const WORTH_SAVING: Duration = Duration::from_millis(50);
+
+/// Time beyond which the reference is not held: a year.
+const LONGEST: Duration = Duration::from_secs(365 * 24 * 3600);
 
 /// Runs a suite's motions.
 pub(super) struct Runner<'a> {
@@ -44,6 +45,8 @@ pub(super) struct Runner<'a> {
     stopped: AtomicBool,
     /// Cells that are saved.
     saved: AtomicUsize,
+    /// Nanoseconds of the reference, of all workers together.
+    verifying: AtomicU64,
 }
 
 /// What became of the motions.
@@ -51,20 +54,13 @@ pub(super) struct Swept {
     pub(super) motions: Vec<SweptMotion>,
     /// Those that an earlier run had saved.
     pub(super) resumed: usize,
-    samples: Vec<Sample>,
+    /// Seconds that the reference took of the time of all.
+    pub(super) verifying: f64,
 }
 
-/// Cells of a sweep that the reference is to run again.
-struct Sample {
-    plan: Plan,
-    grid: Grid,
-    chosen: Vec<Chosen>,
-}
-
-/// A motion's cells with samples of its sweeps, or what an earlier run has saved of it.
+/// A motion's cells, run now or by an earlier run.
 struct Done {
     motion: SweptMotion,
-    samples: Vec<Sample>,
     resumed: bool,
 }
 
@@ -75,15 +71,13 @@ impl<'a> Runner<'a> {
         observer: &'a dyn Observer,
     ) -> Runner<'a> {
         let (next, stopped) = (AtomicUsize::new(range.start), AtomicBool::new(false));
-        Runner { job, range, observer, next, stopped, saved: AtomicUsize::new(0) }
+        let (saved, verifying) = (AtomicUsize::new(0), AtomicU64::new(0));
+        Runner { job, range, observer, next, stopped, saved, verifying }
     }
 
     /// Runs the motions.
     pub(super) fn run(&self) -> Result<Swept, SweepError> {
-        let workers = match self.job.opened.backends[0] {
-            Backend::Cpu => AT_A_TIME,
-            _ => 1,
-        };
+        let workers = self.workers();
         let count = self.range.len();
         let done: Vec<Mutex<Option<Done>>> = (0..count).map(|_| Mutex::new(None)).collect();
         let first_error = Mutex::new(None);
@@ -116,16 +110,24 @@ impl<'a> Runner<'a> {
                 _ => error,
             });
         }
-        let mut swept =
-            Swept { motions: Vec::with_capacity(count), resumed: 0, samples: Vec::new() };
+        let verifying = Duration::from_nanos(self.verifying.load(Ordering::Relaxed));
+        let verifying = verifying.as_secs_f64() / workers as f64;
+        let mut swept = Swept { motions: Vec::with_capacity(count), resumed: 0, verifying };
         let all =
             done.into_iter().map(|one| one.into_inner().unwrap_or_else(PoisonError::into_inner));
-        for Done { motion, samples, resumed } in all.flatten() {
+        for Done { motion, resumed } in all.flatten() {
             swept.motions.push(motion);
-            swept.samples.extend(samples);
             swept.resumed += usize::from(resumed);
         }
         Ok(swept)
+    }
+
+    /// Motions that are swept at a time.
+    fn workers(&self) -> usize {
+        match self.job.opened.backends[0] {
+            Backend::Cpu => AT_A_TIME,
+            _ => 1,
+        }
     }
 
     fn take(&self) -> Option<usize> {
@@ -151,7 +153,7 @@ impl<'a> Runner<'a> {
             let runs = if settings.run.method.resolve { 2 } else { 1 };
             self.observer.advance(runs * motion.outcomes.len());
             self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);
-            return Ok(Done { motion, samples: Vec::new(), resumed: true });
+            return Ok(Done { motion, resumed: true });
         }
         let mut motion = SweptMotion {
             id: wanted.id.clone(),
@@ -160,8 +162,9 @@ impl<'a> Runner<'a> {
             max_u: Vec::new(),
             stroke_v: Vec::new(),
             zeta: Vec::new(),
+            verified: Verified::default(),
         };
-        let (began, mut samples) = (Instant::now(), Vec::new());
+        let began = Instant::now();
         let together = (TOGETHER / cells).max(1);
         // The sample is spread over all motions, and the levels of each.
         let share = |at: usize, of: usize| settings.run.verify.cells * at / of;
@@ -169,8 +172,7 @@ impl<'a> Runner<'a> {
         let sweeps = wanted.factors.len().div_ceil(together);
         for (k, factors) in wanted.factors.chunks(together).enumerate() {
             let some = sampled * (k + 1) / sweeps - sampled * k / sweeps;
-            let sample = self.levels(scene, wanted, factors, some, &mut motion)?;
-            samples.extend(sample);
+            self.levels(scene, wanted, factors, some, &mut motion)?;
         }
         if let Some((folder, tag)) = &place
             && (settings.part.is_some() || began.elapsed() >= WORTH_SAVING)
@@ -178,7 +180,7 @@ impl<'a> Runner<'a> {
             saved::save(folder, tag, &motion)?;
             self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);
         }
-        Ok(Done { motion, samples, resumed: false })
+        Ok(Done { motion, resumed: false })
     }
 
     /// Adds the cells at some levels to a motion's.
@@ -189,7 +191,7 @@ impl<'a> Runner<'a> {
         factors: &[f64],
         sampled: usize,
         motion: &mut SweptMotion,
-    ) -> Result<Option<Sample>, SweepError> {
+    ) -> Result<(), SweepError> {
         let mut settings: RunSettings = self.job.settings.run.clone();
         (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
         let mut axes = Vec::new();
@@ -204,33 +206,26 @@ impl<'a> Runner<'a> {
         let map = sweep_outcomes(&self.job.opened, scene, &axes, &settings, &watch)?;
         gather(&map, &self.job.grid, factors.len(), motion)?;
         if sampled == 0 || map.by_reference() {
-            return Ok(None);
+            return Ok(());
         }
+        let began = Instant::now();
+        // The time that they may take is that of all workers.
+        let all = settings_within(&self.job.settings.run) * self.workers() as u32;
+        let spent = Duration::from_nanos(self.verifying.load(Ordering::Relaxed));
         let chosen = map.choose(sampled, &watch)?;
-        let MapSweep { plan, grid, .. } = map;
-        Ok(Some(Sample { plan, grid, chosen }))
+        let within = (&chosen[..], all.saturating_sub(spent));
+        let verification = verification::verify(&map.plan, &map.grid, within, &watch);
+        let verification = verification.ok_or(BackendError::Cancelled)?;
+        let keys: Vec<&str> = map.grid.axes().iter().map(|axis| axis.key()).collect();
+        motion.verified.add(&Verified::of(&wanted.id, &keys, &verification));
+        // Centuries fit.
+        let took = began.elapsed().as_nanos() as u64;
+        self.verifying.fetch_add(took, Ordering::Relaxed);
+        Ok(())
     }
 }
 
-impl Swept {
-    /// What the reference says of the samples, within a time.
-    pub(super) fn verify(
-        &self,
-        within: Duration,
-        observer: &dyn Observer,
-    ) -> Result<Vec<Verification>, SweepError> {
-        let count: usize = self.samples.iter().map(|sample| sample.chosen.len()).sum();
-        if count == 0 {
-            return Ok(Vec::new());
-        }
-        observer.begins(Phase::Verifying, count);
-        let began = Instant::now();
-        let verify = |sample: &Sample| {
-            let left = within.saturating_sub(began.elapsed());
-            let Sample { plan, grid, chosen } = sample;
-            verification::verify(plan, grid, (chosen, left), observer)
-                .ok_or_else(|| BackendError::Cancelled.into())
-        };
-        self.samples.iter().map(verify).collect()
-    }
+/// The time that the reference may take, which is counted in nanoseconds of workers.
+fn settings_within(run: &RunSettings) -> Duration {
+    run.verify.within.min(LONGEST)
 }

@@ -1,15 +1,17 @@
 //! What is done of a suite's sweep, on disk: a file a motion, named by all that its cells depend on. So a run that
 //! was interrupted goes on, and parts that ran on several machines are one.
 
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
 use super::swept::SweptMotion;
+use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::files::{Directory, remove};
+use crate::results::lock;
 use crate::results::store_error::StoreError;
 use crate::scene::Scene;
 use crate::stepping::outcome::Class;
@@ -21,6 +23,8 @@ use crate::sweep::settings::Method;
 const FOLDER: &str = "motions";
 /// Bytes of a cell: its outcome, and three numbers of four bytes.
 const CELL: usize = 13;
+/// Bytes of what the reference says: three counts.
+const VERIFIED: usize = 12;
 
 /// The folder of a run's directory that motions are saved in.
 pub fn folder(out: &Path) -> PathBuf {
@@ -29,7 +33,15 @@ pub fn folder(out: &Path) -> PathBuf {
 
 /// True where an earlier run has left motions.
 pub fn is_begun(out: &Path) -> bool {
-    folder(out).exists()
+    let there = fs::read_dir(folder(out)).into_iter().flatten().flatten();
+    there.map(|entry| entry.file_name()).any(|name| name != lock::NAME)
+}
+
+/// Locks the folder for a run that needs all of it.
+pub(super) fn lock(folder: &Path) -> Result<File, SweepError> {
+    Directory::open(folder).map_err(StoreError::from)?;
+    let place = folder.parent().unwrap_or(folder);
+    lock::lock(folder, place).map_err(SweepError::Folder)
 }
 
 /// Removes what was saved, when it is not needed any more.
@@ -69,10 +81,13 @@ pub(super) fn load(
 ) -> Option<SweptMotion> {
     let bytes = fs::read(folder.join(tag)).ok()?;
     let count = cells * wanted.factors.len();
-    let (cells, sum) = bytes.split_at_checked(count * CELL)?;
-    if sum != crc32c::crc32c(cells).to_le_bytes() {
+    let (content, sum) = bytes.split_at_checked(count * CELL + VERIFIED)?;
+    if sum != crc32c::crc32c(content).to_le_bytes() {
         return None;
     }
+    let (cells, verified) = content.split_at(count * CELL);
+    let verified = verified.as_chunks::<4>().0;
+    let [sampled, differ, inside] = [0, 1, 2].map(|k| u32::from_le_bytes(verified[k]));
     let (codes, numbers) = cells.split_at(count);
     let classes = codes.iter().map(|code| Class::ALL.get(usize::from(*code)).copied());
     let (numbers, _) = numbers.as_chunks::<4>();
@@ -87,6 +102,7 @@ pub(super) fn load(
         max_u: column(0),
         stroke_v: column(1),
         zeta: column(2),
+        verified: Verified { sampled, differ, inside, wrong: Vec::new() },
     })
 }
 
@@ -96,6 +112,8 @@ pub(super) fn save(folder: &Path, tag: &str, motion: &SweptMotion) -> Result<(),
     for column in [&motion.max_u, &motion.stroke_v, &motion.zeta] {
         bytes.extend(column.iter().flat_map(|value| value.to_le_bytes()));
     }
+    let Verified { sampled, differ, inside, .. } = motion.verified;
+    bytes.extend([sampled, differ, inside].into_iter().flat_map(u32::to_le_bytes));
     let sum = crc32c::crc32c(&bytes).to_le_bytes();
     bytes.extend(sum);
     let folder = Directory::open(folder).map_err(StoreError::from)?;

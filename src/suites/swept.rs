@@ -1,8 +1,10 @@
 //! A sweep under every motion of a suite, each at all its levels.
 
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
 use crate::scene::{Grid, Scene, SceneBuilder, SceneError};
@@ -10,7 +12,6 @@ use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
 use crate::sweep::request::OpenBackends;
 use crate::sweep::settings::RunSettings;
-use crate::sweep::verification::Verification;
 
 /// The cells of a grid under every motion of a suite.
 #[derive(Debug)]
@@ -25,8 +26,8 @@ pub struct SuiteSweep {
     pub resumed: usize,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,
-    /// What the reference says of samples, a motion each.
-    pub verifications: Vec<Verification>,
+    /// What the reference says of samples.
+    pub verified: Verified,
 }
 
 /// The cells of a grid under a motion: level by level, in the grid's order.
@@ -44,6 +45,8 @@ pub struct SweptMotion {
     pub stroke_v: Vec<f32>,
     /// The rocking index.
     pub zeta: Vec<f32>,
+    /// What the reference says of a sample.
+    pub verified: Verified,
 }
 
 /// The values of a motion's cells.
@@ -106,14 +109,16 @@ impl SuiteJob {
         &self.opened
     }
 
-    /// Cells of all sweeps together.
+    /// Cells of all sweeps that are to run together.
     pub fn cells(&self) -> usize {
-        self.all.iter().map(|(wanted, _)| wanted.factors.len() * self.grid.len()).sum()
+        let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
+        self.all[self.motions()].iter().map(cells).sum()
     }
 
-    /// Motions.
-    pub fn motions(&self) -> usize {
-        self.all.len()
+    /// The motions that are to run: all, or those of a part.
+    pub fn motions(&self) -> Range<usize> {
+        let count = self.all.len();
+        self.settings.part.map_or(0..count, |part| part.cells(count))
     }
 }
 
