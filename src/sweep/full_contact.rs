@@ -31,6 +31,9 @@ use crate::scene::{Excitation, Grid, Parameter};
 /// Largest memory for the motions, bytes; for a grid that needs more each cell integrates its own full
 /// contact.
 const MOST_MEMORY: usize = 1 << 29;
+/// Cells that take as long as a motion that they share, where contact forces are not asked for: under 148 motions, of
+/// grids of 10 x 10, 20 x 20 and 30 x 30 over (T_h, T_v), sharing took 1.6, 0.96 and 0.6 of the time.
+const CELLS_A_MOTION: usize = 10;
 /// The full-contact motions of a plan's grid.
 #[derive(Debug)]
 pub struct FullContactMotions<R> {
@@ -129,8 +132,10 @@ impl<R: Real> FullContactMotions<R> {
         let window = Window::whole(grid);
         let across = window.entries(grid, &of.across);
         let up = window.entries(grid, &of.up);
-        // With as many motions as cells there is nothing to save.
-        let pays = across + up < grid.len() && amplitude != Some(0.0);
+        // With as many motions as cells there is nothing to save. Without forces a cell is so cheap that a motion, which
+        // fills no vector, takes as long as some of them.
+        let each = if plan.forces { 1 } else { CELLS_A_MOTION };
+        let pays = grid.len() > each * (across + up) && amplitude != Some(0.0);
         if !plan.reductions.full_contact || grid.tilts() || !pays {
             return None;
         }
