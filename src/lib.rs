@@ -91,18 +91,15 @@ mod suites;
 pub mod suites;
 
 #[cfg(not(feature = "internals"))]
-mod fragility;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod fragility;
-
-#[cfg(not(feature = "internals"))]
 mod sweep;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod sweep;
 
-// Nothing of it is on this page yet.
+// Nothing of these is on this page yet.
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod fragility;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod uncertain;
