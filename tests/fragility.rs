@@ -260,8 +260,17 @@ fn parts_are_the_whole() {
     // Another scene has other motions: nothing of it is taken over.
     envelope("other", &["--tile", "1/1"]).1.success();
     let (out, run) = envelope("other", &["--resume", "--psi", "0.3"]);
-    assert!(said(&run.success()).contains("0 of 4 motions were done"));
-    assert_ne!(read(&out), read(&whole));
+    assert!(refusal(&run.code(2)).contains("holds motions of another run"));
+    assert_eq!(
+        fs::read_dir(out.join("motions"))
+            .unwrap()
+            .filter(|file| { file.as_ref().is_ok_and(|file| file.file_name() != "lock") })
+            .count(),
+        4
+    );
+    let (out, run) = envelope("other", &["--resume"]);
+    assert!(said(&run.success()).contains("4 of 4 motions were done"));
+    assert_eq!(read(&out), read(&whole));
     let (out, run) = envelope("dry", &["--dry-run"]);
     let told = said(&run.success());
     assert!(told.contains("6400 together") && told.contains("of sweep") && !out.exists(), "{told}");
@@ -318,6 +327,20 @@ fn points_are_runs_of_their_numbers() {
     assert!(!out.join("capacities.csv").exists());
 }
 
+/// Runs at one level tell no curve, and nothing is made up.
+#[test]
+fn one_level_is_no_curve() {
+    let (place, list) = suite();
+    let (out, to) = within(&place, "out");
+    let asked = ["--levels", "6", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    let common = ["fragility", "--suite", &list, "--out", &to];
+    let run = topple(&[&common[..], &BASE, &asked].concat()).success();
+    assert!(said(&run).contains("no curve; all runs are at one level"), "{}", said(&run));
+    for row in rows(&out.join("fits.csv")) {
+        assert!(row["theta"].is_empty() && row["beta"].is_empty() && row["separable"] == "0");
+    }
+}
+
 /// A hazard curve whose rate falls by a power k of the level: the rate of a lognormal fragility has a closed form,
 /// lambda(theta) exp(k^2 beta^2/2), where the curve reaches far enough.
 #[test]
@@ -357,7 +380,7 @@ fn what_makes_no_sense_is_refused() {
     let (bad, hazard) = within(&place, "bad.csv");
     fs::write(&bad, "level,rate\n1,0.1\n2,0.2\n").unwrap();
     let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let cases: [(&[&str], &str); 10] = [
+    let cases: [(&[&str], &str); 14] = [
         (&["--alpha-y", "0.1", "--t-h", "1.5", "--t-v", "0.5"], "give --u-y or --yield-force"),
         (&["--u-y", "0.01", "--levels", "0:2:3"], "give levels above 0"),
         (&["--u-y", "0.01", "--estimator", "ida"], "give --levels"),
@@ -367,6 +390,13 @@ fn what_makes_no_sense_is_refused() {
         (&["--u-y", "0.01", "--hazard", &hazard], "line 3"),
         (&["--u-y", "0.01", "--target", "0.1"], "--hazard"),
         (&["--u-y", "0.01", "--limit-u", "-1"], "must be a positive number"),
+        (&["--u-y", "0.01", "--im", "sa:1e-9"], "0.01 to 100 s"),
+        (&["--u-y", "0.01", "--bootstrap", "0"], "39"),
+        (
+            &["--u-y", "0.01", "--im", "pga*", "--vary", "eccentricity=uniform(0,0.2)"],
+            "for each block",
+        ),
+        (&["--u-y", "0.01", "--limit-v", "0.1", "--isolation", "horizontal"], "does not move"),
         (&["--u-y", "0.01", "--vary", "scale=normal(1,0.1)"], "is no number of this scene"),
     ];
     for (more, said) in cases {

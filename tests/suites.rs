@@ -380,12 +380,15 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
     let line = String::from_utf8(again.get_output().stderr.clone()).unwrap();
     assert!(line.contains("a suite is no scene; read it again by topple suite"), "{line}");
     let made = out.path().join("made");
+    // Its folder is there, and has records.
+    let typo = folder.path().join("lits.csv").display().to_string();
     for (arguments, said) in [
         (
             vec![path.as_str(), "--strict"],
             "4 of 7 motions are left out, the first RSN3_QUAKE_VIL000",
         ),
         (vec!["/no/such/folder"], "give a folder, a zip or a list"),
+        (vec![typo.as_str()], "give a folder, a zip or a list"),
         (vec![out.path().to_str().unwrap()], "and no name that tells a component; give a list"),
     ] {
         let run = suite(&arguments, &made).code(2);
@@ -503,9 +506,10 @@ fn an_envelope_is_made_of_maps() {
         if standing.is_empty() {
             assert!(row["max_u_100"].is_empty());
         } else {
-            // It is kept in f32.
-            assert_relative_eq!(number(row, "max_u_100"), u, max_relative = 1e-7);
-            assert_relative_eq!(number(row, "stroke_v_100"), v, max_relative = 1e-7);
+            // Cells of so small a grid share no motion, and take both directions in the shorter of their steps: the
+            // error of the longer one, 1/80 of a period, is some 1e-6.
+            assert_relative_eq!(number(row, "max_u_100"), u, max_relative = 1e-5);
+            assert_relative_eq!(number(row, "stroke_v_100"), v, max_relative = 1e-5);
             assert!(number(row, "max_u_50") <= number(row, "max_u_84"));
         }
         let keeps = share >= 0.75 && u <= 0.65 && v <= 0.1;

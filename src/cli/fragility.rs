@@ -1,12 +1,12 @@
 //! `topple fragility`.
 
 use std::fs;
-use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
+use topple::fragility::interval::FEWEST;
 use topple::fragility::limit_state::LimitState;
 use topple::fragility::sensitivity::Unknown;
 use topple::fragility::study::{Asked, Study};
@@ -57,9 +57,9 @@ pub struct FragilityCommand {
     /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
     estimator: Vec<Estimator>,
-    /// Sets of records that are drawn for the intervals [default: 1000, of more than 100 cells 100]
-    #[arg(long, value_name = "N", help_heading = "Fragility")]
-    bootstrap: Option<NonZeroU32>,
+    /// Sets of records that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
+    #[arg(long, value_name = "N", help_heading = "Fragility", value_parser = clap::value_parser!(u32).range(i64::from(FEWEST)..=1_000_000))]
+    bootstrap: Option<u32>,
     /// Seed of what is drawn
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Fragility")]
     seed: u64,
@@ -166,7 +166,7 @@ impl FragilityCommand {
         };
         let cells = swept.grid.len();
         let usual = REPLICATES[usize::from(cells > MANY)];
-        let replicates = self.bootstrap.map_or(usual, NonZeroU32::get);
+        let replicates = self.bootstrap.unwrap_or(usual);
         let bootstrap = Bootstrap { replicates, seed: self.seed };
         let asked = Asked { levels, times, drawn, unknown, states, estimators, bootstrap };
         let screen = Screen::new(options.quiet);
@@ -245,12 +245,8 @@ impl FragilityCommand {
         let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
         let u = self.limit_u.iter().copied().map(LimitState::U);
         let v = self.limit_v.iter().copied().map(LimitState::V);
-        [LimitState::Overturning, LimitState::Uplift]
-            .into_iter()
-            .chain(zeta)
-            .chain(u)
-            .chain(v)
-            .collect()
+        let all = [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta);
+        once(all.chain(u).chain(v))
     }
 
     /// The estimators that are asked for.
@@ -275,7 +271,7 @@ impl FragilityCommand {
                 let all = Estimator::ALL.into_iter();
                 all.filter(|one| !own_levels || *one != Estimator::Ida).collect()
             }
-            asked => asked.to_vec(),
+            asked => once(asked.iter().copied()),
         })
     }
 
@@ -288,9 +284,10 @@ impl FragilityCommand {
         let Some(first) = motions.first() else { return Ok(Vec::new()) };
         let scene = first.under(&input.text).map_err(|error| flag_error(&error))?;
         let mut body = Parameter::of_section(Section::Block);
-        if self.im.is_of_block() && body.any(|own| scene.swept().contains(&own)) {
-            let problem =
-                format!("--im: {} is another measure for each block of the grid", self.im);
+        let differs =
+            |own| scene.swept().contains(&own) || self.vary.iter().any(|one| one.parameter == own);
+        if self.im.is_of_block() && body.any(differs) {
+            let problem = format!("--im: {} is another measure for each block", self.im);
             return Err(InputError(format!("{problem}; give pga or pgv")).into());
         }
         let block = scene.case().block;
@@ -350,6 +347,16 @@ impl FragilityCommand {
         };
         states.map(figure).collect()
     }
+}
+
+/// The same without what is there before.
+fn once<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+    all.fold(Vec::new(), |mut kept, one| {
+        if !kept.contains(&one) {
+            kept.push(one);
+        }
+        kept
+    })
 }
 
 /// Reads a hazard curve.

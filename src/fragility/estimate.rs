@@ -77,6 +77,8 @@ pub enum Note {
     TooFewDemands,
     /// There is no run.
     NoRuns,
+    /// All runs are at one level.
+    OneLevel,
     /// Some resampled sets have no curve.
     WithoutFit {
         /// How many.
@@ -108,7 +110,8 @@ impl fmt::Display for Note {
             Note::Separable(Gap { stands: None, fails: None }) | Note::NoRuns => {
                 write!(out, "there is no run")
             }
-            Note::NotIncreasing => write!(out, "failures do not become more likely with the level"),
+            Note::OneLevel => write!(out, "all runs are at one level; more levels tell a curve"),
+            Note::NotIncreasing => write!(out, "the probability does not rise with the level"),
             Note::TooFewFailed => write!(out, "fewer than two records fail"),
             Note::TooFewDemands => write!(
                 out,
@@ -164,6 +167,13 @@ fn failed(run: &Run) -> bool {
 /// the profile likelihood of their stripes.
 pub fn estimate(estimator: Estimator, records: &[RecordRuns], bootstrap: &Bootstrap) -> Estimate {
     let records = weighed(records);
+    let mut levels = records.iter().flat_map(|record| &record.runs).map(|run| run.level);
+    let first = levels.next();
+    if let Some(first) = first
+        && levels.all(|level| level == first)
+    {
+        return Estimate { note: Some(Note::OneLevel), ..Estimate::NONE };
+    }
     let prepared = Prepared::of(estimator, &records);
     let note = match prepared.fit(None, None) {
         Fit::Fitted(curve) => {

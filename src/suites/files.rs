@@ -28,6 +28,10 @@ impl Files {
     /// # Errors
     /// Those of reading.
     pub fn of(path: &Path) -> Result<Files, SuiteError> {
+        // A list that is not there is not the folder that it would be in.
+        if let Err(reason) = path.metadata() {
+            return Err(SuiteError::Read { path: path.into(), reason });
+        }
         let is_zip = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip"));
         let place = if path.is_dir() || is_zip {
             path

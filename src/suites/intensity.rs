@@ -1,6 +1,7 @@
 //! Intensity measures that a fragility is told over, and how they grow with the motion.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use serde::{Serialize, Serializer};
@@ -30,10 +31,13 @@ pub enum Intensity {
     RelativePgv,
 }
 
+/// Periods that a record tells anything of, s.
+const PERIODS: RangeInclusive<f64> = 0.01..=100.0;
+
 /// A text that is no measure.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "'{0}' is no intensity measure; give pga, pgv, arias, cav, sa:T, avg-sa:T with a period in s, or pga*, pgv*"
+    "'{0}' is no intensity measure; give pga, pgv, arias, cav, sa:T, avg-sa:T with a period of 0.01 to 100 s, or pga*, pgv*"
 )]
 pub struct IntensityError(String);
 
@@ -107,7 +111,7 @@ impl FromStr for Intensity {
         let lower = text.trim().to_ascii_lowercase();
         let period = |text: &str| {
             let period = text.trim().trim_end_matches('s').trim().parse::<f64>().ok();
-            period.filter(|period| period.is_finite() && *period > 0.0)
+            period.filter(|period| PERIODS.contains(period))
         };
         let known = match lower.split_once(':') {
             Some(("sa", at)) => period(at).map(Intensity::Sa),

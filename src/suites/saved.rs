@@ -1,6 +1,7 @@
 //! What is done of a suite's sweep, on disk: a file a motion, named by all that its cells depend on. So a run that
 //! was interrupted goes on, and parts that ran on several machines are one.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -33,8 +34,14 @@ pub fn folder(out: &Path) -> PathBuf {
 
 /// True where an earlier run has left motions.
 pub fn is_begun(out: &Path) -> bool {
-    let there = fs::read_dir(folder(out)).into_iter().flatten().flatten();
-    there.map(|entry| entry.file_name()).any(|name| name != lock::NAME)
+    !names(&folder(out)).is_empty()
+}
+
+/// The names of the files of a folder of motions.
+pub(super) fn names(folder: &Path) -> BTreeSet<String> {
+    let there = fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = there.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    names.filter(|name| name != lock::NAME).collect()
 }
 
 /// Locks the folder for a run that needs all of it.
