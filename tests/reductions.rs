@@ -345,7 +345,7 @@ fn full_contact_of_a_given_device() {
              u_y = 0.01\n{isolation}"
         );
         let given = SceneBuilder::from_toml(&text).unwrap();
-        let scene = given.check_under(Excitation::Record(synthetic_pair().scaled(2.0))).unwrap();
+        let scene = given.check_under(Excitation::Record(synthetic_pair())).unwrap();
         let cells = hold(&format!("given u_y, {name}"), &scene, FULL_CONTACT);
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
         let mut plan = plan.without_forces();
