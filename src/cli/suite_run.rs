@@ -104,7 +104,7 @@ impl SuiteFlags {
         let screen = Screen::new(options.quiet);
         let job = SuiteJob::open(&input.text, motions, settings).map_err(sweep_error)?;
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
-        if let (true, (0, 1..)) = (self.resume, job.saved().map_err(sweep_error)?) {
+        if self.resume && job.finds_others().map_err(sweep_error)? {
             let folder = saved::folder(&options.out);
             let problem = format!(
                 "--resume: {} holds motions of another run; give the flags of that run, or another directory",

@@ -29,4 +29,19 @@ impl SuiteJob {
         let SuiteJob { scene, grid, .. } = self;
         Ok(SuiteSweep { scene, grid, motions, resumed, seconds, verified })
     }
+    /// True where the folder that it saves to holds motions, and none of its own.
+    ///
+    /// # Errors
+    /// Those of the writer of a motion's name.
+    pub fn finds_others(&self) -> Result<bool, SweepError> {
+        let there = self.settings.saving.as_ref().map(|folder| saved::names(folder));
+        let Some(there) = there.filter(|there| !there.is_empty()) else { return Ok(false) };
+        let (backend, method) = (&self.opened.backends[0], &self.settings.run.method);
+        for (wanted, scene) in &self.all {
+            if there.contains(&saved::tag(wanted, scene, backend, method)?) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
 }

@@ -167,12 +167,11 @@ impl<'a> Runner<'a> {
         let began = Instant::now();
         let together = (TOGETHER / cells).max(1);
         // The sample is spread over all motions, and the levels of each.
-        let share = |at: usize, of: usize| settings.run.verify.cells * at / of;
-        let sampled = share(number + 1, all.len()) - share(number, all.len());
+        let share = |cells: usize, k: usize, of: usize| cells * (k + 1) / of - cells * k / of;
+        let sampled = share(settings.run.verify.cells, number, all.len());
         let sweeps = wanted.factors.len().div_ceil(together);
         for (k, factors) in wanted.factors.chunks(together).enumerate() {
-            let some = sampled * (k + 1) / sweeps - sampled * k / sweeps;
-            self.levels(scene, wanted, factors, some, &mut motion)?;
+            self.levels(scene, wanted, factors, share(sampled, k, sweeps), &mut motion)?;
         }
         if let Some((folder, tag)) = &place
             && (settings.part.is_some() || began.elapsed() >= WORTH_SAVING)
@@ -210,7 +209,7 @@ impl<'a> Runner<'a> {
         }
         let began = Instant::now();
         // The time that they may take is that of all workers.
-        let all = settings_within(&self.job.settings.run) * self.workers() as u32;
+        let all = self.job.settings.run.verify.within.min(LONGEST) * self.workers() as u32;
         let spent = Duration::from_nanos(self.verifying.load(Ordering::Relaxed));
         let chosen = map.choose(sampled, &watch)?;
         let within = (&chosen[..], all.saturating_sub(spent));
@@ -223,9 +222,4 @@ impl<'a> Runner<'a> {
         self.verifying.fetch_add(took, Ordering::Relaxed);
         Ok(())
     }
-}
-
-/// The time that the reference may take, which is counted in nanoseconds of workers.
-fn settings_within(run: &RunSettings) -> Duration {
-    run.verify.within.min(LONGEST)
 }

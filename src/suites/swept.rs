@@ -4,7 +4,6 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::saved;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
@@ -114,21 +113,6 @@ impl SuiteJob {
     pub fn cells(&self) -> usize {
         let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
         self.all[self.motions()].iter().map(cells).sum()
-    }
-
-    /// How many of its motions an earlier run has saved, and how many files of the folder are none of these.
-    ///
-    /// # Errors
-    /// Those of the writer of a motion's name.
-    pub fn saved(&self) -> Result<(usize, usize), SweepError> {
-        let Some(folder) = &self.settings.saving else { return Ok((0, 0)) };
-        let there = saved::names(folder);
-        let (backend, method) = (&self.opened.backends[0], &self.settings.run.method);
-        let mut own = 0;
-        for (wanted, scene) in &self.all {
-            own += usize::from(there.contains(&saved::tag(wanted, scene, backend, method)?));
-        }
-        Ok((own, there.len() - own))
     }
 
     /// The motions that are to run: all, or those of a part.
