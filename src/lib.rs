@@ -61,6 +61,12 @@ pub mod figures;
 pub mod map;
 
 #[cfg(not(feature = "internals"))]
+mod fragility;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod fragility;
+
+#[cfg(not(feature = "internals"))]
 mod model;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -96,14 +102,20 @@ mod sweep;
 #[doc(hidden)]
 pub mod sweep;
 
-// Nothing of these is on this page yet.
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod fragility;
+#[cfg(not(feature = "internals"))]
+mod uncertain;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod uncertain;
 
+pub use fragility::limit_state::LimitState;
+pub use fragility::sensitivity::{Sensitivity, Unknown};
+pub use fragility::study::{Asked, CellStudy, StateStudy, Study as FragilityStudy};
+pub use fragility::{
+    AnnualRate, Bootstrap, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob,
+    FragilityRequest, Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run,
+    estimate as estimate_fragility, in_50_years, share_that_stands_again,
+};
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
 pub use results::columns::{Column, STATUS_NAMES};
@@ -121,8 +133,13 @@ pub use scene::{
     SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};
+pub use suites::envelope::{CellEnvelope, Envelope, Limits};
+pub use suites::intensity::{Intensity, IntensityError};
 pub use suites::measures::Measures;
-pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError};
+pub use suites::swept::{SuiteJob, SuiteSettings, SuiteSweep, SweptMotion};
+pub use suites::verified::Verified;
+pub use suites::wanted::WantedMotion;
+pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError, SuiteRequest};
 pub use sweep::backend_error::BackendError;
 pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
@@ -137,6 +154,10 @@ pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;
 pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
+
+pub use uncertain::distribution::DistributionError;
+pub use uncertain::varied::VariedError;
+pub use uncertain::{Design, Distribution, Index, Probabilities, Uncertainty, Varied};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

@@ -573,7 +573,7 @@ fn a_device_that_changes_with_the_motion_is_refused() {
     }
     for (more, said) in [
         (&["--standing", "1.5"][..], "must lie above 0 and at most at 1"),
-        (&["--limit-u", "-1"], "must be a positive number of metres"),
+        (&["--limit-u", "-1"], "must be a positive number"),
         (&["--strict"], "motions are left out"),
     ] {
         let run = topple(&[&base[..], &["--u-y", "0.01"], more].concat()).code(2);

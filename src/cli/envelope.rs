@@ -1,21 +1,19 @@
 //! `topple envelope`.
 
-use std::path::Path;
-
 use serde::Serialize;
 use topple::drawing::render;
 use topple::map::earlier::Kind;
+use topple::scene::Grid;
 use topple::scene::record::rounded;
-use topple::scene::{Grid, Scene};
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
 use topple::suites::swept::Values;
 use topple::suites::verified::Verified;
 use topple::suites::{envelope_curves, envelope_picture};
-use topple::sweep::settings::Method;
 
+use super::errors::sweep_error;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions};
-use super::suite_run::{self, SuiteFlags};
+use super::options::{CommonFlags, RunOptions, flag_error};
+use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Say;
 use super::{examples, output, suite};
 
@@ -30,42 +28,29 @@ pub struct EnvelopeCommand {
     #[command(flatten)]
     motions: SuiteFlags,
     /// Share of the motions under which the block must stand
-    #[arg(long, value_name = "SHARE", default_value = "1", help_heading = "Suite", value_parser = share)]
+    #[arg(
+        long,
+        value_name = "SHARE",
+        default_value = "1",
+        help_heading = "Suite",
+        allow_negative_numbers = true
+    )]
     standing: f64,
     /// Largest max |u| that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = length, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", help_heading = "Suite", allow_negative_numbers = true)]
     limit_u: Option<f64>,
     /// Largest stroke of v that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = length, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", help_heading = "Suite", allow_negative_numbers = true)]
     limit_v: Option<f64>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
 }
 
-fn share(text: &str) -> Result<f64, String> {
-    let share = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share <= 1.0);
-    share.ok_or_else(|| "must lie above 0 and at most at 1".into())
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    let length = text.parse::<f64>().ok().filter(|length| length.is_finite() && *length > 0.0);
-    length.ok_or_else(|| "must be a positive number of metres".into())
-}
-
 /// run.json of an envelope.
 #[derive(Serialize)]
 struct Manifest<'a> {
-    kind: Kind,
-    version: &'static str,
-    /// The scene under the first motion.
-    scene: &'a Scene,
-    suite: &'a Path,
-    motions: Vec<&'a str>,
     #[serde(flatten)]
-    method: Method,
-    cells: usize,
-    sweep_seconds: f64,
-    records_times_cells_per_second: f64,
+    suite: SuiteManifest<'a>,
     standing: f64,
     limit_u: Option<f64>,
     limit_v: Option<f64>,
@@ -84,17 +69,20 @@ impl EnvelopeCommand {
         let options = &self.options;
         let earlier = output::refuse_other(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
-        suite_run::check_limits(&text, [self.limit_u.is_some(), self.limit_v.is_some()])?;
-        let input = self.motions.read(&self.common, options, text)?;
+        let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
+        let request = self.motions.request(&self.common, options, text)?;
+        request.check().map_err(|error| flag_error(&error))?;
+        request.check_envelope(&limits).map_err(|error| flag_error(&error))?;
+        let suite = self.motions.read()?;
         let say = Say::unless(options.quiet);
-        suite::count(&input.suite, &say);
-        let motions = self.motions.motions(&input);
-        let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
+        suite::count(&suite, &say);
+        let job = request.open(&suite).map_err(sweep_error)?;
+        let Some(swept) = self.motions.run(job, 1, options, &say)? else {
             return Ok(());
         };
         let out = output::open(&options.out)?;
-        let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
-        let envelope = Envelope::of(&swept, limits);
+        let envelope = Envelope::of(swept, limits);
+        let swept = &envelope.sweep;
         let title = format!("Envelope of {} motions", swept.motions.len());
         let mut files = vec!["envelope.csv".to_string()];
         files.push("zeta.csv".into());
@@ -111,19 +99,10 @@ impl EnvelopeCommand {
         if let Some(svg) = &svg {
             output::write_figure(&out, "envelope", svg, &render::png(svg)?)?;
         }
-        let count = swept.motions.len() * swept.grid.len();
-        let speed = count as f64 / swept.seconds.max(1.0e-9);
         let best = envelope.best();
+        let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
         let manifest = Manifest {
-            kind: Kind::Envelope,
-            version: env!("CARGO_PKG_VERSION"),
-            scene: &swept.scene,
-            suite: &self.motions.suite,
-            motions: swept.motions.iter().map(|motion| motion.id.as_str()).collect(),
-            method: options.method(),
-            cells: swept.grid.len(),
-            sweep_seconds: swept.seconds,
-            records_times_cells_per_second: speed,
+            suite: self.motions.manifest(Kind::Envelope, swept, motions, options),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,
@@ -133,7 +112,7 @@ impl EnvelopeCommand {
         };
         output::write_json(&out, &manifest)?;
         tell(&envelope, &best, &say);
-        suite_run::tell_verified(&swept, &say);
+        suite_run::tell_verified(swept, &say);
         self.motions.finish(options)?;
         if svg.is_some() {
             say.line("picture", out.file("envelope.png").display());

@@ -6,27 +6,25 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
-use topple::fragility::interval::FEWEST;
 use topple::fragility::limit_state::LimitState;
-use topple::fragility::sensitivity::Unknown;
-use topple::fragility::study::{Asked, Study};
-use topple::fragility::{Bootstrap, Estimator, HazardCurve, levels, picture, tables};
+use topple::fragility::request::{MANY, SAMPLES};
+use topple::fragility::study::Study;
+use topple::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, picture, tables};
 use topple::map::earlier::Kind;
-use topple::scene::parameters::Section;
-use topple::scene::{Parameter, Scene, Values};
+use topple::scene::Values;
+use topple::suites::SuiteRequest;
 use topple::suites::intensity::Intensity;
+use topple::suites::request::above_zero;
 use topple::suites::verified::Verified;
-use topple::suites::wanted::WantedMotion;
 use topple::sweep::backend_error::BackendError;
-use topple::sweep::settings::Method;
-use topple::uncertain::{Ensemble, Varied};
+use topple::uncertain::Varied;
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output::Figure;
 use super::progress::Screen;
-use super::suite_run::{self, SuiteFlags, SuiteInput};
+use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Say;
 use super::{InputError, examples, output, suite};
 
@@ -46,19 +44,37 @@ pub struct FragilityCommand {
     #[arg(long, value_name = "LEVELS", help_heading = "Fragility", allow_hyphen_values = true)]
     levels: Option<Values>,
     /// The rocking index is not to exceed these
-    #[arg(long, value_name = "ZETA,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "ZETA,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        allow_negative_numbers = true
+    )]
     limit_zeta: Vec<f64>,
     /// max |u| is not to exceed these, m
-    #[arg(long, value_name = "M,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "M,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        allow_negative_numbers = true
+    )]
     limit_u: Vec<f64>,
     /// The stroke of v is not to exceed these, m
-    #[arg(long, value_name = "M,...", value_delimiter = ',', help_heading = "Fragility", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "M,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        allow_negative_numbers = true
+    )]
     limit_v: Vec<f64>,
     /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
     estimator: Vec<Estimator>,
     /// Sets of records that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
-    #[arg(long, value_name = "N", help_heading = "Fragility", value_parser = clap::value_parser!(u32).range(i64::from(FEWEST)..=1_000_000))]
+    #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
     /// Seed of what is drawn
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Fragility")]
@@ -68,22 +84,22 @@ pub struct FragilityCommand {
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
     vary: Vec<Varied>,
     /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
-    #[arg(long, value_name = "N", default_value_t = 64, help_heading = "Uncertainty", requires = "vary", value_parser = clap::value_parser!(u32).range(2..=1 << 16))]
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
     /// Hazard curve: a CSV level,rate with annual rates of exceedance
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
     hazard: Option<PathBuf>,
     /// Annual rate that is accepted, drawn on maps
-    #[arg(long, value_name = "RATE", help_heading = "Fragility", requires = "hazard", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "RATE",
+        help_heading = "Fragility",
+        requires = "hazard",
+        allow_negative_numbers = true
+    )]
     target: Option<f64>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let number = text.trim().parse::<f64>().ok();
-    let number = number.filter(|number| number.is_finite() && *number > 0.0);
-    number.ok_or_else(|| "must be a positive number".into())
 }
 
 fn estimator(text: &str) -> Result<Estimator, String> {
@@ -96,17 +112,8 @@ fn estimator(text: &str) -> Result<Estimator, String> {
 /// run.json of a fragility.
 #[derive(Serialize)]
 struct Manifest<'a> {
-    kind: Kind,
-    version: &'static str,
-    /// The scene under the first motion.
-    scene: &'a Scene,
-    suite: &'a Path,
-    motions: Vec<&'a str>,
     #[serde(flatten)]
-    method: Method,
-    cells: usize,
-    sweep_seconds: f64,
-    records_times_cells_per_second: f64,
+    suite: SuiteManifest<'a>,
     im: Intensity,
     /// Levels; none where each motion is as it is.
     levels: Option<Vec<f64>>,
@@ -125,10 +132,6 @@ struct Manifest<'a> {
     files: &'a [String],
 }
 
-/// Sets that are drawn for a few cells, and for many.
-const REPLICATES: [u32; 2] = [1000, 100];
-/// Cells from which on there are many.
-const MANY: usize = 100;
 /// The tables.
 const COUNTS: &str = "fragility.csv";
 const FITS: &str = "fits.csv";
@@ -145,35 +148,25 @@ impl FragilityCommand {
         let options = &self.options;
         let earlier = output::refuse_other(&options.out, Kind::Fragility)?;
         let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
-        let (states, estimators) = (self.states(), self.estimators()?);
         let text = self.common.text(Some("Fragility"), std::iter::empty());
-        suite_run::check_limits(&text, [!self.limit_u.is_empty(), !self.limit_v.is_empty()])?;
-        let mut input = self.motions.read(&self.common, options, text)?;
-        let mut motions = self.motions.motions(&input);
-        let mut levels = self.scaled(&input, &mut motions)?;
-        let unknown = self.unknown(&input, &motions)?;
-        let (mut times, mut drawn) = (1, 1);
-        if let Some(unknown) = &unknown {
-            (times, drawn) = (unknown.points(), unknown.drawn());
-            input.points = times;
-            motions = unknown.spread(motions);
-            levels = levels.into_iter().flat_map(|own| vec![own; times]).collect();
-        }
+        let request = self.request(self.motions.request(&self.common, options, text)?);
+        let targets = self.target.as_slice();
+        let checked = request.check().and_then(|()| above_zero("target", targets));
+        checked.map_err(|error| flag_error(&error))?;
+        let suite = self.motions.read()?;
         let say = Say::unless(options.quiet);
-        suite::count(&input.suite, &say);
-        let Some(swept) = self.motions.run(&input, motions, options, &say)? else {
+        suite::count(&suite, &say);
+        let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
+        let Some(swept) = self.motions.run(sweep, asked.times, options, &say)? else {
             return Ok(());
         };
         let cells = swept.grid.len();
-        let usual = REPLICATES[usize::from(cells > MANY)];
-        let replicates = self.bootstrap.unwrap_or(usual);
-        let bootstrap = Bootstrap { replicates, seed: self.seed };
-        let asked = Asked { levels, times, drawn, unknown, states, estimators, bootstrap };
         let screen = Screen::new(options.quiet);
-        let Some(study) = Study::of(&swept, asked, &screen) else {
+        let Some(study) = Study::of(swept, asked, &screen) else {
             return Err(sweep_error(BackendError::Cancelled.into()));
         };
         screen.clear();
+        let swept = &study.sweep;
         let out = output::open(&options.out)?;
         let figures = self.figures(&study, hazard.as_ref())?;
         let varies = study.asked.unknown.is_some();
@@ -204,22 +197,14 @@ impl FragilityCommand {
         for (name, svg, png) in &figures {
             output::write_figure(&out, name, svg, png)?;
         }
-        let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
+        let records = study.records().collect();
         let manifest = Manifest {
-            kind: Kind::Fragility,
-            version: env!("CARGO_PKG_VERSION"),
-            scene: &swept.scene,
-            suite: &self.motions.suite,
-            motions: study.records().collect(),
-            method: options.method(),
-            cells,
-            sweep_seconds: swept.seconds,
-            records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+            suite: self.motions.manifest(Kind::Fragility, swept, records, options),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.asked.states,
             estimators: study.asked.estimators.iter().map(|one| one.name()).collect(),
-            replicates,
+            replicates: study.asked.bootstrap.replicates,
             seed: self.seed,
             vary: &self.vary,
             samples: varies.then_some(self.samples),
@@ -231,7 +216,7 @@ impl FragilityCommand {
         };
         output::write_json(&out, &manifest)?;
         told::tell(&study, hazard.as_ref(), self.target, &say);
-        suite_run::tell_verified(&swept, &say);
+        suite_run::tell_verified(swept, &say);
         self.motions.finish(options)?;
         for (name, ..) in &figures {
             say.line("picture", out.file(&format!("{name}.png")).display());
@@ -240,76 +225,21 @@ impl FragilityCommand {
         Ok(())
     }
 
-    /// What the block is not to do.
-    fn states(&self) -> Vec<LimitState> {
-        let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
-        let u = self.limit_u.iter().copied().map(LimitState::U);
-        let v = self.limit_v.iter().copied().map(LimitState::V);
-        let all = [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta);
-        once(all.chain(u).chain(v))
-    }
-
-    /// The estimators that are asked for.
-    fn estimators(&self) -> Result<Vec<Estimator>, InputError> {
-        let own_levels = self.levels.is_none();
-        if own_levels && self.estimator.contains(&Estimator::Ida) {
-            let problem =
-                "--estimator: ida scales each motion up until it overturns; give --levels";
-            return Err(InputError(problem.into()));
+    /// What is asked of a suite's request.
+    fn request(&self, suite: SuiteRequest) -> FragilityRequest {
+        FragilityRequest {
+            im: self.im,
+            levels: self.levels.clone(),
+            limit_zeta: self.limit_zeta.clone(),
+            limit_u: self.limit_u.clone(),
+            limit_v: self.limit_v.clone(),
+            estimators: self.estimator.clone(),
+            bootstrap: self.bootstrap,
+            seed: self.seed,
+            vary: self.vary.clone(),
+            samples: self.samples,
+            ..FragilityRequest::new(suite)
         }
-        let other = self.estimator.iter().find(|one| **one != Estimator::Stripes);
-        if let (false, Some(other)) = (self.vary.is_empty(), other) {
-            let problem = format!(
-                "--estimator: {} takes a number for known; --vary has stripes",
-                other.name()
-            );
-            return Err(InputError(problem));
-        }
-        Ok(match &self.estimator[..] {
-            [] if !self.vary.is_empty() => vec![Estimator::Stripes],
-            [] => {
-                let all = Estimator::ALL.into_iter();
-                all.filter(|one| !own_levels || *one != Estimator::Ida).collect()
-            }
-            asked => once(asked.iter().copied()),
-        })
-    }
-
-    /// Gives the motions their factors, and tells the levels of each.
-    fn scaled(
-        &self,
-        input: &SuiteInput,
-        motions: &mut [WantedMotion],
-    ) -> anyhow::Result<Vec<Vec<f64>>> {
-        let Some(first) = motions.first() else { return Ok(Vec::new()) };
-        let scene = first.under(&input.text).map_err(|error| flag_error(&error))?;
-        let mut body = Parameter::of_section(Section::Block);
-        let differs =
-            |own| scene.swept().contains(&own) || self.vary.iter().any(|one| one.parameter == own);
-        if self.im.is_of_block() && body.any(differs) {
-            let problem = format!("--im: {} is another measure for each block", self.im);
-            return Err(InputError(format!("{problem}; give pga or pgv")).into());
-        }
-        let block = scene.case().block;
-        levels::scale(motions, self.im, self.levels.as_ref(), &block)
-            .map_err(|error| flag_error(&error).into())
-    }
-
-    /// The numbers that are not known, where there are any.
-    fn unknown(
-        &self,
-        input: &SuiteInput,
-        motions: &[WantedMotion],
-    ) -> anyhow::Result<Option<Unknown>> {
-        let (false, Some(first)) = (self.vary.is_empty(), motions.first()) else { return Ok(None) };
-        let checked = first.under(&input.text).and_then(|scene| {
-            let unknown = Unknown::of(self.vary.clone(), self.samples as usize, self.seed as u32);
-            let ensemble = Ensemble::of(&scene, &self.vary, self.options.force)?;
-            let points: Vec<Vec<f64>> = unknown.design.rows().cloned().collect();
-            let _checked = ensemble.scenes(&points)?;
-            Ok(unknown)
-        });
-        Ok(Some(checked.map_err(|error| flag_error(&error))?))
     }
 
     /// The pictures of a study.
@@ -347,16 +277,6 @@ impl FragilityCommand {
         };
         states.map(figure).collect()
     }
-}
-
-/// The same without what is there before.
-fn once<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
-    all.fold(Vec::new(), |mut kept, one| {
-        if !kept.contains(&one) {
-            kept.push(one);
-        }
-        kept
-    })
 }
 
 /// Reads a hazard curve.

@@ -1,17 +1,18 @@
 //! What commands have that sweep a scene under a suite: their flags, and the way from them to the sweep.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use serde::Serialize;
+use topple::map::earlier::Kind;
 use topple::results::part::Part;
 use topple::results::store_error::StoreError;
+use topple::scene::Scene;
 use topple::scene::builder::SceneBuilder;
-use topple::scene::{Directions, Parameter};
-use topple::suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};
+use topple::suites::swept::{SuiteJob, SuiteSweep};
 use topple::suites::verified::Verified;
-use topple::suites::wanted::WantedMotion;
-use topple::suites::{Suite, saved};
+use topple::suites::{Suite, SuiteRequest, saved};
 use topple::sweep::error::SweepError;
-use topple::sweep::settings::RunSettings;
+use topple::sweep::settings::Method;
 
 use super::errors::sweep_error;
 use super::estimate::duration;
@@ -25,7 +26,7 @@ use super::{InputError, interrupt, output, suite};
 pub struct SuiteFlags {
     /// A folder, a zip or a list of records, as of topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
-    pub suite: PathBuf,
+    suite: PathBuf,
     /// Refuse a suite in which anything is missing or ambiguous
     #[arg(long, help_heading = "Suite")]
     strict: bool,
@@ -46,63 +47,68 @@ pub struct SuiteFlags {
     dry_run: bool,
 }
 
-/// The scene, its suite, and how it is to be run.
-pub struct SuiteInput {
-    /// The scene, without its excitation.
-    pub text: SceneBuilder,
-    /// The motions.
-    pub suite: Suite,
-    /// Sets of numbers under each motion: one, where none vary.
-    pub points: usize,
+/// Numbers of run.json that every command with a suite has.
+#[derive(Serialize)]
+pub struct SuiteManifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    /// The scene under the first motion.
+    scene: &'a Scene,
+    suite: &'a Path,
+    motions: Vec<&'a str>,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    records_times_cells_per_second: f64,
 }
 
 impl SuiteFlags {
-    /// Checks what can be checked before anything is read, and reads the suite.
-    pub fn read(
+    /// Checks what is said of the run, and makes a request of a scene.
+    pub fn request(
         &self,
         common: &CommonFlags,
         options: &RunOptions,
         text: SceneBuilder,
-    ) -> anyhow::Result<SuiteInput> {
+    ) -> anyhow::Result<SuiteRequest> {
         options.set_threads()?;
         options.check_step().map_err(|error| flag_error(&error))?;
         if common.save_scene.is_some() {
             let problem = "--save-scene: a scene's file has no suite; leave it out";
             return Err(InputError(problem.into()).into());
         }
-        let text = SceneBuilder { force: options.force, ..text };
-        check_device(&text)?;
-        let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
-        Ok(SuiteInput { text, suite, points: 1 })
-    }
-
-    /// The motions as they are.
-    pub fn motions(&self, input: &SuiteInput) -> Vec<WantedMotion> {
-        WantedMotion::of_suite(&input.suite, &input.text.numbers, self.both_directions)
-    }
-
-    /// Runs the scene under motions; none where no result is wanted: of a dry run, and of a part.
-    pub fn run(
-        &self,
-        input: &SuiteInput,
-        motions: Vec<WantedMotion>,
-        options: &RunOptions,
-        say: &Say,
-    ) -> anyhow::Result<Option<SuiteSweep>> {
-        let mut run = RunSettings::default();
-        run.backend = options.backend();
-        run.adapters.clone_from(&options.adapter);
-        run.method = options.method();
-        run.verify = Verify::settings(self.verify);
         if saved::is_begun(&options.out) && !self.resume && self.tile.is_none() && !self.dry_run {
             let error = SweepError::Folder(StoreError::Unfinished(options.out.clone()));
             return Err(sweep_error(error));
         }
-        let saving = (!self.dry_run).then(|| saved::folder(&options.out));
-        let settings = SuiteSettings { run, saving, part: self.tile };
+        let mut request = SuiteRequest::new(SceneBuilder { force: options.force, ..text });
+        request.both_directions = self.both_directions;
+        request.settings.saving = (!self.dry_run).then(|| saved::folder(&options.out));
+        request.settings.part = self.tile;
+        let run = &mut request.settings.run;
+        run.backend = options.backend();
+        run.adapters.clone_from(&options.adapter);
+        run.method = options.method();
+        run.verify = Verify::settings(self.verify);
+        Ok(request)
+    }
+
+    /// Reads the suite; from here on Ctrl-C is heard.
+    pub fn read(&self) -> Result<Suite, InputError> {
         interrupt::listen();
+        Suite::read(&self.suite, self.strict).map_err(suite::input_error)
+    }
+
+    /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
+    /// and of a part.
+    pub fn run(
+        &self,
+        job: SuiteJob,
+        points: usize,
+        options: &RunOptions,
+        say: &Say,
+    ) -> anyhow::Result<Option<SuiteSweep>> {
         let screen = Screen::new(options.quiet);
-        let job = SuiteJob::open(&input.text, motions, settings).map_err(sweep_error)?;
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
         if self.resume && job.finds_others().map_err(sweep_error)? {
             let folder = saved::folder(&options.out);
@@ -114,7 +120,7 @@ impl SuiteFlags {
         }
         let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
         let levels = cells / (each * count).max(1);
-        let size = size(&job, input.points, levels);
+        let size = size(&job, points, levels);
         if self.dry_run {
             let seconds = job.estimate(&screen).map_err(sweep_error)?;
             screen.clear();
@@ -147,36 +153,32 @@ impl SuiteFlags {
         Ok(Some(swept))
     }
 
+    /// What run.json says of a sweep, each of its records once.
+    pub fn manifest<'a>(
+        &'a self,
+        kind: Kind,
+        swept: &'a SuiteSweep,
+        motions: Vec<&'a str>,
+        options: &RunOptions,
+    ) -> SuiteManifest<'a> {
+        let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
+        SuiteManifest {
+            kind,
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &swept.scene,
+            suite: &self.suite,
+            motions,
+            method: options.method(),
+            cells: swept.grid.len(),
+            sweep_seconds: swept.seconds,
+            records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+        }
+    }
+
     /// Takes away what was saved while it ran, when the results are written.
     pub fn finish(&self, options: &RunOptions) -> anyhow::Result<()> {
         Ok(saved::discard(&options.out)?)
     }
-}
-
-/// Refuses a base that is another device under each motion.
-fn check_device(text: &SceneBuilder) -> Result<(), InputError> {
-    let moves = text.isolation.unwrap_or(Directions::Dual).moves_h();
-    let fixed = [Parameter::UY, Parameter::YieldForce].iter().any(|own| text.numbers.has(*own));
-    if moves && !fixed && !text.force {
-        let problem = "--u-y: missing; --alpha-y makes another device of the base under each motion: give --u-y or \
-                       --yield-force (--force takes alpha_y all the same)";
-        return Err(InputError(problem.into()));
-    }
-    Ok(())
-}
-
-/// Refuses limits of a stroke that the base does not have.
-pub fn check_limits(text: &SceneBuilder, limits: [bool; 2]) -> Result<(), InputError> {
-    let moves = text.isolation.unwrap_or(Directions::Dual);
-    for (flag, limited, there) in
-        [("--limit-u", limits[0], moves.moves_h()), ("--limit-v", limits[1], moves.moves_v())]
-    {
-        if limited && !there {
-            let problem = format!("{flag}: the base does not move in this direction; leave it out");
-            return Err(InputError(problem));
-        }
-    }
-    Ok(())
 }
 
 /// How much is swept, in words: cells, motions, levels.

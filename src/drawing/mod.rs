@@ -14,6 +14,7 @@ pub mod legend;
 pub mod palette;
 pub mod raster;
 pub mod render;
+pub mod scale;
 pub mod swatch;
 pub mod text;
 pub mod ticks;

@@ -25,6 +25,7 @@ pub mod newton;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod profile;
+pub mod request;
 pub mod runs;
 pub mod sensitivity;
 #[cfg(feature = "pictures")]
@@ -40,4 +41,5 @@ pub use fit::{Fit, Gap, Lognormal};
 pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_error::HazardError;
 pub use interval::Bootstrap;
+pub use request::{FragilityJob, FragilityRequest};
 pub use runs::{RecordRuns, Run};

@@ -3,14 +3,13 @@
 use super::estimate::Estimate;
 use super::fit::Lognormal;
 use super::study::Study;
-use crate::drawing::canvas::{Canvas, Place, Point, stroke, write};
+use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::colour::{BLACK, Colour};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::swatch::{Mark, Swatch};
-use crate::drawing::text::{style, wrapped};
-use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
+use crate::drawing::{COLUMN, FONT, MARGIN, caption};
 use crate::scene::grid;
 use crate::suites::intensity::Intensity;
 
@@ -29,17 +28,13 @@ const POINTS: u32 = 200;
 
 /// The title, what is fixed, and where the plot below begins.
 pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
-    let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
-    let lines = caption::bounded(title, TITLE, most);
-    let top = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &lines);
     let mut parts = caption::fixed(&study.sweep.scene);
     if let Some(unknown) = &study.asked.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
         parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));
     }
-    let fixed = caption::listed(&parts);
-    let top = write(&mut canvas, (MARGIN, top + 1.0), style(FONT), &wrapped(&fixed, FONT, most));
+    let top = caption::titled(&mut canvas, title, &parts);
     (canvas, top + MARGIN)
 }
 

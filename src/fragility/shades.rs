@@ -1,16 +1,15 @@
 //! Values of cells in greys, with their scale.
 
-use crate::drawing::canvas::{Canvas, Place, Point};
+use crate::drawing::canvas::{Canvas, Point};
 use crate::drawing::error::FigureError;
-use crate::drawing::frame::{Axis, BELOW, Frame, Written};
+use crate::drawing::frame::{Axis, Frame};
 use crate::drawing::raster::png;
+use crate::drawing::scale;
 use crate::scene::Grid;
 
 /// Greys of the largest and of the least value.
 const MOST: f64 = 70.0;
 const LEAST: f64 = 235.0;
-/// Height of a scale.
-const SCALE: f64 = 6.0;
 
 /// Greys between two values.
 #[derive(Debug, Clone, Copy)]
@@ -45,21 +44,13 @@ impl Shades {
     pub fn draw(
         &self,
         canvas: &mut Canvas,
-        (x, y): Point,
+        at: Point,
         width: f64,
         label: &str,
     ) -> Result<f64, FigureError> {
-        let place = Place { x, y, width, height: SCALE };
-        let image = png((256, 1), |column, _| {
-            let share = (column as f64 + 0.5) / 256.0;
-            let grey = self.grey(self.from + (self.to - self.from) * share);
-            [grey, grey, grey, 255]
-        })?;
-        canvas.image(place, &image, true);
         let axis = Axis::new(self.from, self.to, label);
-        let written = Written { y: false, x: true, beyond: 4.0 };
-        Frame::new(place, axis, Axis::new(0.0, 1.0, "")).draw(canvas, written);
-        Ok(place.bottom() + BELOW)
+        let grey = |share| [self.grey(self.from + (self.to - self.from) * share); 3];
+        scale::draw(canvas, at, width, axis, grey)
     }
 }
 

@@ -33,9 +33,9 @@ pub struct Asked {
 
 /// The cells of a grid under a suite, with what is estimated of each.
 #[derive(Debug)]
-pub struct Study<'a> {
+pub struct Study {
     /// The sweeps that it was made of.
-    pub sweep: &'a SuiteSweep,
+    pub sweep: SuiteSweep,
     /// What was asked.
     pub asked: Asked,
     /// A cell each, in the grid's order.
@@ -66,15 +66,11 @@ pub struct StateStudy {
     pub sensitivity: Option<Sensitivity>,
 }
 
-impl Study<'_> {
+impl Study {
     /// Estimates the fragility of every cell; none where `observer` ends it.
-    pub fn of<'a>(
-        sweep: &'a SuiteSweep,
-        asked: Asked,
-        observer: &dyn Observer,
-    ) -> Option<Study<'a>> {
+    pub fn of(sweep: SuiteSweep, asked: Asked, observer: &dyn Observer) -> Option<Study> {
         observer.begins(Phase::Fitting, sweep.grid.len() * asked.states.len());
-        let shaken = Shaken { sweep, levels: &asked.levels, times: asked.times };
+        let shaken = Shaken { sweep: &sweep, levels: &asked.levels, times: asked.times };
         let cell = |cell: usize| {
             let mut states = Vec::with_capacity(asked.states.len());
             for state in &asked.states {

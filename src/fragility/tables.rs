@@ -2,10 +2,13 @@
 
 use std::io::Write;
 
+use serde::Serialize;
+
 use super::estimate::Estimate;
 use super::fit::Lognormal;
 use super::hazard::{AnnualRate, HazardCurve, in_50_years};
-use super::study::Study;
+use super::limit_state::LimitState;
+use super::study::{CellStudy, StateStudy, Study};
 use crate::results::csv::Number;
 use crate::suites::columns;
 
@@ -14,28 +17,62 @@ fn known(value: Option<f64>) -> Option<Number> {
     value.filter(|value| value.is_finite()).map(Number)
 }
 
+/// A table of a study, whose rows begin with the axes of their cell.
+struct Table<'a, W: Write> {
+    study: &'a Study,
+    csv: csv::Writer<W>,
+}
+
+impl<'a, W: Write> Table<'a, W> {
+    /// Begins a table with its header: the axes, then `names`.
+    fn begin(study: &'a Study, writer: W, names: &[&str]) -> csv::Result<Table<'a, W>> {
+        let mut csv = csv::Writer::from_writer(writer);
+        let keys: Vec<&str> = columns::keys(&study.sweep.grid).collect();
+        csv.write_record(keys.iter().chain(names))?;
+        Ok(Table { study, csv })
+    }
+
+    /// Writes a row of a cell.
+    fn row(&mut self, cell: usize, values: impl Serialize) -> csv::Result<()> {
+        self.csv.serialize((columns::values(&self.study.sweep.grid, cell), values))
+    }
+
+    fn end(mut self) -> csv::Result<()> {
+        Ok(self.csv.flush()?)
+    }
+}
+
+/// Every limit state of every cell, with the cell's number.
+fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStudy)> {
+    let of = |(number, cell)| {
+        let cell: &CellStudy = cell;
+        study.asked.states.iter().zip(&cell.states).map(move |(state, of)| (number, state, of))
+    };
+    study.cells.iter().enumerate().flat_map(of)
+}
+
+/// Every estimate of every limit state of every cell.
+fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'static str, &Estimate)> {
+    let of = |(cell, state, of)| {
+        let of: &StateStudy = of;
+        let named = study.asked.estimators.iter().zip(&of.estimates);
+        named.map(move |(estimator, fit)| (cell, state, estimator.name(), fit))
+    };
+    states(study).flat_map(of)
+}
+
 /// Writes fragility.csv: how many runs there are at each level, and how many of them exceed each limit state.
 ///
 /// # Errors
 /// Those of the writer.
 pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
-    table.write_record(columns::keys(grid).chain(["limit_state", "level", "records", "failed"]))?;
-    for (index, cell) in study.cells.iter().enumerate() {
-        for (state, of) in study.asked.states.iter().zip(&cell.states) {
-            for (level, records, failed) in &of.counts {
-                table.serialize((
-                    columns::values(grid, index),
-                    state,
-                    Number(*level),
-                    records,
-                    failed,
-                ))?;
-            }
+    let mut table = Table::begin(study, writer, &["limit_state", "level", "records", "failed"])?;
+    for (cell, state, of) in states(study) {
+        for (level, records, failed) in &of.counts {
+            table.row(cell, (state, Number(*level), records, failed))?;
         }
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// Writes fits.csv: theta and beta of each limit state by each estimator, with their intervals.
@@ -43,8 +80,6 @@ pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
     let names = [
         "limit_state",
         "estimator",
@@ -56,26 +91,13 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
         "beta_high",
         "separable",
     ];
-    table.write_record(columns::keys(grid).chain(names))?;
-    for (index, cell) in study.cells.iter().enumerate() {
-        for (state, of) in study.asked.states.iter().zip(&cell.states) {
-            for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
-                let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
-                let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
-                let separable = u8::from(fit.separable);
-                let name = estimator.name();
-                table.serialize((
-                    columns::values(grid, index),
-                    state,
-                    name,
-                    theta,
-                    beta,
-                    separable,
-                ))?;
-            }
-        }
+    let mut table = Table::begin(study, writer, &names)?;
+    for (cell, state, name, fit) in estimates(study) {
+        let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
+        let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
+        table.row(cell, (state, name, theta, beta, u8::from(fit.separable)))?;
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// Writes runs.csv: every run, level by level, with its outcome, max |u|, the stroke of v and the rocking index.
@@ -83,28 +105,21 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
     let names = ["record", "level", "outcome", "max_u", "stroke_v", "zeta"];
-    table.write_record(columns::keys(grid).chain(names))?;
-    for cell in 0..grid.len() {
+    let mut table = Table::begin(study, writer, &names)?;
+    let cells = study.sweep.grid.len();
+    for cell in 0..cells {
         for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
             for (k, level) in levels.iter().enumerate() {
-                let index = k * grid.len() + cell;
+                let index = k * cells + cell;
                 let numbers = [&motion.max_u, &motion.stroke_v, &motion.zeta];
                 let numbers = numbers.map(|values| Number(f64::from(values[index])));
                 let outcome = motion.outcomes[index].name();
-                table.serialize((
-                    columns::values(grid, cell),
-                    &motion.id,
-                    Number(*level),
-                    outcome,
-                    numbers,
-                ))?;
+                table.row(cell, (&motion.id, Number(*level), outcome, numbers))?;
             }
         }
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
@@ -113,23 +128,16 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
-    table.write_record(columns::keys(grid).chain([
-        "record",
-        "lowest",
-        "highest",
-        "stands_again",
-    ]))?;
-    for (index, cell) in study.cells.iter().enumerate() {
+    let mut table = Table::begin(study, writer, &["record", "lowest", "highest", "stands_again"])?;
+    for (number, cell) in study.cells.iter().enumerate() {
         for (record, capacity) in study.records().zip(&cell.capacities) {
             let lowest = known(capacity.map(|capacity| capacity.lowest));
             let highest = known(capacity.map(|capacity| capacity.highest));
             let again = u8::from(capacity.is_some_and(|capacity| capacity.stands_again));
-            table.serialize((columns::values(grid, index), record, lowest, highest, again))?;
+            table.row(number, (record, lowest, highest, again))?;
         }
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// Writes sensitivity.csv: what each number that is not known explains of the share of all runs that fail.
@@ -138,8 +146,6 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// Those of the writer.
 pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
     let Some(unknown) = &study.asked.unknown else { return Ok(()) };
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
     let names = [
         "limit_state",
         "parameter",
@@ -150,24 +156,16 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
         "total_low",
         "total_high",
     ];
-    table.write_record(columns::keys(grid).chain(names))?;
-    for (index, cell) in study.cells.iter().enumerate() {
-        for (state, of) in study.asked.states.iter().zip(&cell.states) {
-            let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
-            for (varied, one) in unknown.varied.iter().zip(indices) {
-                let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
-                let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
-                table.serialize((
-                    columns::values(grid, index),
-                    state,
-                    varied.parameter.key(),
-                    first,
-                    total,
-                ))?;
-            }
+    let mut table = Table::begin(study, writer, &names)?;
+    for (cell, state, of) in states(study) {
+        let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
+        for (varied, one) in unknown.varied.iter().zip(indices) {
+            let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
+            let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
+            table.row(cell, (state, varied.parameter.key(), first, total))?;
         }
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// Writes points.csv: the points that are drawn of numbers that are not known, and theta and beta at each.
@@ -176,23 +174,22 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// Those of the writer.
 pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
     let Some(unknown) = &study.asked.unknown else { return Ok(()) };
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
-    let keys = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
-    let names = columns::keys(grid).map(String::from).chain(["limit_state".into()]).chain(keys);
-    table.write_record(names.chain(["theta".into(), "beta".into()]))?;
-    for (index, cell) in study.cells.iter().enumerate() {
-        for (state, of) in study.asked.states.iter().zip(&cell.states) {
-            let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
-            for (point, curve) in unknown.design.rows().zip(curves) {
-                let point: Vec<Number> = point.iter().copied().map(Number).collect();
-                let theta = known(curve.map(|curve| curve.theta));
-                let beta = known(curve.map(|curve| curve.beta));
-                table.serialize((columns::values(grid, index), state, point, theta, beta))?;
-            }
+    let drawn = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
+    let drawn: Vec<String> = drawn.collect();
+    let mut names = vec!["limit_state"];
+    names.extend(drawn.iter().map(String::as_str));
+    names.extend(["theta", "beta"]);
+    let mut table = Table::begin(study, writer, &names)?;
+    for (cell, state, of) in states(study) {
+        let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
+        for (point, curve) in unknown.design.rows().zip(curves) {
+            let point: Vec<Number> = point.iter().copied().map(Number).collect();
+            let theta = known(curve.map(|curve| curve.theta));
+            let beta = known(curve.map(|curve| curve.beta));
+            table.row(cell, (state, point, theta, beta))?;
         }
     }
-    Ok(table.flush()?)
+    table.end()
 }
 
 /// The annual rate at which a limit state is exceeded; none where its fragility is not known.
@@ -217,32 +214,18 @@ pub fn write_rates(
     target: Option<f64>,
     writer: impl Write,
 ) -> csv::Result<()> {
-    let grid = &study.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
     let names =
         ["limit_state", "estimator", "rate", "in_50_years", "missing_above", "below_target"];
-    table.write_record(columns::keys(grid).chain(names))?;
-    for (index, cell) in study.cells.iter().enumerate() {
-        for (state, of) in study.asked.states.iter().zip(&cell.states) {
-            for (estimator, fit) in study.asked.estimators.iter().zip(&of.estimates) {
-                let rate = rate(fit, hazard);
-                let numbers = [
-                    rate.map(|rate| rate.rate),
-                    rate.map(|rate| in_50_years(rate.rate)),
-                    rate.map(|rate| rate.missing_above),
-                ];
-                let below =
-                    rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
-                let row = (
-                    columns::values(grid, index),
-                    state,
-                    estimator.name(),
-                    numbers.map(known),
-                    below,
-                );
-                table.serialize(row)?;
-            }
-        }
+    let mut table = Table::begin(study, writer, &names)?;
+    for (cell, state, name, fit) in estimates(study) {
+        let rate = rate(fit, hazard);
+        let numbers = [
+            rate.map(|rate| rate.rate),
+            rate.map(|rate| in_50_years(rate.rate)),
+            rate.map(|rate| rate.missing_above),
+        ];
+        let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
+        table.row(cell, (state, name, numbers.map(known), below))?;
     }
-    Ok(table.flush()?)
+    table.end()
 }

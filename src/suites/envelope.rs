@@ -42,19 +42,19 @@ pub struct CellEnvelope {
 
 /// The cells of a grid under a suite.
 #[derive(Debug)]
-pub struct Envelope<'a> {
+pub struct Envelope {
     /// The sweeps that it was made of.
-    pub sweep: &'a SuiteSweep,
+    pub sweep: SuiteSweep,
     /// The limits.
     pub limits: Limits,
     /// A cell each, in the grid's order.
     pub cells: Vec<CellEnvelope>,
 }
 
-impl Envelope<'_> {
+impl Envelope {
     /// Reduces the sweeps of a suite, cell by cell.
-    pub fn of(sweep: &SuiteSweep, limits: Limits) -> Envelope<'_> {
-        let cells = (0..sweep.grid.len()).map(|cell| reduced(sweep, cell, limits)).collect();
+    pub fn of(sweep: SuiteSweep, limits: Limits) -> Envelope {
+        let cells = (0..sweep.grid.len()).map(|cell| reduced(&sweep, cell, limits)).collect();
         Envelope { sweep, limits, cells }
     }
 

@@ -2,14 +2,13 @@
 //! limits.
 
 use super::envelope::{CellEnvelope, Envelope, SHARES};
-use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke, write};
+use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::colour::{BLACK, Colour};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::palette::CURVES;
 use crate::drawing::swatch::Swatch;
-use crate::drawing::text::{style, wrapped};
-use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
+use crate::drawing::{COLUMN, MARGIN, caption};
 use crate::scene::grid;
 
 /// Height of a plot, and between two.
@@ -34,10 +33,8 @@ struct Panel<'a> {
 pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
     let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
-    let lines = caption::bounded(title, TITLE, most);
-    let mut y = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &lines);
-    let fixed = caption::listed(&caption::fixed(&envelope.sweep.scene));
-    y = write(&mut canvas, (MARGIN, y + 1.0), style(FONT), &wrapped(&fixed, FONT, most)) + MARGIN;
+    let fixed = caption::fixed(&envelope.sweep.scene);
+    let mut y = caption::titled(&mut canvas, title, &fixed) + MARGIN;
     let limits = envelope.limits;
     let moves = envelope.sweep.scene.isolation;
     let mut panels = vec![Panel {

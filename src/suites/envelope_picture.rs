@@ -2,15 +2,14 @@
 //! feasible.
 
 use super::envelope::Envelope;
-use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke, write};
+use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::colour::{BLACK, Colour};
 use crate::drawing::error::FigureError;
-use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
+use crate::drawing::frame::{Axis, BELOW, BOTH};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::raster::png;
 use crate::drawing::swatch::{Mark, Swatch};
-use crate::drawing::text::{style, wrapped};
-use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
+use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
 use crate::map::figure::layout::{SIDE, frame};
 
@@ -23,8 +22,6 @@ const ALL: f64 = 248.0;
 const STANDING: Stroke = stroke(BLACK, 0.9);
 const LIMIT_U: Stroke = dashed([0x1f, 0x3f, 0x9f], 0.9, (3.2, 2.0));
 const LIMIT_V: Stroke = dashed([0xb0, 0x20, 0x20], 0.9, (1.2, 1.6));
-/// Height of the scale.
-const SCALE: f64 = 6.0;
 
 /// Draws an envelope over two axes as SVG; none where there are not two of several values.
 ///
@@ -38,11 +35,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     }
     let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
-    let mut top =
-        write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &caption::bounded(title, TITLE, most));
-    let fixed = caption::listed(&caption::fixed(&envelope.sweep.scene));
-    top =
-        write(&mut canvas, (MARGIN, top + 1.0), style(FONT), &wrapped(&fixed, FONT, most)) + MARGIN;
+    let top = caption::titled(&mut canvas, title, &caption::fixed(&envelope.sweep.scene)) + MARGIN;
     let (x, side) = SIDE;
     let place = Place { x, y: top, width: side, height: side };
     let frame = frame(place, grid);
@@ -85,15 +78,10 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
         }
     });
     frame.draw(&mut canvas, BOTH);
-    let bar = Place { x: place.x, y: place.bottom() + BELOW + MARGIN, width: side, height: SCALE };
-    let scale = png((256, 1), |column, _| {
-        let grey = grey(from + (1.0 - from) * (column as f64 + 0.5) / 256.0);
-        [grey, grey, grey, 255]
-    })?;
-    canvas.image(bar, &scale, true);
     let axis = Axis::new(from, 1.0, "share of the motions under which the block stands");
-    let written = Written { y: false, x: true, beyond: 4.0 };
-    Frame::new(bar, axis, Axis::new(0.0, 1.0, "")).draw(&mut canvas, written);
+    let at = (place.x, place.bottom() + BELOW + MARGIN);
+    let shade = |share: f64| [grey(from + (1.0 - from) * share); 3];
+    let bottom = scale::draw(&mut canvas, at, side, axis, shade)?;
     let standing = match limits.standing {
         1.0 => "border of standing under all motions".to_string(),
         share => format!("border of standing under {} % of them", 100.0 * share),
@@ -112,7 +100,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
         entries.push(entry(Swatch::None, "No cell keeps all limits."));
     }
     entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), "least |u| of these")));
-    let at = (MARGIN, bar.bottom() + BELOW + MARGIN);
+    let at = (MARGIN, bottom + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, most, 2);
     Ok(Some(canvas.finish(end + MARGIN)))
 }

@@ -24,6 +24,7 @@ mod peer;
 #[cfg(feature = "pictures")]
 pub mod picture;
 pub mod read;
+pub mod request;
 mod run;
 mod runner;
 pub mod saved;
@@ -36,3 +37,4 @@ pub mod wanted;
 pub use entry::{Entry, Motion};
 pub use error::SuiteError;
 pub use read::Suite;
+pub use request::SuiteRequest;

@@ -53,7 +53,7 @@ pub struct SweptMotion {
 pub type Values = fn(&SweptMotion) -> &[f32];
 
 /// How a suite is swept.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct SuiteSettings {
     /// How each sweep is run; its verification is of all of them together.
     pub run: RunSettings,

@@ -86,7 +86,8 @@ impl<'a> Ensemble<'a> {
 mod tests {
     use super::Ensemble;
     use crate::scene::{Parameter, Range, Scene, SceneBuilder};
-    use crate::uncertain::{Varied, points};
+    use crate::uncertain::Varied;
+    use crate::uncertain::points::points;
 
     fn scene() -> Scene {
         let scene = SceneBuilder::object(1)

@@ -20,6 +20,5 @@ pub mod varied;
 pub use distribution::Distribution;
 pub use ensemble::Ensemble;
 pub use indices::{Bootstrap, Design, Index, indices};
-pub use points::points;
 pub use probability::{Probabilities, Uncertainty};
 pub use varied::Varied;

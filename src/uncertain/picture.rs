@@ -1,23 +1,21 @@
 //! The picture of probabilities: of overturning over two axes in colours, along one axis as a curve.
 
 use super::probability::{Probabilities, Uncertainty};
-use crate::drawing::canvas::{Canvas, Place, Point, stroke, write};
+use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::colour::{Colour, WHITE};
 use crate::drawing::error::FigureError;
-use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::palette::CURVES;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::Swatch;
-use crate::drawing::text::{style, wrapped};
-use crate::drawing::{COLUMN, FONT, MARGIN, TITLE, caption};
+use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::figure::layout::{GAP, SIDE, frame};
 use crate::scene::Scene;
 
 /// Colours of a probability of 0, 1/2 and 1, the lightness falling evenly between them.
 const RAMP: [Colour; 3] = [[0xf4, 0xf1, 0xea], [0xd9, 0x7b, 0x4f], [0x4a, 0x00, 0x1f]];
-/// Height of the scale, and of a curve's plot.
-const SCALE: f64 = 6.0;
+/// Height of a curve's plot.
 const HEIGHT: f64 = 110.0;
 /// What the colours and the curve are.
 const NAME: &str = "probability of overturning";
@@ -61,10 +59,7 @@ pub fn draw(all: &Probabilities, uncertainty: &Uncertainty) -> Result<Option<Str
     let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
     let title = format!("{}: {NAME}", all.scene.title);
-    let lines = caption::bounded(&title, TITLE, most);
-    let y = write(&mut canvas, (MARGIN, MARGIN), style(TITLE), &lines);
-    let lines = wrapped(&caption::listed(&said(&all.scene, uncertainty)), FONT, most);
-    let y = write(&mut canvas, (MARGIN, y + 1.0), style(FONT), &lines) + GAP;
+    let y = caption::titled(&mut canvas, &title, &said(&all.scene, uncertainty)) + GAP;
     let (x, side) = SIDE;
     let grid = &all.grid;
     let place = Place { x, y, width: side, height: side };
@@ -89,12 +84,8 @@ fn field(canvas: &mut Canvas, all: &Probabilities, place: Place) -> Result<f64, 
     })?;
     canvas.image(place, &image, true);
     frame(place, &all.grid).draw(canvas, BOTH);
-    let bar = Place { y: place.bottom() + BELOW + MARGIN, height: SCALE, ..place };
-    let scale = png((256, 1), |column, _| opaque(colour((column as f64 + 0.5) / 256.0)))?;
-    canvas.image(bar, &scale, true);
-    let written = Written { y: false, x: true, beyond: 4.0 };
-    Frame::new(bar, Axis::new(0.0, 1.0, NAME), Axis::new(0.0, 1.0, "")).draw(canvas, written);
-    Ok(bar.bottom() + BELOW)
+    let at = (place.x, place.bottom() + BELOW + MARGIN);
+    scale::draw(canvas, at, place.width, Axis::new(0.0, 1.0, NAME), colour)
 }
 
 /// Draws the curve along the only axis; returns where it ends.

@@ -2,11 +2,10 @@
 
 use super::super::Map;
 use super::fields::Field;
-use crate::drawing::canvas::{Canvas, Place, stroke};
-use crate::drawing::colour::BLACK;
+use crate::drawing::canvas::{Canvas, Point};
 use crate::drawing::error::FigureError;
-use crate::drawing::frame::{Axis, BELOW, Frame, LINE, Written};
-use crate::drawing::raster::png;
+use crate::drawing::frame::Axis;
+use crate::drawing::scale;
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;
@@ -15,8 +14,6 @@ const ALIKE: f64 = 0.01;
 /// Shades of the lightest and the darkest value.
 const LIGHT: f64 = 0.96;
 const DARK: f64 = 0.38;
-/// Height of a drawn scale.
-const HEIGHT: f64 = 6.0;
 
 /// A scale of greys: from where to where, in which steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,28 +70,20 @@ impl Greys {
         (255.0 * (LIGHT + (DARK - LIGHT) * share)) as u8
     }
 
-    /// Draws the scale from `left` on at a height, with its numbers and its name below; returns where it ends.
+    /// Draws the scale with its numbers and its name below; returns where it ends.
     ///
     /// # Errors
     /// [`FigureError::Encode`].
     pub fn draw(
         &self,
         canvas: &mut Canvas,
-        (left, top): (f64, f64),
+        at: Point,
         width: f64,
         name: &str,
     ) -> Result<f64, FigureError> {
-        let place = Place { x: left, y: top, width, height: HEIGHT };
-        let bar = png((256, 1), |column, _| {
-            let grey = self.shade(self.low + self.width() * (column as f64 + 0.5) / 256.0);
-            [grey, grey, grey, 255]
-        })?;
-        canvas.image(place, &bar, true);
         let axis = Axis::new(self.low, self.high, name);
-        let written = Written { y: false, x: true, beyond: 4.0 };
-        Frame::new(place, axis, Axis::new(0.0, 1.0, "")).draw(canvas, written);
-        canvas.outline(place, stroke(BLACK, LINE));
-        Ok(place.bottom() + BELOW)
+        let grey = |share| [self.shade(self.low + self.width() * share); 3];
+        scale::draw(canvas, at, width, axis, grey)
     }
 }
 
