@@ -9,8 +9,9 @@ use super::search::Search;
 use super::state::State;
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use crate::model::dynamics::Contact;
 use crate::model::excitation::{Cell, Ground};
-use crate::model::isolation::Variant;
+use crate::model::isolation::{Variant, support};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 
@@ -154,6 +155,63 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         }
     }
 
+    /// A turn of all lanes: the lanes whose cell has ended, a bit each. Compiled once for a kind of vector and a
+    /// listener.
+    #[inline(never)]
+    pub fn advance(&mut self) -> u64 {
+        self.start.with(
+            #[inline(always)]
+            || self.turn(),
+        )
+    }
+
+    /// Takes the cells off lanes.
+    #[inline(always)]
+    pub fn leave_off(&mut self, bits: u64) {
+        self.running &= !bits;
+    }
+
+    /// Lanes that have a cell, a bit each.
+    #[inline(always)]
+    pub fn running(&self) -> u64 {
+        self.running
+    }
+
+    /// Lanes whose cell is between two steps, nothing searched for.
+    #[inline(always)]
+    pub fn between_steps(&self) -> V::Mask {
+        let zero = self.start.like(0.0);
+        let busy = self.search.sought.any() | self.search.again;
+        zero.ge(self.start) & !busy & self.start.mask(self.running)
+    }
+
+    /// Lanes at the start or the end of their forcing segment.
+    #[inline(always)]
+    pub fn between_segments(&self) -> V::Mask {
+        let Forcing { done, steps, .. } = &self.forcing;
+        self.start.like(0.0).ge(*done) | done.ge(*steps)
+    }
+
+    /// The contact force of full contact where each lane is.
+    #[inline(always)]
+    pub fn contact(&self) -> Contact<V> {
+        let ground = self.forcing.ground(self.shared.variant, &self.cell, self.start);
+        let base = support(&self.equations(), &self.y, ground);
+        Contact { shear: base.f_h, normal: base.f_v }
+    }
+
+    /// The motion where each lane is.
+    #[inline(always)]
+    pub fn motion(&self) -> &Motion<V> {
+        &self.y
+    }
+
+    /// What each lane has had so far.
+    #[inline(always)]
+    pub fn extremes(&self) -> &Extremes<V> {
+        &self.extremes
+    }
+
     /// Runs all cells of a feed.
     #[inline(always)]
     pub fn run(&mut self, feed: &mut impl Feed<V::Element>) {
@@ -166,7 +224,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
             if turns.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            for lane in each(self.turn()) {
+            for lane in each(self.advance()) {
                 self.store(lane);
                 feed.done(&self.lanes[lane].job);
                 self.running &= !(1 << lane);
@@ -212,7 +270,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
 
     /// Puts a cell on a lane.
     #[inline(always)]
-    pub(super) fn load(&mut self, lane: usize, job: Job<V::Element>) {
+    pub fn load(&mut self, lane: usize, job: Job<V::Element>) {
         let bit = self.start.mask(1 << lane);
         let zero = V::Element::of(0.0);
         self.running |= 1 << lane;

@@ -9,6 +9,7 @@ use fearless_simd::{Level, Simd};
 use super::cells::Cells;
 use super::plan::Plan;
 use super::progress::Progress;
+use super::vectors::vectorized;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
@@ -117,25 +118,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
             ended: Vec::with_capacity(BATCH),
         };
         let zero = R::of(0.0);
-        macro_rules! run {
-            ($simd:ident) => {
-                $simd.vectorize(
-                    #[inline(always)]
-                    || Lanes::new(shared, zero.lanes($simd), ()).run(&mut feed),
-                )
-            };
-        }
-        // SSE4.2 is left out: it has little beyond SSE2, and each level compiles the turn once more.
-        #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = level.as_avx512() {
-            run!(simd);
-        } else if let Some(simd) = level.as_avx2() {
-            run!(simd);
-        } else if let Some(simd) = level.as_sse2() {
-            run!(simd);
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(level, simd => run!(simd));
+        vectorized!(level, simd => Lanes::new(shared, zero.lanes(simd), ()).run(&mut feed));
         feed.deliver();
     });
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);

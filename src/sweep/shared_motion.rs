@@ -1,13 +1,13 @@
 //! A motion in full contact, sample by sample, with what cells that share it ask of it: see
 //! [`full_contact`](super::full_contact).
 
-use std::cell::Cell;
+use std::cell;
 
 use super::plan::Plan;
 use crate::model::CellEquations;
-use crate::model::block::{FULL_CONTACT, pivot};
+use crate::model::block::{FULL_CONTACT, Model, pivot};
 use crate::model::dynamics::{Contact, rates};
-use crate::model::excitation::Ground;
+use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::motion::Motion;
 use crate::model::real::Real;
@@ -22,7 +22,7 @@ use crate::stepping::state::State;
 
 /// Share of its largest value by which an acceleration may exceed its values at the ends of steps:
 /// 80 steps a period leave 8e-4.
-const SLACK: f64 = 2.0e-3;
+pub(super) const SLACK: f64 = 2.0e-3;
 /// Share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an
 /// extremum there. A motion that is faster is shared by nobody.
 const MISSED: f64 = 5.0e-4;
@@ -64,7 +64,7 @@ pub enum Direction {
 
 impl Direction {
     /// X or Y.
-    fn of<R>(self, contact: Contact<R>) -> R {
+    pub(super) fn of<R>(self, contact: Contact<R>) -> R {
         match self {
             Direction::Horizontal => contact.shear,
             Direction::Vertical => contact.normal,
@@ -109,12 +109,47 @@ impl Direction {
     }
 
     /// That of no span at all.
-    fn no_crest<R: Real>(self) -> R {
+    pub(super) fn no_crest<R: Real>(self) -> R {
         match self {
             Direction::Horizontal => R::of(0.0),
             Direction::Vertical => R::of(f64::from(f32::MAX)),
         }
     }
+}
+
+/// Where a motion begins.
+#[derive(Clone, Copy)]
+pub struct Start<R> {
+    /// A body that no lever arm lifts: its uplift moments (14) are zero.
+    pub model: Model<R>,
+    /// The numbers of a cell that shares the motion.
+    pub cell: Cell<R>,
+    /// The state at rest.
+    pub state: State<R>,
+}
+
+impl<R: Real> Start<R> {
+    /// That of a motion that a case has in one direction, in the steps of a plan.
+    pub fn of(plan: &Plan, case: &Case, direction: Direction) -> Start<R> {
+        let mut model = plan.model::<R>(case);
+        (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
+        let (mut cell, state) = plan.cell::<R>(case);
+        if direction == Direction::Horizontal {
+            // X by itself: over g it is the friction asked for where the ground does not move vertically.
+            cell.amplitude_v = R::of(0.0);
+        }
+        Start { model, cell, state }
+    }
+}
+
+/// Samples of a cell's motion in full contact: the ends of its gaps.
+pub fn samples<R>(cell: &Cell<R>) -> usize {
+    (cell.steps_forced / cell.substeps) as usize + 1
+}
+
+/// A bound beyond any acceleration, m/s^2.
+fn beyond<R: Real>() -> R {
+    R::of(f64::from(f32::MAX))
 }
 
 /// X or Y, m/s^2, in the steps of a gap so far.
@@ -133,8 +168,6 @@ struct GapForces<R> {
 trait Integrator<R> {
     /// Takes a step; the forces in the steps since the gap began.
     fn step(&mut self) -> GapForces<R>;
-    /// Takes a step; X or Y at its end.
-    fn step_to_end(&mut self) -> R;
     /// The motion; of v the least and the largest so far, of u zero and the largest magnitude.
     fn place(&mut self) -> (Motion<R>, [R; 2]);
     /// Begins a gap.
@@ -172,11 +205,6 @@ impl<R: Real> Integrator<R> for Smooth<'_, R> {
         self.forces
     }
 
-    fn step_to_end(&mut self) -> R {
-        let [.., end] = self.standing.step();
-        self.direction.of(end)
-    }
-
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
         let Standing { motion, max_u, range_v, .. } = self.standing;
         let range_u = [R::of(0.0), max_u];
@@ -191,22 +219,11 @@ impl<R: Real> Integrator<R> for Smooth<'_, R> {
 /// A base that yields: its steps are cut at the kinks of the Bouc-Wen law.
 struct Yielding<'a, R: Real> {
     single: Single<'a, R>,
-    forces: &'a Cell<GapForces<R>>,
+    forces: &'a cell::Cell<GapForces<R>>,
 }
 
 /// Adds the spans of a yielding base's steps to the forces of the gap.
-struct ForceListener<'a, R>(&'a Cell<GapForces<R>>);
-
-/// Keeps the force at the end of a yielding base's last span.
-struct EndListener<'a, R>(&'a Cell<GapForces<R>>);
-
-impl<R: Real> Log<R> for EndListener<'_, R> {
-    fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
-
-    fn moved(&mut self, [.., end]: [Contact<R>; 3]) {
-        self.0.set(GapForces { end: end.shear, ..self.0.get() });
-    }
-}
+struct ForceListener<'a, R>(&'a cell::Cell<GapForces<R>>);
 
 impl<R: Real> Log<R> for ForceListener<'_, R> {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
@@ -221,11 +238,6 @@ impl<R: Real> Integrator<R> for Yielding<'_, R> {
         self.forces.set(GapForces { spans: 0, ..self.forces.get() });
         self.single.step();
         self.forces.get()
-    }
-
-    fn step_to_end(&mut self) -> R {
-        self.single.step();
-        self.forces.get().end
     }
 
     fn place(&mut self) -> (Motion<R>, [R; 2]) {
@@ -264,60 +276,34 @@ fn between<R: Real>(
 }
 
 impl<R: Real> SampledMotion<R> {
-    /// The motion of a point in the steps of a plan, by the `variant` that has this direction alone.
-    pub fn new(
-        plan: &Plan,
+    /// A motion with its forces inside gaps, by the `variant` that has its direction alone.
+    pub fn with_forces(
+        start: &Start<R>,
         variant: Variant,
-        case: &Case,
         direction: Direction,
         record: &[Ground<R>],
     ) -> SampledMotion<R> {
-        let mut model = plan.model::<R>(case);
-        // No lever arm lifts: the uplift moments (14) are zero.
-        (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
-        let (mut cell, state) = plan.cell::<R>(case);
-        if direction == Direction::Horizontal {
-            // X by itself: over g it is the friction asked for where the ground does not move vertically.
-            cell.amplitude_v = R::of(0.0);
-        }
-        let set = CellEquations { variant, model: &model, cell: &cell, record };
+        let Start { model, cell, state } = start;
+        let set = CellEquations { variant, model, cell, record };
         let first = ground_at(&set, 0, R::of(0.0));
-        let k = rates(&set, &pivot(&model, FULL_CONTACT), false, &state.motion, first);
+        let k = rates(&set, &pivot(model, FULL_CONTACT), false, &state.motion, first);
         let now = direction.of(k.contact());
         if set.variant.kinks {
-            let forces = Cell::new(no_forces(direction));
-            let (mut all, mut ends) = (ForceListener(&forces), EndListener(&forces));
-            let listener: &mut dyn Log<R> = if plan.forces { &mut all } else { &mut ends };
-            let single = Single::new(&set, &state, listener);
+            let forces = cell::Cell::new(no_forces(direction));
+            let mut listener = ForceListener(&forces);
+            let single = Single::new(&set, state, &mut listener);
             let mut yielding = Yielding { single, forces: &forces };
-            SampledMotion::by(&mut yielding, &set, direction, now, plan.forces)
+            SampledMotion::integrate(&set, direction, now, &mut yielding)
         } else {
-            let standing = Standing::new(&set, &state);
+            let standing = Standing::new(&set, state);
             let forces = no_forces(direction);
             let mut smooth = Smooth { standing, direction, forces };
-            SampledMotion::by(&mut smooth, &set, direction, now, plan.forces)
-        }
-    }
-
-    /// The motion by an integrator from a start where X or Y is `now`, with its forces inside gaps or without.
-    fn by(
-        integrator: &mut dyn Integrator<R>,
-        set: &CellEquations<R>,
-        direction: Direction,
-        now: R,
-        forces: bool,
-    ) -> SampledMotion<R> {
-        let cell = set.cell;
-        let count = (cell.steps_forced / cell.substeps) as usize + 1;
-        if forces {
-            SampledMotion::integrate(count, set, direction, now, integrator)
-        } else {
-            SampledMotion::bounded(count, cell.substeps, now, integrator)
+            SampledMotion::integrate(&set, direction, now, &mut smooth)
         }
     }
 
     /// A motion of so many samples, nothing in it.
-    fn of(count: usize, parts: u32) -> SampledMotion<R> {
+    pub(super) fn of(count: usize, parts: u32) -> SampledMotion<R> {
         SampledMotion {
             motion: Vec::with_capacity(count),
             acceleration: Vec::with_capacity(count),
@@ -334,36 +320,22 @@ impl<R: Real> SampledMotion<R> {
         }
     }
 
-    /// Integrates through all gaps from a start where X or Y is `now`, and keeps of each gap the bounds of it alone.
-    fn bounded(
-        count: usize,
-        substeps: u32,
-        mut now: R,
-        integrator: &mut dyn Integrator<R>,
-    ) -> SampledMotion<R> {
-        let mut sampled = SampledMotion::of(count, 1);
-        // No force is on record.
-        sampled.lowest.resize(count, Direction::Vertical.no_crest());
-        for sample in 0..count {
-            let (motion, [bottom, top]) = integrator.place();
-            sampled.motion.push(motion);
-            sampled.acceleration.push(now);
-            sampled.bottom.push(bottom);
-            sampled.top.push(top);
-            if sample + 1 == count {
-                break;
-            }
-            let (mut least, mut most, mut change) = (now, now, R::of(0.0));
-            for _ in 0..substeps {
-                let next = integrator.step_to_end();
-                change = change.max((next - now).abs());
-                least = least.min(next);
-                most = most.max(next);
-                now = next;
-            }
-            sampled.bound(least, most, change);
+    /// The same with as many samples as it should have. A motion that the number type does not hold ends early: cells
+    /// that share it integrate by themselves.
+    pub(super) fn filled(mut self, count: usize) -> SampledMotion<R> {
+        let Some(last) = self.motion.last().copied() else { return self };
+        if self.motion.len() == count {
+            return self;
         }
-        sampled.finish(false)
+        self.motion.resize(count, last);
+        let ends = [&mut self.acceleration, &mut self.bottom, &mut self.top, &mut self.lowest];
+        for values in ends {
+            let last = values.last().copied().unwrap_or(R::of(0.0));
+            values.resize(count, last);
+        }
+        self.least = vec![-beyond::<R>(); count - 1];
+        self.most = vec![beyond(); count - 1];
+        self
     }
 
     /// Adds the bounds of a gap: the least and the largest value at ends of steps, and the largest change in a step.
@@ -375,13 +347,13 @@ impl<R: Real> SampledMotion<R> {
 
     /// Integrates through all gaps from a start where X or Y is `now`.
     fn integrate(
-        count: usize,
         set: &CellEquations<R>,
         direction: Direction,
         mut now: R,
         integrator: &mut dyn Integrator<R>,
     ) -> SampledMotion<R> {
         let cell = set.cell;
+        let count = samples(cell);
         let parts = direction.parts();
         let mut sampled = SampledMotion::of(count, parts);
         // With few steps to a gap every other part is told by those beside it.
@@ -452,10 +424,10 @@ impl<R: Real> SampledMotion<R> {
     }
 
     /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
-    fn finish(mut self, missed: bool) -> SampledMotion<R> {
+    pub(super) fn finish(mut self, missed: bool) -> SampledMotion<R> {
         if missed {
             // With these bounds every cell may lift in every gap, and integrates by itself.
-            let beyond = R::of(f64::from(f32::MAX));
+            let beyond = beyond::<R>();
             self.least.fill(-beyond);
             self.most.fill(beyond);
         }
