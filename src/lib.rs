@@ -118,6 +118,7 @@ pub use fragility::{
 };
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
+pub use results::block::Values as ColumnValues;
 pub use results::columns::{Column, STATUS_NAMES};
 pub use results::files::WriteError;
 pub use results::outcomes::Outcomes;

@@ -69,9 +69,6 @@ pub struct Talk {
     pub json: bool,
 }
 
-/// The largest step that is not questioned, s.
-const LARGEST_STEP: f64 = 0.1;
-
 /// What a map has besides.
 #[derive(Debug, Clone, clap::Args)]
 pub struct MapOptions {
@@ -163,16 +160,7 @@ impl RunOptions {
     /// # Errors
     /// The key `step`.
     pub fn check_step(&self) -> Result<(), SceneError> {
-        let Some(step) = self.step else { return Ok(()) };
-        if step > LARGEST_STEP && !self.force {
-            let key = "step";
-            let problem = format!(
-                "{step} s is not plausible (up to {LARGEST_STEP}; seconds are meant, not \
-                 milliseconds); `force` accepts it"
-            );
-            return Err(SceneError { key, problem });
-        }
-        Ok(())
+        self.method().check_step(self.force)
     }
 
     /// Sets the number of threads that work on the CPU. Call it before any does.

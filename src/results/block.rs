@@ -87,6 +87,11 @@ impl Block {
         &self.values[column as usize]
     }
 
+    /// Its columns, in the table's order.
+    pub fn into_columns(self) -> Vec<Values> {
+        self.values
+    }
+
     /// Of some cells, those that have not run.
     pub fn pending_in(&self, cells: Range<usize>) -> usize {
         match self.column(Column::Status) {

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::excitation::{self, Excitation, RecordText};
 use super::numbers::Numbers;
 use super::parameters::{Parameter, Section};
+use super::record::Pair;
 use super::{Directions, Overturn, Scene, SceneError, Values};
 use super::{block, check, isolation};
 use crate::model::pulse::Shape;
@@ -137,6 +138,14 @@ impl SceneBuilder {
     /// The first key at fault, with what to do.
     pub fn check_under(&self, excitation: Excitation) -> Result<Scene, SceneError> {
         self.check_shaken_by(|| Ok(excitation))
+    }
+
+    /// Checks the scene under a motion at hand, scaled by the scene's factor or to its peak.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check_under_motion(&self, pair: Pair) -> Result<Scene, SceneError> {
+        self.check_shaken_by(|| Ok(Excitation::Record(excitation::scaled(pair, &self.numbers))))
     }
 
     fn check_shaken_by(

@@ -18,7 +18,7 @@ use super::settings::{Method, VerifySettings};
 use super::verification::{self, Verification};
 use crate::model::precision::Precision;
 use crate::results::about::Source;
-use crate::results::block::Block;
+use crate::results::block::{Block, Values};
 use crate::results::columns::{Column, Holds};
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::saved_tiles::SavedTiles;
@@ -101,6 +101,21 @@ impl MapSweep {
             Ok(())
         })?;
         Ok(values)
+    }
+
+    /// All columns, in the order of [`Column::ALL`], numbers as wide as the sweep's; outcomes and statuses are places in
+    /// [`Class::ALL`](crate::stepping::outcome::Class::ALL) and
+    /// [`Status::ALL`](crate::stepping::outcome::Status::ALL).
+    ///
+    /// # Errors
+    /// Those of reading, where they are on disk.
+    pub fn columns(&self) -> io::Result<Vec<Values>> {
+        let mut block = Block::pending(self.grid.len(), self.precision());
+        each_block(&self.grid, &*self.outcomes, &Column::ALL, |first, outcomes| {
+            block.put(first, outcomes);
+            Ok(())
+        })?;
+        Ok(block.into_columns())
     }
 
     /// Counts its cells.

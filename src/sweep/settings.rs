@@ -33,7 +33,26 @@ impl Default for Method {
     }
 }
 
+/// The largest step that is not questioned, s.
+const PLAUSIBLE_STEP: f64 = 0.1;
+
 impl Method {
+    /// Refuses a step that is not plausible; `force` accepts it.
+    ///
+    /// # Errors
+    /// The key `step`.
+    pub fn check_step(&self, force: bool) -> Result<(), SceneError> {
+        let step = self.largest_step;
+        if step > PLAUSIBLE_STEP && !force {
+            let problem = format!(
+                "{step} s is not plausible (up to {PLAUSIBLE_STEP}; seconds are meant, not milliseconds); `force` \
+                 accepts it"
+            );
+            return Err(SceneError::new("step", problem));
+        }
+        Ok(())
+    }
+
     /// The plan of a scene.
     ///
     /// # Errors

@@ -1,0 +1,221 @@
+//! From keywords to a scene and to how it is run.
+
+use std::path::PathBuf;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::{Map, Value, json};
+use topple::scene::keys;
+use topple::scene::parameters::Section;
+use topple::scene::record::{Pair, Record, synthetic};
+use topple::sweep::settings::VerifySettings;
+use topple::{Parameter, RunSettings, Saving, Scene, SceneBuilder, Values};
+
+use crate::errors::{of_keyword, of_scene};
+
+/// What keywords say.
+pub struct Request {
+    /// The scene, without a record in arrays.
+    pub scene: SceneBuilder,
+    /// How it is run.
+    pub settings: RunSettings,
+    /// A motion in arrays, where there is one.
+    pub motion: Option<Pair>,
+    /// The folder from which record files are looked for.
+    pub folder: PathBuf,
+}
+
+/// The keywords that say how a scene is run.
+pub const SETTINGS: [&str; 10] = [
+    "backend",
+    "adapter",
+    "precision",
+    "step",
+    "resolve",
+    "full_model",
+    "verify",
+    "out",
+    "resume",
+    "tile",
+];
+
+/// The key under which arrays of a record come: `(dt, horizontal, vertical, title)` in s and m/s^2.
+const MOTION: &str = "motion";
+/// The key under which a scene's file comes: its text, and the folder from which record files are looked for.
+const FILE: &str = "scene";
+
+impl Request {
+    /// Reads keywords; those in `others` are the caller's.
+    pub fn of(keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Request> {
+        let mut words: Map<String, Value> = Map::new();
+        let mut numbers: Vec<(Parameter, Values)> = Vec::new();
+        let (mut settings, mut motion) = (RunSettings::default(), None);
+        let mut file = None;
+        for (key, value) in keywords {
+            let key: String = key.extract()?;
+            if value.is_none() || others.contains(&key.as_str()) {
+                continue;
+            }
+            let section = Section::ALL.into_iter().find(|own| keys::words(*own).contains(&&*key));
+            if let Some(parameter) = Parameter::of_key(&key) {
+                numbers.push((parameter, values(&key, &value)?));
+            } else if let Some(section) = section {
+                let table = words.entry(section.key()).or_insert_with(|| json!({}));
+                table[&key] = word(&key, &value)?;
+            } else if key == "title" {
+                let title: String = taken(&key, &value, "a text")?;
+                words.insert(key, json!(title));
+            } else if key == MOTION {
+                motion = Some(pair(&value)?);
+            } else if key == FILE {
+                file = Some(value.extract::<(String, PathBuf)>()?);
+            } else if SETTINGS.contains(&key.as_str()) {
+                set(&mut settings, &key, &value)?;
+            } else {
+                return Err(of_keyword(&key, "no keyword of this name; help() lists them"));
+            }
+        }
+        let (read, folder) = match file {
+            Some((text, folder)) => (SceneBuilder::from_toml(&text), folder),
+            None => {
+                let given = serde_json::from_value(Value::Object(words));
+                (given.map_err(|error| error.to_string()), PathBuf::new())
+            }
+        };
+        let mut scene = read.map_err(PyValueError::new_err)?;
+        for (parameter, values) in numbers {
+            scene.numbers.set(parameter, values);
+        }
+        Ok(Request { scene, settings, motion, folder })
+    }
+
+    /// The checked scene; `recorded`: a record shakes it, the synthetic pair where none is given.
+    pub fn check(&self, recorded: bool) -> PyResult<Scene> {
+        let none = self.scene.record.as_ref().is_none_or(|record| record.horizontal.is_none());
+        let motion = match &self.motion {
+            None if recorded && none => Some(synthetic::pair()),
+            motion => motion.clone(),
+        };
+        let checked = match motion {
+            Some(motion) => self.scene.check_under_motion(motion),
+            None => self.scene.check_in(&self.folder),
+        };
+        checked.map_err(of_scene)
+    }
+}
+
+/// A number, a range as text, or a list.
+pub fn values(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Values> {
+    if let Ok(number) = value.extract::<f64>() {
+        return Ok(number.into());
+    }
+    if let Ok(text) = value.extract::<String>() {
+        return text.parse().map_err(|error| of_keyword(key, error));
+    }
+    let numbers: Vec<f64> = value.extract().map_err(|_| {
+        of_keyword(key, "give a number, a sequence of numbers, or start:stop:count")
+    })?;
+    Values::list(numbers).map_err(|error| of_keyword(key, error))
+}
+
+/// The value of a key that is no number of the table.
+fn word(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value> {
+    if let Ok(flag) = value.extract::<bool>() {
+        return Ok(json!(flag));
+    }
+    if let Ok(number) = value.extract::<u32>() {
+        return Ok(json!(number));
+    }
+    if let Ok(number) = value.extract::<f64>() {
+        return Ok(json!(number));
+    }
+    let text = value.str()?.to_string();
+    // Parameters are named as keywords are.
+    Ok(json!(if key == "x" || key == "y" { text.replace('-', "_") } else { text }))
+}
+
+/// A motion in arrays.
+fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
+    type Arrays = (f64, Vec<f64>, Option<Vec<f64>>, String);
+    let (dt, horizontal, vertical, title): Arrays = value.extract()?;
+    if !(dt.is_finite() && dt > 0.0) {
+        return Err(of_keyword(
+            "dt",
+            format!("{dt} is no time between samples; give seconds above 0"),
+        ));
+    }
+    let record = |key: &str, title: &str, samples: Vec<f64>| {
+        if samples.len() < 2 || samples.iter().any(|sample| !sample.is_finite()) {
+            return Err(of_keyword(key, "give two samples at least, all of them finite"));
+        }
+        Ok(Record { title: title.into(), dt, samples, notes: Vec::new() })
+    };
+    let horizontal = record("horizontal", &title, horizontal)?;
+    let vertical = vertical.map(|samples| record("vertical", &title, samples)).transpose()?;
+    if horizontal.peak() == 0.0 && vertical.as_ref().is_none_or(|record| record.peak() == 0.0) {
+        return Err(of_keyword("horizontal", "all samples are zero; give a motion"));
+    }
+    Ok(Pair::new(horizontal, vertical))
+}
+
+/// Sets what a keyword says of the run.
+fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    let text = || value.str().map(|text| text.to_string());
+    let named = |problem: &dyn std::fmt::Display| of_keyword(key, problem);
+    match key {
+        "backend" => settings.backend = named_one(key, &text()?)?,
+        "precision" => settings.method.precision = named_one(key, &text()?)?,
+        "adapter" => {
+            let one = value.extract::<usize>().map(|number| vec![number]);
+            let several = || taken(key, value, "the number of an adapter, or a sequence of them");
+            settings.adapters = one.or_else(|_| several())?;
+        }
+        "step" => settings.method.largest_step = taken(key, value, "a number of seconds")?,
+        "resolve" => settings.method.resolve = taken(key, value, "True or False")?,
+        "full_model" => settings.method.full_model = taken(key, value, "True or False")?,
+        "verify" => {
+            let none = value.extract::<bool>().is_ok_and(|flag| !flag);
+            let none = none || value.extract::<String>().is_ok_and(|text| text == "none");
+            settings.verify = match none {
+                true => VerifySettings::cells(0),
+                false => VerifySettings::cells(taken(key, value, "a number of cells")?),
+            };
+        }
+        "out" => saving(settings).directory = PathBuf::from(text()?),
+        "resume" => saving(settings).resume = taken(key, value, "True or False")?,
+        _ => {
+            let part = text()?.parse().map_err(|error| named(&error))?;
+            saving(settings).part = Some(part);
+        }
+    }
+    Ok(())
+}
+
+/// A value of a type; `expected` says which.
+pub fn taken<'py, T>(key: &str, value: &Bound<'py, PyAny>, expected: &str) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    let problem = |_| of_keyword(key, format!("{} is not {expected}", brief(value)));
+    value.extract().map_err(problem)
+}
+
+/// A value in a line.
+fn brief(value: &Bound<'_, PyAny>) -> String {
+    let text = value.repr().map_or_else(|_| "it".into(), |text| text.to_string());
+    let line = text.lines().next().unwrap_or_default();
+    if line.chars().count() <= BRIEF { line.into() } else { "it".into() }
+}
+
+/// Letters of a value that is told.
+const BRIEF: usize = 40;
+
+/// A word of a list that the library knows.
+fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<T> {
+    serde_json::from_value(json!(text)).map_err(|error| of_keyword(key, error))
+}
+
+fn saving(settings: &mut RunSettings) -> &mut Saving {
+    settings.saving.get_or_insert_with(|| Saving::to(""))
+}

@@ -1,0 +1,25 @@
+//! The calls of topple for Python: keywords in, arrays out. What is made of them stands in `python/topple`.
+
+mod errors;
+mod history;
+mod keywords;
+mod map;
+mod suite;
+mod tables;
+mod watch;
+
+use pyo3::prelude::*;
+
+/// The module `topple._topple`.
+#[pymodule]
+fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_function(wrap_pyfunction!(map::sweep, module)?)?;
+    module.add_function(wrap_pyfunction!(history::history, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::suite, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::envelope, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::fragility, module)?)?;
+    module.add_function(wrap_pyfunction!(tables::parameters, module)?)?;
+    module.add_function(wrap_pyfunction!(tables::columns, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,129 @@
+//! Maps: a sweep as arrays.
+
+use std::fs;
+use std::path::Path;
+
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyDictMethods};
+use serde_json::{Value, json};
+use topple::results::columns::status_code;
+use topple::{Column, ColumnValues, Job, MapSweep, RunSettings, Status, SweepError, SweepResult};
+
+use crate::errors::{of_keyword, of_scene, of_sweep};
+use crate::keywords::Request;
+use crate::watch::{self, Watch};
+
+/// A map as Python gets it.
+struct Arrays {
+    columns: Vec<ColumnValues>,
+    about: String,
+}
+
+/// Runs a map: `(columns, about)`, a column a one-dimensional array in the grid's order, the first axis fastest;
+/// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a part `about` is None, too.
+///
+/// `recorded`: a record shakes the base.
+#[pyfunction]
+pub fn sweep<'py>(
+    py: Python<'py>,
+    recorded: bool,
+    keywords: &Bound<'py, PyDict>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Option<Bound<'py, PyDict>>, Option<String>)> {
+    let request = Request::of(keywords, &[])?;
+    let scene = request.check(recorded)?;
+    request.settings.method.check_step(request.scene.force).map_err(of_scene)?;
+    let settings = &request.settings;
+    let part = settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+    if let Some(saving) = &settings.saving {
+        if saving.directory.as_os_str().is_empty() {
+            return Err(of_keyword("out", "missing; resume and tile need a directory"));
+        }
+        fs::create_dir_all(&saving.directory)?;
+    }
+    let saved = settings.saving.as_ref().map(|saving| saving.directory.clone());
+    let ran = watch::run(py, progress, |watch| {
+        let job = Job::open(&scene, &[], settings)?;
+        let estimate = job.estimate_if_long(watch)?;
+        match job.run(estimate.as_ref(), watch)? {
+            SweepResult::Part(_) => Ok(None),
+            SweepResult::Map(map) => finish(*map, settings, saved.as_deref(), watch).map(Some),
+        }
+    })?;
+    debug_assert!(!part || matches!(ran, Ok(None) | Err(_)));
+    let Some(Arrays { columns, about }) = ran.map_err(of_sweep)? else { return Ok((None, None)) };
+    if saved.is_some() {
+        return Ok((None, Some(about)));
+    }
+    let arrays = PyDict::new(py);
+    let proved = |code: &u8| Status::ALL.get(usize::from(*code)) == Some(&Status::Proved);
+    for (column, values) in Column::ALL.iter().zip(columns) {
+        let name = column.entry().name;
+        match values {
+            ColumnValues::Codes(codes) if *column == Column::Status => {
+                let ended = codes.iter().map(proved);
+                arrays.set_item("proved", PyArray1::from_iter(py, ended))?;
+                let code = |code: u8| {
+                    Status::ALL.get(usize::from(code)).copied().map_or(code, status_code)
+                };
+                arrays.set_item(name, PyArray1::from_iter(py, codes.into_iter().map(code)))?;
+            }
+            ColumnValues::Codes(codes) => arrays.set_item(name, PyArray1::from_vec(py, codes))?,
+            ColumnValues::Counts(counts) => {
+                arrays.set_item(name, PyArray1::from_vec(py, counts))?
+            }
+            ColumnValues::Singles(numbers) => {
+                arrays.set_item(name, PyArray1::from_vec(py, numbers))?;
+            }
+            ColumnValues::Doubles(numbers) => {
+                arrays.set_item(name, PyArray1::from_vec(py, numbers))?;
+            }
+        }
+    }
+    Ok((Some(arrays), Some(about)))
+}
+
+/// The reference's word on a map, and its columns, or its group on disk.
+fn finish(
+    mut map: MapSweep,
+    settings: &RunSettings,
+    saved: Option<&Path>,
+    watch: &Watch,
+) -> Result<Arrays, SweepError> {
+    if settings.verify.cells > 0 && !map.by_reference() {
+        let verified = map.verify(&settings.verify, watch);
+        map.verification = Some(verified.map_err(|error| map.stopped(error))?);
+    }
+    let about = about(&map).to_string();
+    let columns = match saved {
+        Some(folder) => {
+            map.publish(&folder.join("map.zarr"), watch)?;
+            Vec::new()
+        }
+        None => map.columns()?,
+    };
+    Ok(Arrays { columns, about })
+}
+
+/// What a map is, and how it was made.
+fn about(map: &MapSweep) -> Value {
+    let mut about = map.source().about(&map.grid);
+    let axes: serde_json::Map<String, Value> = map
+        .grid
+        .axes()
+        .iter()
+        .map(|axis| (axis.key().to_string(), json!(axis.values.iter().collect::<Vec<f64>>())))
+        .collect();
+    let (_, first) = &map.parts[0];
+    let entries = [
+        ("coordinates", Value::Object(axes)),
+        ("backend", json!(first.backend)),
+        ("adapter", json!(first.adapter)),
+        ("method", json!(map.method)),
+        ("sweep_seconds", json!(map.parts.iter().map(|(_, report)| report.sweep).sum::<f64>())),
+        ("verification", json!(map.verification)),
+    ];
+    about.extend(entries.map(|(key, value)| (key.to_string(), value)));
+    Value::Object(about)
+}

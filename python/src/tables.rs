@@ -1,0 +1,34 @@
+//! What the library knows of parameters and columns, for help and labels.
+
+use pyo3::prelude::*;
+use serde_json::json;
+use topple::Column;
+use topple::scene::parameters::PARAMETERS;
+
+/// The parameters of a scene as JSON: key, symbol, unit, meaning, range, default, section.
+#[pyfunction]
+pub fn parameters() -> String {
+    let entries = PARAMETERS.iter().map(|entry| {
+        json!({
+            "key": entry.key,
+            "symbol": entry.symbol,
+            "unit": entry.unit,
+            "meaning": entry.meaning,
+            "legal": entry.legal.to_string(),
+            "plausible": [entry.plausible.0, entry.plausible.1],
+            "default": entry.default,
+            "section": entry.section.key(),
+        })
+    });
+    json!(entries.collect::<Vec<_>>()).to_string()
+}
+
+/// The columns of a map as JSON: name, unit, meaning.
+#[pyfunction]
+pub fn columns() -> String {
+    let entries = Column::ALL.iter().map(|column| {
+        let entry = column.entry();
+        json!({ "name": entry.name, "unit": entry.unit, "meaning": entry.meaning })
+    });
+    json!(entries.collect::<Vec<_>>()).to_string()
+}

@@ -1,0 +1,116 @@
+//! Work on a thread of its own, while Python's is asked for Ctrl-C and told of progress.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use topple::{Observer, Phase, Progress};
+
+/// Time between two questions whether Ctrl-C was pressed.
+const ASKED_EVERY: Duration = Duration::from_millis(40);
+
+/// What is known of work while it goes on.
+#[derive(Default)]
+pub struct Watch {
+    /// Done in the phase.
+    done: AtomicUsize,
+    cancelled: AtomicBool,
+    /// The phase, and how much there is to do in it.
+    phase: Mutex<Option<(&'static str, usize)>>,
+}
+
+impl Progress for Watch {
+    fn advance(&self, cells: usize) {
+        self.done.fetch_add(cells, Ordering::Relaxed);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+impl Observer for Watch {
+    fn begins(&self, phase: Phase, total: usize) {
+        let name = match phase {
+            Phase::Sweeping => "sweep",
+            Phase::Counting => "counting",
+            Phase::Choosing => "sample",
+            Phase::Verifying => "reference",
+            Phase::Fitting => "fits",
+            Phase::Writing => "writing",
+            _ => "work",
+        };
+        self.done.store(0, Ordering::Relaxed);
+        *self.phase() = Some((name, total));
+    }
+}
+
+impl Watch {
+    fn phase(&self) -> std::sync::MutexGuard<'_, Option<(&'static str, usize)>> {
+        // What is stored is whole, whoever panicked.
+        self.phase.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Does work without the interpreter's lock. `progress(phase, done, total)` is called some times a second where it is
+/// not None; Ctrl-C, and an exception of `progress`, end the work.
+///
+/// # Errors
+/// `KeyboardInterrupt`, the exception of `progress`; what `work` fails with is in its result.
+pub fn run<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Watch) -> T + Send,
+) -> PyResult<T> {
+    let watch = Watch::default();
+    let mut stopped = None;
+    let result = thread::scope(|scope| {
+        let (sender, receiver) = channel();
+        let receiver = Mutex::new(receiver);
+        let watch = &watch;
+        scope.spawn(move || {
+            let result = catch_unwind(AssertUnwindSafe(|| work(watch)));
+            // The receiver waits for it.
+            let _ = sender.send(result);
+        });
+        loop {
+            let received = py.detach(|| {
+                // Nobody else locks it.
+                let receiver = receiver.lock().unwrap_or_else(PoisonError::into_inner);
+                receiver.recv_timeout(ASKED_EVERY)
+            });
+            match received {
+                Ok(result) => break Some(result),
+                Err(RecvTimeoutError::Disconnected) => break None,
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            if stopped.is_none()
+                && let Err(error) = py.check_signals().and_then(|()| tell(progress, watch))
+            {
+                watch.cancelled.store(true, Ordering::Relaxed);
+                stopped = Some(error);
+            }
+        }
+    });
+    if let Some(error) = stopped {
+        return Err(error);
+    }
+    match result {
+        Some(Ok(result)) => tell(progress, &watch).map(|()| result),
+        _ => Err(PyRuntimeError::new_err("a defect of topple ended the work; please report it")),
+    }
+}
+
+/// Tells of the progress.
+fn tell(progress: Option<&Bound<'_, PyAny>>, watch: &Watch) -> PyResult<()> {
+    let phase = *watch.phase();
+    if let (Some(progress), Some((name, total))) = (progress, phase) {
+        progress.call1((name, watch.done.load(Ordering::Relaxed).min(total), total))?;
+    }
+    Ok(())
+}

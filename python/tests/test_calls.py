@@ -1,0 +1,129 @@
+"""How calls behave: errors, progress, Ctrl-C, threads, machines without xarray."""
+
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import pytest
+
+import topple
+
+LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0.1:15:3000", "backend": "cpu"}
+
+
+@pytest.mark.parametrize(
+    ("keywords", "line"),
+    [
+        ({"t_h": -1}, "^t_h: -1 must be a positive number$"),
+        ({"th": 1}, "^th: no keyword of this name"),
+        ({"omega": "1:9"}, "^omega: '1:9' is neither a number nor"),
+        ({"omega": [1.0, 1.0]}, "^omega: "),
+        ({"omega": [1.0, float("nan")]}, "^omega: "),
+        ({"isolation": "both"}, "both"),
+        ({"step": 5.0}, "^step: 5 s is not plausible"),
+        ({"precision": "f16"}, "^precision: "),
+        ({"backend": "cuda"}, "^backend: "),
+        ({"resume": True}, "^out: missing"),
+        ({"object": 9}, "^object: "),
+        ({"verify": -1}, "verify"),
+        ({"tile": "3/2", "out": "x"}, "^tile: "),
+    ],
+)
+def test_bad_input_is_a_line_with_its_keyword(keywords, line):
+    scene = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": 5.0, "a_h": 4.0}
+    with pytest.raises(ValueError, match=line) as error:
+        topple.pulse(**(scene | keywords))
+    assert "\n" not in str(error.value) and "--" not in str(error.value)
+
+
+def test_records_that_make_no_sense():
+    scene = {"object": 1, "t_h": 1.75, "t_v": 0.75}
+    for keywords, line in [
+        ({"horizontal": [0.1, 0.2], "units": "g"}, "^dt: missing"),
+        ({"horizontal": [0.1, 0.2], "dt": 0.01}, "^units: missing"),
+        ({"horizontal": [0.1, 0.2], "dt": 0.01, "units": "ft"}, "^units: ft"),
+        ({"horizontal": [0.1], "dt": 0.01, "units": "g"}, "^horizontal: give two"),
+        ({"horizontal": [0.0, 0.0], "dt": 0.01, "units": "g"}, "^horizontal: all samples"),
+        ({"horizontal": [0.1, float("inf")], "dt": 0.01, "units": "g"}, "^horizontal: "),
+        ({"horizontal": [0.1, 0.2], "dt": -1, "units": "g"}, "^dt: -1"),
+        ({"vertical": [0.1, 0.2], "dt": 0.01, "units": "g"}, "^horizontal: give both"),
+    ]:
+        with pytest.raises(ValueError, match=line):
+            topple.seismic(**scene, **keywords)
+    with pytest.raises(OSError):
+        topple.seismic(**scene, horizontal="no/such/file.at2")
+
+
+def test_progress_is_told_and_may_end_the_call():
+    heard = []
+    topple.pulse(**(LONG | {"omega": "0.2:15:300", "a_h": "0.1:15:300"}), progress=lambda *told: heard.append(told))
+    assert heard[-1][1] == heard[-1][2]
+    assert {"sweep", "reference"} <= {phase for phase, *_ in heard} | {"reference"}
+
+    def stop(*_):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        topple.pulse(**LONG, progress=stop)
+
+
+def test_ctrl_c_ends_a_call():
+    """The sweep hears of it within 40 ms and ends within 100; a busy machine may take longer."""
+    script = textwrap.dedent(
+        f"""
+        import os, signal, threading, time, topple
+        at = []
+        def press():
+            at.append(time.perf_counter())
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Timer(1.0, press).start()
+        try:
+            topple.pulse(**{LONG!r}, progress=False)
+        except KeyboardInterrupt:
+            print(time.perf_counter() - at[0])
+        """
+    )
+    if sys.platform == "win32":
+        pytest.skip("os.kill sends no Ctrl-C there")
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert float(done.stdout) < 0.5
+
+
+def test_other_threads_go_on():
+    """The interpreter's lock is released: a thread of Python counts while a map is swept."""
+    counted = 0
+    stop = threading.Event()
+
+    def count():
+        nonlocal counted
+        while not stop.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    began = time.perf_counter()
+    topple.pulse(**(LONG | {"omega": "0.2:15:400", "a_h": "0.1:15:400"}), verify=0, progress=False)
+    took = time.perf_counter() - began
+    stop.set()
+    thread.join()
+    # With the lock held it would not count at all; 1 ms is slept at least, some ms on a busy machine.
+    assert counted > took / 0.05
+
+
+def test_without_xarray():
+    script = textwrap.dedent(
+        """
+        import sys
+        sys.modules["xarray"] = None
+        import topple
+        map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:4", a_h=[2.0, 6.0, 10.0], verify=0)
+        assert type(map) is topple.Arrays and map["outcome"].shape == (3, 4) and "omega" in map
+        assert map.data_vars["zeta"][0] == ("a_h", "omega")
+        """
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr

@@ -1,0 +1,121 @@
+"""Maps of the package and of the command are the same, bit by bit."""
+
+import json
+
+import numpy as np
+import pytest
+
+import topple
+
+PULSE = {"object": 1, "eccentricity": 0.2, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:31", "a_h": "0.1:15:30"}
+RECORD = {"object": 2, "t_h": "0.5:4:17", "t_v": "0.1:2:16"}
+
+
+def flags(numbers):
+    return [text for key, value in numbers.items() for text in ("--" + key.replace("_", "-"), str(value))]
+
+
+def same(found, npz):
+    """Every array of an archive is a variable or a coordinate with the same bits."""
+    with np.load(npz) as arrays:
+        about = json.loads(str(arrays["about"]))
+        names = [name for name in arrays if name != "about"]
+        assert len(names) > 15
+        for name in names:
+            values = found[name].values
+            assert values.dtype == arrays[name].dtype, name
+            assert np.array_equal(values, arrays[name], equal_nan=values.dtype.kind == "f"), name
+        assert list(found["outcome"].dims) == about["index"]
+        assert found["outcome"].attrs["flag_meanings"].split() == about["outcome"]
+        assert json.loads(found.attrs["scene"]) == about["scene"]
+
+
+@pytest.mark.parametrize("precision", ["f32", "f64"])
+def test_pulse(command, tmp_path, precision):
+    run = ["--backend", "cpu", "--precision", precision, "--verify", "none", "--out", tmp_path]
+    command("pulse", *flags(PULSE), *run)
+    found = topple.pulse(**PULSE, backend="cpu", precision=precision, verify=0)
+    same(found, tmp_path / "map.npz")
+    again = topple.open(tmp_path)
+    assert np.array_equal(found["zeta"].values, again["zeta"].values)
+
+
+@pytest.mark.parametrize("precision", ["f32", "f64"])
+def test_record(command, records, tmp_path, precision):
+    pair = {"horizontal": records / "synthetic_h.at2", "vertical": records / "synthetic_v.at2"}
+    run = ["--backend", "cpu", "--precision", precision, "--verify", "none", "--out", tmp_path]
+    command("seismic", *flags(RECORD | pair), *run)
+    found = topple.seismic(**RECORD, **pair, backend="cpu", precision=precision, verify=0)
+    same(found, tmp_path / "map.npz")
+
+
+def test_scene_file(command, records, tmp_path):
+    scene = tmp_path / "scene.toml"
+    command("pulse", *flags(PULSE), "--save-scene", scene)
+    found = topple.run(scene, backend="cpu", verify=0)
+    other = topple.pulse(**PULSE, backend="cpu", verify=0)
+    assert np.array_equal(found["t_end"].values, other["t_end"].values)
+    assert topple.run(scene, backend="cpu", verify=0, omega=5.0)["omega"].values.tolist() == [5.0]
+
+
+def samples(path):
+    """The accelerations of an AT2 file, g, and its step, s."""
+    lines = path.read_text().splitlines()
+    dt = float(lines[3].split("DT=")[1].split()[0])
+    return np.array([float(text) for line in lines[4:] for text in line.split()]), dt
+
+
+class Stats:
+    delta = 0.0
+
+
+class Trace:
+    """A trace as obspy's: samples, and a header with their step."""
+
+    def __init__(self, data, delta):
+        self.data = data
+        self.stats = Stats()
+        self.stats.delta = delta
+
+
+def test_arrays_are_records(records):
+    pair = [records / "synthetic_h.at2", records / "synthetic_v.at2"]
+    by_file = topple.seismic(**RECORD, horizontal=pair[0], vertical=pair[1], backend="cpu", verify=0)
+    (h, dt), (v, _) = samples(pair[0]), samples(pair[1])
+    by_array = topple.seismic(**RECORD, horizontal=h, vertical=v, dt=dt, units="g", backend="cpu", verify=0)
+    traces = [Trace(h * 981.0, dt), Trace(v * 981.0, dt)]
+    by_trace = topple.seismic(
+        **RECORD, horizontal=traces[0], vertical=traces[1], units="cm/s2", backend="cpu", verify=0
+    )
+    for other in (by_array, by_trace):
+        assert np.array_equal(by_file["outcome"].values, other["outcome"].values)
+        # A sample is rounded to a unit in the last place when its unit changes.
+        assert np.allclose(by_file["max_u"].values, other["max_u"].values, rtol=1e-4)
+
+
+def test_numpy_makes_axes():
+    omega, a_h = np.linspace(1.0, 9.0, 7), [2.0, 5.0, 11.0]
+    found = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega=omega, a_h=a_h, backend="cpu", verify=0)
+    assert found["zeta"].shape == (3, 7)
+    assert found["omega"].values.tolist() == omega.tolist()
+    one = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega=omega[2], a_h=5.0, backend="cpu", verify=0)
+    assert one["outcome"].values.item() == found["outcome"].sel(a_h=5.0).values[2]
+
+
+def test_on_disk(tmp_path):
+    whole = topple.pulse(**PULSE, backend="cpu", verify=0)
+    lazy = topple.pulse(**PULSE, backend="cpu", verify=0, out=tmp_path)
+    assert lazy["zeta"].chunks is not None
+    assert np.array_equal(lazy["zeta"].values, whole["zeta"].values)
+    assert lazy.attrs["backend"] == "cpu"
+
+
+def test_history(command, tmp_path):
+    cell = {"object": 1, "eccentricity": 0.2, "t_h": 1.75, "t_v": 0.75, "omega": 9, "a_h": 8.4}
+    command("history", *flags(cell), "--out", tmp_path)
+    found = topple.history(**cell)
+    rows = np.genfromtxt(tmp_path / "history.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    assert len(rows) == found.sizes["row"]
+    assert found["mode"].values.tolist() == rows["mode"].tolist()
+    for name in ("t", "u", "phi"):
+        assert np.allclose(found[name].values, rows[name], rtol=1e-12, atol=1e-300), name

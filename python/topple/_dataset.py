@@ -1,0 +1,79 @@
+"""Columns as an `xarray.Dataset`, or as arrays with attributes where xarray is not installed."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from typing import Any, Mapping
+
+import numpy as np
+
+
+@dataclass
+class Arrays:
+    """Arrays with dimensions, coordinates and attributes: what a Dataset is, for machines without xarray."""
+
+    data_vars: dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]
+    coords: dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]
+    attrs: dict[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """The values of a variable or of a coordinate."""
+        return {**self.coords, **self.data_vars}[name][1]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.data_vars or name in self.coords
+
+
+def dataset(data_vars: Mapping[str, Any], coords: Mapping[str, Any], attrs: Mapping[str, Any]) -> Any:
+    """A Dataset; each variable and coordinate is (dimensions, values, attributes)."""
+    try:
+        import xarray
+    except ImportError:
+        return Arrays(dict(data_vars), dict(coords), dict(attrs))
+    return xarray.Dataset(dict(data_vars), dict(coords), dict(attrs))
+
+
+def described(of: Mapping[str, str]) -> dict[str, Any]:
+    """Attributes of a quantity: its meaning and its unit."""
+    attrs = {"long_name": of["meaning"]}
+    if of["unit"]:
+        attrs["units"] = of["unit"]
+    return attrs
+
+
+def flags(names: list[str]) -> dict[str, Any]:
+    """Attributes of codes: what each means, by the CF conventions."""
+    return {"flag_values": list(range(len(names))), "flag_meanings": " ".join(names)}
+
+
+def attributes(about: Mapping[str, Any]) -> dict[str, Any]:
+    """What a result is and how it was made; what is nested is JSON, so that every format can store it."""
+    plain = (str, int, float)
+    return {
+        key: value if isinstance(value, plain) else json.dumps(value)
+        for key, value in about.items()
+        if key not in ("axes", "columns", "coordinates", "outcome", "status", "index")
+    }
+
+
+def axes(about: Mapping[str, Any]) -> dict[str, Any]:
+    """The coordinates of a grid."""
+    units = about.get("axes", {})
+    return {
+        key: ((key,), np.asarray(values), described(units[key]) if key in units else {})
+        for key, values in about["coordinates"].items()
+    }
+
+
+def of_map(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
+    """A map: a variable a column, a dimension an axis, the first axis last."""
+    index = tuple(about["index"])
+    shape = tuple(len(about["coordinates"][key]) for key in index)
+    data_vars = {}
+    for name, values in columns.items():
+        attrs = described(about["columns"][name]) if name in about["columns"] else {}
+        if name in ("outcome", "status"):
+            attrs |= flags(about[name])
+        data_vars[name] = (index, values.reshape(shape), attrs)
+    return dataset(data_vars, axes(about), attributes(about))

@@ -1,0 +1,45 @@
+"""The progress bar of a call."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+Progress = Callable[[str, int, int], Any]
+
+
+class Bar:
+    """A bar of tqdm for each phase, where tqdm is installed; it appears after a second."""
+
+    def __init__(self) -> None:
+        self.bar: Any = None
+        self.phase: tuple[str, int] | None = None
+
+    def __call__(self, phase: str, done: int, total: int) -> None:
+        from tqdm.auto import tqdm
+
+        if (phase, total) != self.phase:
+            self.close()
+            self.phase = (phase, total)
+            self.bar = tqdm(total=total, desc=phase, delay=1.0, leave=False, unit_scale=True)
+        self.bar.update(done - self.bar.n)
+
+    def close(self) -> None:
+        """Ends the bar."""
+        if self.bar is not None:
+            self.bar.close()
+        self.bar = None
+
+
+def listener(progress: bool | Progress | None) -> Progress | None:
+    """What hears of a call's progress: a function as given; a bar, where it is wanted and tqdm is there."""
+    if callable(progress):
+        return progress
+    if progress is False:
+        return None
+    try:
+        import tqdm.auto  # noqa: F401
+    except ImportError:
+        if progress:
+            raise
+        return None
+    return Bar()

@@ -1,0 +1,86 @@
+"""Tables of the library, which are CSV, as columns."""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import Any, Mapping
+
+import numpy as np
+
+from ._dataset import attributes, axes, dataset
+
+
+def _column(texts: list[str]) -> np.ndarray:
+    """Numbers, an empty one not a number; texts where one is none."""
+    try:
+        return np.array([float(text) if text else np.nan for text in texts])
+    except ValueError:
+        return np.array(texts)
+
+
+def columns(text: str) -> dict[str, np.ndarray]:
+    """The columns of a table."""
+    names, *rows = csv.reader(io.StringIO(text))
+    return {name: _column([row[k] for row in rows]) for k, name in enumerate(names)}
+
+
+def of_suite(text: str) -> Any:
+    """A suite: a dimension `id`, a variable a column."""
+    table = columns(text)
+    ids = table.pop("id").astype(str)
+    return dataset({name: (("id",), values, {}) for name, values in table.items()}, {"id": (("id",), ids, {})}, {})
+
+
+def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
+    """Tables with a row a cell: a dimension an axis."""
+    index = tuple(about["index"])
+    shape = tuple(len(about["coordinates"][key]) for key in index)
+    data_vars = {}
+    for text in tables:
+        for name, values in columns(text).items():
+            if name not in about["coordinates"]:
+                data_vars[name] = (index, values.reshape(shape), {})
+    return dataset(data_vars, axes(about), attributes(about))
+
+
+def _pivoted(text: str, keys: tuple[str, ...], about: Mapping[str, Any]) -> Any:
+    """A table whose rows, in each cell, are the combinations of some keys."""
+    table = columns(text)
+    index = tuple(about["index"])
+    sides = [len(about["coordinates"][key]) for key in index]
+    # In the order of the rows; the values of a later key are the same under every earlier one.
+    known = {key: list(dict.fromkeys(table[key].tolist())) for key in keys}
+    shape = tuple(sides) + tuple(len(known[key]) for key in keys)
+    places = [{value: place for place, value in enumerate(known[key])} for key in keys]
+    rows = len(table[keys[0]])
+    each = rows // max(int(np.prod(sides)), 1)
+    at = [np.arange(rows) // each]
+    at += [np.array([place[value] for value in table[key].tolist()]) for key, place in zip(keys, places)]
+    flat = np.ravel_multi_index(at, (int(np.prod(sides)), *shape[len(sides) :]))
+    data_vars = {}
+    for name, values in table.items():
+        if name in about["coordinates"] or name in keys:
+            continue
+        full = np.full(shape, np.nan)
+        full.flat[flat] = values
+        data_vars[name] = (index + keys, full, {})
+    coords = axes(about) | {key: ((key,), np.array(known[key]), {}) for key in keys}
+    return dataset(data_vars, coords, attributes(about))
+
+
+#: By which keys the tables of a fragility are pivoted, beside the axes.
+KEYS = {
+    "fragility": ("limit_state", "level"),
+    "fits": ("limit_state", "estimator"),
+    "capacities": ("record",),
+    "rates": ("limit_state", "estimator"),
+    "sensitivity": ("limit_state", "parameter"),
+}
+
+
+def of_fragility(tables: Mapping[str, str], about: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a fragility by their names; of points that are drawn the columns as they are."""
+    return {
+        name: _pivoted(text, KEYS[name], about) if name in KEYS else columns(text) for name, text in tables.items()
+    }
