@@ -4,6 +4,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
+use topple::scene::isolation::KelvinVoigt;
 use topple::sweep::history::{Row, by_reference, by_steps};
 use topple::{BackendRequest, Outcome, Precision};
 
@@ -38,6 +39,7 @@ pub fn history<'py>(
             (_, Precision::F32) => by_steps::<f32>(&plan.at(Precision::F32), &case),
             (_, Precision::F64) => by_steps::<f64>(&plan.at(Precision::F64), &case),
         })?;
+    let deflection = case.isolation.vertical.as_ref().map_or(0.0, KelvinVoigt::deflection);
     let columns = PyDict::new(py);
     type Number = fn(&Row) -> f64;
     let numbers: [(&str, Number); 8] = [
@@ -61,6 +63,8 @@ pub fn history<'py>(
         "method": method,
         "scene": scene,
         "outcome": outcome,
+        "block": { "half_width": case.block.half_width, "height": case.block.height, "offset": case.block.offset() },
+        "static_deflection": deflection,
     });
     Ok((columns, about.to_string()))
 }

@@ -1,14 +1,15 @@
 //! From keywords to a scene and to how it is run.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value, json};
+use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
-use topple::scene::record::{Pair, Record, synthetic};
+use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
 use topple::{Parameter, RunSettings, Saving, Scene, SceneBuilder, Values};
 
@@ -44,14 +45,23 @@ pub const SETTINGS: [&str; 10] = [
 const MOTION: &str = "motion";
 /// The key under which a scene's file comes: its text, and the folder from which record files are looked for.
 const FILE: &str = "scene";
+/// The key under which the scene of a result comes: its JSON, and that of where its record came from.
+const RESULT: &str = "result";
+
+/// What a scene is made of, beside its numbers.
+enum Start {
+    Words,
+    File(String),
+    Result(String, Option<String>),
+}
 
 impl Request {
     /// Reads keywords; those in `others` are the caller's.
     pub fn of(keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Request> {
         let mut words: Map<String, Value> = Map::new();
         let mut numbers: Vec<(Parameter, Values)> = Vec::new();
-        let (mut settings, mut motion) = (RunSettings::default(), None);
-        let mut file = None;
+        let (mut settings, mut motion, mut title) = (RunSettings::default(), None, None);
+        let (mut start, mut folder) = (Start::Words, PathBuf::new());
         for (key, value) in keywords {
             let key: String = key.extract()?;
             if value.is_none() || others.contains(&key.as_str()) {
@@ -64,26 +74,35 @@ impl Request {
                 let table = words.entry(section.key()).or_insert_with(|| json!({}));
                 table[&key] = word(&key, &value)?;
             } else if key == "title" {
-                let title: String = taken(&key, &value, "a text")?;
-                words.insert(key, json!(title));
+                title = Some(taken::<String>(&key, &value, "a text")?);
             } else if key == MOTION {
                 motion = Some(pair(&value)?);
             } else if key == FILE {
-                file = Some(value.extract::<(String, PathBuf)>()?);
+                let (text, place) = value.extract()?;
+                (start, folder) = (Start::File(text), place);
+            } else if key == RESULT {
+                let (scene, record) = value.extract()?;
+                start = Start::Result(scene, record);
             } else if SETTINGS.contains(&key.as_str()) {
                 set(&mut settings, &key, &value)?;
             } else {
                 return Err(of_keyword(&key, "no keyword of this name; help() lists them"));
             }
         }
-        let (read, folder) = match file {
-            Some((text, folder)) => (SceneBuilder::from_toml(&text), folder),
-            None => {
+        // Of a scene that is there words stay: with other ones its numbers may have no meaning.
+        let word = words.values().find_map(|table| table.as_object()?.keys().next());
+        if let (Some(key), Start::File(_) | Start::Result(..)) = (word, &start) {
+            return Err(of_keyword(key, "the scene tells it; give numbers alone"));
+        }
+        let mut scene = match start {
+            Start::Words => {
                 let given = serde_json::from_value(Value::Object(words));
-                (given.map_err(|error| error.to_string()), PathBuf::new())
+                given.map_err(|error| PyValueError::new_err(error.to_string()))?
             }
+            Start::File(text) => SceneBuilder::from_toml(&text).map_err(PyValueError::new_err)?,
+            Start::Result(scene, record) => again(&scene, record.as_deref(), motion.is_some())?,
         };
-        let mut scene = read.map_err(PyValueError::new_err)?;
+        scene.title = title.or(scene.title);
         for (parameter, values) in numbers {
             scene.numbers.set(parameter, values);
         }
@@ -103,6 +122,28 @@ impl Request {
         };
         checked.map_err(of_scene)
     }
+}
+
+/// The scene of a result; `shaken`: its motion is given in arrays.
+fn again(scene: &str, record: Option<&str>, shaken: bool) -> PyResult<SceneBuilder> {
+    let unread =
+        |error| PyValueError::new_err(format!("no scene of this version of topple: {error}"));
+    let scene: Scene = serde_json::from_str(scene).map_err(unread)?;
+    let record: Option<Provenance> =
+        record.map(serde_json::from_str).transpose().map_err(unread)?;
+    let found = match (record, scene.excitation.record()) {
+        _ if shaken => None,
+        (Some(record), _) => {
+            let found = RecordText::found(&record, &[Path::new("")]);
+            Some(found.map_err(|error| of_keyword("horizontal", error))?)
+        }
+        (None, Some(_)) => {
+            let problem = "missing; the result does not hold its motion";
+            return Err(of_keyword("horizontal", problem));
+        }
+        (None, None) => None,
+    };
+    Ok(SceneBuilder::again(&scene, found))
 }
 
 /// A number, a range as text, or a list.

@@ -4,6 +4,7 @@ mod errors;
 mod history;
 mod keywords;
 mod map;
+mod picture;
 mod suite;
 mod tables;
 mod watch;
@@ -15,11 +16,18 @@ use pyo3::prelude::*;
 fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_function(wrap_pyfunction!(map::sweep, module)?)?;
+    module.add_function(wrap_pyfunction!(map::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(map::check, module)?)?;
     module.add_function(wrap_pyfunction!(history::history, module)?)?;
     module.add_function(wrap_pyfunction!(suite::suite, module)?)?;
     module.add_function(wrap_pyfunction!(suite::envelope, module)?)?;
     module.add_function(wrap_pyfunction!(suite::fragility, module)?)?;
+    module.add_function(wrap_pyfunction!(picture::palette, module)?)?;
+    module.add_function(wrap_pyfunction!(picture::kinds, module)?)?;
+    module.add_function(wrap_pyfunction!(picture::shares, module)?)?;
+    module.add_function(wrap_pyfunction!(picture::caption, module)?)?;
     module.add_function(wrap_pyfunction!(tables::parameters, module)?)?;
+    module.add_function(wrap_pyfunction!(tables::words, module)?)?;
     module.add_function(wrap_pyfunction!(tables::columns, module)?)?;
     Ok(())
 }

@@ -1,24 +1,28 @@
 //! Maps: a sweep as arrays.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyDictMethods};
 use serde_json::{Value, json};
 use topple::results::columns::status_code;
+use topple::sweep::parts::Parts;
 use topple::{Column, ColumnValues, Job, MapSweep, RunSettings, Status, SweepError, SweepResult};
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
 use crate::keywords::Request;
 use crate::watch::{self, Watch};
 
-/// A map as Python gets it.
+/// A map: its columns, unless they are on disk, and what is said of it.
 struct Arrays {
-    columns: Vec<ColumnValues>,
+    columns: Option<Vec<ColumnValues>>,
     about: String,
 }
+
+/// What a call returns: columns by their names, and JSON.
+type Returned<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
 /// Runs a map: `(columns, about)`, a column a one-dimensional array in the grid's order, the first axis fastest;
 /// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a part `about` is None, too.
@@ -30,7 +34,7 @@ pub fn sweep<'py>(
     recorded: bool,
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Option<Bound<'py, PyDict>>, Option<String>)> {
+) -> PyResult<Returned<'py>> {
     let request = Request::of(keywords, &[])?;
     let scene = request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)?;
@@ -52,10 +56,44 @@ pub fn sweep<'py>(
         }
     })?;
     debug_assert!(!part || matches!(ran, Ok(None) | Err(_)));
-    let Some(Arrays { columns, about }) = ran.map_err(of_sweep)? else { return Ok((None, None)) };
-    if saved.is_some() {
-        return Ok((None, Some(about)));
+    match ran.map_err(of_sweep)? {
+        Some(map) => returned(py, map),
+        None => Ok((None, None)),
     }
+}
+
+/// Refuses keywords that make no scene, without running it.
+#[pyfunction]
+pub fn check(recorded: bool, keywords: &Bound<'_, PyDict>) -> PyResult<()> {
+    let request = Request::of(keywords, &[])?;
+    request.check(recorded)?;
+    request.settings.method.check_step(request.scene.force).map_err(of_scene)
+}
+
+/// Joins the parts in directories that `tile` left: `(columns, about)` as of `sweep`.
+///
+/// Of the keywords there are `out` and `verify`.
+#[pyfunction]
+pub fn merge<'py>(
+    py: Python<'py>,
+    parts: Vec<PathBuf>,
+    keywords: &Bound<'py, PyDict>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Returned<'py>> {
+    let settings = Request::of(keywords, &[])?.settings;
+    let out = settings.saving.as_ref().map(|saving| saving.directory.as_path());
+    out.map(fs::create_dir_all).transpose()?;
+    let joined = watch::run(py, progress, |watch| {
+        let parts = Parts::join(&parts, watch)?;
+        let store = out.map(|out| parts.store(out)).transpose()?;
+        finish(MapSweep::of_parts(parts, store)?, &settings, out, watch)
+    })?;
+    returned(py, joined.map_err(of_sweep)?)
+}
+
+/// A map as Python gets it.
+fn returned(py: Python<'_>, map: Arrays) -> PyResult<Returned<'_>> {
+    let Arrays { columns: Some(columns), about } = map else { return Ok((None, Some(map.about))) };
     let arrays = PyDict::new(py);
     let proved = |code: &u8| Status::ALL.get(usize::from(*code)) == Some(&Status::Proved);
     for (column, values) in Column::ALL.iter().zip(columns) {
@@ -99,9 +137,9 @@ fn finish(
     let columns = match saved {
         Some(folder) => {
             map.publish(&folder.join("map.zarr"), watch)?;
-            Vec::new()
+            None
         }
-        None => map.columns()?,
+        None => Some(map.into_columns()?),
     };
     Ok(Arrays { columns, about })
 }

@@ -3,7 +3,10 @@
 use pyo3::prelude::*;
 use serde_json::json;
 use topple::Column;
-use topple::scene::parameters::PARAMETERS;
+use topple::scene::keys;
+use topple::scene::parameters::{PARAMETERS, Section};
+
+use crate::keywords::SETTINGS;
 
 /// The parameters of a scene as JSON: key, symbol, unit, meaning, range, default, section.
 #[pyfunction]
@@ -21,6 +24,17 @@ pub fn parameters() -> String {
         })
     });
     json!(entries.collect::<Vec<_>>()).to_string()
+}
+
+/// The keywords that are no numbers, as JSON: those of each section of a scene, and under `settings` how it is run.
+#[pyfunction]
+pub fn words() -> String {
+    let mut words: serde_json::Map<String, serde_json::Value> = Section::ALL
+        .iter()
+        .map(|section| (section.key().to_string(), json!(keys::words(*section))))
+        .collect();
+    words.insert("settings".into(), json!(SETTINGS));
+    json!(words).to_string()
 }
 
 /// The columns of a map as JSON: name, unit, meaning.

@@ -118,4 +118,8 @@ def test_history(command, tmp_path):
     assert len(rows) == found.sizes["row"]
     assert found["mode"].values.tolist() == rows["mode"].tolist()
     for name in ("t", "u", "phi"):
-        assert np.allclose(found[name].values, rows[name], rtol=1e-12, atol=1e-300), name
+        ours, written = found[name].values, rows[name]
+        # A number of f32 is written in the digits that tell it from other numbers of f32.
+        single = ours.astype(np.float32)
+        as_single = (single == ours) & (single == written.astype(np.float32))
+        assert np.all((ours == written) | as_single), name

@@ -14,36 +14,43 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _topple
 from ._dataset import dataset, described, of_map
 from ._dataset import Arrays as Arrays
-from ._progress import Bar, Progress, listener
-from ._records import taken
+from ._help import known, listed
+from ._progress import Progress, finished, listener
+from ._records import scene_file, taken
 from ._tables import of_cells, of_fragility, of_suite
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import AnyCall, PulseCall, RecordCall, Settings, SuiteCall
 
 __version__: str = _topple.__version__
 __all__ = [
-    "envelope", "fragility", "history", "open", "parameters", "pulse", "run", "seismic", "suite",
+    "envelope", "fragility", "history", "merge", "open", "parameters", "pulse", "run", "seismic", "suite",
 ]
 
 
-def _finished(hears: Progress | None) -> None:
-    if isinstance(hears, Bar):
-        hears.close()
-
-
-def _map(recorded: bool, keywords: dict[str, Any], progress: bool | Progress | None) -> Any:
+def _map(recorded: bool, keywords: Mapping[str, Any], progress: bool | Progress | None) -> Any:
+    known(keywords, "scene")
+    keywords = taken(keywords)
     hears = listener(progress)
     try:
         columns, about = _topple.sweep(recorded, keywords, hears)
     finally:
-        _finished(hears)
+        finished(hears)
+    return _returned(columns, about, keywords.get("out"))
+
+
+def _returned(columns: Any, about: str | None, out: Any) -> Any:
     if about is None:
         return None
     if columns is None:
-        return open(keywords["out"]).assign_attrs(_attributes(about))
+        return open(out).assign_attrs(_attributes(about))
     return of_map(columns, json.loads(about))
 
 
@@ -53,25 +60,15 @@ def _attributes(about: str) -> dict[str, Any]:
     return attributes(json.loads(about))
 
 
-def pulse(*, progress: bool | Progress | None = None, **keywords: Any) -> Any:
+@listed("block", "base", "pulse", "run", "settings")
+def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCall]) -> Any:
     """Map the outcomes of pulses.
 
     Parameters
     ----------
-    omega, a_h, ... : float, sequence of float, or str
-        Parameters of the scene by their keys; what has several values is an axis.
-    object : int, optional
-        A block of the paper's Table 1: 1 caryatid, 2 server cabinet, 3 hospital cabinet.
-    backend : {"auto", "gpu", "cpu", "reference"}, optional
-    precision : {"f32", "f64"}, optional
-    step : float, optional
-        Largest step, s.
-    verify : int or None, optional
-        Cells that the reference runs again; 0 for none.
-    out : path, optional
-        A directory: the map is written there as map.zarr, and opened lazily.
     progress : bool or callable, optional
-        False shows nothing; a function is called with (phase, done, total).
+        False shows nothing; a function is called with (phase, done, total). By default a bar, where tqdm is installed.
+    {keywords}
 
     Returns
     -------
@@ -95,19 +92,18 @@ def pulse(*, progress: bool | Progress | None = None, **keywords: Any) -> Any:
     return _map(False, keywords, progress)
 
 
-def seismic(*, progress: bool | Progress | None = None, **keywords: Any) -> Any:
+@listed("block", "base", "record", "run", "settings")
+def seismic(*, progress: bool | Progress | None = None, **keywords: Unpack[RecordCall]) -> Any:
     """Map the response to a record of ground motion.
+
+    Records are files, arrays (which need ``units`` and ``dt``), or traces as obspy's (which need ``units``). Without
+    one a synthetic pair shakes the base.
 
     Parameters
     ----------
-    horizontal, vertical : path, array_like, or a trace as obspy's, optional
-        Accelerations; of arrays ``units`` is needed and, of arrays that are no traces, ``dt``. Without a record a
-        synthetic pair.
-    dt : float, optional
-        Time between samples, s.
-    units : {"g", "m/s2", "cm/s2"}, optional
-    **keywords
-        As of `pulse`, but for a pulse's own.
+    progress : bool or callable, optional
+        As of `pulse`.
+    {keywords}
 
     Returns
     -------
@@ -120,10 +116,10 @@ def seismic(*, progress: bool | Progress | None = None, **keywords: Any) -> Any:
     >>> map["max_u"].dims
     ('t_v', 't_h')
     """
-    return _map(True, taken(keywords), progress)
+    return _map(True, keywords, progress)
 
 
-def run(scene: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
+def run(scene: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Unpack[AnyCall]) -> Any:
     """Run a scene of a TOML file.
 
     Parameters
@@ -138,12 +134,48 @@ def run(scene: str | os.PathLike[str], *, progress: bool | Progress | None = Non
     xarray.Dataset
         As of `pulse`.
     """
-    path = Path(scene)
-    return _map(False, {**keywords, "scene": (path.read_text(encoding="utf-8"), str(path.parent))}, progress)
+    return _map(False, {**keywords, "scene": scene_file(scene)}, progress)
 
 
-def history(**keywords: Any) -> Any:
+def merge(
+    parts: Sequence[str | os.PathLike[str]],
+    *,
+    out: str | os.PathLike[str] | None = None,
+    verify: int | None = None,
+    progress: bool | Progress | None = None,
+) -> Any:
+    """Join the parts of a map that calls with ``tile`` left.
+
+    Parameters
+    ----------
+    parts : sequence of path
+        Their directories.
+    out : path, optional
+        A directory: the map is written there as map.zarr, and opened lazily.
+    verify : int, optional
+        Cells that the reference runs again; 0 for none.
+
+    Returns
+    -------
+    xarray.Dataset
+        As of `pulse`.
+    """
+    hears = listener(progress)
+    keywords = {"out": None if out is None else os.fspath(out), "verify": verify}
+    try:
+        columns, about = _topple.merge([os.fspath(part) for part in parts], keywords, hears)
+    finally:
+        finished(hears)
+    return _returned(columns, about, out)
+
+
+@listed("block", "base", "pulse", "record", "run", "settings")
+def history(**keywords: Unpack[AnyCall]) -> Any:
     """Integrate the motion of one cell: every parameter a single number.
+
+    Parameters
+    ----------
+    {keywords}
 
     Returns
     -------
@@ -157,6 +189,7 @@ def history(**keywords: Any) -> Any:
     >>> float(abs(motion["phi"]).max()) > 0.01
     True
     """
+    known(keywords, "result")
     recorded = any(key in keywords for key in ("horizontal", "vertical"))
     columns, about = _topple.history(recorded, taken(keywords))
     units = {"u": "m", "du": "m/s", "v": "m", "dv": "m/s", "z": "", "phi": "rad", "dphi": "rad/s", "mode": ""}
@@ -211,7 +244,7 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     try:
         tables, about = _topple.envelope({**keywords, "suite": os.fspath(suite)}, hears)
     finally:
-        _finished(hears)
+        finished(hears)
     return of_cells([tables["envelope"], tables["zeta"]], json.loads(about))
 
 
@@ -248,7 +281,7 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     try:
         tables, about = _topple.fragility({**keywords, "suite": os.fspath(suite)}, hears)
     finally:
-        _finished(hears)
+        finished(hears)
     return of_fragility(tables, json.loads(about))
 
 

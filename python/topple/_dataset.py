@@ -8,6 +8,8 @@ from typing import Any, Mapping
 
 import numpy as np
 
+from ._accessor import register
+
 
 @dataclass
 class Arrays:
@@ -31,6 +33,7 @@ def dataset(data_vars: Mapping[str, Any], coords: Mapping[str, Any], attrs: Mapp
         import xarray
     except ImportError:
         return Arrays(dict(data_vars), dict(coords), dict(attrs))
+    register()
     return xarray.Dataset(dict(data_vars), dict(coords), dict(attrs))
 
 

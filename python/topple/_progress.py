@@ -30,6 +30,12 @@ class Bar:
         self.bar = None
 
 
+def finished(hears: Progress | None) -> None:
+    """Ends a bar."""
+    if isinstance(hears, Bar):
+        hears.close()
+
+
 def listener(progress: bool | Progress | None) -> Progress | None:
     """What hears of a call's progress: a function as given; a bar, where it is wanted and tqdm is there."""
     if callable(progress):

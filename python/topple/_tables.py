@@ -36,7 +36,7 @@ def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
     """Tables with a row a cell: a dimension an axis."""
     index = tuple(about["index"])
     shape = tuple(len(about["coordinates"][key]) for key in index)
-    data_vars = {}
+    data_vars: dict[str, Any] = {}
     for text in tables:
         for name, values in columns(text).items():
             if name not in about["coordinates"]:
@@ -58,7 +58,7 @@ def _pivoted(text: str, keys: tuple[str, ...], about: Mapping[str, Any]) -> Any:
     at = [np.arange(rows) // each]
     at += [np.array([place[value] for value in table[key].tolist()]) for key, place in zip(keys, places)]
     flat = np.ravel_multi_index(at, (int(np.prod(sides)), *shape[len(sides) :]))
-    data_vars = {}
+    data_vars: dict[str, Any] = {}
     for name, values in table.items():
         if name in about["coordinates"] or name in keys:
             continue

@@ -72,6 +72,22 @@ impl Block {
         whole.then_some(block)
     }
 
+    /// Blocks one after the other. It holds a column twice at most: each goes from its block when it is taken.
+    pub fn joined(mut blocks: Vec<Block>) -> Block {
+        let count = blocks.iter().map(Block::len).sum();
+        let column = |place: usize| {
+            let taken = |block: &mut Block| {
+                std::mem::replace(&mut block.values[place], Values::Codes(Vec::new()))
+            };
+            let mut parts = blocks.iter_mut().map(taken);
+            let mut whole = parts.next().unwrap_or(Values::Codes(Vec::new()));
+            whole.reserve(count - whole.len());
+            parts.for_each(|part| whole.append(part));
+            whole
+        };
+        Block { values: (0..TABLE.len()).map(column).collect(), count }
+    }
+
     /// Number of cells.
     pub fn len(&self) -> usize {
         self.count
@@ -154,6 +170,26 @@ impl Values {
     /// True where there is no cell.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    fn reserve(&mut self, more: usize) {
+        match self {
+            Values::Codes(values) => values.reserve_exact(more),
+            Values::Counts(values) => values.reserve_exact(more),
+            Values::Singles(values) => values.reserve_exact(more),
+            Values::Doubles(values) => values.reserve_exact(more),
+        }
+    }
+
+    fn append(&mut self, other: Values) {
+        match (self, other) {
+            (Values::Codes(values), Values::Codes(mut other)) => values.append(&mut other),
+            (Values::Counts(values), Values::Counts(mut other)) => values.append(&mut other),
+            (Values::Singles(values), Values::Singles(mut other)) => values.append(&mut other),
+            (Values::Doubles(values), Values::Doubles(mut other)) => values.append(&mut other),
+            // The blocks of a map are of one table and of one precision.
+            _ => {}
+        }
     }
 
     /// True of values that a column can hold.

@@ -5,7 +5,9 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 
+use super::block::Block;
 use super::columns::Column;
+use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
 
@@ -19,6 +21,18 @@ pub trait Outcomes: Sync {
     /// # Errors
     /// Those of the disk.
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>>;
+
+    /// All columns of so many cells, numbers of a type; outcomes in memory give theirs away.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    fn into_block(self: Box<Self>, cells: usize, precision: Precision) -> io::Result<Block> {
+        let mut block = Block::pending(cells, precision);
+        for first in (0..cells).step_by(BLOCK) {
+            block.put(first, &self.read(first..(first + BLOCK).min(cells), &Column::ALL)?);
+        }
+        Ok(block)
+    }
 
     /// Hears that a folder has another name now.
     fn moved(&mut self, from: &Path, to: &Path) {

@@ -57,6 +57,10 @@ impl Outcomes for BlocksInMemory {
         })?;
         Ok(Cow::Owned(outcomes))
     }
+
+    fn into_block(self: Box<Self>, _: usize, _: Precision) -> io::Result<Block> {
+        Ok(Block::joined(self.blocks))
+    }
 }
 
 /// Cells that a folder holds.

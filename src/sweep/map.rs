@@ -109,13 +109,9 @@ impl MapSweep {
     ///
     /// # Errors
     /// Those of reading, where they are on disk.
-    pub fn columns(&self) -> io::Result<Vec<Values>> {
-        let mut block = Block::pending(self.grid.len(), self.precision());
-        each_block(&self.grid, &*self.outcomes, &Column::ALL, |first, outcomes| {
-            block.put(first, outcomes);
-            Ok(())
-        })?;
-        Ok(block.into_columns())
+    pub fn into_columns(self) -> io::Result<Vec<Values>> {
+        let precision = self.precision();
+        Ok(self.outcomes.into_block(self.grid.len(), precision)?.into_columns())
     }
 
     /// Counts its cells.

@@ -1,0 +1,64 @@
+//! What a picture of a map needs: the classes of cells with their colours, and the caption of a scene.
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use serde_json::json;
+use topple::drawing::palette::{DOTTED, FALLEN, Kind, is_dotted};
+use topple::{Class, Outcome, Scene, drawing};
+
+/// The classes of cells as JSON: `kinds`, each with label and colour, the word on dots, the colour of overturned cells
+/// on a map of a quantity.
+#[pyfunction]
+pub fn palette() -> String {
+    let kinds = Kind::all();
+    let kinds = kinds.iter().map(|kind| json!({ "label": kind.label(), "colour": kind.colour() }));
+    let entries = kinds.collect::<Vec<_>>();
+    json!({ "kinds": entries, "dotted": DOTTED, "fallen": FALLEN }).to_string()
+}
+
+/// An array a class of cells, and where dots lie.
+type Classes<'py> = (Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<bool>>);
+
+/// The class of each cell as its place in the palette, and whether dots lie over it.
+#[pyfunction]
+pub fn kinds<'py>(
+    py: Python<'py>,
+    outcome: PyReadonlyArray1<'py, u8>,
+    impacts: PyReadonlyArray1<'py, u32>,
+    uplifts: PyReadonlyArray1<'py, u32>,
+) -> PyResult<Classes<'py>> {
+    let (outcome, impacts, uplifts) =
+        (outcome.as_slice()?, impacts.as_slice()?, uplifts.as_slice()?);
+    if impacts.len() != outcome.len() || uplifts.len() != outcome.len() {
+        return Err(PyValueError::new_err("outcome, impacts and uplifts differ in their lengths"));
+    }
+    let all = Kind::all();
+    let cells = outcome.iter().zip(impacts).zip(uplifts).map(|((code, impacts), uplifts)| {
+        let class = Class::ALL.get(usize::from(*code)).copied().unwrap_or(Class::Unresolved);
+        Outcome { class, impacts: *impacts, uplifts: *uplifts, ..Outcome::PENDING }
+    });
+    let (places, dots): (Vec<u8>, Vec<bool>) = cells
+        .map(|cell| {
+            let kind = Kind::of(&cell);
+            let place = all.iter().position(|known| *known == kind).unwrap_or(all.len() - 1);
+            (place as u8, is_dotted(&cell))
+        })
+        .unzip();
+    Ok((PyArray1::from_vec(py, places), PyArray1::from_vec(py, dots)))
+}
+
+/// Shares of a whole as a legend tells them, in percent.
+#[pyfunction]
+pub fn shares(counts: Vec<usize>) -> Vec<String> {
+    drawing::legend::shares(&counts)
+}
+
+/// The parameters of a scene that its axes do not show, in a line; `scene` is JSON.
+#[pyfunction]
+pub fn caption(scene: &str) -> PyResult<String> {
+    let scene: Scene = serde_json::from_str(scene).map_err(|error| {
+        PyValueError::new_err(format!("no scene of this version of topple: {error}"))
+    })?;
+    Ok(drawing::caption::caption(&scene))
+}

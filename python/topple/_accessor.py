@@ -1,0 +1,122 @@
+"""What every Dataset of topple has under the name ``topple``: pictures, and motions of cells."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _plot
+
+if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.axes import Axes
+
+
+class Accessor:
+    """``ds.topple`` of a Dataset: `plot`, `history` and `animate`."""
+
+    def __init__(self, dataset: Any) -> None:
+        self._dataset = dataset
+
+    def plot(self, column: str = "outcome", ax: Axes | None = None) -> Axes:
+        """Draw a map over two axes, or curves over one.
+
+        Parameters
+        ----------
+        column : str, optional
+            ``outcome`` (default) in the colours of the command, or a column of numbers in greys.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Raises
+        ------
+        ValueError
+            The Dataset has more than two axes: select values of the others first, as ``ds.sel(t_h=1.75)``.
+
+        Examples
+        --------
+        >>> import matplotlib
+        >>> matplotlib.use("agg")
+        >>> import topple
+        >>> map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:30", a_h="1:15:30", verify=0)
+        >>> map.topple.plot().get_xlabel()
+        'Ω [rad/s]'
+        """
+        return _plot.map_of(self._dataset, column, ax)
+
+    def history(self, **keywords: Any) -> Any:
+        """The motion of a cell of a map.
+
+        Parameters
+        ----------
+        **keywords
+            A value for each axis, as ``omega=5.0, a_h=6.0``; it need not be one of the map's. Of a map whose record
+            came in arrays also ``horizontal``, ``vertical``, ``dt`` and ``units``.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of `topple.history`.
+
+        Examples
+        --------
+        >>> import topple
+        >>> map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:5", a_h="1:15:5", verify=0)
+        >>> motion = map.topple.history(omega=9.0, a_h=8.5)
+        >>> motion["phi"].dims
+        ('row',)
+        """
+        import topple
+
+        attrs = self._dataset.attrs
+        axes = [key for key in json.loads(attrs["scene"])["numbers"] if key in self._dataset.coords]
+        given = {key: self._dataset[key].item() for key in axes if self._dataset[key].ndim == 0}
+        missing = [key for key in axes if key not in {**given, **keywords}]
+        if missing:
+            raise ValueError(f"{missing[0]}: missing; give a value for each axis of the map")
+        method = json.loads(attrs["method"]) if "method" in attrs else {}
+        own = {"precision": method["precision"]} if "precision" in method else {}
+        result = (attrs["scene"], attrs.get("record"))
+        return topple.history(**{**own, **given, **keywords, "result": result})
+
+    def animate(self, cell: Any = None, *, speed: float = 1.0, **keywords: Any) -> FuncAnimation:
+        """The block in motion, with its rocking angle.
+
+        Parameters
+        ----------
+        cell : mapping or Dataset of one cell, optional
+            Values of the axes: a mapping ``{"omega": 5.0, "a_h": 6.0}``, or a selection, as
+            ``ds.sel(omega=5, a_h=6, method="nearest")``. The Dataset of a history needs none.
+        speed : float, optional
+            1 is the block's own time.
+        **keywords
+            As of `history`.
+
+        Returns
+        -------
+        matplotlib.animation.FuncAnimation
+            ``.save("block.gif")`` writes it, ``.to_jshtml()`` shows it in a notebook.
+        """
+        from . import _animation
+
+        if "phi" in self._dataset and self._dataset["phi"].dims == ("row",):
+            return _animation.of(self._dataset, speed)
+        if cell is not None:
+            coords = getattr(cell, "coords", cell)
+            values = {key: float(np.asarray(coords[key])) for key in coords}
+            keywords = {**values, **keywords}
+        return _animation.of(self.history(**keywords), speed)
+
+
+def register() -> None:
+    """Gives Datasets their ``topple``, once."""
+    import xarray
+
+    if not hasattr(xarray.Dataset, "topple"):
+        xarray.register_dataset_accessor("topple")(Accessor)

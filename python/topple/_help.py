@@ -1,0 +1,78 @@
+"""What help() tells of keywords, and what is said of one that is not known."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import json
+import textwrap
+from typing import Any, Callable, Mapping, TypeVar
+
+from . import _topple
+
+Call = TypeVar("Call", bound=Callable[..., Any])
+
+#: Types and meanings of the keywords that are no numbers of the parameter table.
+WORDS = {
+    "object": ("int", "a block of the paper's Table 1: 1 caryatid, 2 server cabinet, 3 hospital cabinet"),
+    "isolation": ("str", "directions in which the base moves: dual, horizontal, vertical, none"),
+    "shape": ("str", "one-sine, one-cosine, half-sine, rectangle, ricker, mavroeidis-papageorgiou, ..."),
+    "horizontal": ("Any", "horizontal record: a path, an array, or a trace as obspy's"),
+    "vertical": ("Any", "vertical record, positive up: as horizontal"),
+    "dt": ("float", "time between samples, s, where the record does not tell"),
+    "units": ("str", "g, m/s2 or cm/s2, where the record does not tell"),
+    "overturn": ("str", "critical-angle or quarter-turn"),
+    "force": ("bool", "accept numbers that are not plausible"),
+    "x": ("str", "key of the first axis, which runs fastest"),
+    "y": ("str", "key of the second axis"),
+    "backend": ("str", "auto, gpu, cpu or reference"),
+    "adapter": ("int | Sequence[int]", "the GPU, or several of them, by the numbers of ``topple adapters``"),
+    "precision": ("str", "f32 or f64"),
+    "step": ("float", "largest step, s"),
+    "resolve": ("bool", "run cells of doubt again in f64 with half the step"),
+    "full_model": ("bool", "leave out no part of the model that a scene does not need"),
+    "verify": ("int", "cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most"),
+    "out": ("Path", "directory: the map is written there as map.zarr, and opened lazily"),
+    "resume": ("bool", "go on from what an interrupted call left in ``out``"),
+    "tile": ("str", "part ``k/n`` of the grid, left in ``out`` for `merge`"),
+}
+
+
+@functools.cache
+def sections() -> dict[str, list[tuple[str, str, str]]]:
+    """The keywords of each section of a scene, and of ``settings``: key, type, meaning."""
+    found = {
+        section: [(key, *WORDS[key]) for key in words] for section, words in json.loads(_topple.words()).items()
+    }
+    for entry in json.loads(_topple.parameters()):
+        unit = f" [{entry['unit']}]" if entry["unit"] else ""
+        default = f"; by default {entry['default']}" if entry["default"] else ""
+        found[entry["section"]].append((entry["key"], "Numbers", f"{entry['symbol']}{unit}, {entry['meaning']}{default}"))
+    return found
+
+
+def listed(*names: str) -> Callable[[Call], Call]:
+    """Puts the keywords of sections into a docstring, in the place of ``{keywords}``."""
+
+    def put(call: Call) -> Call:
+        lines = []
+        for name in names:
+            for key, kind, meaning in sections()[name]:
+                kind = "float, sequence of float, or str" if kind == "Numbers" else kind
+                lines.append(f"    {key} : {kind}, optional")
+                lines += textwrap.wrap(meaning, 108, initial_indent="        ", subsequent_indent="        ")
+        # python -OO has no docstrings.
+        call.__doc__ = call.__doc__ and call.__doc__.replace("    {keywords}", "\n".join(lines))
+        return call
+
+    return put
+
+
+def known(keywords: Mapping[str, Any], *others: str) -> None:
+    """Refuses a keyword that is none, with the nearest one."""
+    keys = {key for entries in sections().values() for key, *_ in entries} | {"title", *others}
+    for key in keywords:
+        if key not in keys:
+            near = difflib.get_close_matches(key, keys, 1)
+            hint = f"did you mean {near[0]}?" if near else "help(topple.pulse) lists them"
+            raise ValueError(f"{key}: no keyword of this name; {hint}")

@@ -1,0 +1,117 @@
+"""Maps on several machines: tiles as futures of dask.distributed.
+
+Each worker runs tiles of the grid, the client joins them. The map is that of a single run, byte for byte. A tile whose
+worker dies is run again by another one, as dask does with any future. Workers need this package, and the files of a
+record, if it comes in files.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import topple
+
+from . import _topple
+from ._progress import Progress, finished, listener
+from ._records import scene_file, taken
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+__all__ = ["pulse", "run", "seismic"]
+
+#: Tiles for each thread of the cluster, so that no worker waits long for the last one.
+TILES = 4
+
+
+def pulse(client: Client | None = None, **keywords: Any) -> Any:
+    """`topple.pulse` on a cluster.
+
+    Parameters
+    ----------
+    client : distributed.Client, optional
+        The cluster; by default the current client.
+    tiles : int, optional
+        Parts of the grid; by default four for each thread of the cluster.
+    out : path, optional
+        A directory of this machine: the map is written there as map.zarr, and opened lazily.
+    **keywords
+        As of `topple.pulse`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As of `topple.pulse`.
+    """
+    return _map(client, False, keywords)
+
+
+def seismic(client: Client | None = None, **keywords: Any) -> Any:
+    """`topple.seismic` on a cluster; see `pulse`."""
+    return _map(client, True, taken(keywords))
+
+
+def run(scene: str | os.PathLike[str], client: Client | None = None, **keywords: Any) -> Any:
+    """`topple.run` on a cluster; see `pulse`."""
+    return _map(client, False, {**keywords, "scene": scene_file(scene)})
+
+
+def _tile(recorded: bool, keywords: dict[str, Any], part: str, threads: int) -> dict[str, bytes]:
+    """Runs a tile on a worker: its files by their names."""
+    # As many threads as the worker was given; it counts until the first sweep of its process.
+    os.environ.setdefault("RAYON_NUM_THREADS", str(threads))
+    with tempfile.TemporaryDirectory(prefix="topple-") as folder:
+        _topple.sweep(recorded, {**keywords, "out": folder, "tile": part}, None)
+        files = [path for path in Path(folder).rglob("*") if path.is_file()]
+        return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+def _map(client: Client | None, recorded: bool, keywords: dict[str, Any]) -> Any:
+    from distributed import as_completed, get_client
+
+    client = get_client() if client is None else client
+    keywords = dict(keywords)
+    progress: bool | Progress | None = keywords.pop("progress", None)
+    out, tiles = keywords.pop("out", None), keywords.pop("tiles", None)
+    verify = keywords.pop("verify", None)
+    for key in ("tile", "resume"):
+        if key in keywords:
+            raise ValueError(f"{key}: the tiles are the cluster's here; leave it out")
+    # What is wrong with the scene is said here, before anything is sent.
+    _topple.check(recorded, keywords)
+    threads = [worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()]
+    count = int(tiles) if tiles is not None else TILES * max(sum(threads), 1)
+    if count < 1:
+        raise ValueError(f"tiles: {tiles} must be 1 at least")
+    parts = [f"{number}/{count}" for number in range(1, count + 1)]
+    one = max(min(threads, default=1), 1)
+    hears = listener(progress)
+    folder = Path(tempfile.mkdtemp(prefix="topple-", dir=out and _made(out)))
+    # pure=False: a tile that was asked for before is not taken from there, its files are gone.
+    futures = client.map(
+        lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
+    )
+    try:
+        for done, future in enumerate(as_completed(futures), start=1):
+            for name, content in future.result().items():
+                place = folder / name
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_bytes(content)
+            future.release()
+            if hears is not None:
+                hears("tiles", done, count)
+        return topple.merge([folder], out=out, verify=verify, progress=progress)
+    finally:
+        client.cancel(futures)
+        finished(hears)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _made(out: str | os.PathLike[str]) -> Path:
+    place = Path(out)
+    place.mkdir(parents=True, exist_ok=True)
+    return place
