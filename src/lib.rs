@@ -50,7 +50,9 @@
 #[cfg(all(feature = "gpu", feature = "pictures"))]
 #[doc(hidden)]
 pub mod chart;
-#[cfg(feature = "pictures")]
+#[cfg(not(feature = "internals"))]
+mod drawing;
+#[cfg(feature = "internals")]
 #[doc(hidden)]
 pub mod drawing;
 #[cfg(feature = "pictures")]

@@ -32,7 +32,7 @@ figure, ax = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
 levels = np.linspace(1.0, 16.0, 200)
 for state, colour in (("uplift", "#418c66"), ("overturning", "#c61f1a")):
     share = counts.sel(limit_state=state)
-    ax.plot(counts.level, share.failed / share.motions, "o", color=colour, label=f"{state}, motions")
+    ax.plot(counts.level, (share.failed / share.records).squeeze(), "o", color=colour, label=f"{state}, motions")
     fit = fits.sel(limit_state=state, estimator="stripes")
     if np.isfinite(fit.theta):
         curve = [NormalDist().cdf(np.log(level / fit.theta.item()) / fit.beta.item()) for level in levels]

@@ -5,7 +5,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
 use topple::drawing::palette::{DOTTED, FALLEN, Kind, is_dotted};
-use topple::{Class, Outcome, Scene, drawing};
+use topple::results;
+use topple::scene::words;
+use topple::{Class, Outcome, Scene};
 
 /// The classes of cells as JSON: `kinds`, each with label and colour, the word on dots, the colour of overturned cells
 /// on a map of a quantity.
@@ -51,7 +53,7 @@ pub fn kinds<'py>(
 /// Shares of a whole as a legend tells them, in percent.
 #[pyfunction]
 pub fn shares(counts: Vec<usize>) -> Vec<String> {
-    drawing::legend::shares(&counts)
+    results::shares::shares(&counts)
 }
 
 /// The parameters of a scene that its axes do not show, in a line; `scene` is JSON.
@@ -60,5 +62,5 @@ pub fn caption(scene: &str) -> PyResult<String> {
     let scene: Scene = serde_json::from_str(scene).map_err(|error| {
         PyValueError::new_err(format!("no scene of this version of topple: {error}"))
     })?;
-    Ok(drawing::caption::caption(&scene))
+    Ok(words::line(&scene))
 }

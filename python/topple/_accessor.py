@@ -119,4 +119,4 @@ def register() -> None:
     import xarray
 
     if not hasattr(xarray.Dataset, "topple"):
-        xarray.register_dataset_accessor("topple")(Accessor)
+        xarray.register_dataset_accessor("topple")(Accessor)  # type: ignore[no-untyped-call, unused-ignore]

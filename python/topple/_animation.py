@@ -23,7 +23,8 @@ def corners(block: dict[str, float], u: float, v: float, phi: float) -> np.ndarr
     pivot = np.array([-b if phi >= 0.0 else b, 0.0])
     # phi > 0 about the left corner turns it to the left: anticlockwise.
     turn = np.array([[np.cos(phi), -np.sin(phi)], [np.sin(phi), np.cos(phi)]])
-    return (outline - pivot) @ turn.T + pivot + np.array([u, v])
+    turned: np.ndarray = (outline - pivot) @ turn.T + pivot + np.array([u, v])
+    return turned
 
 
 def of(motion: Any, speed: float) -> FuncAnimation:

@@ -120,14 +120,16 @@ def _swatches(kinds: np.ndarray) -> list[Any]:
     swatches = []
     for place, share in zip(places, _topple.shares(counts.tolist())):
         entry = palette["kinds"][place]
-        white = min(entry["colour"]) == 255
-        hatch = {"hatch": "xxx", "edgecolor": "black"} if white else {}
-        swatches.append(Patch(facecolor=_rgb(entry["colour"]), label=f"{entry['label']}: {share}", **hatch))
+        swatch = Patch(facecolor=_rgb(entry["colour"]), label=f"{entry['label']}: {share}")
+        if min(entry["colour"]) == 255:
+            swatch.set(hatch="xxx", edgecolor="black")
+        swatches.append(swatch)
     return swatches
 
 
-def _rgb(colour: list[int]) -> tuple[float, ...]:
-    return tuple(part / 255.0 for part in colour)
+def _rgb(colour: list[int]) -> tuple[float, float, float]:
+    red, green, blue = (part / 255.0 for part in colour)
+    return red, green, blue
 
 
 def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:

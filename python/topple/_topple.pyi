@@ -3,7 +3,23 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import NDArray
 
-__all__: list[str]
+__all__ = [
+    "__version__",
+    "caption",
+    "check",
+    "columns",
+    "envelope",
+    "fragility",
+    "history",
+    "kinds",
+    "merge",
+    "palette",
+    "parameters",
+    "shares",
+    "suite",
+    "sweep",
+    "words",
+]
 __version__: str
 
 _Progress = Callable[[str, int, int], Any] | None

@@ -1,8 +1,8 @@
 """Maps on several machines: tiles as futures of dask.distributed.
 
-Each worker runs tiles of the grid, the client joins them. The map is that of a single run, byte for byte. A tile whose
-worker dies is run again by another one, as dask does with any future. Workers need this package, and the files of a
-record, if it comes in files.
+Each worker runs tiles of the grid, the client joins them. The arrays are those of a single run, byte for byte. A tile
+whose worker dies is run again by another one, as dask does with any future. Workers need this package, and the files of
+a record, if it comes in files.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def _map(client: Client | None, recorded: bool, keywords: dict[str, Any]) -> Any
         lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
     )
     try:
-        for done, future in enumerate(as_completed(futures), start=1):
+        for done, future in enumerate(as_completed(futures), start=1):  # type: ignore[no-untyped-call]
             for name, content in future.result().items():
                 place = folder / name
                 place.parent.mkdir(parents=True, exist_ok=True)
@@ -106,7 +106,7 @@ def _map(client: Client | None, recorded: bool, keywords: dict[str, Any]) -> Any
                 hears("tiles", done, count)
         return topple.merge([folder], out=out, verify=verify, progress=progress)
     finally:
-        client.cancel(futures)
+        client.cancel(futures)  # type: ignore[no-untyped-call]
         finished(hears)
         shutil.rmtree(folder, ignore_errors=True)
 

@@ -4,7 +4,6 @@ use std::fmt::Display;
 use std::time::Duration;
 
 use anstyle::Style;
-use topple::drawing::caption;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::manifest::Timings;
@@ -96,7 +95,7 @@ pub fn sides(grid: &Grid) -> String {
 /// A scene and its cells.
 pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
-    say.line("", caption::caption(scene));
+    say.line("", topple::scene::words::line(scene));
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {

@@ -4,66 +4,11 @@ use super::canvas::Canvas;
 use super::canvas::write;
 use super::text::{shortened, style, wrapped};
 use super::{FONT, MARGIN, TITLE};
-use crate::scene::parameters::{Caption, PARAMETERS};
-use crate::scene::{Directions, Excitation, GRAVITY, Overturn, Parameter, Scene};
+use crate::scene::words::parameters;
+use crate::scene::{Excitation, Scene};
 
 /// Space that no line ends at.
 const KEEP: char = '\u{a0}';
-
-/// The parameters of a scene that its axes do not show, without its record's.
-pub fn fixed(scene: &Scene) -> Vec<String> {
-    let single = |parameter: Parameter| scene.numbers.get(parameter)?.single();
-    let mut parts = Vec::new();
-    let shown = |when| PARAMETERS.iter().filter(move |entry| entry.caption == when);
-    for entry in shown(Caption::Always) {
-        if entry.parameter == Parameter::TH {
-            match scene.isolation {
-                Directions::Dual => {}
-                Directions::Horizontal => parts.push("horizontal isolation alone".into()),
-                Directions::Vertical => parts.push("vertical isolation alone".into()),
-                Directions::None => parts.push("no isolation".into()),
-            }
-        }
-        if entry.parameter == Parameter::Omega
-            && let Some(pulse) = scene.excitation.other_pulse()
-        {
-            parts.push(pulse.into());
-        }
-        parts.extend(single(entry.parameter).map(|value| entry.written(value)));
-    }
-    for entry in shown(Caption::Unusual) {
-        let usual = |value: f64| entry.default.parse() == Ok(value);
-        let unusual = single(entry.parameter).filter(|value| !usual(*value));
-        parts.extend(unusual.map(|value| entry.written(value)));
-    }
-    if scene.overturn == Overturn::QuarterTurn {
-        parts.push("overturned at 90°".into());
-    }
-    parts
-}
-
-/// The parameters of a scene that its axes do not show.
-pub fn parameters(scene: &Scene) -> Vec<String> {
-    let mut parts = fixed(scene);
-    let scaled = [Parameter::Scale, Parameter::Pga].map(|parameter| scene.numbers.get(parameter));
-    let varies = scaled.into_iter().flatten().any(|values| values.count() > 1);
-    if let Some(pair) = scene.excitation.record() {
-        if !varies {
-            parts.push(format!("PGA {:.3} g horizontal", pair.pga_h / GRAVITY));
-        }
-        if pair.pga_v == 0.0 {
-            parts.push("no vertical motion".into());
-        } else if !varies {
-            parts.push(format!("{:.3} g vertical", pair.pga_v / GRAVITY));
-        }
-    }
-    parts
-}
-
-/// The same in one line.
-pub fn caption(scene: &Scene) -> String {
-    parameters(scene).join(", ")
-}
 
 /// A list of short parts as a text whose lines end between them.
 pub fn listed(parts: &[String]) -> String {

@@ -2,21 +2,33 @@
 //!
 //! A picture is an SVG in points of its printed size, [`COLUMN`] wide where it is to stand in a column of a
 //! journal, and a PNG of the same with 300 pixels an inch. Letters are of [`FONT`] or larger, indices of
-//! [`SMALLEST`], as journals ask for.
+//! [`SMALLEST`], as journals ask for. The colours of outcomes are there for other pictures, too.
 
+#[cfg(feature = "pictures")]
 pub mod canvas;
+#[cfg(feature = "pictures")]
 pub mod caption;
 pub mod colour;
+#[cfg(feature = "pictures")]
 pub mod error;
+#[cfg(feature = "pictures")]
 pub mod font;
+#[cfg(feature = "pictures")]
 pub mod frame;
+#[cfg(feature = "pictures")]
 pub mod legend;
 pub mod palette;
+#[cfg(feature = "pictures")]
 pub mod raster;
+#[cfg(feature = "pictures")]
 pub mod render;
+#[cfg(feature = "pictures")]
 pub mod scale;
+#[cfg(feature = "pictures")]
 pub mod swatch;
+#[cfg(feature = "pictures")]
 pub mod text;
+#[cfg(feature = "pictures")]
 pub mod ticks;
 #[cfg(test)]
 mod vision;

@@ -11,6 +11,7 @@ use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
 use crate::scene::grid;
+use crate::scene::words;
 use crate::suites::intensity::Intensity;
 
 /// Height of a plot of curves.
@@ -29,7 +30,7 @@ const POINTS: u32 = 200;
 /// The title, what is fixed, and where the plot below begins.
 pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
     let mut canvas = Canvas::new(COLUMN);
-    let mut parts = caption::fixed(&study.sweep.scene);
+    let mut parts = words::fixed(&study.sweep.scene);
     if let Some(unknown) = &study.asked.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
         parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));

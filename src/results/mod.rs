@@ -17,6 +17,7 @@ pub mod outcomes;
 pub mod part;
 pub mod reader;
 pub mod saved_tiles;
+pub mod shares;
 pub mod sharpness;
 pub mod size;
 pub mod store;

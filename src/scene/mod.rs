@@ -20,6 +20,7 @@ pub mod range;
 pub mod record;
 
 pub mod values;
+pub mod words;
 
 use serde::{Deserialize, Serialize};
 

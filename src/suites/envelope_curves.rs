@@ -10,6 +10,7 @@ use crate::drawing::palette::CURVES;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption};
 use crate::scene::grid;
+use crate::scene::words;
 
 /// Height of a plot, and between two.
 const HEIGHT: f64 = 70.0;
@@ -33,7 +34,7 @@ struct Panel<'a> {
 pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
     let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
-    let fixed = caption::fixed(&envelope.sweep.scene);
+    let fixed = words::fixed(&envelope.sweep.scene);
     let mut y = caption::titled(&mut canvas, title, &fixed) + MARGIN;
     let limits = envelope.limits;
     let moves = envelope.sweep.scene.isolation;

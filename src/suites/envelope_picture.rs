@@ -12,6 +12,7 @@ use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
 use crate::map::figure::layout::{SIDE, frame};
+use crate::scene::words;
 
 /// The feasible cells.
 const FEASIBLE: Colour = [0x7f, 0xc9, 0x7f];
@@ -35,7 +36,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     }
     let most = COLUMN - 2.0 * MARGIN;
     let mut canvas = Canvas::new(COLUMN);
-    let top = caption::titled(&mut canvas, title, &caption::fixed(&envelope.sweep.scene)) + MARGIN;
+    let top = caption::titled(&mut canvas, title, &words::fixed(&envelope.sweep.scene)) + MARGIN;
     let (x, side) = SIDE;
     let place = Place { x, y: top, width: side, height: side };
     let frame = frame(place, grid);

@@ -12,6 +12,7 @@ use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::figure::layout::{GAP, SIDE, frame};
 use crate::scene::Scene;
+use crate::scene::words;
 
 /// Colours of a probability of 0, 1/2 and 1, the lightness falling evenly between them.
 const RAMP: [Colour; 3] = [[0xf4, 0xf1, 0xea], [0xd9, 0x7b, 0x4f], [0x4a, 0x00, 0x1f]];
@@ -37,7 +38,7 @@ fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
     for varied in &uncertainty.vary {
         known.numbers.remove(varied.parameter);
     }
-    let mut parts = caption::parameters(&known);
+    let mut parts = words::parameters(&known);
     let varied = |varied: &super::Varied| {
         let entry = varied.parameter.entry();
         let unit = if entry.unit.is_empty() { String::new() } else { format!(" {}", entry.unit) };

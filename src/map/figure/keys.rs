@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::Map;
 use super::overlay::Overlay;
-use crate::drawing::legend::{Entry, entry, shares};
+use crate::drawing::legend::{Entry, entry};
 use crate::drawing::palette::{DOTTED, Kind, Parity};
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
+use crate::results::shares::shares;
 use crate::scene::Parameter;
 use crate::stepping::outcome::{Outcome, Status};
 

@@ -1,6 +1,6 @@
 """Writes topple/_keywords.py, the types of the keywords, from the tables of the library.
 
-Run it after a parameter has changed: ``python python/write_keywords.py``. The tests compare the file with its text.
+Run it after a parameter has changed: ``python python/tests/write_keywords.py``. The tests compare the file with its text.
 """
 
 import textwrap
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from topple import _help
 
-PLACE = Path(__file__).parent / "topple" / "_keywords.py"
+PLACE = Path(__file__).parent.parent / "topple" / "_keywords.py"
 
 HEAD = '''"""Types of the keywords. Written by write_keywords.py from the library's tables: change these."""
 

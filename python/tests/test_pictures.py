@@ -1,0 +1,101 @@
+"""Pictures: classes, shares and colours are the command's."""
+
+import re
+
+import matplotlib
+import numpy as np
+import pytest
+
+import topple
+from topple import _animation, _plot
+
+matplotlib.use("agg")
+
+SCENE = {"object": 1, "eccentricity": 0.2, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:40", "a_h": "0.1:15:40"}
+
+
+@pytest.fixture(scope="module")
+def map():
+    return topple.pulse(**SCENE, backend="cpu", verify=0)
+
+
+def test_the_legend_is_the_commands(command, map, tmp_path):
+    flags = [text for key, value in SCENE.items() for text in ("--" + key.replace("_", "-"), str(value))]
+    command("pulse", *flags, "--backend", "cpu", "--verify", "none", "--out", tmp_path)
+    words = re.findall(r">([^<>]+)<", (tmp_path / "map.svg").read_text(encoding="utf-8"))
+    legend = map.topple.plot().get_legend()
+    told = [text.get_text() for text in legend.get_texts()]
+    shared = [text.rsplit(": ", 1) for text in told if text.endswith("%")]
+    assert len(shared) >= 5
+    for label, share in shared:
+        assert label in words and share in words, (label, share)
+    assert "with dots: over the right corner" in told
+
+
+def test_cells_have_their_colours(map):
+    ax = map.topple.plot()
+    mesh = ax.collections[0]
+    shown = mesh.cmap(mesh.norm(mesh.get_array()))[..., :3].reshape(map.outcome.shape + (3,))
+    # The paper's: green stands, red overturns without an impact.
+    stays = np.asarray(map.outcome == map.outcome.flag_meanings.split().index("full_contact"))
+    assert np.allclose(shown[stays] * 255, [0xD6, 0xF4, 0xB8])
+    left = map.outcome.flag_meanings.split().index("overturned_left")
+    direct = np.asarray((map.outcome == left) & (map.impacts == 0))
+    assert direct.any() and np.allclose(shown[direct] * 255, [0xC6, 0x1F, 0x1A])
+    assert ax.get_xlabel() == "Ω [rad/s]" and ax.get_ylabel() == "A_h [m/s²]"
+
+
+def test_a_quantity_and_a_line(map):
+    assert "long_name" in map.zeta.attrs and map.topple.plot("zeta").get_title()
+    ax = map.isel(a_h=20).topple.plot()
+    curve = next(line for line in ax.lines if line.get_label().startswith("zeta"))
+    stands = np.asarray(map.outcome.isel(a_h=20) < 2)
+    assert np.array_equal(np.isfinite(curve.get_ydata()), stands)
+    assert np.array_equal(curve.get_ydata()[stands], map.zeta.isel(a_h=20).values[stands].astype(float))
+
+
+def test_what_a_picture_refuses(map):
+    with pytest.raises(ValueError, match="^column: nothing"):
+        map.topple.plot("nothing")
+    more = topple.pulse(**(SCENE | {"omega": "1:9:3", "a_h": "1:9:3", "t_h": [1.0, 2.0]}), backend="cpu", verify=0)
+    with pytest.raises(ValueError, match="^axes: t_h, a_h, omega"):
+        more.topple.plot()
+    assert more.sel(t_h=2.0).topple.plot().get_legend().get_title().get_text().count("T_h = 2 s") == 1
+    with pytest.raises(ValueError, match="^omega: missing"):
+        map.topple.history(a_h=4.0)
+    with pytest.raises(ValueError, match="^speed: "):
+        map.topple.animate({"omega": 9.0, "a_h": 8.0}, speed=0.0)
+
+
+def test_cells_beyond_the_model_are_hatched():
+    scene = SCENE | {"friction": 0.3}
+    found = topple.pulse(**scene, backend="cpu", verify=0)
+    hatched = _plot.beyond(found)
+    assert np.array_equal(hatched, np.asarray((found.min_contact < 0) | (found.friction_demand > 0.3)))
+    assert hatched.any() and not hatched.all()
+    axis = topple.pulse(**(scene | {"friction": [0.3, 5.0], "a_h": 8.0}), backend="cpu", verify=0)
+    assert _plot.beyond(axis).any() and axis["outcome"].dims == ("friction", "omega")
+    assert _plot.beyond(axis)[1].sum() <= _plot.beyond(axis)[0].sum()
+
+
+def test_a_cell_moves(map, tmp_path):
+    cell = {"omega": 9.0, "a_h": 8.4}
+    whole = topple.history(**(SCENE | cell))
+    motion = map.topple.history(**cell)
+    assert np.array_equal(motion.phi.values, whole.phi.values)
+    map.isel(omega=0).topple.history(a_h=1.0)
+    place = tmp_path / "block.gif"
+    topple.history(**(SCENE | cell | {"t_max": 1.0})).topple.animate(speed=4.0).save(place, writer="pillow")
+    assert place.read_bytes()[:3] == b"GIF"
+
+
+@pytest.mark.parametrize("phi", [0.0, 0.3, -0.3])
+def test_a_turned_block_keeps_its_corner(phi):
+    block = {"half_width": 0.4, "height": 1.0}
+    outline = _animation.corners(block, 0.1, 0.2, phi)
+    # The corner about which it turns stays where it is, and no edge changes its length.
+    pivot = outline[0] if phi >= 0 else outline[1]
+    assert np.allclose(pivot, [0.1 + (-0.4 if phi >= 0 else 0.4), 0.2])
+    edges = np.linalg.norm(np.diff(outline, axis=0), axis=1)
+    assert np.allclose(edges, [0.8, 2.0, 0.8])
+    assert outline[:, 1].min() >= 0.2 - 1e-12

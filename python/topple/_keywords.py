@@ -1,0 +1,174 @@
+"""Types of the keywords. Written by write_keywords.py from the library's tables: change these."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, Sequence, TypedDict, Union
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Numbers = Union[float, str, Sequence[float], NDArray[Any]]
+    Path = Union[str, os.PathLike[str]]
+
+
+class Block(TypedDict, total=False):
+    """The block and its plates."""
+
+    # a block of the paper's Table 1: 1 caryatid, 2 server cabinet, 3 hospital cabinet
+    object: int
+    # B [m], half the width of the base; give two of half_width, height, slenderness and size
+    half_width: Numbers
+    # H [m], height of the centre of mass
+    height: Numbers
+    # λ, H/B, the height of the centre of mass over half the width
+    slenderness: Numbers
+    # R [m], half the diagonal, the root of B² + H²
+    size: Numbers
+    # M [kg], mass; needed only with plates; by default 1, without plates
+    mass: Numbers
+    # J_C [kg m²], moment of inertia about the centre of mass; by default the uniform rectangle's, M (B² +
+    # H²)/3
+    inertia: Numbers
+    # ε, e/B: offset of the centre of mass to the right, over B; by default 0
+    eccentricity: Numbers
+    # e [m], offset of the centre of mass to the right, in place of eccentricity; less than B
+    offset: Numbers
+    # m_h [kg], mass of the plate that moves horizontally; by default 0
+    plate_h: Numbers
+    # m_v [kg], mass of the plate that moves vertically; by default 0
+    plate_v: Numbers
+
+
+class Base(TypedDict, total=False):
+    """The base."""
+
+    # directions in which the base moves: dual, horizontal, vertical, none
+    isolation: str
+    # T_h [s], period of the horizontal isolation
+    t_h: Numbers
+    # T_v [s], period of the vertical isolation
+    t_v: Numbers
+    # ψ, post-yield over initial stiffness; by default 0.25
+    psi: Numbers
+    # ξ_h, horizontal damping ratio; by default 0.05
+    xi_h: Numbers
+    # ξ_v, vertical damping ratio; by default 0.1
+    xi_v: Numbers
+    # α_y, yield displacement over PGA_h/ω_h²: a base whose strength grows with the motion; by default 0.1
+    alpha_y: Numbers
+    # u_y [m], yield displacement, in place of alpha_y: a base that stays the same when the motion grows
+    u_y: Numbers
+    # F_y [N], k_h u_y, in place of alpha_y: the force at which the base yields
+    yield_force: Numbers
+    # n, exponent of the Bouc-Wen law; by default 2
+    bouc_wen_n: Numbers
+
+
+class Pulse(TypedDict, total=False):
+    """The pulse."""
+
+    # one-sine, one-cosine, half-sine, rectangle, ricker, mavroeidis-papageorgiou, ...
+    shape: str
+    # Ω [rad/s], circular frequency of the pulse: its period is 2π/Ω
+    omega: Numbers
+    # A_h [m/s²], horizontal amplitude of the pulse: its largest acceleration
+    a_h: Numbers
+    # A_v [m/s²], vertical amplitude of the pulse; by default 0
+    a_v: Numbers
+    # N, cycles of a one-sine or one-cosine pulse; by default 1
+    cycles: Numbers
+    # γ, cycles of a pulse of Mavroeidis & Papageorgiou: oscillations under its bell; by default 2
+    gamma: Numbers
+    # ν [rad], phase of the cosine of a Mavroeidis & Papageorgiou pulse: 0 for the largest velocity in the
+    # middle of the pulse, π/2 for none there; by default 0
+    phase: Numbers
+
+
+class Record(TypedDict, total=False):
+    """The record."""
+
+    # horizontal record: a path, an array, or a trace as obspy's
+    horizontal: Any
+    # vertical record, positive up: as horizontal
+    vertical: Any
+    # time between samples, s, where the record does not tell
+    dt: float
+    # g, m/s2 or cm/s2, where the record does not tell
+    units: str
+    # SF, factor on both components; by default 1
+    scale: Numbers
+    # PGA_h [m/s²], scale both components so that the horizontal peak is this
+    pga: Numbers
+
+
+class Run(TypedDict, total=False):
+    """Duration and criteria."""
+
+    # critical-angle or quarter-turn
+    overturn: str
+    # accept numbers that are not plausible
+    force: bool
+    # key of the first axis, which runs fastest
+    x: str
+    # key of the second axis
+    y: str
+    # t_max [s], simulated time; by default 30, or a record's duration
+    t_max: Numbers
+    # φ_0 [rad], rotation of the block at the start, positive about the left corner; by default 0
+    tilt: Numbers
+    # μ, friction coefficient of the contact: cells that need more are marked; the model has no sliding; by
+    # default none
+    friction: Numbers
+    # η_φ, angular velocity after an impact over the one before, in place of the law; only without isolation;
+    # by default the law's
+    restitution: Numbers
+
+
+class Settings(TypedDict, total=False):
+    """How a scene is run."""
+
+    # auto, gpu, cpu or reference
+    backend: str
+    # the GPU, or several of them, by the numbers of ``topple adapters``
+    adapter: int | Sequence[int]
+    # f32 or f64
+    precision: str
+    # largest step, s
+    step: float
+    # run cells of doubt again in f64 with half the step
+    resolve: bool
+    # leave out no part of the model that a scene does not need
+    full_model: bool
+    # cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most
+    verify: int
+    # directory: the map is written there as map.zarr, and opened lazily
+    out: Path
+    # go on from what an interrupted call left in ``out``
+    resume: bool
+    # part ``k/n`` of the grid, left in ``out`` for `merge`
+    tile: str
+
+
+class PulseCall(Block, Base, Pulse, Run, Settings, total=False):
+    """Keywords of a call under pulses."""
+
+    title: str
+
+
+class RecordCall(Block, Base, Record, Run, Settings, total=False):
+    """Keywords of a call under a record."""
+
+    title: str
+
+
+class SuiteCall(Block, Base, Run, Settings, total=False):
+    """Keywords of a call under a suite of records."""
+
+    title: str
+
+
+class AnyCall(Block, Base, Pulse, Record, Run, Settings, total=False):
+    """Keywords of a call under anything."""
+
+    title: str
