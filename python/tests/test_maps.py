@@ -30,11 +30,14 @@ def same(found, npz):
         assert json.loads(found.attrs["scene"]) == about["scene"]
 
 
+# The larger map has two tiles.
+@pytest.mark.parametrize("size", [30, 280])
 @pytest.mark.parametrize("precision", ["f32", "f64"])
-def test_pulse(command, tmp_path, precision):
+def test_pulse(command, tmp_path, precision, size):
+    scene = PULSE | {"a_h": f"0.1:15:{size}", "omega": f"0.2:15:{size + 1}"}
     run = ["--backend", "cpu", "--precision", precision, "--verify", "none", "--out", tmp_path]
-    command("pulse", *flags(PULSE), *run)
-    found = topple.pulse(**PULSE, backend="cpu", precision=precision, verify=0)
+    command("pulse", *flags(scene), *run)
+    found = topple.pulse(**scene, backend="cpu", precision=precision, verify=0)
     same(found, tmp_path / "map.npz")
     again = topple.open(tmp_path)
     assert np.array_equal(found["zeta"].values, again["zeta"].values)

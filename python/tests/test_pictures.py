@@ -24,7 +24,7 @@ def test_the_legend_is_the_commands(command, map, tmp_path):
     command("pulse", *flags, "--backend", "cpu", "--verify", "none", "--out", tmp_path)
     words = re.findall(r">([^<>]+)<", (tmp_path / "map.svg").read_text(encoding="utf-8"))
     legend = map.topple.plot().get_legend()
-    told = [text.get_text() for text in legend.get_texts()]
+    told = [re.sub(r"\s+", " ", text.get_text()) for text in legend.get_texts()]
     shared = [text.rsplit(": ", 1) for text in told if text.endswith("%")]
     assert len(shared) >= 5
     for label, share in shared:
@@ -51,6 +51,11 @@ def test_a_quantity_and_a_line(map):
     curve = next(line for line in ax.lines if line.get_label().startswith("zeta"))
     stands = np.asarray(map.outcome.isel(a_h=20) < 2)
     assert np.array_equal(np.isfinite(curve.get_ydata()), stands)
+    strip = ax.child_axes[0].collections[0]
+    kinds, _ = _plot.classes(map.isel(a_h=20))
+    assert np.array_equal(strip.get_array().reshape(2, -1)[0], kinds) and len(set(kinds.tolist())) > 2
+    box = strip.get_window_extent()
+    assert box.height > 5.0 and box.width > 100.0
     assert np.array_equal(curve.get_ydata()[stands], map.zeta.isel(a_h=20).values[stands].astype(float))
 
 
@@ -60,7 +65,7 @@ def test_what_a_picture_refuses(map):
     more = topple.pulse(**(SCENE | {"omega": "1:9:3", "a_h": "1:9:3", "t_h": [1.0, 2.0]}), backend="cpu", verify=0)
     with pytest.raises(ValueError, match="^axes: t_h, a_h, omega"):
         more.topple.plot()
-    assert more.sel(t_h=2.0).topple.plot().get_legend().get_title().get_text().count("T_h = 2 s") == 1
+    assert more.sel(t_h=2.0).topple.plot().get_legend().get_title().get_text().replace("\xa0", " ").count("T_h = 2 s") == 1
     with pytest.raises(ValueError, match="^omega: missing"):
         map.topple.history(a_h=4.0)
     with pytest.raises(ValueError, match="^speed: "):

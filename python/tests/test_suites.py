@@ -34,7 +34,7 @@ def test_suite(command, records, tmp_path):
 
 @pytest.mark.parametrize("precision", ["f32", "f64"])
 def test_envelope(command, records, tmp_path, precision):
-    limits = {"standing": 0.5, "limit_u": 0.6, "precision": precision, "backend": "cpu"}
+    limits = {"standing": 0.3, "limit_u": 0.76, "precision": precision, "backend": "cpu"}
     suite = ["--suite", records / "list.csv", "--verify", "none", "--out", tmp_path]
     command("envelope", *flags(SCENE | limits), *suite)
     found = topple.envelope(records / "list.csv", **SCENE, **limits, verify=0)

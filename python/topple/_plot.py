@@ -13,8 +13,12 @@ from . import _topple
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Letters of a line below a picture.
-LINE = 88
+#: Size of a legend's letters, points: of a picture of its own, and of one in a narrow place, inches.
+LETTERS, SMALL, NARROW = 8.5, 7.0, 5.0
+#: From an axis to what is said below its numbers and its name, points.
+BELOW = 38.0
+#: Width of a letter over its size, about.
+LETTER = 0.52
 #: Columns that are drawn over one axis.
 CURVES = ("zeta", "max_u", "stroke_v")
 
@@ -67,7 +71,7 @@ def _below(dataset: Any) -> str:
     for key in dataset.coords:
         if dataset[key].ndim == 0 and key in numbers:
             parts.append(f"{numbers[key]['symbol']} = {dataset[key].item():.4g} {numbers[key]['unit']}".strip())
-    return textwrap.fill(", ".join(parts), LINE)
+    return ", ".join(part.replace(" ", "\xa0") for part in ", ".join(parts).split(", "))
 
 
 def map_of(dataset: Any, column: str, ax: Axes | None) -> Axes:
@@ -96,18 +100,36 @@ def map_of(dataset: Any, column: str, ax: Axes | None) -> Axes:
     return ax
 
 
+def _kept(text: str) -> str:
+    """A text whose numbers stay on one line with their units."""
+    return text.replace(" %", "\xa0%").replace("< ", "<\xa0")
+
+
 def _legend(ax: Axes, handles: list[Any], dataset: Any) -> None:
+    """What is said below a picture, as wide as that: where it were wider, the layout would shrink the picture."""
+    from matplotlib.transforms import offset_copy
+
+    figure = ax.get_figure(root=True)
+    assert figure is not None
+    width = ax.get_position().width * figure.get_figwidth()
+    size = LETTERS if width > NARROW else SMALL
+    letters = int(72.0 * width / (LETTER * size))
+    for handle in handles:
+        handle.set_label(textwrap.fill(_kept(str(handle.get_label())), max(letters // 2 - 4, 12)))
     ax.legend(
         handles=handles,
         loc="upper left",
-        bbox_to_anchor=(0.0, -0.11),
+        bbox_to_anchor=(0.0, 0.0),
+        bbox_transform=offset_copy(ax.transAxes, figure, y=-BELOW, units="points"),
         ncols=2,
         frameon=False,
-        fontsize="small",
-        title=_below(dataset),
-        title_fontsize="small",
+        fontsize=size,
+        title=textwrap.fill(_below(dataset), letters),
+        title_fontsize=size,
         alignment="left",
         borderaxespad=0.0,
+        columnspacing=1.0,
+        handlelength=1.6,
     )
 
 
@@ -146,16 +168,14 @@ def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> N
     for where, hatch, meaning in over:
         _hatched(ax, x, y, where, hatch)
         if where.any() and meaning:
-            handles.append(Patch(facecolor="#bdb0aa", hatch=hatch, edgecolor="black", label=textwrap.fill(meaning, 42)))
+            handles.append(Patch(facecolor="#bdb0aa", hatch=hatch, edgecolor="black", label=meaning))
     _legend(ax, handles, dataset)
 
 
 def _hatched(ax: Axes, x: np.ndarray, y: np.ndarray, where: np.ndarray, hatch: str) -> None:
-    """Hatches cells: each as it is, for a contour would run between them."""
-    if not where.any():
-        return
-    masked = np.ma.masked_array(np.zeros(where.shape), ~where)
-    ax.pcolor(x, y, masked, hatch=hatch, alpha=0.0, shading="nearest", rasterized=True)
+    """Hatches cells, up to half-way to their neighbours."""
+    if where.any():
+        ax.contourf(x, y, where.astype(float), levels=[0.5, 1.5], colors="none", hatches=[hatch])
 
 
 def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:
@@ -192,7 +212,8 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
     stands = np.isin(np.asarray(dataset["outcome"]), [flags.index("full_contact"), flags.index("rocking")])
     strip = ax.inset_axes((0.0, 1.02, 1.0, 0.06), sharex=ax)
     colours = ListedColormap([_rgb(entry["colour"]) for entry in palette["kinds"]])
-    strip.pcolormesh(x, [0.0], kinds[np.newaxis, :], cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, shading="nearest")
+    twice = np.vstack([kinds, kinds])
+    strip.pcolormesh(x, [0.0, 1.0], twice, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, shading="nearest")
     strip.tick_params(left=False, labelleft=False, labelbottom=False, bottom=False)
     handles = _swatches(kinds)
     for name, style in zip(CURVES, ("-", "--", ":")):

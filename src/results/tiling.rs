@@ -31,6 +31,11 @@ impl Tiling {
         Tiling::with(grid.axes().iter().rev().map(Axis::count).collect(), most)
     }
 
+    /// The grid as one tile.
+    pub fn whole(grid: &Grid) -> Tiling {
+        Tiling::with(grid.axes().iter().rev().map(Axis::count).collect(), usize::MAX)
+    }
+
     /// The tiling of an array of a shape in tiles of so many cells at most.
     pub fn with(mut shape: Vec<usize>, most: usize) -> Tiling {
         if shape.is_empty() {

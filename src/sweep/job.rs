@@ -273,7 +273,8 @@ impl Job {
     fn collector(&self) -> Result<OutcomeCollector<'_>, SweepError> {
         let wanted = self.wanted.clone();
         let (Some((store, found)), Some(saving)) = (&self.saved, &self.settings.saving) else {
-            let tiling = Tiling::of(&self.grid);
+            // In one piece, which is handed on as it is.
+            let tiling = Tiling::whole(&self.grid);
             return Ok(OutcomeCollector::in_memory(tiling, self.columns(), wanted));
         };
         let saver = Saver { store, patience: saving.every, holds: self.holds() };
