@@ -66,4 +66,7 @@ def of(motion: Any, speed: float) -> FuncAnimation:
         return [*plates, body, title, mark]
 
     draw(0)
+    # The layout is made once: for each frame anew it would take most of the time.
+    figure.canvas.draw()
+    figure.set_layout_engine("none")
     return FuncAnimation(figure, draw, frames=frames + 1, interval=1000.0 / RATE, blit=False)
