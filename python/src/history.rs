@@ -33,12 +33,13 @@ pub fn history<'py>(
     // A history is the motion to its end, proved or not.
     plan.reductions.certificate = false;
     let case = scene.case();
-    let (rows, outcome): (Vec<Row>, Outcome) =
-        watch::run(py, None, |_| match (backend, method.precision) {
-            (BackendRequest::Reference, _) => by_reference(&scene, &case),
-            (_, Precision::F32) => by_steps::<f32>(&plan.at(Precision::F32), &case),
-            (_, Precision::F64) => by_steps::<f64>(&plan.at(Precision::F64), &case),
-        })?;
+    let (of_scene, of_case) = (scene.clone(), case);
+    let run = move || match (backend, method.precision) {
+        (BackendRequest::Reference, _) => by_reference(&of_scene, &of_case),
+        (_, Precision::F32) => by_steps::<f32>(&plan.at(Precision::F32), &of_case),
+        (_, Precision::F64) => by_steps::<f64>(&plan.at(Precision::F64), &of_case),
+    };
+    let (rows, outcome): (Vec<Row>, Outcome) = watch::run_unheard(py, run)?;
     let deflection = case.isolation.vertical.as_ref().map_or(0.0, KelvinVoigt::deflection);
     let columns = PyDict::new(py);
     type Number = fn(&Row) -> f64;

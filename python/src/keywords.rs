@@ -71,8 +71,9 @@ impl Request {
             if let Some(parameter) = Parameter::of_key(&key) {
                 numbers.push((parameter, values(&key, &value)?));
             } else if let Some(section) = section {
+                let word = word(section, &key, &value)?;
                 let table = words.entry(section.key()).or_insert_with(|| json!({}));
-                table[&key] = word(&key, &value)?;
+                table[&key] = word;
             } else if key == "title" {
                 title = Some(taken::<String>(&key, &value, "a text")?);
             } else if key == MOTION {
@@ -160,26 +161,32 @@ pub fn values(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Values> {
     Values::list(numbers).map_err(|error| of_keyword(key, error))
 }
 
-/// The value of a key that is no number of the table.
-fn word(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value> {
-    if let Ok(flag) = value.extract::<bool>() {
-        return Ok(json!(flag));
-    }
-    if let Ok(number) = value.extract::<u32>() {
-        return Ok(json!(number));
-    }
-    if let Ok(number) = value.extract::<f64>() {
-        return Ok(json!(number));
-    }
-    let text = value.str()?.to_string();
-    // Parameters are named as keywords are.
-    Ok(json!(if key == "x" || key == "y" { text.replace('-', "_") } else { text }))
+/// The value of a key that is no number of the table, as the section of a scene takes it.
+fn word(section: Section, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value> {
+    let word = match key {
+        "object" => json!(taken::<u32>(key, value, "the number of a block, from 1 on")?),
+        "force" => json!(taken::<bool>(key, value, "True or False")?),
+        "dt" => json!(taken::<f64>(key, value, "a number of seconds")?),
+        "horizontal" | "vertical" => json!(taken::<PathBuf>(key, value, "a path")?),
+        _ => json!(taken::<String>(key, value, "a word")?),
+    };
+    let alone = json!({ section.key(): { key: &word } });
+    let found: Result<SceneBuilder, _> = serde_json::from_value(alone);
+    found.map_err(|error| unknown(key, &brief(value), &error))?;
+    Ok(word)
+}
+
+/// The error of a word that is none of those known, by serde's: unknown variant `a`, expected one of `b`, `c`.
+fn unknown(key: &str, word: &str, error: &serde_json::Error) -> PyErr {
+    let text = error.to_string().replace('`', "");
+    let known = text.split_once(", expected ").map_or(&*text, |(_, known)| known);
+    of_keyword(key, format!("{word} is not known; give {known}"))
 }
 
 /// A motion in arrays.
 fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
-    type Arrays = (f64, Vec<f64>, Option<Vec<f64>>, String);
-    let (dt, horizontal, vertical, title): Arrays = value.extract()?;
+    type Arrays = (f64, Vec<f64>, Option<Vec<f64>>, (String, String));
+    let (dt, horizontal, vertical, titles): Arrays = value.extract()?;
     if !(dt.is_finite() && dt > 0.0) {
         return Err(of_keyword(
             "dt",
@@ -192,8 +199,8 @@ fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
         }
         Ok(Record { title: title.into(), dt, samples, notes: Vec::new() })
     };
-    let horizontal = record("horizontal", &title, horizontal)?;
-    let vertical = vertical.map(|samples| record("vertical", &title, samples)).transpose()?;
+    let horizontal = record("horizontal", &titles.0, horizontal)?;
+    let vertical = vertical.map(|samples| record("vertical", &titles.1, samples)).transpose()?;
     if horizontal.peak() == 0.0 && vertical.as_ref().is_none_or(|record| record.peak() == 0.0) {
         return Err(of_keyword("horizontal", "all samples are zero; give a motion"));
     }
@@ -254,7 +261,7 @@ const BRIEF: usize = 40;
 
 /// A word of a list that the library knows.
 fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<T> {
-    serde_json::from_value(json!(text)).map_err(|error| of_keyword(key, error))
+    serde_json::from_value(json!(text)).map_err(|error| unknown(key, text, &error))
 }
 
 fn saving(settings: &mut RunSettings) -> &mut Saving {

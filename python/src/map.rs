@@ -154,6 +154,10 @@ fn about(map: &MapSweep) -> Value {
         .map(|axis| (axis.key().to_string(), json!(axis.values.iter().collect::<Vec<f64>>())))
         .collect();
     let (_, first) = &map.parts[0];
+    // With its folders, from which the motion of a cell is read again.
+    if let Some(files) = map.plan.scene.excitation.provenance() {
+        about.insert("record".into(), json!(files));
+    }
     let entries = [
         ("coordinates", Value::Object(axes)),
         ("backend", json!(first.backend)),

@@ -1,7 +1,7 @@
 //! Suites of records: their table, envelopes and fragilities, each as the tables of the command.
 
 use std::fs;
-use std::path::Path;
+use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,18 +21,22 @@ use crate::watch;
 /// Reads a suite: its table as CSV.
 #[pyfunction]
 pub fn suite(py: Python<'_>, path: &str, strict: bool) -> PyResult<String> {
-    let suite = watch::run(py, None, |_| Suite::read(Path::new(path), strict))?;
+    let path = PathBuf::from(path);
+    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
     text(|w| table::write(&suite.map_err(of_suite)?, w).map_err(PyErr::from))
 }
 
-/// The keywords of a suite's calls that are not those of a scene.
-const OTHERS: [&str; 16] = [
-    "both_directions",
+/// The keywords of an envelope that are not those of a scene.
+const ENVELOPE: [&str; 6] =
+    ["suite", "strict", "both_directions", "standing", "limit_u", "limit_v"];
+/// Those of a fragility.
+const FRAGILITY: [&str; 15] = [
+    "suite",
     "strict",
-    "standing",
+    "both_directions",
+    "limit_zeta",
     "limit_u",
     "limit_v",
-    "limit_zeta",
     "im",
     "levels",
     "estimator",
@@ -42,7 +46,6 @@ const OTHERS: [&str; 16] = [
     "samples",
     "hazard",
     "target",
-    "suite",
 ];
 
 /// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON.
@@ -52,7 +55,7 @@ pub fn envelope<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyDict>, String)> {
-    let (suite, request) = asked(py, keywords)?;
+    let (suite, request) = asked(py, keywords, &ENVELOPE)?;
     let limits = Limits {
         standing: given(keywords, "standing", "a number")?.unwrap_or(1.0),
         u: given(keywords, "limit_u", "a number of metres")?,
@@ -80,7 +83,7 @@ pub fn fragility<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyDict>, String)> {
-    let (suite, request) = asked(py, keywords)?;
+    let (suite, request) = asked(py, keywords, &FRAGILITY)?;
     let mut request = FragilityRequest::new(request);
     if let Some(im) = given::<String>(keywords, "im", "a text")? {
         request.im = im.parse::<Intensity>().map_err(|error| of_keyword("im", error))?;
@@ -142,14 +145,18 @@ pub fn fragility<'py>(
 }
 
 /// The suite and the request of keywords.
-fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>) -> PyResult<(Suite, SuiteRequest)> {
+fn asked(
+    py: Python<'_>,
+    keywords: &Bound<'_, PyDict>,
+    others: &[&str],
+) -> PyResult<(Suite, SuiteRequest)> {
     let path: String = keywords
         .get_item("suite")?
         .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?
         .str()?
         .to_string();
     let strict = given(keywords, "strict", "True or False")?.unwrap_or(false);
-    let Request { scene, settings, .. } = Request::of(keywords, &OTHERS)?;
+    let Request { scene, settings, .. } = Request::of(keywords, others)?;
     settings.method.check_step(scene.force).map_err(of_scene)?;
     let mut request = SuiteRequest::new(scene);
     request.both_directions = given(keywords, "both_directions", "True or False")?.unwrap_or(false);
@@ -157,7 +164,8 @@ fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>) -> PyResult<(Suite, Suite
     request.settings.saving = saving.map(|saving| saved::folder(&saving.directory));
     request.settings.part = saving.and_then(|saving| saving.part);
     request.settings.run = settings;
-    let suite = watch::run(py, None, |_| Suite::read(Path::new(&path), strict))?;
+    let path = PathBuf::from(path);
+    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
     Ok((suite.map_err(of_suite)?, request))
 }
 

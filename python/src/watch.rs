@@ -3,7 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -67,6 +67,7 @@ pub fn run<T: Send>(
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Watch) -> T + Send,
 ) -> PyResult<T> {
+    not_forked()?;
     let watch = Watch::default();
     let mut stopped = None;
     let result = thread::scope(|scope| {
@@ -102,8 +103,53 @@ pub fn run<T: Send>(
     }
     match result {
         Some(Ok(result)) => tell(progress, &watch).map(|()| result),
-        _ => Err(PyRuntimeError::new_err("a defect of topple ended the work; please report it")),
+        _ => Err(defect()),
     }
+}
+
+/// Does work that cannot be ended, without the interpreter's lock: after Ctrl-C it goes on unheard.
+///
+/// # Errors
+/// `KeyboardInterrupt`.
+pub fn run_unheard<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    not_forked()?;
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let result = catch_unwind(AssertUnwindSafe(work));
+        // Nobody may wait for it any more.
+        let _ = sender.send(result);
+    });
+    let receiver = Mutex::new(receiver);
+    loop {
+        let received = py.detach(|| {
+            // Nobody else locks it.
+            receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(ASKED_EVERY)
+        });
+        match received {
+            Ok(Ok(result)) => return Ok(result),
+            Ok(Err(_)) | Err(RecvTimeoutError::Disconnected) => return Err(defect()),
+            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+        }
+    }
+}
+
+fn defect() -> PyErr {
+    PyRuntimeError::new_err("a defect of topple ended the work; please report it")
+}
+
+/// Refuses a process that was forked from one with calls behind it: the threads of these are not there, and a call
+/// would wait for them without end.
+fn not_forked() -> PyResult<()> {
+    static FIRST: OnceLock<u32> = OnceLock::new();
+    if *FIRST.get_or_init(std::process::id) == std::process::id() {
+        return Ok(());
+    }
+    let problem = "this process was forked from one that had called topple; start processes by spawn, as \
+                   multiprocessing.set_start_method('spawn')";
+    Err(PyRuntimeError::new_err(problem))
 }
 
 /// Tells of the progress.

@@ -1,5 +1,6 @@
 """How calls behave: errors, progress, Ctrl-C, threads, machines without xarray."""
 
+import os
 import subprocess
 import sys
 import textwrap
@@ -21,7 +22,15 @@ LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0
         ({"omega": "1:9"}, "^omega: '1:9' is neither a number nor"),
         ({"omega": [1.0, 1.0]}, "^omega: "),
         ({"omega": [1.0, float("nan")]}, "^omega: "),
-        ({"isolation": "both"}, "both"),
+        ({"isolation": "both"}, "^isolation: 'both' is not known; give one of dual, horizontal"),
+        ({"isolation": 1}, "^isolation: 1 is not a word$"),
+        ({"shape": "sine"}, "^shape: 'sine' is not known; give one of one-sine"),
+        ({"object": "caryatid"}, "^object: 'caryatid' is not the number of a block"),
+        ({"x": "T_h"}, "^x: "),
+        ({"T_h": 2}, "^T_h: no keyword of this name; did you mean t_h"),
+        ({"sharpness": True}, "^sharpness: no keyword of this name; the command alone has it"),
+        ({"units": "g"}, "^units: a pulse shakes the base here; topple.seismic has records"),
+        ({"horizontal": [1.0, 2.0]}, "^horizontal: a pulse shakes the base here"),
         ({"step": 5.0}, "^step: 5 s is not plausible"),
         ({"precision": "f16"}, "^precision: "),
         ({"backend": "cuda"}, "^backend: "),
@@ -49,6 +58,13 @@ def test_records_that_make_no_sense():
         ({"horizontal": [0.1, float("inf")], "dt": 0.01, "units": "g"}, "^horizontal: "),
         ({"horizontal": [0.1, 0.2], "dt": -1, "units": "g"}, "^dt: -1"),
         ({"vertical": [0.1, 0.2], "dt": 0.01, "units": "g"}, "^horizontal: give both"),
+        ({"horizontal": [[0.0, 0.1], [0.1, 0.2]], "dt": 0.01, "units": "g"}, r"^horizontal: an array of shape \(2, 2\)"),
+        ({"horizontal": [1.0, 2.0j], "dt": 0.01, "units": "g"}, "^horizontal: no array of numbers"),
+        ({"horizontal": ["a", "b"], "dt": 0.01, "units": "g"}, "^horizontal: no array of numbers"),
+        ({"horizontal": [0.1, 0.2, float("nan")], "dt": 0.01, "units": "g"}, "^horizontal: sample 2 "),
+        ({"horizontal": [0.1, 0.2], "dt": "x", "units": "g"}, "^dt: "),
+        ({"horizontal": [100.0, 500.0], "dt": 0.01, "units": "m/s2"}, "^units: in m/s2 the peak is 500 m/s2"),
+        ({"omega": 3.0}, "^omega: a record shakes the base here"),
     ]:
         with pytest.raises(ValueError, match=line):
             topple.seismic(**scene, **keywords)
@@ -92,6 +108,51 @@ def test_ctrl_c_ends_a_call():
     assert float(done.stdout) < 0.5
 
 
+def test_ctrl_c_leaves_a_history():
+    """The reference takes seconds for this cell; nobody waits for it."""
+    script = textwrap.dedent(
+        """
+        import os, signal, threading, time, topple
+        at = []
+        def press():
+            at.append(time.perf_counter())
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Timer(0.5, press).start()
+        try:
+            topple.history(object=1, t_h=1.75, t_v=0.75, omega=9, a_h=2, t_max=100000, force=True, backend="reference")
+        except KeyboardInterrupt:
+            print(time.perf_counter() - at[0], flush=True)
+        os._exit(0)
+        """
+    )
+    if sys.platform == "win32":
+        pytest.skip("os.kill sends no Ctrl-C there")
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert float(done.stdout) < 0.5
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are not forked there")
+def test_a_forked_process_says_what_to_do():
+    script = textwrap.dedent(
+        """
+        import os, sys, topple
+        scene = dict(object=1, t_h=1.75, t_v=0.75, omega=5.0, a_h=4.0, verify=0, backend="cpu")
+        topple.pulse(**scene)
+        child = os.fork()
+        if child == 0:
+            try:
+                topple.pulse(**scene)
+            except RuntimeError as error:
+                os._exit(7 if "spawn" in str(error) else 8)
+            os._exit(9)
+        sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+        """
+    )
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 7, (done.returncode, done.stderr)
+
+
 def test_other_threads_go_on():
     """The interpreter's lock is released: a thread of Python counts while a map is swept."""
     counted = 0
@@ -123,6 +184,12 @@ def test_without_xarray():
         map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:4", a_h=[2.0, 6.0, 10.0], verify=0)
         assert type(map) is topple.Arrays and map["outcome"].shape == (3, 4) and "omega" in map
         assert map.data_vars["zeta"][0] == ("a_h", "omega")
+        try:
+            map.zeta
+        except AttributeError as error:
+            assert "install xarray" in str(error)
+        else:
+            raise AssertionError("an attribute that is not there")
         """
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)

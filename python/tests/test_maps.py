@@ -1,6 +1,9 @@
 """Maps of the package and of the command are the same, bit by bit."""
 
 import json
+import subprocess
+import sys
+import textwrap
 
 import numpy as np
 import pytest
@@ -111,6 +114,35 @@ def test_on_disk(tmp_path):
     assert lazy["zeta"].chunks is not None
     assert np.array_equal(lazy["zeta"].values, whole["zeta"].values)
     assert lazy.attrs["backend"] == "cpu"
+
+
+def test_what_was_saved_is_drawn_and_run_again(command, records, tmp_path):
+    """In a process of its own, whose first Dataset is one that was opened."""
+    command("pulse", *flags(PULSE), "--files", "npz,zarr", "--verify", "none", "--backend", "cpu", "--out", tmp_path / "p")
+    pair = {"horizontal": records / "synthetic_h.at2", "vertical": records / "synthetic_v.at2"}
+    topple.seismic(**RECORD, **pair, backend="cpu", verify=0, out=tmp_path / "s")
+    script = textwrap.dedent(
+        f"""
+        import matplotlib; matplotlib.use("agg")
+        import json, topple
+        for name in ("map.zarr", "map.npz"):
+            ds = topple.open({str(tmp_path / "p")!r} + "/" + name)
+            ds.topple.plot()
+            assert json.loads(ds.attrs["scene"])["numbers"]["t_h"] == 1.75
+            motion = ds.topple.history(omega=9.0, a_h=8.0)
+            assert float(motion.t[-1]) > 0.1
+            motion.topple.plot()
+        ds = topple.open({str(tmp_path / "s")!r})
+        ds.topple.plot("max_u")
+        """
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    ours = topple.seismic(**RECORD, **pair, backend="cpu", verify=0, step=0.004)
+    cell = ours.topple.history(t_h=2.0, t_v=0.5)
+    alone = topple.history(object=2, t_h=2.0, t_v=0.5, **pair, step=0.004)
+    assert np.array_equal(cell.phi.values, alone.phi.values)
+    assert len(alone.t) != len(topple.history(object=2, t_h=2.0, t_v=0.5, **pair, progress=False).t)
 
 
 def test_history(command, tmp_path):

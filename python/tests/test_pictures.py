@@ -42,18 +42,18 @@ def test_cells_have_their_colours(map):
     left = map.outcome.flag_meanings.split().index("overturned_left")
     direct = np.asarray((map.outcome == left) & (map.impacts == 0))
     assert direct.any() and np.allclose(shown[direct] * 255, [0xC6, 0x1F, 0x1A])
-    assert ax.get_xlabel() == "Ω [rad/s]" and ax.get_ylabel() == "A_h [m/s²]"
+    assert ax.get_xlabel() == "Ω [rad/s]" and ax.get_ylabel() == "$A_{h}$ [m/s²]"
 
 
 def test_a_quantity_and_a_line(map):
     assert "long_name" in map.zeta.attrs and map.topple.plot("zeta").get_title()
     ax = map.isel(a_h=20).topple.plot()
-    curve = next(line for line in ax.lines if line.get_label().startswith("zeta"))
+    curve = next(line for line in ax.lines if line.get_label().startswith("ζ"))
     stands = np.asarray(map.outcome.isel(a_h=20) < 2)
     assert np.array_equal(np.isfinite(curve.get_ydata()), stands)
     strip = ax.child_axes[0].collections[0]
     kinds, _ = _plot.classes(map.isel(a_h=20))
-    assert np.array_equal(strip.get_array().reshape(2, -1)[0], kinds) and len(set(kinds.tolist())) > 2
+    assert np.array_equal(np.ravel(strip.get_array()), kinds) and len(set(kinds.tolist())) > 2
     box = strip.get_window_extent()
     assert box.height > 5.0 and box.width > 100.0
     assert np.array_equal(curve.get_ydata()[stands], map.zeta.isel(a_h=20).values[stands].astype(float))
@@ -66,6 +66,14 @@ def test_what_a_picture_refuses(map):
     with pytest.raises(ValueError, match="^axes: t_h, a_h, omega"):
         more.topple.plot()
     assert more.sel(t_h=2.0).topple.plot().get_legend().get_title().get_text().replace("\xa0", " ").count("T_h = 2 s") == 1
+    with pytest.raises(ValueError, match="^t_h: the map has lost this axis"):
+        more.max("t_h").topple.plot()
+    with pytest.raises(ValueError, match="^column: outcome has no picture"):
+        more.mean("t_h").topple.plot()
+    with pytest.raises(ValueError, match="^axes: none"):
+        map.isel(omega=0, a_h=0).topple.plot()
+    with pytest.raises(ValueError, match="^column: status"):
+        map.topple.plot("status")
     with pytest.raises(ValueError, match="^omega: missing"):
         map.topple.history(a_h=4.0)
     with pytest.raises(ValueError, match="^speed: "):

@@ -65,7 +65,20 @@ def test_fragility(command, records, tmp_path):
     assert fits["theta"].notnull().any()
 
 
+def test_names_of_records_stay_names(records):
+    lines = (records / "list.csv").read_text().replace("one,", "001,").replace("two,", "1,")
+    (records / "numbers.csv").write_text(lines)
+    assert topple.suite(records / "numbers.csv")["id"].values.tolist() == ["001", "1", "three"]
+    asked = {"levels": "2:14:7", "bootstrap": 50, "backend": "cpu", "verify": 0}
+    found = topple.fragility(records / "numbers.csv", **SCENE, **asked)
+    assert found["capacities"]["record"].values.tolist() == ["001", "1", "three"]
+
+
 def test_what_a_suite_refuses(records):
+    with pytest.raises(ValueError, match="^suite: give the path"):
+        topple.suite([records / "list.csv"])
+    with pytest.raises(ValueError, match="^levels: no keyword of this name"):
+        topple.envelope(records / "list.csv", **SCENE, levels=[1.0, 2.0])
     with pytest.raises(ValueError, match="^u_y: missing"):
         topple.envelope(records / "list.csv", object=1, t_h=1.0, t_v=0.4)
     with pytest.raises(ValueError, match="^standing: 1.5 must lie"):

@@ -4,8 +4,8 @@ Every call takes the keywords of a scene: the keys of the parameter table (``top
 sequence of numbers, or a range ``"start:stop:count"``. What has several values is an axis. SI units.
 
 >>> import topple
->>> map = topple.pulse(object=1, eccentricity=0.2, t_h=1.75, t_v=0.75, omega="1:9:5", a_h=[2.0, 6.0, 10.0])
->>> map["outcome"].shape
+>>> ds = topple.pulse(object=1, eccentricity=0.2, t_h=1.75, t_v=0.75, omega="1:9:5", a_h=[2.0, 6.0, 10.0])
+>>> ds["outcome"].shape
 (3, 5)
 """
 
@@ -13,13 +13,15 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _topple
-from ._dataset import dataset, described, of_map
+from ._accessor import register
+from ._dataset import attributes, dataset, described, of_map
 from ._dataset import Arrays as Arrays
-from ._help import known, listed
+from ._help import SECTIONS, known, listed
 from ._progress import Progress, finished, listener
 from ._records import scene_file, taken
 from ._tables import of_cells, of_fragility, of_suite
@@ -35,8 +37,20 @@ __all__ = [
 ]
 
 
+#: The columns of a motion.
+_MOTION = {
+    "t": {"meaning": "time", "unit": "s"},
+    "mode": {"meaning": "full_contact, rocking_left or rocking_right, from this time on", "unit": ""},
+    "u": {"meaning": "horizontal displacement of the base", "unit": "m"},
+    "du": {"meaning": "its velocity", "unit": "m/s"},
+    "v": {"meaning": "vertical displacement of the base, from the unloaded spring; attrs have static_deflection", "unit": "m"},
+    "dv": {"meaning": "its velocity", "unit": "m/s"},
+    "z": {"meaning": "hysteretic variable", "unit": ""},
+    "phi": {"meaning": "rocking angle, positive about the left corner", "unit": "rad"},
+    "dphi": {"meaning": "its velocity", "unit": "rad/s"},
+}
+
 def _map(recorded: bool, keywords: Mapping[str, Any], progress: bool | Progress | None) -> Any:
-    known(keywords, "scene")
     keywords = taken(keywords)
     hears = listener(progress)
     try:
@@ -55,12 +69,10 @@ def _returned(columns: Any, about: str | None, out: Any) -> Any:
 
 
 def _attributes(about: str) -> dict[str, Any]:
-    from ._dataset import attributes
-
     return attributes(json.loads(about))
 
 
-@listed("block", "base", "pulse", "run", "settings")
+@listed(*SECTIONS["pulse"])
 def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCall]) -> Any:
     """Map the outcomes of pulses.
 
@@ -85,14 +97,15 @@ def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCa
 
     Examples
     --------
-    >>> map = pulse(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h="2:12:6", verify=0)
-    >>> map["zeta"].shape
+    >>> ds = pulse(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h="2:12:6", verify=0)
+    >>> ds["zeta"].shape
     (6, 1)
     """
+    known("pulse", keywords, SECTIONS["pulse"])
     return _map(False, keywords, progress)
 
 
-@listed("block", "base", "record", "run", "settings")
+@listed(*SECTIONS["seismic"])
 def seismic(*, progress: bool | Progress | None = None, **keywords: Unpack[RecordCall]) -> Any:
     """Map the response to a record of ground motion.
 
@@ -112,10 +125,11 @@ def seismic(*, progress: bool | Progress | None = None, **keywords: Unpack[Recor
 
     Examples
     --------
-    >>> map = seismic(object=1, t_h="1:3:3", t_v=[0.2, 0.4], verify=0)
-    >>> map["max_u"].dims
+    >>> ds = seismic(object=1, t_h="1:3:3", t_v=[0.2, 0.4], verify=0)
+    >>> ds["max_u"].dims
     ('t_v', 't_h')
     """
+    known("seismic", keywords, SECTIONS["seismic"])
     return _map(True, keywords, progress)
 
 
@@ -134,6 +148,7 @@ def run(scene: str | os.PathLike[str], *, progress: bool | Progress | None = Non
     xarray.Dataset
         As of `pulse`.
     """
+    known("run", keywords, SECTIONS["run"])
     return _map(False, {**keywords, "scene": scene_file(scene)}, progress)
 
 
@@ -160,6 +175,8 @@ def merge(
     xarray.Dataset
         As of `pulse`.
     """
+    if isinstance(parts, (str, os.PathLike)) or not all(isinstance(part, (str, os.PathLike)) for part in parts):
+        raise ValueError("parts: give a sequence of the parts' directories")
     hears = listener(progress)
     keywords = {"out": None if out is None else os.fspath(out), "verify": verify}
     try:
@@ -169,12 +186,14 @@ def merge(
     return _returned(columns, about, out)
 
 
-@listed("block", "base", "pulse", "record", "run", "settings")
-def history(**keywords: Unpack[AnyCall]) -> Any:
+@listed(*SECTIONS["history"])
+def history(*, progress: bool | Progress | None = None, **keywords: Unpack[AnyCall]) -> Any:
     """Integrate the motion of one cell: every parameter a single number.
 
     Parameters
     ----------
+    progress : optional
+        As other calls have it; one cell is soon done.
     {keywords}
 
     Returns
@@ -189,15 +208,12 @@ def history(**keywords: Unpack[AnyCall]) -> Any:
     >>> float(abs(motion["phi"]).max()) > 0.01
     True
     """
-    known(keywords, "result")
+    known("history", keywords, SECTIONS["history"], "result")
     recorded = any(key in keywords for key in ("horizontal", "vertical"))
     columns, about = _topple.history(recorded, taken(keywords))
-    units = {"u": "m", "du": "m/s", "v": "m", "dv": "m/s", "z": "", "phi": "rad", "dphi": "rad/s", "mode": ""}
     time = columns.pop("t")
-    data_vars = {
-        name: (("row",), values, {"units": units[name]} if units[name] else {}) for name, values in columns.items()
-    }
-    return dataset(data_vars, {"t": (("row",), time, {"units": "s"})}, _attributes(about))
+    data_vars = {name: (("row",), values, described(_MOTION[name])) for name, values in columns.items()}
+    return dataset(data_vars, {"t": (("row",), time, described(_MOTION["t"]))}, _attributes(about))
 
 
 def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
@@ -215,8 +231,7 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
     xarray.Dataset
         The table of ``topple suite`` over the dimension ``id``: measures, and notes on what was decided.
     """
-    os.stat(path)
-    return of_suite(_topple.suite(os.fspath(path), strict))
+    return of_suite(_topple.suite(_suite_path(path), strict))
 
 
 def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
@@ -239,10 +254,10 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     xarray.Dataset
         The columns of envelope.csv and zeta.csv; a dimension an axis.
     """
-    os.stat(suite)
+    keywords = {**keywords, "suite": _suite_path(suite)}
     hears = listener(progress)
     try:
-        tables, about = _topple.envelope({**keywords, "suite": os.fspath(suite)}, hears)
+        tables, about = _topple.envelope(keywords, hears)
     finally:
         finished(hears)
     return of_cells([tables["envelope"], tables["zeta"]], json.loads(about))
@@ -276,13 +291,20 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     dict of xarray.Dataset
         The tables of the command by their names: ``fragility``, ``fits``, ``capacities``, ``rates``, ``sensitivity``.
     """
-    os.stat(suite)
+    keywords = {**keywords, "suite": _suite_path(suite)}
     hears = listener(progress)
     try:
-        tables, about = _topple.fragility({**keywords, "suite": os.fspath(suite)}, hears)
+        tables, about = _topple.fragility(keywords, hears)
     finally:
         finished(hears)
     return of_fragility(tables, json.loads(about))
+
+
+def _suite_path(path: Any) -> str:
+    if not isinstance(path, (str, os.PathLike)):
+        raise ValueError("suite: give the path of a folder, a zip or a list of records (CSV)")
+    os.stat(path)
+    return str(os.fspath(path))
 
 
 def open(path: str | os.PathLike[str]) -> Any:
@@ -309,11 +331,27 @@ def open(path: str | os.PathLike[str]) -> Any:
     if place.suffix == ".zarr":
         import xarray
 
-        return xarray.open_zarr(place, consolidated=False)
+        register()
+        lazy = xarray.open_zarr(place, consolidated=False)
+        lazy.attrs = attributes(lazy.attrs)
+        return lazy
+    if place.suffix != ".npz":
+        raise ValueError(f"{place}: give a directory of results, a map.zarr or a map.npz")
     with np.load(place) as arrays:
+        if "about" not in arrays:
+            raise ValueError(f"{place}: no map of topple")
         about = json.loads(str(arrays["about"]))
         about["coordinates"] = {key: arrays[key] for key in about["axes"]}
         return of_map({name: arrays[name] for name in [*about["columns"], "proved"]}, about)
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "Arrays", "distributed"]
+
+
+# Datasets that other calls opened have their ``topple``, too, where xarray is there already; it takes long to load.
+if sys.modules.get("xarray") is not None:
+    register()
 
 
 def parameters() -> list[dict[str, Any]]:

@@ -20,7 +20,7 @@ class Accessor:
     def __init__(self, dataset: Any) -> None:
         self._dataset = dataset
 
-    def plot(self, column: str = "outcome", ax: Axes | None = None) -> Axes:
+    def plot(self, column: str = "outcome", ax: Axes | None = None) -> Any:
         """Draw a map over two axes, or curves over one.
 
         Parameters
@@ -33,22 +33,32 @@ class Accessor:
         Returns
         -------
         matplotlib.axes.Axes
+            Three of them for a history.
 
         Raises
         ------
         ValueError
-            The Dataset has more than two axes: select values of the others first, as ``ds.sel(t_h=1.75)``.
+            The Dataset has more than two axes (select values of the others first, as ``ds.sel(t_h=1.75)``), or is no map.
+
+        Notes
+        -----
+        The Dataset of a history is drawn as u, v and φ over the time.
 
         Examples
         --------
         >>> import matplotlib
         >>> matplotlib.use("agg")
         >>> import topple
-        >>> map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:30", a_h="1:15:30", verify=0)
-        >>> map.topple.plot().get_xlabel()
+        >>> ds = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:30", a_h="1:15:30", verify=0)
+        >>> ds.topple.plot().get_xlabel()
         'Ω [rad/s]'
         """
+        if self._is_history():
+            return _plot.motion_of(self._dataset)
         return _plot.map_of(self._dataset, column, ax)
+
+    def _is_history(self) -> bool:
+        return "phi" in self._dataset and self._dataset["phi"].dims == ("row",)
 
     def history(self, **keywords: Any) -> Any:
         """The motion of a cell of a map.
@@ -67,8 +77,8 @@ class Accessor:
         Examples
         --------
         >>> import topple
-        >>> map = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:5", a_h="1:15:5", verify=0)
-        >>> motion = map.topple.history(omega=9.0, a_h=8.5)
+        >>> ds = topple.pulse(object=1, t_h=1.75, t_v=0.75, omega="1:9:5", a_h="1:15:5", verify=0)
+        >>> motion = ds.topple.history(omega=9.0, a_h=8.5)
         >>> motion["phi"].dims
         ('row',)
         """
@@ -80,8 +90,12 @@ class Accessor:
         missing = [key for key in axes if key not in {**given, **keywords}]
         if missing:
             raise ValueError(f"{missing[0]}: missing; give a value for each axis of the map")
+        # As the map was computed, where it tells it.
         method = json.loads(attrs["method"]) if "method" in attrs else {}
-        own = {"precision": method["precision"]} if "precision" in method else {}
+        names = {"precision": "precision", "largest_step": "step", "full_model": "full_model"}
+        own = {name: method[key] for key, name in names.items() if key in method}
+        if attrs.get("backend") == "reference":
+            own["backend"] = "reference"
         result = (attrs["scene"], attrs.get("record"))
         return topple.history(**{**own, **given, **keywords, "result": result})
 
@@ -105,7 +119,7 @@ class Accessor:
         """
         from . import _animation
 
-        if "phi" in self._dataset and self._dataset["phi"].dims == ("row",):
+        if self._is_history():
             return _animation.of(self._dataset, speed)
         if cell is not None:
             coords = getattr(cell, "coords", cell)

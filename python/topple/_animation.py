@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 RATE = 25
 #: Height of the plates and between them, m.
 PLATE, BETWEEN = 0.05, 0.3
+#: The bends of a spring.
+ZIGZAG = np.array([0.0, 0.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 0.0, 0.0])
 
 
 def corners(block: dict[str, float], u: float, v: float, phi: float) -> np.ndarray:
@@ -44,11 +46,13 @@ def of(motion: Any, speed: float) -> FuncAnimation:
 
     figure, (above, below) = plt.subplots(2, 1, figsize=(4.8, 6.4), height_ratios=(3, 1), layout="constrained")
     half = max(1.5 * block["half_width"], 0.3)
-    reach = 2.2 * np.hypot(block["half_width"], block["height"])
-    above.set(aspect="equal", xlim=(-reach, reach), ylim=(-0.05 * reach, reach + BETWEEN + 2.0 * PLATE))
+    reach = 2.1 * np.hypot(block["half_width"], block["height"])
+    aside = reach + float(np.abs(u).max())
+    above.set(aspect="equal", xlim=(-aside, aside), ylim=(-0.05 * reach, reach + BETWEEN + 2.0 * PLATE))
     above.axhline(0.0, color="black", linewidth=1.0)
     steel, stone = "#9aa3ad", "#f2e2c0"
     plates = [above.add_patch(Rectangle((-half, 0.0), 2.0 * half, PLATE, facecolor=steel)) for _ in range(2)]
+    springs = [above.plot([], [], color="black", linewidth=0.8)[0] for _ in range(2)]
     body = above.add_patch(Polygon(np.zeros((4, 2)), closed=True, facecolor=stone, edgecolor="black"))
     above.set(xlabel="x [m]", ylabel="y [m]")
     title = above.set_title("")
@@ -60,10 +64,13 @@ def of(motion: Any, speed: float) -> FuncAnimation:
         u, v, phi = (float(now[name][frame]) for name in ("u", "v", "phi"))
         plates[0].set_xy((u - half, 0.0))
         plates[1].set_xy((u - half, PLATE + BETWEEN + v))
+        for spring, x in zip(springs, (-0.6 * half, 0.6 * half)):
+            ends = (PLATE, PLATE + BETWEEN + v)
+            spring.set_data(u + x + 0.04 * ZIGZAG, np.linspace(*ends, ZIGZAG.size))
         body.set_xy(corners(block, u, 2.0 * PLATE + BETWEEN + v, phi))
         title.set_text(f"t = {at[frame]:.2f} s")
         mark.set_data([at[frame]], [phi])
-        return [*plates, body, title, mark]
+        return [*plates, *springs, body, title, mark]
 
     draw(0)
     # The layout is made once: for each frame anew it would take most of the time.

@@ -23,6 +23,9 @@ class Arrays:
         """The values of a variable or of a coordinate."""
         return {**self.coords, **self.data_vars}[name][1]
 
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"{name}: without xarray a result is arrays by name, result[{name!r}]; install xarray for more")
+
     def __contains__(self, name: object) -> bool:
         return name in self.data_vars or name in self.coords
 
@@ -56,7 +59,7 @@ def attributes(about: Mapping[str, Any]) -> dict[str, Any]:
     return {
         key: value if isinstance(value, plain) else json.dumps(value)
         for key, value in about.items()
-        if key not in ("axes", "columns", "coordinates", "outcome", "status", "index")
+        if value is not None and key not in ("axes", "columns", "coordinates", "outcome", "status", "index")
     }
 
 

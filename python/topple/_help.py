@@ -6,7 +6,7 @@ import difflib
 import functools
 import json
 import textwrap
-from typing import Any, Callable, Mapping, TypeVar
+from typing import Any, Callable, Iterable, Mapping, TypeVar
 
 from . import _topple
 
@@ -68,11 +68,45 @@ def listed(*names: str) -> Callable[[Call], Call]:
     return put
 
 
-def known(keywords: Mapping[str, Any], *others: str) -> None:
-    """Refuses a keyword that is none, with the nearest one."""
-    keys = {key for entries in sections().values() for key, *_ in entries} | {"title", *others}
+#: The sections of keywords that calls take.
+SECTIONS = {
+    "pulse": ("block", "base", "pulse", "run", "settings"),
+    "seismic": ("block", "base", "record", "run", "settings"),
+    "run": ("block", "base", "pulse", "record", "run", "settings"),
+    "history": ("block", "base", "pulse", "record", "run", "settings"),
+}
+#: Flags of the command that no call has.
+COMMAND = ("files", "pixel", "samples", "sharpness", "threads", "vary")
+#: What a keyword of a section says where it has none.
+ELSEWHERE = {
+    "pulse": "a record shakes the base here; topple.pulse has pulses",
+    "record": "a pulse shakes the base here; topple.seismic has records",
+}
+
+
+def _nearest(word: str) -> str | None:
+    """The keyword that a word may mean: by its symbol, or by its letters."""
+    plain = word.replace("_", "").lower()
+    for entry in json.loads(_topple.parameters()):
+        if word == entry["symbol"] or plain in (entry["symbol"].replace("_", "").lower(), entry["key"].replace("_", "")):
+            return str(entry["key"])
+    keys = [key for entries in sections().values() for key, *_ in entries]
+    near = difflib.get_close_matches(word.lower(), keys, 1)
+    return near[0] if near else None
+
+
+def known(call: str, keywords: Mapping[str, Any], names: Iterable[str], *others: str) -> None:
+    """Refuses a keyword that a call has not, with the one that may be meant; `names` are its sections."""
+    own = {key for name in names for key, *_ in sections()[name]} | {"title", *others}
     for key in keywords:
-        if key not in keys:
-            near = difflib.get_close_matches(key, keys, 1)
-            hint = f"did you mean {near[0]}?" if near else "help(topple.pulse) lists them"
-            raise ValueError(f"{key}: no keyword of this name; {hint}")
+        if key in own:
+            continue
+        for section, elsewhere in ELSEWHERE.items():
+            if key in [known for known, *_ in sections()[section]]:
+                raise ValueError(f"{key}: {elsewhere}")
+        near = _nearest(key)
+        if key in COMMAND:
+            hint = "the command alone has it"
+        else:
+            hint = f"did you mean {near}?" if near in own else f"help(topple.{call}) lists them"
+        raise ValueError(f"{key}: no keyword of this name; {hint}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import textwrap
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +21,7 @@ BELOW = 38.0
 #: Width of a letter over its size, about.
 LETTER = 0.52
 #: Columns that are drawn over one axis.
-CURVES = ("zeta", "max_u", "stroke_v")
+CURVES = {"zeta": "ζ, on the left", "max_u": "max |u|", "stroke_v": "stroke of v"}
 
 
 def _numbers() -> dict[str, dict[str, Any]]:
@@ -28,12 +29,20 @@ def _numbers() -> dict[str, dict[str, Any]]:
 
 
 def label(key: str) -> str:
-    """The name of an axis or of a column: its symbol and its unit."""
-    known = {**{entry["name"]: {**entry, "symbol": entry["name"]} for entry in json.loads(_topple.columns())}, **_numbers()}
-    if key not in known:
+    """The name of an axis: its symbol and its unit."""
+    entry = _numbers().get(key)
+    if entry is None:
         return key
-    unit = known[key]["unit"]
-    return f"{known[key]['symbol']} [{unit}]" if unit else str(known[key]["symbol"])
+    # An index is lowered.
+    symbol = re.sub(r"^(\w)_(\w+)$", r"$\1_{\2}$", entry["symbol"])
+    return f"{symbol} [{entry['unit']}]" if entry["unit"] else str(symbol)
+
+
+def meaning(values: Any) -> str:
+    """What a column is, with its unit, in short lines."""
+    unit = values.attrs.get("units")
+    text = values.attrs.get("long_name", str(values.name)).split(";")[0] + (f" [{unit}]" if unit else "")
+    return textwrap.fill(text, 40)
 
 
 def classes(dataset: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -55,13 +64,27 @@ def beyond(dataset: Any) -> np.ndarray:
     return found
 
 
+def _is_log(values: np.ndarray) -> bool:
+    """True of values that are evenly apart on a logarithmic scale alone."""
+    if len(values) < 3 or values.min() <= 0.0:
+        return False
+    ratios, steps = values[1:] / values[:-1], np.diff(values)
+    return bool(np.allclose(ratios, ratios[0], rtol=1e-6) and not np.allclose(steps, steps[0], rtol=1e-6))
+
+
 def _scale(ax: Axes, which: str, values: np.ndarray) -> None:
     """A logarithmic scale where values are evenly apart on it."""
-    if len(values) < 3 or values.min() <= 0.0:
-        return
-    ratios, steps = values[1:] / values[:-1], np.diff(values)
-    if np.allclose(ratios, ratios[0], rtol=1e-6) and not np.allclose(steps, steps[0], rtol=1e-6):
+    if _is_log(values):
         (ax.set_xscale if which == "x" else ax.set_yscale)("log")
+
+
+def _edges(values: np.ndarray) -> np.ndarray:
+    """The edges of cells, half-way between them on their scale."""
+    at = np.log(values) if _is_log(values) else values
+    middles = 0.5 * (at[1:] + at[:-1])
+    edges = np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
+    found: np.ndarray = np.exp(edges) if _is_log(values) else edges
+    return found
 
 
 def _below(dataset: Any) -> str:
@@ -78,26 +101,58 @@ def map_of(dataset: Any, column: str, ax: Axes | None) -> Axes:
     """Draws a column of a map; see `Accessor.plot`."""
     import matplotlib.pyplot as plt
 
-    if column not in dataset or "outcome" not in dataset:
-        raise ValueError(f"column: {column} is no column of a map here; the Dataset has {', '.join(dataset.data_vars)}")
+    _check(dataset, column)
     dataset = dataset.squeeze()
     dims = dataset["outcome"].dims
-    if len(dims) not in (1, 2):
-        names = ", ".join(map(str, dims)) or "none"
-        raise ValueError(f"axes: {names}; a picture has one or two, select values of others as ds.sel({names.split(', ')[0]}=...)")
+    if not dims:
+        raise ValueError("axes: none; of one cell ds.topple.history() gives the motion")
+    if len(dims) > 2:
+        names = ", ".join(map(str, dims))
+        raise ValueError(f"axes: {names}; a picture has one or two, select values of others as ds.sel({dims[0]}=...)")
     if len(dims) == 1:
         return _curves(dataset, ax)
     if ax is None:
         ax = plt.subplots(figsize=(6.4, 6.8), layout="constrained")[1]
-    y, x = (np.asarray(dataset[dim]) for dim in dims)
-    _scale(ax, "x", x)
-    _scale(ax, "y", y)
+    dataset = dataset.sortby(list(dims))
+    y, x = (_edges(np.asarray(dataset[dim], dtype=float)) for dim in dims)
+    for which, dim in zip("yx", dims):
+        _scale(ax, which, np.asarray(dataset[dim], dtype=float))
     (_outcomes if column == "outcome" else _greys)(dataset, column, ax, x, y)
     ax.set_xlabel(label(dims[1]))
     ax.set_ylabel(label(dims[0]))
-    title = json.loads(dataset.attrs["scene"])["title"]
-    ax.set_title(title if column == "outcome" else f"{title}: {dataset[column].attrs.get('long_name', column)}", wrap=True)
+    ax.set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
     return ax
+
+
+def _check(dataset: Any, column: str) -> None:
+    """Refuses what is no map: other tables, and maps of which an axis was averaged away."""
+    if "outcome" not in dataset or "scene" not in dataset.attrs:
+        raise ValueError("outcome: missing; maps are drawn so, other tables by xarray's own plot")
+    if column not in dataset:
+        raise ValueError(f"column: {column} is no column of the map; it has {', '.join(dataset.data_vars)}")
+    if column in ("status", "proved") or dataset["outcome"].dtype.kind not in "iu":
+        raise ValueError(f"column: {column} has no picture; outcomes as they are, and columns of numbers, have one")
+    for key, values in json.loads(dataset.attrs["scene"])["numbers"].items():
+        if not isinstance(values, (int, float)) and key not in dataset.coords:
+            raise ValueError(f"{key}: the map has lost this axis; select a value of it instead, as ds.sel({key}=...)")
+
+
+def motion_of(dataset: Any) -> Any:
+    """Draws u, v and φ of a history over the time."""
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(3, 1, sharex=True, figsize=(6.4, 6.0), layout="constrained")
+    t = np.asarray(dataset["t"])
+    rocks = np.asarray(dataset["mode"]) != "full_contact"
+    for ax, (name, text) in zip(axes, (("u", "u [m]"), ("v", "v [m]"), ("phi", "φ [rad]"))):
+        ax.plot(t, np.asarray(dataset[name]), color="#2c5fb8", linewidth=1.0)
+        ax.fill_between(t, 0.0, 1.0, where=rocks, color="#d6f4b8", transform=ax.get_xaxis_transform(), label="rocking")
+        ax.set_ylabel(text)
+    axes[0].set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
+    axes[-1].set(xlabel="t [s]", xlim=(t[0], t[-1]))
+    if rocks.any():
+        axes[-1].legend(frameon=False)
+    return axes
 
 
 def _kept(text: str) -> str:
@@ -161,7 +216,7 @@ def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> N
     palette = json.loads(_topple.palette())
     kinds, dots = classes(dataset)
     colours = ListedColormap([_rgb(entry["colour"]) for entry in palette["kinds"]])
-    ax.pcolormesh(x, y, kinds, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, shading="nearest", rasterized=True)
+    ax.pcolormesh(x, y, kinds, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, rasterized=True)
     handles = _swatches(kinds)
     over = [(dots, "...", palette["dotted"]), (kinds == colours.N - 1, "xxx", None)]
     over.append((beyond(dataset), "///", "contact force tensile or friction too small: the model does not hold"))
@@ -173,9 +228,19 @@ def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> N
 
 
 def _hatched(ax: Axes, x: np.ndarray, y: np.ndarray, where: np.ndarray, hatch: str) -> None:
-    """Hatches cells, up to half-way to their neighbours."""
+    """Hatches cells, each up to its edges."""
     if where.any():
-        ax.contourf(x, y, where.astype(float), levels=[0.5, 1.5], colors="none", hatches=[hatch])
+        # A value just inside either edge of a cell: a contour runs between those of neighbours.
+        x, y = _insides(x), _insides(y)
+        twice = np.repeat(np.repeat(where.astype(float), 2, axis=0), 2, axis=1)
+        ax.contourf(x, y, twice, levels=[0.5, 1.5], colors="none", hatches=[hatch])
+
+
+def _insides(edges: np.ndarray) -> np.ndarray:
+    """Of each cell a value just inside of either edge."""
+    inside = 0.001 * np.diff(edges)
+    found: np.ndarray = np.stack([edges[:-1] + inside, edges[1:] - inside], axis=1).ravel()
+    return found
 
 
 def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:
@@ -188,12 +253,12 @@ def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) ->
     stands = np.isin(codes, [flags.index("full_contact"), flags.index("rocking")])
     unresolved = codes == flags.index("unresolved")
     values = np.ma.masked_array(np.asarray(dataset[column], dtype=float), ~stands)
-    mesh = ax.pcolormesh(x, y, values, cmap="Greys", shading="nearest", rasterized=True)
+    mesh = ax.pcolormesh(x, y, values, cmap="Greys", rasterized=True)
     fallen = np.ma.masked_array(np.ones(values.shape), stands | unresolved)
-    ax.pcolormesh(x, y, fallen, cmap=ListedColormap([_rgb(palette["fallen"])]), shading="nearest", rasterized=True)
+    ax.pcolormesh(x, y, fallen, cmap=ListedColormap([_rgb(palette["fallen"])]), rasterized=True)
     figure = ax.get_figure()
     assert figure is not None
-    figure.colorbar(mesh, ax=ax, label=label(column), shrink=0.8)
+    figure.colorbar(mesh, ax=ax, label=meaning(dataset[column]), shrink=0.8)
     _legend(ax, [Patch(facecolor=_rgb(palette["fallen"]), label="overturned")] if fallen.count() else [], dataset)
 
 
@@ -204,7 +269,8 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
 
     palette = json.loads(_topple.palette())
     (dim,) = dataset["outcome"].dims
-    x = np.asarray(dataset[dim])
+    dataset = dataset.sortby(dim)
+    x = np.asarray(dataset[dim], dtype=float)
     if ax is None:
         ax = plt.subplots(figsize=(6.4, 5.2), layout="constrained")[1]
     kinds, _ = classes(dataset)
@@ -212,16 +278,18 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
     stands = np.isin(np.asarray(dataset["outcome"]), [flags.index("full_contact"), flags.index("rocking")])
     strip = ax.inset_axes((0.0, 1.02, 1.0, 0.06), sharex=ax)
     colours = ListedColormap([_rgb(entry["colour"]) for entry in palette["kinds"]])
-    twice = np.vstack([kinds, kinds])
-    strip.pcolormesh(x, [0.0, 1.0], twice, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, shading="nearest")
+    strip.pcolormesh(_edges(x), [0.0, 1.0], kinds[np.newaxis], cmap=colours, vmin=-0.5, vmax=colours.N - 0.5)
     strip.tick_params(left=False, labelleft=False, labelbottom=False, bottom=False)
     handles = _swatches(kinds)
-    for name, style in zip(CURVES, ("-", "--", ":")):
+    metres = ax.twinx()
+    for (name, text), style in zip(CURVES.items(), ("-", "--", ":")):
         values = np.where(stands, np.asarray(dataset[name], dtype=float), np.nan)
         if np.nanmax(values, initial=0.0) > 0.0:
-            handles += ax.plot(x, values, style, color="black", linewidth=1.0, label=label(name))
+            handles += (ax if name == "zeta" else metres).plot(x, values, style, color="black", linewidth=1.0, label=text)
     _scale(ax, "x", x)
-    ax.set_ylim(bottom=0.0)
+    for one, text in ((ax, "ζ"), (metres, "max |u|, stroke of v [m]")):
+        one.set_ylim(bottom=0.0)
+        one.set_ylabel(text)
     ax.set_xlabel(label(dim))
     strip.set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
     _legend(ax, handles, dataset)

@@ -20,7 +20,8 @@ class Bar:
         if (phase, total) != self.phase:
             self.close()
             self.phase = (phase, total)
-            self.bar = tqdm(total=total, desc=phase, delay=1.0, leave=False, unit_scale=True)
+            unit = " tiles" if phase == "tiles" else " cells"
+            self.bar = tqdm(total=total, desc=phase, delay=1.0, leave=False, unit=unit, unit_scale=total > 9999)
         self.bar.update(done - self.bar.n)
 
     def close(self) -> None:

@@ -2,13 +2,52 @@
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
 
+from . import _topple
+
 _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
+
+
+def _factor(units: Any) -> float:
+    """What makes m/s^2 of values in these units."""
+    name = str(units).strip().lower().replace("^", "").replace("²", "2")
+    if name not in _UNITS:
+        raise ValueError(f"units: {units} is not known; give g, m/s2 or cm/s2")
+    return _UNITS[name]
+
+
+def _checked(key: str, record: Any) -> np.ndarray:
+    """Samples of one component."""
+    try:
+        values = np.asarray(record)
+        samples = values.astype(float, casting="same_kind" if values.dtype.kind == "c" else "unsafe")
+    except (TypeError, ValueError):
+        raise ValueError(f"{key}: no array of numbers; give a path, an array or a trace") from None
+    if sum(length > 1 for length in samples.shape) > 1:
+        raise ValueError(f"{key}: an array of shape {samples.shape}; give the samples of one component")
+    samples = samples.ravel()
+    wrong = np.flatnonzero(~np.isfinite(samples))
+    if wrong.size:
+        raise ValueError(f"{key}: sample {wrong[0]} is no finite number")
+    return samples
+
+
+def _plausible(keywords: Mapping[str, Any], peak: float, units: Any) -> None:
+    """Refuses a motion so strong that its units must be others."""
+    highest = next(entry["plausible"][1] for entry in json.loads(_topple.parameters()) if entry["key"] == "pga")
+    scaled = peak * max(np.abs(np.atleast_1d(keywords["scale"])).max(), 0.0) if _is_number(keywords.get("scale")) else peak
+    if scaled > highest and "pga" not in keywords and not keywords.get("force"):
+        raise ValueError(f"units: in {units} the peak is {peak:.4g} m/s2, which is not plausible; give others, or force=True")
+
+
+def _is_number(value: Any) -> bool:
+    return value is not None and np.asarray(value).dtype.kind in "iuf"
 
 
 def _is_file(record: Any) -> bool:
@@ -19,9 +58,9 @@ def _samples(key: str, record: Any) -> tuple[np.ndarray, float | None, str]:
     """The samples of an array, or of a trace with `data` and `stats` as obspy's, with their step and title."""
     stats = getattr(record, "stats", None)
     if stats is None:
-        return np.asarray(record, dtype=float).ravel(), None, key
+        return _checked(key, record), None, key
     title = getattr(record, "id", None) or key
-    return np.asarray(record.data, dtype=float).ravel(), float(stats.delta), str(title)
+    return _checked(key, record.data), float(stats.delta), str(title)
 
 
 def scene_file(scene: str | os.PathLike[str]) -> tuple[str, str]:
@@ -47,24 +86,25 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     dt, units = keywords.pop("dt", None), keywords.pop("units", None)
     if units is None:
         raise ValueError("units: missing; give g, m/s2 or cm/s2 of the arrays")
-    if units not in _UNITS:
-        raise ValueError(f"units: {units} is not known; give g, m/s2 or cm/s2")
+    factor = _factor(units)
     h, own, title = _samples("horizontal", horizontal)
     own_steps = [own]
-    v = None
+    v, v_title = None, ""
     if vertical is not None:
-        v, other, _ = _samples("vertical", vertical)
+        v, other, v_title = _samples("vertical", vertical)
         own_steps.append(other)
+    if dt is not None and not _is_number(dt):
+        raise ValueError("dt: give the time between samples, s")
     steps = {float(step) for step in [*own_steps, dt] if step is not None}
     if len(steps) != 1:
         problem = "the components differ in it; resample one" if steps else "missing; give the time between samples, s"
         raise ValueError(f"dt: {problem}")
-    factor = _UNITS[units]
+    _plausible(keywords, factor * float(np.abs(h).max(initial=0.0)), units)
     keywords["motion"] = (
         steps.pop(),
         (factor * h).tolist(),
         None if v is None else (factor * v).tolist(),
-        title,
+        (title, v_title),
     )
     del keywords["horizontal"]
     keywords.pop("vertical", None)

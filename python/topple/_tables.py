@@ -11,8 +11,14 @@ import numpy as np
 from ._dataset import attributes, axes, dataset
 
 
-def _column(texts: list[str]) -> np.ndarray:
+#: Columns of names, which may look like numbers.
+NAMES = ("id", "record", "event", "station", "horizontal", "vertical", "limit_state", "estimator", "parameter")
+
+
+def _column(name: str, texts: list[str]) -> np.ndarray:
     """Numbers, an empty one not a number; texts where one is none."""
+    if name in NAMES:
+        return np.array(texts, dtype=str)
     try:
         return np.array([float(text) if text else np.nan for text in texts])
     except ValueError:
@@ -22,13 +28,13 @@ def _column(texts: list[str]) -> np.ndarray:
 def columns(text: str) -> dict[str, np.ndarray]:
     """The columns of a table."""
     names, *rows = csv.reader(io.StringIO(text))
-    return {name: _column([row[k] for row in rows]) for k, name in enumerate(names)}
+    return {name: _column(name, [row[k] for row in rows]) for k, name in enumerate(names)}
 
 
 def of_suite(text: str) -> Any:
     """A suite: a dimension `id`, a variable a column."""
     table = columns(text)
-    ids = table.pop("id").astype(str)
+    ids = table.pop("id")
     return dataset({name: (("id",), values, {}) for name, values in table.items()}, {"id": (("id",), ids, {})}, {})
 
 
@@ -62,7 +68,7 @@ def _pivoted(text: str, keys: tuple[str, ...], about: Mapping[str, Any]) -> Any:
     for name, values in table.items():
         if name in about["coordinates"] or name in keys:
             continue
-        full = np.full(shape, np.nan)
+        full = np.full(shape, np.nan) if values.dtype.kind == "f" else np.full(shape, "", dtype=values.dtype)
         full.flat[flat] = values
         data_vars[name] = (index + keys, full, {})
     coords = axes(about) | {key: ((key,), np.array(known[key]), {}) for key in keys}

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import topple
 
 from . import _topple
+from ._help import SECTIONS, known
 from ._progress import Progress, finished, listener
 from ._records import scene_file, taken
 
@@ -47,17 +48,17 @@ def pulse(client: Client | None = None, **keywords: Any) -> Any:
     xarray.Dataset
         As of `topple.pulse`.
     """
-    return _map(client, False, keywords)
+    return _map(client, "pulse", False, keywords)
 
 
 def seismic(client: Client | None = None, **keywords: Any) -> Any:
     """`topple.seismic` on a cluster; see `pulse`."""
-    return _map(client, True, taken(keywords))
+    return _map(client, "seismic", True, keywords)
 
 
 def run(scene: str | os.PathLike[str], client: Client | None = None, **keywords: Any) -> Any:
     """`topple.run` on a cluster; see `pulse`."""
-    return _map(client, False, {**keywords, "scene": scene_file(scene)})
+    return _map(client, "run", False, {**keywords, "scene": scene_file(scene)})
 
 
 def _tile(recorded: bool, keywords: dict[str, Any], part: str, threads: int) -> dict[str, bytes]:
@@ -70,7 +71,7 @@ def _tile(recorded: bool, keywords: dict[str, Any], part: str, threads: int) -> 
         return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
 
-def _map(client: Client | None, recorded: bool, keywords: dict[str, Any]) -> Any:
+def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, Any]) -> Any:
     from distributed import as_completed, get_client
 
     client = get_client() if client is None else client
@@ -82,6 +83,8 @@ def _map(client: Client | None, recorded: bool, keywords: dict[str, Any]) -> Any
         if key in keywords:
             raise ValueError(f"{key}: the tiles are the cluster's here; leave it out")
     # What is wrong with the scene is said here, before anything is sent.
+    known(call, keywords, SECTIONS[call], "scene")
+    keywords = taken(keywords)
     _topple.check(recorded, keywords)
     threads = [worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()]
     count = int(tiles) if tiles is not None else TILES * max(sum(threads), 1)

@@ -145,6 +145,11 @@ impl SceneBuilder {
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check_under_motion(&self, pair: Pair) -> Result<Scene, SceneError> {
+        let mut pulse = Parameter::of_section(Section::Pulse);
+        if let Some(parameter) = pulse.find(|parameter| self.numbers.has(*parameter)) {
+            let problem = "a record shakes the base, not a pulse; leave it out";
+            return Err(SceneError::new(parameter.key(), problem));
+        }
         self.check_shaken_by(|| Ok(Excitation::Record(excitation::scaled(pair, &self.numbers))))
     }
 
