@@ -146,6 +146,7 @@ pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
 pub use sweep::estimate::Estimate;
 pub use sweep::job::{Job, PartSweep, SweepResult};
+pub use sweep::list::{ListOutcomes, sweep_cells};
 pub use sweep::map::MapSweep;
 pub use sweep::observer::{Observer, Phase};
 pub use sweep::parts_error::PartsError;

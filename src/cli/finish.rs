@@ -52,6 +52,10 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let Finish { out, files, .. } = *to;
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
+    if let Some(repair) = &map.repair {
+        let sweep = map.parts.iter().map(|(_, report)| report.sweep).sum();
+        say.line("repair", words::repair(repair, sweep));
+    }
     let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
     // What lies on disk only is gone when its files are written.
     let cells = if map.by_reference() { 0 } else { to.verify.cells };

@@ -6,8 +6,10 @@ use std::time::Duration;
 use topple::map::earlier::Kind;
 use topple::map::thinned::thinned;
 use topple::results::size::FileSizes;
+use topple::sweep::backend::Backend;
 use topple::sweep::map::MapSweep;
 use topple::sweep::parts::Parts;
+use topple::sweep::request::BackendRequest;
 
 use super::disk::{self, size};
 use super::errors::sweep_error;
@@ -60,8 +62,9 @@ impl MergeCommand {
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = parts.store(&self.out).map_err(sweep_error)?;
-        let map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
-        let grid = &map.grid;
+        let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
+        let grid = map.grid.clone();
+        let grid = &grid;
         let files =
             if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() };
         let (slice, _) = grid.slice(0);
@@ -76,10 +79,20 @@ impl MergeCommand {
             say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
         }
         say.line("takes", format!("{} of disk", size(bytes)));
+        let screen = Screen::new(self.quiet);
+        if map.method.repair {
+            // A part does not know its neighbours.
+            let on_cpu = map.parts.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
+            let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
+            let opened = request.open(map.method.precision, &[]);
+            let opened = opened.map_err(|error| sweep_error(error.into()))?;
+            let repaired = map.repair(&opened, &screen);
+            repaired.map_err(|error| sweep_error(map.stopped(error)))?;
+        }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
         let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
-        finish::write(map, &to, &say, &Screen::new(self.quiet))
+        finish::write(map, &to, &say, &screen)
     }
 }

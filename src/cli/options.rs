@@ -89,6 +89,9 @@ pub struct MapOptions {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
+    /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
+    #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
+    pub repair: bool,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
@@ -190,6 +193,7 @@ impl RunOptions {
             largest_step: self.step.unwrap_or(usual.largest_step),
             resolve: self.resolve,
             full_model: self.full_model,
+            ..usual
         }
     }
 
@@ -243,6 +247,12 @@ impl RunOptions {
 }
 
 impl MapOptions {
+    /// Takes over how an earlier run computed its cells, and on what, where no flag says otherwise.
+    pub fn adopt(&mut self, backend: Option<&str>, earlier: Option<Method>) {
+        self.repair |= !self.run.resolve && earlier.is_some_and(|earlier| earlier.repair);
+        self.run.adopt(backend, earlier);
+    }
+
     /// What the files are of.
     pub fn kind(&self) -> Kind {
         if self.uncertain.asked() { Kind::Probability } else { Kind::Map }
@@ -262,7 +272,7 @@ impl MapOptions {
         let mut settings = RunSettings::default();
         settings.backend = self.run.backend();
         settings.adapters.clone_from(&self.run.adapter);
-        settings.method = self.run.method();
+        settings.method = Method { repair: self.repair, ..self.run.method() };
         settings.saving = Some(Saving {
             resume: self.resume,
             every: self.keep_every,

@@ -18,6 +18,7 @@ use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
+use topple::sweep::repair::Repair;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::{Verdict, Verification, ZETA_OFF};
@@ -249,6 +250,21 @@ pub fn sharpness(sharpness: &Sharpness) -> Vec<String> {
         sharpness.not_told.iter().map(|why| format!("not told: {}", why.replace("alpha", "α"))),
     );
     lines
+}
+
+/// How a map was repaired whose sweep took so many seconds.
+pub fn repair(repair: &Repair, sweep: f64) -> String {
+    let Repair { checked, changed, undecided, rounds, seconds, .. } = repair;
+    let undecided = match undecided {
+        0 => String::new(),
+        count => format!(", {count} undecided"),
+    };
+    format!(
+        "{} beside a boundary again in {rounds} rounds, in f64 with half the step: {changed} changed{undecided}; \
+         {seconds:.2} s, {:.2} of the sweep's time",
+        cells(*checked),
+        seconds / sweep.max(1.0e-9)
+    )
 }
 
 /// Cells that took so many seconds.

@@ -14,6 +14,7 @@ use crate::scene::{Grid, Scene};
 use crate::sweep::description::AdapterDescription;
 use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
+use crate::sweep::repair::Repair;
 use crate::sweep::report::{Report, threads};
 use crate::sweep::settings::Method;
 use crate::sweep::shortcuts::Shortcuts;
@@ -57,6 +58,8 @@ pub struct Manifest<'a> {
     pub tensile_cells: usize,
     /// Cells that ask for more friction than the scene's coefficient, if it has one.
     pub sliding_cells: Option<usize>,
+    /// How cells beside boundaries were repaired; none where it was not asked for.
+    pub repaired: Option<&'a Repair>,
     /// How sharp the boundaries between outcomes are; none where it was not asked for.
     pub sharpness: Option<&'a Sharpness>,
     /// What was left out of the model.
@@ -159,6 +162,7 @@ impl<'a> Manifest<'a> {
             outcomes: tally.classes(),
             tensile_cells: tally.tensile,
             sliding_cells: tally.sliding,
+            repaired: map.repair.as_ref(),
             sharpness: sharpness.as_ref(),
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),

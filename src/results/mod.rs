@@ -16,6 +16,7 @@ pub mod npz;
 pub mod outcomes;
 pub mod part;
 pub mod reader;
+pub mod replaced;
 pub mod saved_tiles;
 pub mod sharpness;
 pub mod size;

@@ -216,7 +216,7 @@ impl Job {
     ) -> Result<SweepResult, SweepError> {
         let (outcomes, work) = self.collect(estimate, observer)?;
         let report = self.report(estimate, &work);
-        let Job { plan, grid, settings, saved, .. } = self;
+        let Job { plan, grid, settings, saved, opened, .. } = self;
         let store = saved.map(|(store, _)| store);
         let Some(outcomes) = outcomes else {
             let Some(store) = store else { return Err(StoreError::Incomplete.into()) };
@@ -226,16 +226,21 @@ impl Job {
         };
         let lost = work.lost;
         let parts = vec![(None, report)];
-        let sweep = MapSweep {
+        let repair = settings.method.repair;
+        let mut sweep = MapSweep {
             plan,
             grid,
             method: settings.method,
             outcomes,
             parts,
             lost,
+            repair: None,
             verification: None,
             store,
         };
+        if repair && let Err(error) = sweep.repair(&opened, observer) {
+            return Err(sweep.stopped(error));
+        }
         Ok(SweepResult::Map(Box::new(sweep)))
     }
 

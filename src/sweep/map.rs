@@ -12,6 +12,7 @@ use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
 use super::parts::Parts;
 use super::plan::Plan;
+use super::repair::Repair;
 use super::report::{self, Report};
 use super::sample::{self, Chosen};
 use super::settings::{Method, VerifySettings};
@@ -43,6 +44,8 @@ pub struct MapSweep {
     pub parts: Vec<(Option<PathBuf>, Report)>,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
+    /// How it was repaired, where it was.
+    pub repair: Option<Repair>,
     /// What the reference says of a sample, where it was asked.
     pub verification: Option<Verification>,
     /// Where they are saved.
@@ -64,6 +67,7 @@ impl MapSweep {
             outcomes: Box::new(reader),
             parts,
             lost: Vec::new(),
+            repair: None,
             verification: None,
             store,
         })
@@ -198,7 +202,8 @@ impl MapSweep {
         for tile in 0..tiling.count() {
             let cells = tiling.cells(tile);
             let found = whole.tiles.iter().find(|saved| saved.tile == tile);
-            if found.is_none_or(|found| found.done != [cells.clone()]) {
+            let replaced = self.repair.as_ref().is_some_and(|repair| repair.touches(&cells));
+            if replaced || found.is_none_or(|found| found.done != [cells.clone()]) {
                 let mut block = Block::pending(cells.len(), store.precision());
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
                 if store.save_while(tile, &block, &go_on)? {
