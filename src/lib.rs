@@ -73,6 +73,12 @@ mod model;
 pub mod model;
 
 #[cfg(not(feature = "internals"))]
+mod refine;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod refine;
+
+#[cfg(not(feature = "internals"))]
 mod results;
 #[cfg(feature = "internals")]
 #[doc(hidden)]

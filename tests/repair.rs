@@ -1,4 +1,4 @@
-//! Repair: cells beside a boundary that a coarse step has wrong are mended.
+//! Repair: cells beside a boundary that the step has wrong are mended.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
@@ -7,28 +7,29 @@ mod common;
 use std::path::Path;
 
 use assert_cmd::Command;
-use common::scene;
+use common::{scene, synthetic_pair, under};
 use rayon::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::stepping::reference::{self, Settings};
+use topple::sweep::parts::Parts;
 use topple::{
-    BackendRequest, Class, Column, Grid, MapSweep, RunSettings, Scene, Status, Unwatched,
-    VerifySettings, sweep,
+    BackendRequest, Class, Column, Grid, MapSweep, Parameter, Range, RunSettings, Scene, Status,
+    Unwatched, Values, VerifySettings, sweep,
 };
 
-/// A base without vertical isolation: nothing of it asks for short steps.
-fn slow() -> Scene {
-    scene(
-        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nisolation = \"horizontal\"\nt_h = 3\n\
-         [pulse]\nomega = \"1:12:60\"\na_h = \"1:12:60\"\n",
-    )
+/// Under a record down to T_v = 0.08 s, where rocking is chaotic and a coarse step is wrong in some cells.
+fn shaken(cells: u32) -> Scene {
+    let text = "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1\nt_v = 1\n[pulse]\nomega = 5\na_h = 5\n";
+    let mut scene = scene(text);
+    under(&mut scene, synthetic_pair());
+    let range = |from, to| Values::from(Range::even(from, to, cells));
+    scene.with(Parameter::TH, range(0.5, 4.0)).with(Parameter::TV, range(0.08, 0.6))
 }
 
 fn swept(scene: &Scene, repair: bool) -> MapSweep {
     let mut settings = RunSettings::default();
     settings.backend = BackendRequest::Cpu;
-    settings.method.largest_step = 0.1;
     settings.method.repair = repair;
     settings.verify = VerifySettings::cells(0);
     sweep(scene, &[], &settings, &Unwatched).unwrap()
@@ -39,8 +40,8 @@ fn classes(map: &MapSweep) -> Vec<Class> {
 }
 
 #[test]
-fn what_a_coarse_step_has_wrong_beside_boundaries_is_mended() {
-    let scene = slow();
+fn what_is_wrong_beside_boundaries_is_mended_or_undecided() {
+    let scene = shaken(36);
     let grid = Grid::of(&scene);
     let run = |cell| reference::run(&scene, &grid.case(cell), &Settings::default()).class;
     let right: Vec<Class> = (0..grid.len()).into_par_iter().map(run).collect();
@@ -52,22 +53,37 @@ fn what_a_coarse_step_has_wrong_beside_boundaries_is_mended() {
     };
     let (before, after) = (wrong(&plain), wrong(&mended));
     let repair = mended.repair.clone().unwrap();
-    eprintln!("{before} wrong before, {after} after: {repair:?}");
-    assert!(before >= 5 && after == 0, "{before} wrong before, {after} after: {repair:?}");
+    let found = format!("{before} wrong before, {after} after: {repair:?}");
+    common::say(&found);
+    assert!(before >= 5 && 2 * after < before, "{found}");
     let differ = classes(&plain).iter().zip(classes(&mended)).filter(|(a, b)| **a != *b).count();
     assert_eq!(repair.changed + repair.undecided, differ);
-    assert!(repair.checked < grid.len() / 3);
     // A cell that was replaced has all of the finer run's numbers, in the map's number type.
     let cell = repair.replaced[0];
     let (old, new) = (plain.outcome(cell).unwrap(), mended.outcome(cell).unwrap());
-    assert!(old.class != new.class && new.zeta == f64::from(new.zeta as f32));
+    assert!(old.class != new.class && new.max_u == f64::from(new.max_u as f32));
+    let undecided: Vec<usize> = (0..grid.len())
+        .filter(|cell| mended.outcome(*cell).unwrap().status == Status::Undecided)
+        .collect();
+    assert_eq!(undecided.len(), repair.undecided);
+    assert!(undecided.iter().all(|cell| mended.outcome(*cell).unwrap().class == Class::Unresolved));
 }
 
-fn run(arguments: &[&str], out: &Path) -> (String, Value) {
+/// Both components as files of a column each.
+fn write_record(folder: &Path) {
+    let pair = synthetic_pair();
+    for (name, samples) in [("h.txt", &pair.horizontal), ("v.txt", &pair.vertical)] {
+        let lines: Vec<String> = samples.iter().map(f64::to_string).collect();
+        std::fs::write(folder.join(name), lines.join("\n")).unwrap();
+    }
+}
+
+fn run(arguments: &[&str], folder: &Path, out: &Path) -> (String, Value) {
     let mut command = Command::cargo_bin("topple").unwrap();
-    command.args(["pulse", "--object", "1", "--isolation", "horizontal", "--t-h", "3"]);
-    command.args(["--eccentricity", "0.2", "--omega", "1:12:60", "--a-h", "1:12:60"]);
-    command.args(["--backend", "cpu", "--step", "0.1", "--verify", "16", "--out"]).arg(out);
+    command.current_dir(folder).args(["seismic", "--object", "1", "--eccentricity", "0.2"]);
+    command.args(["--horizontal", "h.txt", "--vertical", "v.txt", "--dt", "0.01"]);
+    command.args(["--units", "m/s2", "--t-h", "0.5:4:36", "--t-v", "0.08:0.6:36"]);
+    command.args(["--backend", "cpu", "--out"]).arg(out);
     let done = command.args(arguments).assert().success();
     let json = std::fs::read_to_string(out.join("run.json")).unwrap_or("null".into());
     let said = String::from_utf8(done.get_output().stdout.clone()).unwrap();
@@ -78,43 +94,26 @@ fn run(arguments: &[&str], out: &Path) -> (String, Value) {
 #[test]
 fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     let dir = TempDir::new().unwrap();
+    write_record(dir.path());
     let at = |name: &str| dir.path().join(name);
-    let (said, json) = run(&["--repair", "--files", "csv,zarr"], &at("whole"));
-    assert!(said.contains("repair     ") && said.contains(" changed; "), "{said}");
+    let run = |arguments: &[&str], name: &str| run(arguments, dir.path(), &at(name));
+    let (said, json) = run(&["--repair", "--files", "csv,zarr", "--verify", "none"], "whole");
+    assert!(said.contains("repair     ") && said.contains(" changed"), "{said}");
     let repaired = &json["repaired"];
     assert_eq!(json["repair"], true);
-    assert!(repaired["changed"].as_u64().unwrap() >= 5, "{repaired}");
-    run(&["--repair", "--tile", "1/2"], &at("parts"));
-    run(&["--repair", "--tile", "2/2"], &at("parts"));
+    assert!(repaired["changed"].as_u64().unwrap() >= 3, "{repaired}");
+    run(&["--repair", "--tile", "1/2"], "parts");
+    run(&["--repair", "--tile", "2/2"], "parts");
     let mut merge = Command::cargo_bin("topple").unwrap();
     merge.arg("merge").arg(at("parts")).args(["--files", "csv,zarr", "--quiet", "--out"]);
-    merge.arg(at("joined")).assert().success();
+    merge.arg(at("joined")).args(["--verify", "none"]).assert().success();
     let read = |folder: &str, name: &str| std::fs::read(at(folder).join(name)).unwrap();
     assert!(read("whole", "map.csv") == read("joined", "map.csv"));
-    let (_, plain) = run(&["--files", "csv"], &at("plain"));
+    let (_, plain) = run(&["--files", "csv", "--verify", "none"], "plain");
     assert!(plain["repaired"].is_null());
     assert!(read("whole", "map.csv") != read("plain", "map.csv"));
-    // What memory does not hold is repaired on disk, too.
-    let again = topple::sweep::parts::Parts::join(&[at("parts")], &Unwatched);
-    assert!(again.is_ok_and(|parts| parts.content.method.repair));
-}
-
-#[test]
-fn an_undecided_cell_says_so() {
-    // Rocking under a stiff vertical isolation is chaotic: halving the step once more changes outcomes again.
-    let scene = scene(
-        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1.75\nt_v = 0.1\n\
-         [pulse]\nomega = \"1:12:40\"\na_h = \"1:12:40\"\na_v = 2\n",
-    );
-    let map = swept(&scene, true);
-    let repair = map.repair.clone().unwrap();
-    eprintln!("{repair:?}");
-    let undecided: Vec<usize> = (0..map.grid.len())
-        .filter(|cell| map.outcome(*cell).unwrap().status == Status::Undecided)
-        .collect();
-    assert_eq!(undecided.len(), repair.undecided);
-    assert!(repair.undecided > 0);
-    for cell in undecided {
-        assert_eq!(map.outcome(cell).unwrap().class, Class::Unresolved);
-    }
+    // What was saved while the sweep ran is not what map.zarr holds: its tiles are those of the repaired map.
+    let status = "status/c/0/0";
+    assert!(at("whole").join("map.zarr").join(status).exists(), "a chunk of the column");
+    assert!(Parts::join(&[at("parts")], &Unwatched).is_ok_and(|parts| parts.content.method.repair));
 }

@@ -39,6 +39,7 @@ impl Observer for Watch {
         let name = match phase {
             Phase::Sweeping => "sweep",
             Phase::Repairing => "repair",
+            Phase::Refining => "refining",
             Phase::Counting => "counting",
             Phase::Choosing => "sample",
             Phase::Verifying => "reference",

@@ -1,0 +1,249 @@
+//! Refining a map, level by level.
+
+use std::collections::BTreeSet;
+use std::time::Instant;
+
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::bound::share_at_most;
+use super::boxes::{Boxes, Square};
+use super::codes::{NOT_RUN, code};
+use super::probes::{LeftAlone, Probe};
+use super::refined::{RanCells, RefinedMap};
+use super::report::{Level, ProbeRound, RefineReport};
+use super::settings::RefineSettings;
+use crate::results::columns::Column;
+use crate::results::outcomes::each_block;
+use crate::scene::{Grid, Scene, SceneError};
+use crate::sweep::error::SweepError;
+use crate::sweep::list::ListSweep;
+use crate::sweep::map::MapSweep;
+use crate::sweep::observer::{Observer, Phase};
+use crate::sweep::request::OpenBackends;
+
+/// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
+const ROUNDS: usize = 3;
+
+/// A map that is being refined.
+struct Refiner<'a> {
+    list: ListSweep<'a>,
+    observer: &'a dyn Observer,
+    boxes: Boxes,
+    /// Of each cell of the finest grid.
+    codes: Vec<u8>,
+    ran: RanCells,
+}
+
+/// The scene of a map with the gaps of its axes halved so many times.
+fn finer(scene: &Scene, grid: &Grid, levels: u32) -> Scene {
+    grid.axes().iter().fold(scene.clone(), |scene, axis| {
+        // Axes that are lists are refused before.
+        let values = axis.values.refined(levels).unwrap_or_else(|| axis.values.clone());
+        scene.with(axis.parameter, values)
+    })
+}
+
+/// Refuses what cannot be refined: a map of one axis or three, lists, a finest grid that memory does not hold.
+///
+/// # Errors
+/// The key `refine`.
+pub fn check(scene: &Scene, levels: u32) -> Result<(), SceneError> {
+    Boxes::of(&Grid::of(scene), levels).map(|_| ()).map_err(SceneError::from)
+}
+
+/// Refines a map on open backends: splits its boxes where outcomes differ, follows islands, probes what is left alone.
+/// Cells run by the map's own method; on the CPU each has the outcome that it has in a sweep of the whole finest grid.
+///
+/// # Errors
+/// The key `refine` where the map cannot be refined; those of the backends and of reading; that it was cancelled.
+pub fn refine(
+    map: &MapSweep,
+    opened: &OpenBackends,
+    settings: &RefineSettings,
+    observer: &dyn Observer,
+) -> Result<RefinedMap, SweepError> {
+    let began = Instant::now();
+    let boxes = Boxes::of(&map.grid, settings.levels).map_err(SceneError::from)?;
+    let scene = finer(&map.plan.scene, &map.grid, settings.levels);
+    let (plan, grid) = (map.method.plan(&scene)?, Grid::of(&scene));
+    let (precision, resolve) = (map.method.precision, map.method.resolve);
+    let list = ListSweep { plan: &plan, grid: &grid, opened, precision, resolve };
+    let (columns, rows) = boxes.shape();
+    let ran = RanCells::new(map.precision());
+    let codes = vec![NOT_RUN; columns * rows];
+    let mut refiner = Refiner { list, observer, boxes, codes, ran };
+    refiner.begin(map)?;
+    let mut random = Pcg64Mcg::new(u128::from(settings.seed) | 1 << 64 | 1);
+    let mut levels = Vec::new();
+    for level in 0..settings.levels {
+        levels.push(refiner.level(level, settings.probes, &mut random)?);
+    }
+    plan.forget();
+    let Refiner { boxes, ran, .. } = refiner;
+    let mut leaves = 0;
+    boxes.each_leaf(|_| leaves += 1);
+    let report = RefineReport {
+        shape: (columns, rows),
+        cells: ran.len(),
+        share: ran.len() as f64 / (columns * rows) as f64,
+        leaves,
+        seconds: began.elapsed().as_secs_f64(),
+        levels,
+    };
+    Ok(RefinedMap::new(scene, grid, boxes, ran.sorted(), report))
+}
+
+impl Refiner<'_> {
+    /// Takes the cells of the map.
+    fn begin(&mut self, map: &MapSweep) -> Result<(), SweepError> {
+        let (side, width) = (self.boxes.side(0), self.boxes.shape().0);
+        let columns = map.grid.x().count();
+        each_block(&map.grid, &*map.outcomes, &Column::ALL, |first, outcomes| {
+            let place = |cell: usize| cell / columns * side * width + cell % columns * side;
+            let cells: Vec<usize> = (first..first + outcomes.len()).map(place).collect();
+            for (cell, outcome) in cells.iter().zip(outcomes) {
+                self.codes[*cell] = code(outcome);
+            }
+            self.ran.add(&cells, outcomes);
+            Ok(())
+        })?;
+        Ok(())
+    }
+
+    /// True where cells of a box that were run differ.
+    fn is_mixed(&self, square: Square) -> bool {
+        let width = self.boxes.shape().0;
+        let (columns, rows) = self.boxes.cells(square);
+        let first = self.codes[rows.start() * width + columns.start()];
+        let differs = |code: &u8| *code != NOT_RUN && *code != first;
+        rows.into_iter().any(|row| {
+            let from = row * width;
+            self.codes[from + columns.start()..=from + columns.end()].iter().any(differs)
+        })
+    }
+
+    /// Runs cells that have not run, and hears of their codes.
+    fn run(&mut self, cells: &[usize]) -> Result<(), SweepError> {
+        self.observer.begins(Phase::Refining, cells.len());
+        let ran = self.list.run(cells, self.observer)?.outcomes;
+        for (cell, outcome) in cells.iter().zip(&ran) {
+            self.codes[*cell] = code(outcome);
+        }
+        self.ran.add(cells, &ran);
+        Ok(())
+    }
+
+    /// Splits the boxes of a level where outcomes differ, and follows islands.
+    fn level(
+        &mut self,
+        level: u32,
+        probes: usize,
+        random: &mut Pcg64Mcg,
+    ) -> Result<Level, SweepError> {
+        let began = Instant::now();
+        let side = self.boxes.side(level + 1);
+        let (columns, rows) = self.boxes.shape();
+        let mut told = Level {
+            level: level + 1,
+            shape: ((columns - 1) / side + 1, (rows - 1) / side + 1),
+            boxes: 0,
+            islands: 0,
+            cells: 0,
+            seconds: 0.0,
+            probes: Vec::new(),
+        };
+        let mut queue = Vec::new();
+        self.boxes.each_leaf(|leaf| {
+            if leaf.level == level {
+                queue.push(leaf);
+            }
+        });
+        let queue: Vec<Square> =
+            queue.into_par_iter().filter(|square| self.is_mixed(*square)).collect();
+        self.split_all(queue, level, &mut told)?;
+        for _ in 0..ROUNDS {
+            let (round, missed) = self.probe(probes, random)?;
+            told.probes.push(round);
+            if missed.is_empty() {
+                break;
+            }
+            told.islands += missed.len();
+            self.split_all(missed, level, &mut told)?;
+        }
+        told.seconds = began.elapsed().as_secs_f64();
+        Ok(told)
+    }
+
+    /// Splits boxes, those in them that differ down to a level, and the leaves that their cells find wrong.
+    fn split_all(
+        &mut self,
+        mut queue: Vec<Square>,
+        level: u32,
+        told: &mut Level,
+    ) -> Result<(), SweepError> {
+        let width = self.boxes.shape().0;
+        while !queue.is_empty() {
+            let mut wanted = Vec::new();
+            for square in &queue {
+                self.boxes.split(*square);
+                let (columns, rows) = self.boxes.cells(*square);
+                let half = self.boxes.side(square.level) / 2;
+                for row in rows.step_by(half) {
+                    let cells = columns.clone().step_by(half).map(|column| row * width + column);
+                    wanted.extend(cells.filter(|cell| self.codes[*cell] == NOT_RUN));
+                }
+            }
+            wanted.sort_unstable();
+            wanted.dedup();
+            told.boxes += queue.len();
+            told.cells += wanted.len();
+            self.run(&wanted)?;
+            let mut next: BTreeSet<Square> = queue
+                .par_iter()
+                .filter(|square| square.level < level)
+                .flat_map_iter(|square| self.boxes.children(*square))
+                .filter(|square| self.is_mixed(*square))
+                .collect();
+            for cell in wanted {
+                let (column, row) = (cell % width, cell / width);
+                for leaf in self.boxes.around(column, row) {
+                    if leaf.level <= level && self.differs(cell, leaf) && next.insert(leaf) {
+                        told.islands += 1;
+                    }
+                }
+            }
+            queue = next.into_iter().collect();
+        }
+        Ok(())
+    }
+
+    /// True where a cell differs from the first one of a leaf.
+    fn differs(&self, cell: usize, leaf: Square) -> bool {
+        let (columns, rows) = self.boxes.cells(leaf);
+        self.codes[cell] != self.codes[rows.start() * self.boxes.shape().0 + columns.start()]
+    }
+
+    /// Runs cells drawn at random among those left alone; what they say, and the leaves that they find wrong.
+    fn probe(
+        &mut self,
+        wanted: usize,
+        random: &mut Pcg64Mcg,
+    ) -> Result<(ProbeRound, Vec<Square>), SweepError> {
+        let left = LeftAlone::of(&self.boxes, &self.codes, |leaf| self.is_mixed(leaf));
+        let probes = left.draw(&self.boxes, &self.codes, wanted, random);
+        let mut cells: Vec<usize> = probes.iter().map(|probe| probe.cell).collect();
+        cells.sort_unstable();
+        self.run(&cells)?;
+        let wrong: Vec<&Probe> =
+            probes.iter().filter(|probe| self.differs(probe.cell, probe.leaf)).collect();
+        let round = ProbeRound {
+            left_alone: left.count,
+            probes: probes.len(),
+            missed: wrong.len(),
+            share_missed_at_most: share_at_most(wrong.len(), probes.len()),
+        };
+        let leaves: BTreeSet<Square> = wrong.iter().map(|probe| probe.leaf).collect();
+        Ok((round, leaves.into_iter().collect()))
+    }
+}
