@@ -92,7 +92,8 @@ impl MergeCommand {
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
-        let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
+        let refined = None;
+        let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
         finish::write(map, &to, &say, &screen)
     }
 }

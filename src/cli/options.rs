@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use topple::map::earlier::Kind;
 use topple::model::precision::Precision;
+use topple::refine::run as refine;
 use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
@@ -92,6 +93,9 @@ pub struct MapOptions {
     /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
     #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
     pub repair: bool,
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
+    #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
+    pub refine: Option<u32>,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
@@ -264,6 +268,9 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        if let Some(levels) = self.refine {
+            refine::check(scene, levels).map_err(|error| flag_error(&error))?;
+        }
         self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))
     }
 

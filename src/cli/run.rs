@@ -1,10 +1,16 @@
 //! From a scene to files: a map, or a part of one.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use topple::map::earlier::{Kind, RUN};
+use topple::refine::refined::RefinedMap;
+use topple::refine::run as refine;
+use topple::refine::settings::RefineSettings;
 use topple::scene::Scene;
 use topple::sweep::job::{Job, SweepResult};
+use topple::sweep::map::MapSweep;
+use topple::sweep::request::OpenBackends;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
@@ -71,6 +77,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if left > 0 {
         say.line("takes", estimate::line(&job, estimate.as_ref(), options));
     }
+    let opened = Arc::clone(job.opened());
     let ended = job.run(estimate.as_ref(), &screen).map_err(sweep_error)?;
     screen.clear();
     let lost = match &ended {
@@ -93,7 +100,9 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
             let (sharpness, talk) = (options.sharpness, options.talk);
-            let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
+            let refined = refine(&map, &opened, options, &screen)?;
+            let refined = refined.as_ref();
+            let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {
@@ -101,6 +110,20 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             Ok(())
         }
     }
+}
+
+/// The map refined, where that is asked for.
+fn refine(
+    map: &MapSweep,
+    opened: &OpenBackends,
+    options: &MapOptions,
+    screen: &Screen,
+) -> anyhow::Result<Option<RefinedMap>> {
+    let Some(levels) = options.refine else { return Ok(None) };
+    let refined = refine::refine(map, opened, &RefineSettings::levels(levels), screen);
+    let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
+    screen.clear();
+    Ok(Some(refined))
 }
 
 /// Says where the run begins.

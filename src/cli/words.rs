@@ -10,6 +10,7 @@ use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
+use topple::refine::report::{ProbeRound, RefineReport};
 use topple::results::sharpness::{Estimate, Sharpness};
 use topple::results::tally::Tally;
 use topple::scene::keys;
@@ -249,6 +250,29 @@ pub fn sharpness(sharpness: &Sharpness) -> Vec<String> {
     lines.extend(
         sharpness.not_told.iter().map(|why| format!("not told: {}", why.replace("alpha", "α"))),
     );
+    lines
+}
+
+/// How a map was refined, in lines.
+pub fn refined(report: &RefineReport) -> Vec<String> {
+    let (columns, rows) = report.shape;
+    let dense = columns as f64 * rows as f64;
+    let mut lines = vec![format!(
+        "{columns} x {rows} cells by {}, one of {:.0}; {} leaves; {:.2} s",
+        report.cells,
+        dense / report.cells as f64,
+        report.leaves,
+        report.seconds
+    )];
+    if let Some(last) = report.last_round() {
+        let ProbeRound { left_alone, probes, missed, share_missed_at_most } = last;
+        let most = share_missed_at_most * *left_alone as f64;
+        lines.push(format!(
+            "{missed} of {probes} cells drawn from the {left_alone} not run have another outcome: at 95 % no more \
+             than {:.2} % of them, {most:.0}, have",
+            100.0 * share_missed_at_most
+        ));
+    }
     lines
 }
 

@@ -1,15 +1,21 @@
-//! The leaves of a refined map as a table: leaves.csv and leaves.npz.
+//! The leaves of a refined map: what its files hold of it.
 
-use std::io::{self, Write};
+use std::borrow::Cow;
+use std::io;
+use std::ops::Range;
 
 use super::boxes::Square;
 use super::probes::own_cells;
 use super::refined::RefinedMap;
+use crate::results::columns::Column;
+use crate::results::listed::{CountColumn, ListedCells};
+use crate::results::outcomes::Outcomes;
+use crate::stepping::outcome::Outcome;
 
 /// A leaf: cells of the finest grid that have one outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Leaf {
-    /// The level of the boxes that it is one of.
+    /// The level of its box: 0 is between cells of the map that was refined.
     pub level: u32,
     /// Column of its first cell, which was run.
     pub column: usize,
@@ -20,19 +26,36 @@ pub struct Leaf {
     /// Cells along the second axis.
     pub height: usize,
     /// Place of its first cell among those that were run.
-    pub place: usize,
+    place: usize,
+}
+
+/// The leaves of a map, as outcomes: number k is that of the k-th leaf's first cell.
+struct LeafOutcomes<'a> {
+    map: &'a RefinedMap,
+    leaves: &'a [Leaf],
+}
+
+impl Outcomes for LeafOutcomes<'_> {
+    fn read(&self, leaves: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        let mut outcomes = vec![Outcome::PENDING; leaves.len()];
+        for (outcome, leaf) in outcomes.chunks_mut(1).zip(&self.leaves[leaves]) {
+            self.map.block().read(leaf.place, columns, outcome);
+        }
+        Ok(Cow::Owned(outcomes))
+    }
 }
 
 impl RefinedMap {
-    /// The leaves, box of the first level by box. Together they have every cell of the finest grid once.
+    /// The leaves, row by row of their first cells. Together they have every cell of the finest grid once.
     pub fn leaves(&self) -> Vec<Leaf> {
         let mut leaves = Vec::with_capacity(self.report.leaves);
         self.boxes.each_leaf(|square| self.add_leaf(square, &mut leaves));
+        leaves.sort_unstable_by_key(|leaf| (leaf.row, leaf.column));
         leaves
     }
 
-    /// Adds what a leaf of the tree is. One at the far borders of the map has its cells there, too, which may have
-    /// other outcomes where all of them were run: such a leaf is parted.
+    /// Adds a leaf of the tree. One of the finest level at the far borders of the map has several cells, which were all
+    /// run and may differ: each is a leaf.
     fn add_leaf(&self, square: Square, leaves: &mut Vec<Leaf>) {
         let (columns, rows) = own_cells(&self.boxes, square);
         let level = square.level;
@@ -44,18 +67,34 @@ impl RefinedMap {
             leaves.push(leaf(columns.start, rows.start, columns.len(), rows.len()));
             return;
         }
-        // Of the finest level each cell was run.
         for row in rows {
             leaves.extend(columns.clone().map(|column| leaf(column, row, 1, 1)));
         }
     }
 
-    fn place_of(&self, cell: usize) -> usize {
-        self.cells().partition_point(|other| *other < cell)
+    /// Hands the leaves over as a list of cells, with the level, the width and the height of each.
+    pub fn listed<T>(&self, see: impl FnOnce(&ListedCells) -> T) -> T {
+        let leaves = self.leaves();
+        let columns = self.report.shape.0;
+        let cells: Vec<usize> = leaves.iter().map(|leaf| leaf.row * columns + leaf.column).collect();
+        let count = |name, meaning, value: fn(&Leaf) -> usize| {
+            // A side of the finest grid has fewer than 2^32 cells.
+            let values = leaves.iter().map(|leaf| value(leaf) as u32).collect();
+            CountColumn { name, meaning, values }
+        };
+        let counts = [
+            count("level", "level of the leaf: 0 is between cells of the map", |leaf| {
+                leaf.level as usize
+            }),
+            count("width", "cells of the finest grid along the first axis, from this one on", |leaf| {
+                leaf.width
+            }),
+            count("height", "cells of the finest grid along the second axis, from this one on", |leaf| {
+                leaf.height
+            }),
+        ];
+        let outcomes = LeafOutcomes { map: self, leaves: &leaves };
+        let (grid, index) = (&self.grid, "leaf");
+        see(&ListedCells { grid, cells: &cells, counts: &counts, outcomes: &outcomes, index })
     }
-}
-
-/// Unused.
-pub fn write(_: &RefinedMap, _: impl Write) -> io::Result<()> {
-    Ok(())
 }

@@ -7,6 +7,7 @@ use std::ops::Range;
 use super::boxes::{Boxes, Square};
 use super::report::RefineReport;
 use crate::model::precision::Precision;
+use crate::results::about::Source;
 use crate::results::block::Block;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
@@ -108,16 +109,20 @@ impl RefinedMap {
         &self.ran.blocks[0]
     }
 
-    /// The first cell of a leaf, which was run: its place among those.
-    pub(super) fn first_of(&self, leaf: Square) -> usize {
-        let (columns, rows) = self.boxes.cells(leaf);
-        let cell = rows.start() * self.boxes.shape().0 + columns.start();
+    /// The place of a cell that was run among those.
+    pub(super) fn place_of(&self, cell: usize) -> usize {
         self.ran.cells.partition_point(|other| *other < cell)
     }
 
-    /// The number type of its columns.
-    pub fn precision(&self) -> Precision {
-        self.ran.precision
+    /// The same of the first cell of a leaf.
+    fn first_of(&self, leaf: Square) -> usize {
+        let (columns, rows) = self.boxes.cells(leaf);
+        self.place_of(rows.start() * self.boxes.shape().0 + columns.start())
+    }
+
+    /// What its files are of.
+    pub fn source(&self) -> Source<'_> {
+        Source { scene: &self.scene, precision: self.ran.precision }
     }
 }
 

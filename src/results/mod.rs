@@ -11,6 +11,7 @@ pub mod columns;
 pub mod csv;
 pub mod files;
 pub mod identity;
+pub mod listed;
 pub mod lock;
 pub mod npz;
 pub mod outcomes;

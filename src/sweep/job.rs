@@ -139,6 +139,11 @@ impl Job {
         &self.opened.backends
     }
 
+    /// The same, to run more on.
+    pub fn opened(&self) -> &Arc<OpenBackends> {
+        &self.opened
+    }
+
     /// Errors of GPUs that are listed and were skipped.
     pub fn passed_over(&self) -> &[BackendError] {
         &self.opened.passed_over
