@@ -28,7 +28,10 @@ fn record() -> Scene {
     let mut record = object(1, 0.2, (1.75, 0.75), 0.0, "5", "5");
     under(&mut record, synthetic_pair());
     for (key, values) in [("t_h", "0.5:4:24"), ("t_v", "0.001:1:25")] {
-        record.set(topple::Parameter::of_key(key).unwrap(), values.parse::<topple::Values>().unwrap());
+        record.set(
+            topple::Parameter::of_key(key).unwrap(),
+            values.parse::<topple::Values>().unwrap(),
+        );
     }
     record
 }
@@ -79,14 +82,11 @@ fn the_library_runs_cells_of_a_finer_grid_alone() {
         places.iter().map(cell).collect()
     };
     let coarse = sweep_cells(&scene, &[], &at(&grid, 1), &settings, &Unwatched).unwrap();
-    let axes: Vec<_> = grid
-        .axes()
+    let axes: Vec<_> =
+        grid.axes().iter().map(|axis| (axis.parameter, axis.values.refined(5).unwrap())).collect();
+    let finer = axes
         .iter()
-        .map(|axis| (axis.parameter, axis.values.refined(5).unwrap()))
-        .collect();
-    let finer = axes.iter().fold(scene.clone(), |scene, (parameter, values)| {
-        scene.with(*parameter, values.clone())
-    });
+        .fold(scene.clone(), |scene, (parameter, values)| scene.with(*parameter, values.clone()));
     let finer = Grid::of(&finer);
     assert_eq!(finer.x().count(), 2049);
     let fine = sweep_cells(&scene, &axes, &at(&finer, 32), &settings, &Unwatched).unwrap();
@@ -98,6 +98,8 @@ fn the_library_runs_cells_of_a_finer_grid_alone() {
 
 #[test]
 fn a_list_has_no_finer_values() {
-    let scene = scene("[block]\nobject = 1\n[base]\nt_h = 1.75\nt_v = 0.75\n[pulse]\nomega = [1, 2, 4]\na_h = 3\n");
+    let scene = scene(
+        "[block]\nobject = 1\n[base]\nt_h = 1.75\nt_v = 0.75\n[pulse]\nomega = [1, 2, 4]\na_h = 3\n",
+    );
     assert_eq!(Grid::of(&scene).x().values.refined(1), None);
 }

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use assert_cmd::Command;
-use common::{gpu, object, refused, say};
+use common::{gpu, object, refused, say, scene};
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::model::precision::Precision;
@@ -19,7 +19,6 @@ use topple::refine::settings::RefineSettings;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::sweep::backend::Backend;
-use topple::sweep::request::OpenBackends;
 use topple::{BackendRequest, Outcome, RunSettings, Scene, Unwatched, VerifySettings, sweep};
 
 fn refined(scene: &Scene, on: Backend, settings: &RefineSettings) -> RefinedMap {
@@ -27,8 +26,7 @@ fn refined(scene: &Scene, on: Backend, settings: &RefineSettings) -> RefinedMap 
     run.backend = BackendRequest::Cpu;
     run.verify = VerifySettings::cells(0);
     let map = sweep(scene, &[], &run, &Unwatched).unwrap();
-    let opened = OpenBackends { backends: vec![on], passed_over: Vec::new() };
-    refine(&map, &opened, settings, &Unwatched).unwrap()
+    refine(&map, &[on], settings, &Unwatched).unwrap()
 }
 
 /// All cells of the finest grid, run.
@@ -71,7 +69,7 @@ fn a_refined_map_is_the_dense_one_by_a_share_of_its_cells() {
     // Probes are most of the cells of so small a grid.
     let probes: usize =
         map.report.levels.iter().flat_map(|level| &level.probes).map(|round| round.probes).sum();
-    assert!(12 * (map.cells().len() - probes) < all, "{} of them probes", probes);
+    assert!(10 * (map.cells().len() - probes) < all, "{probes} of them probes");
     assert!(map.report.levels.iter().all(|level| level.probes[0].probes == 3000));
     // Each cell of the finest grid is in one leaf, which has its outcome.
     let mut times = vec![0; all];
@@ -103,17 +101,20 @@ fn the_shader_refines() {
     assert!(differ <= 2, "{differ} of {} cells", all.len());
 }
 
-/// From five cells a side islands lie between them. Subdivision alone follows the boundaries that it meets and misses
+/// From four cells a side islands lie between them. Subdivision alone follows the boundaries that it meets and misses
 /// them; probes find them, and what they say of the share missed holds.
 #[test]
 fn islands_smaller_than_the_first_grid_are_found_by_probes() {
-    let scene = object(1, 0.2, (1.75, 0.75), 0.5, "3:15:4", "0.1:15:4");
-    let plain = refined(&scene, Backend::Cpu, &levels(6, 0));
-    let probed = refined(&scene, Backend::Cpu, &levels(6, 3000));
+    let scene = scene(
+        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 3\nt_v = 0.2\n\
+         [pulse]\nshape = \"ricker\"\nomega = \"0.5:4:4\"\na_h = \"0.5:4:4\"\na_v = 5\n[run]\nt_max = 10\n",
+    );
+    let plain = refined(&scene, Backend::Cpu, &levels(5, 0));
+    let probed = refined(&scene, Backend::Cpu, &levels(5, 3000));
     let dense = dense(&plain);
     let (missed, left) = (wrong(&plain, &dense), wrong(&probed, &dense));
     say(&format!("{missed} cells wrong without probes, {left} with: {:?}", probed.report));
-    assert!(missed > 20 * left.max(1), "{missed} without probes, {left} with");
+    assert!(missed > 5 * left.max(1), "{missed} without probes, {left} with");
     // The first round of the last level, before what it found was mended, bounds what was left by then.
     let last = probed.report.last_round().unwrap();
     assert!(left as f64 <= last.share_missed_at_most * last.left_alone as f64, "{left}: {last:?}");
@@ -136,7 +137,10 @@ fn the_command_writes_pictures_and_leaves() {
     let out = dir.path();
     let done = pulse(out, &["--refine", "3"]).assert().success();
     let said = String::from_utf8(done.get_output().stdout.clone()).unwrap();
-    assert!(said.contains("refined    89 x 81 cells by ") && said.contains("at 95 % no more"), "{said}");
+    assert!(
+        said.contains("refined    89 x 81 cells by ") && said.contains("at 95 % no more"),
+        "{said}"
+    );
     let json = std::fs::read_to_string(out.join("run.json")).unwrap();
     let json: Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["refined"]["shape"], serde_json::json!([89, 81]));
@@ -149,11 +153,19 @@ fn the_command_writes_pictures_and_leaves() {
     // The leaves cover the grid; each has the outcome that the picture has.
     let mut table = csv::Reader::from_path(out.join("leaves.csv")).unwrap();
     let head = table.headers().unwrap().clone();
-    assert_eq!(head.iter().take(6).collect::<Vec<_>>(), ["omega", "a_h", "level", "width", "height", "outcome"]);
+    assert_eq!(
+        head.iter().take(6).collect::<Vec<_>>(),
+        ["omega", "a_h", "level", "width", "height", "outcome"]
+    );
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
-    let area: usize = rows.iter().map(|row| row[3].parse::<usize>().unwrap() * row[4].parse::<usize>().unwrap()).sum();
+    let area: usize = rows
+        .iter()
+        .map(|row| row[3].parse::<usize>().unwrap() * row[4].parse::<usize>().unwrap())
+        .sum();
     assert_eq!(area, 89 * 81);
-    let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(out.join("refined.png")).unwrap()));
+    let decoder = png::Decoder::new(std::io::BufReader::new(
+        std::fs::File::open(out.join("refined.png")).unwrap(),
+    ));
     let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
@@ -161,10 +173,15 @@ fn the_command_writes_pictures_and_leaves() {
     let mut outcomes: BTreeMap<u8, std::collections::BTreeSet<String>> = BTreeMap::new();
     for row in &rows {
         let number = |k: usize| row[k].parse::<f64>().unwrap();
-        let (i, j) = ((number(0) - 1.0) * 8.0, (number(1) - 1.0) * 8.0 );
+        let (i, j) = ((number(0) - 1.0) * 8.0, (number(1) - 1.0) / 1.1 * 8.0);
         let (i, j) = (i.round() as usize, j.round() as usize);
-        let outcome = row[5].replace("overturned_left", "over").replace("overturned_right", "over");
-        outcomes.entry(pixels[(80 - j) * 89 + i]).or_default().insert(outcome);
+        assert!(j < 81 && i < 89, "{row:?}");
+        let kind = match (&row[5], &row[6]) {
+            // After impacts the colour tells their number, not the corner.
+            ("overturned_left" | "overturned_right", impacts) if impacts != "0" => "impacts",
+            (outcome, _) => outcome,
+        };
+        outcomes.entry(pixels[(80 - j) * 89 + i]).or_default().insert(kind.into());
     }
     assert!(outcomes.len() >= 4 && outcomes.values().all(|names| names.len() == 1), "{outcomes:?}");
     // A run without it takes the files away.
@@ -176,11 +193,17 @@ fn the_command_writes_pictures_and_leaves() {
 fn what_cannot_be_refined_is_refused() {
     let map = ["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75"];
     for (more, problem) in [
-        (&["--omega", "1:12:12", "--a-h", "3", "--refine", "2"][..], "--refine: a refined map has two axes"),
+        (
+            &["--omega", "1:12:12", "--a-h", "3", "--refine", "2"][..],
+            "--refine: a refined map has two axes",
+        ),
         (&["--omega", "1,2,5", "--a-h", "1:3:9", "--refine", "2"], "is a list"),
         (&["--omega", "1:12:12", "--a-h", "1:3:9", "--refine", "0"], "--refine: no level"),
         (&["--omega", "1:12:400", "--a-h", "1:3:400", "--refine", "9"], "finest grid"),
-        (&["--omega", "1:12:12", "--a-h", "1:3:9", "--refine", "2", "--tile", "1/2"], "cannot be used"),
+        (
+            &["--omega", "1:12:12", "--a-h", "1:3:9", "--refine", "2", "--tile", "1/2"],
+            "cannot be used",
+        ),
     ] {
         let said = refused(&[&map[..], more].concat());
         assert!(said.contains(problem), "{said}");

@@ -18,13 +18,16 @@ use topple::{
     Unwatched, Values, VerifySettings, sweep,
 };
 
-/// Under a record down to T_v = 0.08 s, where rocking is chaotic and a coarse step is wrong in some cells.
+/// Under a record of twice the strength at T_v of 0.03 to 0.12 s: rocking is chaotic there, and rounding decides cells.
 fn shaken(cells: u32) -> Scene {
     let text = "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 1\nt_v = 1\n[pulse]\nomega = 5\na_h = 5\n";
     let mut scene = scene(text);
     under(&mut scene, synthetic_pair());
     let range = |from, to| Values::from(Range::even(from, to, cells));
-    scene.with(Parameter::TH, range(0.5, 4.0)).with(Parameter::TV, range(0.08, 0.6))
+    scene
+        .with(Parameter::TH, range(0.5, 4.0))
+        .with(Parameter::TV, range(0.03, 0.12))
+        .with(Parameter::Scale, 2.0)
 }
 
 fn swept(scene: &Scene, repair: bool) -> MapSweep {
@@ -41,21 +44,22 @@ fn classes(map: &MapSweep) -> Vec<Class> {
 
 #[test]
 fn what_is_wrong_beside_boundaries_is_mended_or_undecided() {
-    let scene = shaken(36);
+    let scene = shaken(24);
     let grid = Grid::of(&scene);
     let run = |cell| reference::run(&scene, &grid.case(cell), &Settings::default()).class;
     let right: Vec<Class> = (0..grid.len()).into_par_iter().map(run).collect();
     let (plain, mended) = (swept(&scene, false), swept(&scene, true));
     assert_eq!(plain.repair, None);
     let wrong = |map: &MapSweep| {
-        let differ = |(class, right): &(&Class, &Class)| class != right && **class != Class::Unresolved;
+        let differ =
+            |(class, right): &(&Class, &Class)| class != right && **class != Class::Unresolved;
         classes(map).iter().zip(&right).filter(differ).count()
     };
     let (before, after) = (wrong(&plain), wrong(&mended));
     let repair = mended.repair.clone().unwrap();
     let found = format!("{before} wrong before, {after} after: {repair:?}");
     common::say(&found);
-    assert!(before >= 5 && 2 * after < before, "{found}");
+    assert!(before >= 4 && 2 * after <= before, "{found}");
     let differ = classes(&plain).iter().zip(classes(&mended)).filter(|(a, b)| **a != *b).count();
     assert_eq!(repair.changed + repair.undecided, differ);
     // A cell that was replaced has all of the finer run's numbers, in the map's number type.
@@ -82,7 +86,7 @@ fn run(arguments: &[&str], folder: &Path, out: &Path) -> (String, Value) {
     let mut command = Command::cargo_bin("topple").unwrap();
     command.current_dir(folder).args(["seismic", "--object", "1", "--eccentricity", "0.2"]);
     command.args(["--horizontal", "h.txt", "--vertical", "v.txt", "--dt", "0.01"]);
-    command.args(["--units", "m/s2", "--t-h", "0.5:4:36", "--t-v", "0.08:0.6:36"]);
+    command.args(["--units", "m/s2", "--t-h", "0.5:4:24", "--t-v", "0.03:0.12:24", "--scale", "2"]);
     command.args(["--backend", "cpu", "--out"]).arg(out);
     let done = command.args(arguments).assert().success();
     let json = std::fs::read_to_string(out.join("run.json")).unwrap_or("null".into());

@@ -19,8 +19,8 @@ use super::options::{MapFile, Talk};
 use super::output;
 use super::print::print_line;
 use super::progress::Screen;
-use super::words::{self, Say};
 use super::refined;
+use super::words::{self, Say};
 
 /// How a map is finished.
 pub struct Finish<'a> {

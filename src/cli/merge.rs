@@ -86,7 +86,7 @@ impl MergeCommand {
             let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
             let opened = request.open(map.method.precision, &[]);
             let opened = opened.map_err(|error| sweep_error(error.into()))?;
-            let repaired = map.repair(&opened, &screen);
+            let repaired = map.repair(&opened.backends, &screen);
             repaired.map_err(|error| sweep_error(map.stopped(error)))?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);

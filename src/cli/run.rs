@@ -8,9 +8,9 @@ use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;
 use topple::scene::Scene;
+use topple::sweep::backend::Backend;
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
-use topple::sweep::request::OpenBackends;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
@@ -100,9 +100,10 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
             let (sharpness, talk) = (options.sharpness, options.talk);
-            let refined = refine(&map, &opened, options, &screen)?;
+            let refined = refine(&map, &opened.backends, options, &screen)?;
             let refined = refined.as_ref();
-            let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
+            let to =
+                Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {
@@ -115,12 +116,12 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
 /// The map refined, where that is asked for.
 fn refine(
     map: &MapSweep,
-    opened: &OpenBackends,
+    backends: &[Backend],
     options: &MapOptions,
     screen: &Screen,
 ) -> anyhow::Result<Option<RefinedMap>> {
     let Some(levels) = options.refine else { return Ok(None) };
-    let refined = refine::refine(map, opened, &RefineSettings::levels(levels), screen);
+    let refined = refine::refine(map, backends, &RefineSettings::levels(levels), screen);
     let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
     screen.clear();
     Ok(Some(refined))

@@ -264,7 +264,7 @@ pub fn refined(report: &RefineReport) -> Vec<String> {
         report.leaves,
         report.seconds
     )];
-    if let Some(last) = report.last_round() {
+    if let Some(last) = report.last_round().filter(|last| last.left_alone > last.probes) {
         let ProbeRound { left_alone, probes, missed, share_missed_at_most } = last;
         let most = share_missed_at_most * *left_alone as f64;
         lines.push(format!(

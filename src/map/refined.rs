@@ -19,9 +19,9 @@ fn kinds_of(map: &RefinedMap, all: &[Kind], row: usize) -> io::Result<Vec<u8>> {
     let place = |kind| all.iter().position(|other| *other == kind).unwrap_or(0) as u8;
     let mut kinds: Vec<u8> = Vec::with_capacity(columns);
     // Most cells are like the one before.
-    for alike in outcomes.chunk_by(|a, b| {
-        (a.class, a.impacts, a.uplifts) == (b.class, b.impacts, b.uplifts)
-    }) {
+    for alike in
+        outcomes.chunk_by(|a, b| (a.class, a.impacts, a.uplifts) == (b.class, b.impacts, b.uplifts))
+    {
         kinds.resize(kinds.len() + alike.len(), place(Kind::of(&alike[0])));
     }
     Ok(kinds)
@@ -78,7 +78,10 @@ pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
     for (number, paths) in outlines.paths() {
         let [r, g, b] = all[usize::from(number)].colour();
         let label = all[usize::from(number)].label();
-        writeln!(writer, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" d=\"{paths}\"><title>{label}</title></path>")?;
+        writeln!(
+            writer,
+            "<path fill=\"#{r:02x}{g:02x}{b:02x}\" d=\"{paths}\"><title>{label}</title></path>"
+        )?;
     }
     writeln!(writer, "</svg>")
 }
@@ -145,7 +148,10 @@ impl Outlines {
     fn paths(mut self) -> Vec<(u8, String)> {
         let mut kinds: Vec<u8> = self.next.keys().copied().collect();
         kinds.sort_unstable();
-        kinds.into_iter().map(|kind| (kind, path(self.next.remove(&kind).unwrap_or_default()))).collect()
+        kinds
+            .into_iter()
+            .map(|kind| (kind, path(self.next.remove(&kind).unwrap_or_default())))
+            .collect()
     }
 }
 
@@ -218,9 +224,13 @@ mod tests {
     #[test]
     fn outlines_hold_the_cells_and_no_others() {
         // With a hole, a corner in which regions touch, and a region at each border.
-        for picture in ["0000,0110,0100,0001", "01,10", "7", "0120,0120,3333", "0000,0111,0101,0111"] {
-            let rows: Vec<Vec<Option<u8>>> =
-                picture.split(',').map(|row| row.bytes().map(|b| Some(b - b'0')).collect()).collect();
+        for picture in
+            ["0000,0110,0100,0001", "01,10", "7", "0120,0120,3333", "0000,0111,0101,0111"]
+        {
+            let rows: Vec<Vec<Option<u8>>> = picture
+                .split(',')
+                .map(|row| row.bytes().map(|b| Some(b - b'0')).collect())
+                .collect();
             let columns = rows[0].len();
             let mut outlines = Outlines::default();
             let mut above = vec![None; columns];

@@ -9,7 +9,9 @@ pub const KEY: &str = "refine";
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum RefineError {
     /// More or fewer axes than two of several values.
-    #[error("a refined map has two axes of several values, this one has {0}; fix the other numbers")]
+    #[error(
+        "a refined map has two axes of several values, this one has {0}; fix the other numbers"
+    )]
     Axes(usize),
     /// An axis that is a list.
     #[error("`{0}` is a list, which has no values between; give start:stop:count")]

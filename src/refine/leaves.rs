@@ -76,7 +76,8 @@ impl RefinedMap {
     pub fn listed<T>(&self, see: impl FnOnce(&ListedCells) -> T) -> T {
         let leaves = self.leaves();
         let columns = self.report.shape.0;
-        let cells: Vec<usize> = leaves.iter().map(|leaf| leaf.row * columns + leaf.column).collect();
+        let cells: Vec<usize> =
+            leaves.iter().map(|leaf| leaf.row * columns + leaf.column).collect();
         let count = |name, meaning, value: fn(&Leaf) -> usize| {
             // A side of the finest grid has fewer than 2^32 cells.
             let values = leaves.iter().map(|leaf| value(leaf) as u32).collect();
@@ -86,12 +87,16 @@ impl RefinedMap {
             count("level", "level of the leaf: 0 is between cells of the map", |leaf| {
                 leaf.level as usize
             }),
-            count("width", "cells of the finest grid along the first axis, from this one on", |leaf| {
-                leaf.width
-            }),
-            count("height", "cells of the finest grid along the second axis, from this one on", |leaf| {
-                leaf.height
-            }),
+            count(
+                "width",
+                "cells of the finest grid along the first axis, from this one on",
+                |leaf| leaf.width,
+            ),
+            count(
+                "height",
+                "cells of the finest grid along the second axis, from this one on",
+                |leaf| leaf.height,
+            ),
         ];
         let outcomes = LeafOutcomes { map: self, leaves: &leaves };
         let (grid, index) = (&self.grid, "leaf");

@@ -14,6 +14,7 @@
 pub mod bound;
 pub mod boxes;
 pub mod codes;
+pub mod curve;
 pub mod error;
 pub mod leaves;
 pub mod probes;

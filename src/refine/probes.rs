@@ -70,7 +70,8 @@ impl LeftAlone {
         let mut probes = Vec::with_capacity(wanted);
         let (mut leaf, mut before) = (0, 0);
         for stratum in 0..wanted {
-            let ends = [stratum, stratum + 1].map(|k| k as u128 * self.count as u128 / wanted as u128);
+            let ends =
+                [stratum, stratum + 1].map(|k| k as u128 * self.count as u128 / wanted as u128);
             let length = ends[1] - ends[0];
             let place = (ends[0] + ((u128::from(random.next_u64()) * length) >> 64)) as usize;
             while before + self.leaves[leaf].1 <= place {
@@ -79,7 +80,8 @@ impl LeftAlone {
             }
             let square = self.leaves[leaf].0;
             let (columns, rows) = own_cells(boxes, square);
-            let cells = rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
+            let cells =
+                rows.flat_map(|row| columns.clone().map(move |column| row * width + column));
             let mut alone = cells.filter(|cell| codes[*cell] == NOT_RUN);
             if let Some(cell) = alone.nth(place - before) {
                 probes.push(Probe { cell, leaf: square });

@@ -16,11 +16,11 @@ use super::settings::RefineSettings;
 use crate::results::columns::Column;
 use crate::results::outcomes::each_block;
 use crate::scene::{Grid, Scene, SceneError};
+use crate::sweep::backend::Backend;
 use crate::sweep::error::SweepError;
 use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
 use crate::sweep::observer::{Observer, Phase};
-use crate::sweep::request::OpenBackends;
 
 /// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
 const ROUNDS: usize = 3;
@@ -52,14 +52,14 @@ pub fn check(scene: &Scene, levels: u32) -> Result<(), SceneError> {
     Boxes::of(&Grid::of(scene), levels).map(|_| ()).map_err(SceneError::from)
 }
 
-/// Refines a map on open backends: splits its boxes where outcomes differ, follows islands, probes what is left alone.
+/// Refines a map on one backend, or several GPUs that are alike: splits its boxes where outcomes differ, follows islands, probes what is left alone.
 /// Cells run by the map's own method; on the CPU each has the outcome that it has in a sweep of the whole finest grid.
 ///
 /// # Errors
 /// The key `refine` where the map cannot be refined; those of the backends and of reading; that it was cancelled.
 pub fn refine(
     map: &MapSweep,
-    opened: &OpenBackends,
+    backends: &[Backend],
     settings: &RefineSettings,
     observer: &dyn Observer,
 ) -> Result<RefinedMap, SweepError> {
@@ -68,7 +68,7 @@ pub fn refine(
     let scene = finer(&map.plan.scene, &map.grid, settings.levels);
     let (plan, grid) = (map.method.plan(&scene)?, Grid::of(&scene));
     let (precision, resolve) = (map.method.precision, map.method.resolve);
-    let list = ListSweep { plan: &plan, grid: &grid, opened, precision, resolve };
+    let list = ListSweep { plan: &plan, grid: &grid, backends, precision, resolve };
     let (columns, rows) = boxes.shape();
     let ran = RanCells::new(map.precision());
     let codes = vec![NOT_RUN; columns * rows];
@@ -241,7 +241,11 @@ impl Refiner<'_> {
             left_alone: left.count,
             probes: probes.len(),
             missed: wrong.len(),
-            share_missed_at_most: share_at_most(wrong.len(), probes.len()),
+            share_missed_at_most: match left.count {
+                // What was run is known.
+                count if count == probes.len() => wrong.len() as f64 / count.max(1) as f64,
+                _ => share_at_most(wrong.len(), probes.len()),
+            },
         };
         let leaves: BTreeSet<Square> = wrong.iter().map(|probe| probe.leaf).collect();
         Ok((round, leaves.into_iter().collect()))

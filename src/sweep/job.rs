@@ -243,7 +243,7 @@ impl Job {
             verification: None,
             store,
         };
-        if repair && let Err(error) = sweep.repair(&opened, observer) {
+        if repair && let Err(error) = sweep.repair(&opened.backends, observer) {
             return Err(sweep.stopped(error));
         }
         Ok(SweepResult::Map(Box::new(sweep)))

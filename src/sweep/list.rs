@@ -1,7 +1,6 @@
 //! Lists of a grid's cells, by their numbers: what refinement, repair and bisection ask for.
 
 use std::convert::Infallible;
-use std::sync::Arc;
 use std::time::Duration;
 
 use super::backend::Backend;
@@ -10,7 +9,6 @@ use super::batches::{self, BatchError, Sizes, Worker};
 use super::error::SweepError;
 use super::observer::{Observer, Phase};
 use super::plan::Plan;
-use super::request::OpenBackends;
 use super::settings::RunSettings;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
@@ -25,15 +23,15 @@ pub struct ListOutcomes {
     pub elapsed: Duration,
 }
 
-/// Runs lists of cells of a plan's grid on open backends.
+/// Runs lists of cells of a plan's grid.
 #[derive(Clone, Copy)]
 pub struct ListSweep<'a> {
     /// The plan.
     pub plan: &'a Plan,
     /// The grid that numbers the cells.
     pub grid: &'a Grid,
-    /// What runs them.
-    pub opened: &'a OpenBackends,
+    /// What runs them: one, or several GPUs that are alike.
+    pub backends: &'a [Backend],
     /// Number type.
     pub precision: Precision,
     /// Each cell runs twice, see [`Method::resolve`](super::settings::Method::resolve).
@@ -51,8 +49,7 @@ impl ListSweep<'_> {
         cells: &[usize],
         observer: &dyn Observer,
     ) -> Result<ListOutcomes, BackendError> {
-        let ListSweep { plan, grid, opened, precision, resolve } = *self;
-        let backends = &opened.backends;
+        let ListSweep { plan, grid, backends, precision, resolve } = *self;
         let worker = |backend| -> Worker<'_> {
             let backend: &Backend = backend;
             Box::new(move |places, _| {
@@ -106,9 +103,10 @@ pub fn sweep_cells(
         let problem = format!("there is no cell {cell}; the grid has {}, from 0 on", grid.len());
         return Err(SceneError::new("cells", problem).into());
     }
-    let opened = Arc::new(settings.backend.open(method.precision, &settings.adapters)?);
+    let opened = settings.backend.open(method.precision, &settings.adapters)?;
     observer.begins(Phase::Sweeping, cells.len() * if method.resolve { 2 } else { 1 });
     let (precision, resolve) = (method.precision, method.resolve);
-    let list = ListSweep { plan: &plan, grid: &grid, opened: &opened, precision, resolve };
+    let list =
+        ListSweep { plan: &plan, grid: &grid, backends: &opened.backends, precision, resolve };
     Ok(list.run(cells, observer)?)
 }

@@ -40,6 +40,7 @@ pub mod observer;
 pub mod parts;
 pub mod parts_error;
 pub mod plan;
+pub mod points;
 pub mod prepare;
 pub mod progress;
 pub mod reader;

@@ -13,12 +13,12 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use super::backend::Backend;
 use super::error::SweepError;
 use super::list::ListSweep;
 use super::map::MapSweep;
 use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
-use super::request::OpenBackends;
 use super::sample::beside_boundary;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
@@ -86,20 +86,26 @@ impl MapSweep {
     /// Those of the backends and of reading; that it was cancelled.
     pub fn repair(
         &mut self,
-        opened: &OpenBackends,
+        backends: &[Backend],
         observer: &dyn Observer,
     ) -> Result<(), SweepError> {
         if self.by_reference() || self.repair.is_some() {
             return Ok(());
         }
         let began = Instant::now();
-        let mut repair =
-            Repair { checked: 0, changed: 0, undecided: 0, rounds: 0, seconds: 0.0, replaced: Vec::new() };
-        // A request opens one backend at least.
-        let precision = opened.backends[0].finest(self.method.precision);
+        let mut repair = Repair {
+            checked: 0,
+            changed: 0,
+            undecided: 0,
+            rounds: 0,
+            seconds: 0.0,
+            replaced: Vec::new(),
+        };
+        // There is one backend at least.
+        let precision = backends[0].finest(self.method.precision);
         let (half, quarter) = (self.plan.halved(), self.plan.halved().halved());
         let grid = &self.grid;
-        let list = |plan| ListSweep { plan, grid, opened, precision, resolve: false };
+        let list = |plan| ListSweep { plan, grid, backends, precision, resolve: false };
         let mut map = Repairing { outcomes: &*self.outcomes, replaced: BTreeMap::new() };
         let mut wanted = Vec::new();
         observer.begins(Phase::Counting, grid.len());
