@@ -14,7 +14,7 @@ use tempfile::TempDir;
 use topple::model::precision::Precision;
 use topple::refine::codes::code;
 use topple::refine::refined::RefinedMap;
-use topple::refine::run::refine;
+use topple::refine::run::refine_on;
 use topple::refine::settings::RefineSettings;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
@@ -26,7 +26,7 @@ fn refined(scene: &Scene, on: Backend, settings: &RefineSettings) -> RefinedMap 
     run.backend = BackendRequest::Cpu;
     run.verify = VerifySettings::cells(0);
     let map = sweep(scene, &[], &run, &Unwatched).unwrap();
-    refine(&map, &[on], settings, &Unwatched).unwrap()
+    refine_on(&map, &[on], settings, &Unwatched).unwrap()
 }
 
 /// All cells of the finest grid, run.

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _topple
-from ._dataset import dataset, described, of_map
+from ._dataset import dataset, described, of_leaves, of_map
 from ._dataset import Arrays as Arrays
 from ._progress import Bar, Progress, listener
 from ._records import taken
@@ -253,17 +253,18 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
 
 
 def open(path: str | os.PathLike[str]) -> Any:
-    """Open a map that was written: lazily from map.zarr, else from map.npz.
+    """Open a map that was written: lazily from map.zarr, else from map.npz; or the leaves of a refined one.
 
     Parameters
     ----------
     path : path
-        A directory of results, or one of these files.
+        A directory of results, or one of these files; leaves.npz for the leaves.
 
     Returns
     -------
     xarray.Dataset
-        As of `pulse`.
+        As of `pulse`. Of leaves a variable a column over the dimension ``leaf``, with the numbers of their first cells
+        (``cell``), ``level``, ``width`` and ``height``; the finest grid's axes are coordinates.
     """
     import numpy as np
 
@@ -280,6 +281,8 @@ def open(path: str | os.PathLike[str]) -> Any:
     with np.load(place) as arrays:
         about = json.loads(str(arrays["about"]))
         about["coordinates"] = {key: arrays[key] for key in about["axes"]}
+        if "counts" in about:
+            return of_leaves({name: arrays[name] for name in [*about["counts"], *about["columns"], "proved"]}, about)
         return of_map({name: arrays[name] for name in [*about["columns"], "proved"]}, about)
 
 

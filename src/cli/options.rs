@@ -96,6 +96,10 @@ pub struct MapOptions {
     /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
     #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
     pub refine: Option<u32>,
+    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
+    /// share of its range
+    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
+    pub smooth: Option<f64>,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
@@ -357,6 +361,12 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
         format!("no number has this key; there are {}", known.join(", "))
     })
+}
+
+/// A share of a range.
+fn share(text: &str) -> Result<f64, String> {
+    let parsed = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
+    parsed.ok_or_else(|| "must be a number above 0 and below 1".into())
 }
 
 /// A time in seconds.

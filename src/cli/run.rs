@@ -121,7 +121,9 @@ fn refine(
     screen: &Screen,
 ) -> anyhow::Result<Option<RefinedMap>> {
     let Some(levels) = options.refine else { return Ok(None) };
-    let refined = refine::refine(map, backends, &RefineSettings::levels(levels), screen);
+    let mut settings = RefineSettings::levels(levels);
+    settings.smooth = options.smooth;
+    let refined = refine::refine_on(map, backends, &settings, screen);
     let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
     screen.clear();
     Ok(Some(refined))

@@ -265,13 +265,20 @@ pub fn refined(report: &RefineReport) -> Vec<String> {
         report.seconds
     )];
     if let Some(last) = report.last_round().filter(|last| last.left_alone > last.probes) {
-        let ProbeRound { left_alone, probes, missed, share_missed_at_most } = last;
+        let ProbeRound { left_alone, probes, missed, share_missed_at_most, .. } = last;
         let most = share_missed_at_most * *left_alone as f64;
         lines.push(format!(
             "{missed} of {probes} cells drawn from the {left_alone} not run have another outcome: at 95 % no more \
              than {:.2} % of them, {most:.0}, have",
             100.0 * share_missed_at_most
         ));
+        if let (Some(smooth), Some(share)) = (report.smooth, last.share_rough_at_most) {
+            lines.push(format!(
+                "of {} of them a number is off by more than {smooth} of its range: at 95 % of no more than {:.2} %",
+                last.rough,
+                100.0 * share
+            ));
+        }
     }
     lines
 }

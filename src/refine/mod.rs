@@ -22,3 +22,4 @@ pub mod refined;
 pub mod report;
 pub mod run;
 pub mod settings;
+pub mod smooth;

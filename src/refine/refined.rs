@@ -6,6 +6,7 @@ use std::ops::Range;
 
 use super::boxes::{Boxes, Square};
 use super::report::RefineReport;
+use super::smooth::{between, numbers, places};
 use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::Block;
@@ -69,7 +70,8 @@ impl RanCells {
 }
 
 /// A refined map. Its [`Outcomes`] are those of the finest grid: of a cell that was not run the outcome and all numbers
-/// of the leaf's first cell, which share the outcome and for the rest are near.
+/// of the leaf's first cell; where numbers are to be [smooth](super::settings::RefineSettings::smooth), the rocking
+/// index, the least contact force and the strokes are those between the leaf's corners.
 pub struct RefinedMap {
     /// The scene, its axes those of the finest grid.
     pub scene: Scene,
@@ -120,6 +122,28 @@ impl RefinedMap {
         self.place_of(rows.start() * self.boxes.shape().0 + columns.start())
     }
 
+    /// Puts the numbers between those of a leaf's corners in the outcomes of its cells from one on, along a row.
+    fn interpolate(&self, leaf: Square, (column, row): (usize, usize), some: &mut [Outcome]) {
+        let (columns, rows) = self.boxes.cells(leaf);
+        let corner = |row: &usize, column: &usize| {
+            numbers(&self.outcome_of(self.place_of(row * self.boxes.shape().0 + column)))
+        };
+        let corners = [
+            corner(rows.start(), columns.start()),
+            corner(rows.start(), columns.end()),
+            corner(rows.end(), columns.start()),
+            corner(rows.end(), columns.end()),
+        ];
+        let side = self.boxes.side(leaf.level) as f64;
+        let y = (row - rows.start()) as f64 / side;
+        for (column, outcome) in (column..).zip(some) {
+            let x = (column - columns.start()) as f64 / side;
+            for (place, number) in places(outcome).into_iter().zip(between(&corners, [x, y])) {
+                *place = number;
+            }
+        }
+    }
+
     /// What its files are of.
     pub fn source(&self) -> Source<'_> {
         Source { scene: &self.scene, precision: self.ran.precision }
@@ -147,7 +171,11 @@ impl Outcomes for RefinedMap {
             let end = cell - column + self.boxes.cells(leaf).0.end() + 1;
             let ran = self.ran.cells.get(next).copied().unwrap_or(usize::MAX);
             let end = end.min(ran).min(cells.end);
-            outcomes[cell - cells.start..end - cells.start].fill(of_leaf[0]);
+            let some = &mut outcomes[cell - cells.start..end - cells.start];
+            some.fill(of_leaf[0]);
+            if self.report.smooth.is_some() {
+                self.interpolate(leaf, (column, row), some);
+            }
             cell = end;
         }
         Ok(Cow::Owned(outcomes))

@@ -13,6 +13,11 @@ pub struct ProbeRound {
     pub missed: usize,
     /// The largest share of the cells left alone that has another outcome, at 95 %, before what was found was mended.
     pub share_missed_at_most: f64,
+    /// Where numbers are to be smooth: probes of the outcome that was taken whose numbers are off by more than the
+    /// tolerance. What they lie in was refined then.
+    pub rough: usize,
+    /// The largest share of the cells left alone that are such, at 95 %; none where numbers need not be smooth.
+    pub share_rough_at_most: Option<f64>,
 }
 
 /// A level.
@@ -45,6 +50,9 @@ pub struct RefineReport {
     pub share: f64,
     /// Leaves: boxes of one outcome each, or between neighbouring cells of the finest grid.
     pub leaves: usize,
+    /// The share of their range on the map by which numbers between cells that were run may be off; none where nothing
+    /// is said of them.
+    pub smooth: Option<f64>,
     /// Seconds of refining, without the map's sweep.
     pub seconds: f64,
     /// The levels.

@@ -13,6 +13,7 @@ use super::probes::{LeftAlone, Probe};
 use super::refined::{RanCells, RefinedMap};
 use super::report::{Level, ProbeRound, RefineReport};
 use super::settings::RefineSettings;
+use super::smooth::Smooth;
 use crate::results::columns::Column;
 use crate::results::outcomes::each_block;
 use crate::scene::{Grid, Scene, SceneError};
@@ -21,6 +22,7 @@ use crate::sweep::error::SweepError;
 use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
 use crate::sweep::observer::{Observer, Phase};
+use crate::sweep::settings::RunSettings;
 
 /// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
 const ROUNDS: usize = 3;
@@ -33,6 +35,7 @@ struct Refiner<'a> {
     /// Of each cell of the finest grid.
     codes: Vec<u8>,
     ran: RanCells,
+    smooth: Option<Smooth>,
 }
 
 /// The scene of a map with the gaps of its axes halved so many times.
@@ -52,12 +55,28 @@ pub fn check(scene: &Scene, levels: u32) -> Result<(), SceneError> {
     Boxes::of(&Grid::of(scene), levels).map(|_| ()).map_err(SceneError::from)
 }
 
-/// Refines a map on one backend, or several GPUs that are alike: splits its boxes where outcomes differ, follows islands, probes what is left alone.
+/// Refines a map: splits its boxes where outcomes differ, follows islands, probes what is left alone. What of the
+/// settings says how cells are computed is that of the map; they say on what.
+///
+/// # Errors
+/// The key `refine` where the map cannot be refined: it has another number of axes than two, an axis that is a list, or a
+/// finest grid of more than 2^28 cells; those of the backends and of reading; that it was cancelled.
+pub fn refine(
+    map: &MapSweep,
+    wanted: &RefineSettings,
+    settings: &RunSettings,
+    observer: &dyn Observer,
+) -> Result<RefinedMap, SweepError> {
+    let opened = settings.backend.open(map.method.precision, &settings.adapters)?;
+    refine_on(map, &opened.backends, wanted, observer)
+}
+
+/// The same on one backend that is open, or several GPUs that are alike.
 /// Cells run by the map's own method; on the CPU each has the outcome that it has in a sweep of the whole finest grid.
 ///
 /// # Errors
 /// The key `refine` where the map cannot be refined; those of the backends and of reading; that it was cancelled.
-pub fn refine(
+pub fn refine_on(
     map: &MapSweep,
     backends: &[Backend],
     settings: &RefineSettings,
@@ -72,7 +91,8 @@ pub fn refine(
     let (columns, rows) = boxes.shape();
     let ran = RanCells::new(map.precision());
     let codes = vec![NOT_RUN; columns * rows];
-    let mut refiner = Refiner { list, observer, boxes, codes, ran };
+    let smooth = settings.smooth.map(Smooth::new);
+    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth };
     refiner.begin(map)?;
     let mut random = Pcg64Mcg::new(u128::from(settings.seed) | 1 << 64 | 1);
     let mut levels = Vec::new();
@@ -88,6 +108,7 @@ pub fn refine(
         cells: ran.len(),
         share: ran.len() as f64 / (columns * rows) as f64,
         leaves,
+        smooth: settings.smooth,
         seconds: began.elapsed().as_secs_f64(),
         levels,
     };
@@ -106,8 +127,14 @@ impl Refiner<'_> {
                 self.codes[*cell] = code(outcome);
             }
             self.ran.add(&cells, outcomes);
+            if let Some(smooth) = &mut self.smooth {
+                smooth.add(&cells, outcomes);
+            }
             Ok(())
         })?;
+        if let Some(smooth) = &mut self.smooth {
+            smooth.take_ranges();
+        }
         Ok(())
     }
 
@@ -123,6 +150,12 @@ impl Refiner<'_> {
         })
     }
 
+    /// True of a box that is to be split: outcomes differ, or numbers are not smooth.
+    fn is_open(&self, square: Square) -> bool {
+        let is_rough = |smooth: &Smooth| !smooth.is_smooth(&self.boxes, &self.codes, square);
+        self.is_mixed(square) || self.smooth.as_ref().is_some_and(is_rough)
+    }
+
     /// Runs cells that have not run, and hears of their codes.
     fn run(&mut self, cells: &[usize]) -> Result<(), SweepError> {
         self.observer.begins(Phase::Refining, cells.len());
@@ -131,6 +164,9 @@ impl Refiner<'_> {
             self.codes[*cell] = code(outcome);
         }
         self.ran.add(cells, &ran);
+        if let Some(smooth) = &mut self.smooth {
+            smooth.add(cells, &ran);
+        }
         Ok(())
     }
 
@@ -160,7 +196,7 @@ impl Refiner<'_> {
             }
         });
         let queue: Vec<Square> =
-            queue.into_par_iter().filter(|square| self.is_mixed(*square)).collect();
+            queue.into_par_iter().filter(|square| self.is_open(*square)).collect();
         self.split_all(queue, level, &mut told)?;
         for _ in 0..ROUNDS {
             let (round, missed) = self.probe(probes, random)?;
@@ -203,7 +239,7 @@ impl Refiner<'_> {
                 .par_iter()
                 .filter(|square| square.level < level)
                 .flat_map_iter(|square| self.boxes.children(*square))
-                .filter(|square| self.is_mixed(*square))
+                .filter(|square| self.is_open(*square))
                 .collect();
             for cell in wanted {
                 let (column, row) = (cell % width, cell / width);
@@ -235,19 +271,30 @@ impl Refiner<'_> {
         let mut cells: Vec<usize> = probes.iter().map(|probe| probe.cell).collect();
         cells.sort_unstable();
         self.run(&cells)?;
-        let wrong: Vec<&Probe> =
-            probes.iter().filter(|probe| self.differs(probe.cell, probe.leaf)).collect();
+        let (wrong, right): (Vec<&Probe>, Vec<&Probe>) =
+            probes.iter().partition(|probe| self.differs(probe.cell, probe.leaf));
+        let rough: Vec<&Probe> = match &self.smooth {
+            Some(smooth) => right
+                .into_iter()
+                .filter(|probe| !smooth.holds(&self.boxes, probe.leaf, probe.cell))
+                .collect(),
+            None => Vec::new(),
+        };
+        let share = |found: usize| match left.count {
+            // What was run is known.
+            count if count == probes.len() => found as f64 / count.max(1) as f64,
+            _ => share_at_most(found, probes.len()),
+        };
         let round = ProbeRound {
             left_alone: left.count,
             probes: probes.len(),
             missed: wrong.len(),
-            share_missed_at_most: match left.count {
-                // What was run is known.
-                count if count == probes.len() => wrong.len() as f64 / count.max(1) as f64,
-                _ => share_at_most(wrong.len(), probes.len()),
-            },
+            share_missed_at_most: share(wrong.len()),
+            rough: rough.len(),
+            share_rough_at_most: self.smooth.is_some().then(|| share(rough.len())),
         };
-        let leaves: BTreeSet<Square> = wrong.iter().map(|probe| probe.leaf).collect();
+        let leaves: BTreeSet<Square> =
+            wrong.into_iter().chain(rough).map(|probe| probe.leaf).collect();
         Ok((round, leaves.into_iter().collect()))
     }
 }

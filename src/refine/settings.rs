@@ -13,11 +13,14 @@ pub struct RefineSettings {
     pub probes: usize,
     /// What the drawing begins with: the same number draws the same cells.
     pub seed: u64,
+    /// Boxes of one outcome are split, too, where the rocking index, the least contact force or a stroke is not bilinear
+    /// to this share of its range on the map; none: they are not looked at.
+    pub smooth: Option<f64>,
 }
 
 impl RefineSettings {
     /// So many levels, 3,000 probes each.
     pub fn levels(levels: u32) -> RefineSettings {
-        RefineSettings { levels, probes: PROBES, seed: 1 }
+        RefineSettings { levels, probes: PROBES, seed: 1, smooth: None }
     }
 }
