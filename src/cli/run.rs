@@ -42,7 +42,9 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
-    if options.resume && options.tile.is_none() && job.left() == job.wanted.len() {
+    // A finished map may have been refined otherwise, or not at all.
+    let whole = options.tile.is_none() && options.refine.is_none();
+    if options.resume && whole && job.left() == job.wanted.len() {
         match earlier.tag {
             Some(finished) if Some(finished) == tag => {
                 say.line(
@@ -100,7 +102,8 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
             let (sharpness, talk) = (options.sharpness, options.talk);
-            let refined = refine(&map, &opened.backends, options, &screen)?;
+            let refined =
+                refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
             let refined = refined.as_ref();
             let to =
                 Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
@@ -113,16 +116,16 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     }
 }
 
-/// The map refined, where that is asked for.
-fn refine(
+/// The map refined in so many levels, where that is asked for.
+pub fn refine(
     map: &MapSweep,
     backends: &[Backend],
-    options: &MapOptions,
+    (levels, smooth): (Option<u32>, Option<f64>),
     screen: &Screen,
 ) -> anyhow::Result<Option<RefinedMap>> {
-    let Some(levels) = options.refine else { return Ok(None) };
+    let Some(levels) = levels else { return Ok(None) };
     let mut settings = RefineSettings::levels(levels);
-    settings.smooth = options.smooth;
+    settings.smooth = smooth;
     let refined = refine::refine_on(map, backends, &settings, screen);
     let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
     screen.clear();

@@ -16,6 +16,8 @@ use super::settings::RefineSettings;
 use super::smooth::Smooth;
 use crate::results::columns::Column;
 use crate::results::outcomes::each_block;
+use crate::results::rounds::Rounds;
+use crate::results::store::LISTS;
 use crate::scene::{Grid, Scene, SceneError};
 use crate::sweep::backend::Backend;
 use crate::sweep::error::SweepError;
@@ -27,6 +29,9 @@ use crate::sweep::settings::RunSettings;
 /// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
 const ROUNDS: usize = 3;
 
+/// Cells that are run and saved at once.
+const SAVED: usize = 1 << 16;
+
 /// A map that is being refined.
 struct Refiner<'a> {
     list: ListSweep<'a>,
@@ -36,6 +41,8 @@ struct Refiner<'a> {
     codes: Vec<u8>,
     ran: RanCells,
     smooth: Option<Smooth>,
+    /// What an earlier run saved of the same lists, and where this one saves.
+    rounds: Option<Rounds>,
 }
 
 /// The scene of a map with the gaps of its axes halved so many times.
@@ -92,7 +99,8 @@ pub fn refine_on(
     let ran = RanCells::new(map.precision());
     let codes = vec![NOT_RUN; columns * rows];
     let smooth = settings.smooth.map(Smooth::new);
-    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth };
+    let rounds = map.rounds(&format!("{LISTS}-{columns}x{rows}"))?;
+    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth, rounds };
     refiner.begin(map)?;
     let mut random = Pcg64Mcg::new(u128::from(settings.seed) | 1 << 64 | 1);
     let mut levels = Vec::new();
@@ -159,7 +167,28 @@ impl Refiner<'_> {
     /// Runs cells that have not run, and hears of their codes.
     fn run(&mut self, cells: &[usize]) -> Result<(), SweepError> {
         self.observer.begins(Phase::Refining, cells.len());
-        let ran = self.list.run(cells, self.observer)?.outcomes;
+        for cells in cells.chunks(SAVED) {
+            self.run_some(cells)?;
+        }
+        Ok(())
+    }
+
+    /// Runs as many cells as are saved at once, or takes what an earlier run saved of them.
+    fn run_some(&mut self, cells: &[usize]) -> Result<(), SweepError> {
+        let saved = self.rounds.as_mut().and_then(|rounds| rounds.take(cells));
+        let ran = match saved {
+            Some(saved) => {
+                self.observer.advance(cells.len());
+                saved
+            }
+            None => {
+                let ran = self.list.run(cells, self.observer)?.outcomes;
+                if let Some(rounds) = &mut self.rounds {
+                    rounds.save(cells, &ran)?;
+                }
+                ran
+            }
+        };
         for (cell, outcome) in cells.iter().zip(&ran) {
             self.codes[*cell] = code(outcome);
         }

@@ -18,6 +18,7 @@ pub mod outcomes;
 pub mod part;
 pub mod reader;
 pub mod replaced;
+pub mod rounds;
 pub mod saved_tiles;
 pub mod sharpness;
 pub mod size;

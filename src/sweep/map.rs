@@ -22,6 +22,7 @@ use crate::results::about::Source;
 use crate::results::block::{Block, Values};
 use crate::results::columns::{Column, Holds};
 use crate::results::outcomes::{Outcomes, each_block};
+use crate::results::rounds::Rounds;
 use crate::results::saved_tiles::SavedTiles;
 use crate::results::sharpness::Sharpness;
 use crate::results::store::Store;
@@ -234,6 +235,14 @@ impl MapSweep {
             }
             _ => error,
         }
+    }
+
+    /// Lists of cells of a finer grid, saved beside it in a folder of this name; none of a map that is not saved.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub(crate) fn rounds(&self, name: &str) -> Result<Option<Rounds>, StoreError> {
+        self.store.as_ref().map(|store| store.rounds(name)).transpose()
     }
 
     /// Takes away what was saved while it ran: its files are written. Outcomes that are not in memory cannot be
