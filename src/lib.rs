@@ -162,7 +162,7 @@ pub use sweep::map::MapSweep;
 pub use sweep::observer::{Observer, Phase};
 pub use sweep::parts_error::PartsError;
 pub use sweep::progress::{Progress, Unwatched};
-pub use sweep::repair::Repair;
+pub use sweep::repaired::Repair;
 pub use sweep::report::Report;
 pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;

@@ -19,7 +19,7 @@ use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
-use topple::sweep::repair::Repair;
+use topple::sweep::repaired::Repair;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::{Verdict, Verification, ZETA_OFF};

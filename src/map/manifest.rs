@@ -15,7 +15,7 @@ use crate::scene::{Grid, Scene};
 use crate::sweep::description::AdapterDescription;
 use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
-use crate::sweep::repair::Repair;
+use crate::sweep::repaired::Repair;
 use crate::sweep::report::{Report, threads};
 use crate::sweep::settings::Method;
 use crate::sweep::shortcuts::Shortcuts;

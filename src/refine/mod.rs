@@ -19,6 +19,7 @@ pub mod error;
 pub mod leaves;
 pub mod probes;
 pub mod refined;
+mod refiner;
 pub mod report;
 pub mod run;
 pub mod settings;

@@ -12,7 +12,7 @@ use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
 use super::parts::Parts;
 use super::plan::Plan;
-use super::repair::Repair;
+use super::repaired::Repair;
 use super::report::{self, Report};
 use super::sample::{self, Chosen};
 use super::settings::{Method, VerifySettings};

@@ -45,6 +45,7 @@ pub mod prepare;
 pub mod progress;
 pub mod reader;
 pub mod repair;
+pub mod repaired;
 pub mod report;
 pub mod request;
 pub mod run;

@@ -8,10 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
-use std::ops::Range;
 use std::time::Instant;
-
-use serde::Serialize;
 
 use super::backend::Backend;
 use super::error::SweepError;
@@ -19,6 +16,7 @@ use super::list::ListSweep;
 use super::map::MapSweep;
 use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
+use super::repaired::Repair;
 use super::sample::beside_boundary;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
@@ -26,32 +24,6 @@ use crate::results::replaced::ReplacedOutcomes;
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome, Status};
-
-/// How a map was repaired.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Repair {
-    /// Cells that ran again: those beside a boundary.
-    pub checked: usize,
-    /// Cells that have another outcome since.
-    pub changed: usize,
-    /// Cells whose outcome no two of the three settings agree on; they are unresolved since.
-    pub undecided: usize,
-    /// Rounds: after the first one the neighbours of cells that changed run again.
-    pub rounds: usize,
-    /// Seconds that it took.
-    pub seconds: f64,
-    /// The cells that were replaced, in order.
-    #[serde(skip)]
-    pub replaced: Vec<usize>,
-}
-
-impl Repair {
-    /// True where one of some cells was replaced.
-    pub(super) fn touches(&self, cells: &Range<usize>) -> bool {
-        let next = self.replaced.partition_point(|cell| *cell < cells.start);
-        self.replaced.get(next).is_some_and(|cell| *cell < cells.end)
-    }
-}
 
 /// The neighbours of a cell along the first two axes, those of one slice.
 pub(super) fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = usize> + use<> {
