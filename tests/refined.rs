@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use assert_cmd::Command;
-use common::{gpu, object, refused, say};
+use common::{gpu, object, refused, say, scene};
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::model::precision::Precision;
@@ -51,6 +51,20 @@ fn wrong(map: &RefinedMap, dense: &[Outcome]) -> usize {
     told.iter().zip(dense).filter(|(told, right)| code(told) != code(right)).count()
 }
 
+/// Leaves in which a cell that was run differs from the first: none may be left.
+fn mixed(map: &RefinedMap) -> usize {
+    let told = map.read(0..map.grid.len(), &Column::ALL).unwrap();
+    let (columns, rows) = map.report.shape;
+    let mut first = vec![0; columns * rows];
+    for leaf in map.leaves() {
+        let own = code(&told[leaf.row * columns + leaf.column]);
+        for row in leaf.row..leaf.row + leaf.height {
+            first[row * columns + leaf.column..][..leaf.width].fill(own);
+        }
+    }
+    map.cells().iter().filter(|cell| code(&told[**cell]) != first[**cell]).count()
+}
+
 fn levels(levels: u32, probes: usize) -> RefineSettings {
     let mut settings = RefineSettings::levels(levels);
     settings.probes = probes;
@@ -89,6 +103,21 @@ fn a_refined_map_is_the_dense_one_by_a_share_of_its_cells() {
     assert!(times.iter().all(|times| *times == 1));
 }
 
+/// A map full of thin bands: whatever probes and islands find, no leaf is left with cells that differ, and what was not run
+/// is as the last round says.
+#[test]
+fn where_boundaries_are_everywhere_no_leaf_is_left_mixed() {
+    let text = "[block]\nobject = 1\neccentricity = 0.2\n[base]\nt_h = 3\nt_v = 0.2\n[run]\nt_max = 10\n\
+                [pulse]\nshape = \"ricker\"\nomega = \"0.5:4:13\"\na_h = \"0.5:4:13\"\na_v = 5\n";
+    let map = refined(&scene(text), Backend::Cpu, &levels(3, 300));
+    let dense = dense(&map);
+    let (wrong, last) = (wrong(&map, &dense), *map.report.last_round().unwrap());
+    say(&format!("{wrong} of {} cells wrong, {} run: {last:?}", dense.len(), map.cells().len()));
+    assert_eq!(mixed(&map), 0);
+    assert!(wrong as f64 <= last.share_missed_at_most * last.left_alone as f64);
+    assert!(2 * map.cells().len() < dense.len());
+}
+
 /// The same cells on the shader, whose outcomes are the CPU's but beside boundaries.
 #[test]
 fn the_shader_refines() {
@@ -119,7 +148,7 @@ fn islands_smaller_than_the_first_grid_are_found_by_probes() {
     let dense = dense(&plain);
     let (missed, left) = (wrong(&plain, &dense), wrong(&probed, &dense));
     say(&format!("{missed} cells wrong without probes, {left} with: {:?}", probed.report));
-    assert_eq!(plain.cells().len(), 16);
+    assert_eq!((plain.cells().len(), mixed(&plain), mixed(&probed)), (16, 0, 0));
     assert!(plain.report.levels.iter().all(|level| level.boxes == 0));
     assert_eq!(plain.report.last_round().unwrap().share_missed_at_most, 1.0);
     assert!(missed > 20 && 5 * left < missed, "{missed} without probes, {left} with");

@@ -62,6 +62,7 @@ fn what_is_wrong_beside_boundaries_is_mended_or_undecided() {
     assert!(before >= 4 && 2 * after <= before, "{found}");
     let differ = classes(&plain).iter().zip(classes(&mended)).filter(|(a, b)| **a != *b).count();
     assert_eq!(repair.changed + repair.undecided, differ);
+    assert!(repair.changed > 2 * repair.undecided, "{found}");
     // A cell that was replaced has all of the finer run's numbers, in the map's number type.
     let cell = repair.replaced[0];
     let (old, new) = (plain.outcome(cell).unwrap(), mended.outcome(cell).unwrap());

@@ -142,7 +142,7 @@ impl Refiner<'_> {
         };
         let mut queue = Vec::new();
         self.boxes.each_leaf(|leaf| {
-            if leaf.level == level {
+            if leaf.level <= level {
                 queue.push(leaf);
             }
         });
@@ -244,8 +244,14 @@ impl Refiner<'_> {
             rough: rough.len(),
             share_rough_at_most: self.smooth.is_some().then(|| share(rough.len())),
         };
+        // A probe on the border of a leaf is a cell of its neighbour, too.
+        let width = self.boxes.shape().0;
+        let around = probes.iter().flat_map(|probe| {
+            let leaves = self.boxes.around(probe.cell % width, probe.cell / width);
+            leaves.into_iter().filter(|leaf| self.differs(probe.cell, *leaf))
+        });
         let leaves: BTreeSet<Square> =
-            wrong.into_iter().chain(rough).map(|probe| probe.leaf).collect();
+            rough.into_iter().map(|probe| probe.leaf).chain(around).collect();
         Ok((round, leaves.into_iter().collect()))
     }
 }
