@@ -143,6 +143,30 @@ impl Boxes {
         leaves
     }
 
+    /// True where a leaf beside this one, or at a corner of it, is smaller: a boundary is near.
+    pub fn is_beside_smaller(&self, square: Square) -> bool {
+        let (columns, rows) = self.shape();
+        let side = self.side(square.level);
+        let (left, low) = (square.i * side, square.j * side);
+        let (right, high) = (left + side, low + side);
+        // Gaps around the box, those of its corners included; beyond the grid there is none.
+        let along = |from: usize, to: usize| from.saturating_sub(1)..to + 1;
+        let above = [low.checked_sub(1), Some(high)];
+        let beside = [left.checked_sub(1), Some(right)];
+        let smaller = |column: usize, row: usize| {
+            column + 1 < columns && row + 1 < rows && self.leaf(column, row).level > square.level
+        };
+        let across = above
+            .into_iter()
+            .flatten()
+            .any(|row| along(left, right).any(|column| smaller(column, row)));
+        across
+            || beside
+                .into_iter()
+                .flatten()
+                .any(|column| along(low, high).any(|row| smaller(column, row)))
+    }
+
     /// Calls with each leaf, those of a box of level 0 one after the other.
     pub fn each_leaf(&self, mut see: impl FnMut(Square)) {
         let mut open = Vec::new();
@@ -201,6 +225,15 @@ mod tests {
         assert_eq!(boxes.around(0, 0), [Square { level: 0, j: 0, i: 0 }]);
         let levels: Vec<u32> = boxes.around(20, 8).iter().map(|leaf| leaf.level).collect();
         assert_eq!(levels, [0, 1, 2]);
+        // Beside the split box below, left and at the corner, and not farther; of its own children that beside the
+        // smaller ones.
+        let beside = |level, j, i| boxes.is_beside_smaller(Square { level, j, i });
+        assert_eq!([(0, 2), (1, 1), (0, 1), (0, 0), (1, 0)].map(|(j, i)| beside(0, j, i)), [
+            true, true, true, false, false
+        ]);
+        assert_eq!([(2, 4), (3, 4), (3, 5)].map(|(j, i)| beside(1, j, i)), [true, true, true]);
+        assert_eq!([(4, 10), (5, 11)].map(|(j, i)| beside(2, j, i)), [true, true]);
+        assert!(!beside(3, 10, 20));
     }
 
     #[test]

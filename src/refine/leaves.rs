@@ -25,6 +25,8 @@ pub struct Leaf {
     pub width: usize,
     /// Cells along the second axis.
     pub height: usize,
+    /// A leaf beside it is smaller: a boundary is near, and a band thinner than a cell may cross it.
+    pub beside: bool,
     /// Place of its first cell among those that were run.
     place: usize,
 }
@@ -59,9 +61,10 @@ impl RefinedMap {
     fn add_leaf(&self, square: Square, leaves: &mut Vec<Leaf>) {
         let (columns, rows) = own_cells(&self.boxes, square);
         let level = square.level;
+        let beside = self.boxes.is_beside_smaller(square);
         let leaf = |column, row, width, height| {
             let place = self.place_of(row * self.boxes.shape().0 + column);
-            Leaf { level, column, row, width, height, place }
+            Leaf { level, column, row, width, height, beside, place }
         };
         if level < self.boxes.levels() {
             leaves.push(leaf(columns.start, rows.start, columns.len(), rows.len()));
@@ -96,6 +99,11 @@ impl RefinedMap {
                 "height",
                 "cells of the finest grid along the second axis, from this one on",
                 |leaf| leaf.height,
+            ),
+            count(
+                "beside",
+                "1 where a leaf beside it is smaller: a boundary is near, and its cells that were not run are less sure",
+                |leaf| usize::from(leaf.beside),
             ),
         ];
         let outcomes = LeafOutcomes { map: self, leaves: &leaves };

@@ -36,19 +36,24 @@ pub fn own_cells(boxes: &Boxes, leaf: Square) -> (std::ops::Range<usize>, std::o
     (*across.start()..end(&across, columns), *up.start()..end(&up, rows))
 }
 
+/// How many of a leaf's own cells were not run.
+pub fn not_run(boxes: &Boxes, codes: &[u8], leaf: Square) -> usize {
+    let width = boxes.shape().0;
+    let (columns, rows) = own_cells(boxes, leaf);
+    let row = |row: usize| &codes[row * width + columns.start..row * width + columns.end];
+    let alone = |row: &[u8]| row.iter().filter(|code| **code == NOT_RUN).count();
+    rows.map(|number| alone(row(number))).sum()
+}
+
 impl LeftAlone {
     /// The leaves of one outcome that have cells which were not run, by the codes of all cells.
     pub fn of(boxes: &Boxes, codes: &[u8], is_mixed: impl Fn(Square) -> bool) -> LeftAlone {
-        let width = boxes.shape().0;
         let (mut leaves, mut count) = (Vec::new(), 0);
         boxes.each_leaf(|leaf| {
             if leaf.level == boxes.levels() || is_mixed(leaf) {
                 return;
             }
-            let (columns, rows) = own_cells(boxes, leaf);
-            let row = |row: usize| &codes[row * width + columns.start..row * width + columns.end];
-            let alone = |row: &[u8]| row.iter().filter(|code| **code == NOT_RUN).count();
-            let alone: usize = rows.map(|number| alone(row(number))).sum();
+            let alone = not_run(boxes, codes, leaf);
             if alone > 0 {
                 leaves.push((leaf, alone));
                 count += alone;

@@ -50,6 +50,8 @@ pub struct RefineReport {
     pub share: f64,
     /// Leaves: boxes of one outcome each, or between neighbouring cells of the finest grid.
     pub leaves: usize,
+    /// Cells that were not run in leaves beside a smaller one: a boundary is near, and they are less sure than others.
+    pub beside: usize,
     /// The share of their range on the map by which numbers between cells that were run may be off; none where nothing
     /// is said of them.
     pub smooth: Option<f64>,

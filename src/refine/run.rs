@@ -6,6 +6,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::boxes::Boxes;
 use super::codes::NOT_RUN;
+use super::probes::not_run;
 use super::refined::{RanCells, RefinedMap};
 use super::refiner::Refiner;
 use super::report::RefineReport;
@@ -83,14 +84,20 @@ pub fn refine_on(
         levels.push(refiner.level(level, settings.probes, &mut random)?);
     }
     plan.forget();
-    let Refiner { boxes, ran, .. } = refiner;
-    let mut leaves = 0;
-    boxes.each_leaf(|_| leaves += 1);
+    let Refiner { boxes, codes, ran, .. } = refiner;
+    let (mut leaves, mut beside) = (0, 0);
+    boxes.each_leaf(|leaf| {
+        leaves += 1;
+        if leaf.level < boxes.levels() && boxes.is_beside_smaller(leaf) {
+            beside += not_run(&boxes, &codes, leaf);
+        }
+    });
     let report = RefineReport {
         shape: (columns, rows),
         cells: ran.len(),
         share: ran.len() as f64 / (columns * rows) as f64,
         leaves,
+        beside,
         smooth: settings.smooth,
         seconds: began.elapsed().as_secs_f64(),
         levels,
