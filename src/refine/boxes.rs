@@ -228,9 +228,10 @@ mod tests {
         // Beside the split box below, left and at the corner, and not farther; of its own children that beside the
         // smaller ones.
         let beside = |level, j, i| boxes.is_beside_smaller(Square { level, j, i });
-        assert_eq!([(0, 2), (1, 1), (0, 1), (0, 0), (1, 0)].map(|(j, i)| beside(0, j, i)), [
-            true, true, true, false, false
-        ]);
+        assert_eq!(
+            [(0, 2), (1, 1), (0, 1), (0, 0), (1, 0)].map(|(j, i)| beside(0, j, i)),
+            [true, true, true, false, false]
+        );
         assert_eq!([(2, 4), (3, 4), (3, 5)].map(|(j, i)| beside(1, j, i)), [true, true, true]);
         assert_eq!([(4, 10), (5, 11)].map(|(j, i)| beside(2, j, i)), [true, true]);
         assert!(!beside(3, 10, 20));

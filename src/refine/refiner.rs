@@ -150,7 +150,7 @@ impl Refiner<'_> {
             queue.into_par_iter().filter(|square| self.is_open(*square)).collect();
         self.split_all(queue, level, &mut told)?;
         for _ in 0..ROUNDS {
-            let (round, missed) = self.probe(probes, random)?;
+            let (round, missed) = self.probe(level, probes, random)?;
             told.probes.push(round);
             if missed.is_empty() {
                 break;
@@ -214,6 +214,7 @@ impl Refiner<'_> {
     /// Runs cells drawn at random among those left alone; what they say, and the leaves that they find wrong.
     fn probe(
         &mut self,
+        level: u32,
         wanted: usize,
         random: &mut Pcg64Mcg,
     ) -> Result<(ProbeRound, Vec<Square>), SweepError> {
@@ -248,10 +249,12 @@ impl Refiner<'_> {
         let width = self.boxes.shape().0;
         let around = probes.iter().flat_map(|probe| {
             let leaves = self.boxes.around(probe.cell % width, probe.cell / width);
-            leaves.into_iter().filter(|leaf| self.differs(probe.cell, *leaf))
+            // Those of the next level are looked at there.
+            let of_level = leaves.into_iter().filter(|leaf| leaf.level <= level);
+            of_level.filter(|leaf| self.differs(probe.cell, *leaf))
         });
-        let leaves: BTreeSet<Square> =
-            rough.into_iter().map(|probe| probe.leaf).chain(around).collect();
+        let own = wrong.into_iter().chain(rough).map(|probe| probe.leaf);
+        let leaves: BTreeSet<Square> = own.chain(around).collect();
         Ok((round, leaves.into_iter().collect()))
     }
 }
