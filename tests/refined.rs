@@ -212,8 +212,8 @@ fn the_command_writes_pictures_and_leaves() {
     let mut table = csv::Reader::from_path(out.join("leaves.csv")).unwrap();
     let head = table.headers().unwrap().clone();
     assert_eq!(
-        head.iter().take(6).collect::<Vec<_>>(),
-        ["omega", "a_h", "level", "width", "height", "outcome"]
+        head.iter().take(7).collect::<Vec<_>>(),
+        ["omega", "a_h", "level", "width", "height", "beside", "outcome"]
     );
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     let area: usize = rows
@@ -234,7 +234,7 @@ fn the_command_writes_pictures_and_leaves() {
         let (i, j) = ((number(0) - 1.0) * 16.0, (number(1) - 1.0) / 1.1 * 16.0);
         let (i, j) = (i.round() as usize, j.round() as usize);
         assert!(j < 161 && i < 177, "{row:?}");
-        let kind = match (&row[5], &row[6]) {
+        let kind = match (&row[6], &row[7]) {
             // After impacts the colour tells their number, not the corner.
             ("overturned_left" | "overturned_right", impacts) if impacts != "0" => "impacts",
             (outcome, _) => outcome,
