@@ -75,6 +75,12 @@ mod model;
 pub mod model;
 
 #[cfg(not(feature = "internals"))]
+mod refine;
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod refine;
+
+#[cfg(not(feature = "internals"))]
 mod results;
 #[cfg(feature = "internals")]
 #[doc(hidden)]
@@ -120,6 +126,11 @@ pub use fragility::{
 };
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
+pub use refine::leaves::Leaf;
+pub use refine::refined::RefinedMap;
+pub use refine::report::{Level as RefineLevel, ProbeRound, RefineReport};
+pub use refine::run::refine;
+pub use refine::settings::RefineSettings;
 pub use results::block::Values as ColumnValues;
 pub use results::columns::{Column, STATUS_NAMES};
 pub use results::files::WriteError;
@@ -148,10 +159,12 @@ pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
 pub use sweep::estimate::Estimate;
 pub use sweep::job::{Job, PartSweep, SweepResult};
+pub use sweep::list::{ListOutcomes, sweep_cells};
 pub use sweep::map::MapSweep;
 pub use sweep::observer::{Observer, Phase};
 pub use sweep::parts_error::PartsError;
 pub use sweep::progress::{Progress, Unwatched};
+pub use sweep::repaired::Repair;
 pub use sweep::report::Report;
 pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;

@@ -68,6 +68,7 @@ fn method() -> Method {
         largest_step: 1.0 / 128.0,
         resolve: false,
         full_model: false,
+        repair: false,
     }
 }
 

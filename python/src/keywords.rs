@@ -28,13 +28,14 @@ pub struct Request {
 }
 
 /// The keywords that say how a scene is run.
-pub const SETTINGS: [&str; 10] = [
+pub const SETTINGS: [&str; 11] = [
     "backend",
     "adapter",
     "precision",
     "step",
     "resolve",
     "full_model",
+    "repair",
     "verify",
     "out",
     "resume",
@@ -222,6 +223,7 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
         "step" => settings.method.largest_step = taken(key, value, "a number of seconds")?,
         "resolve" => settings.method.resolve = taken(key, value, "True or False")?,
         "full_model" => settings.method.full_model = taken(key, value, "True or False")?,
+        "repair" => settings.method.repair = taken(key, value, "True or False")?,
         "verify" => {
             let none = value.extract::<bool>().is_ok_and(|flag| !flag);
             let none = none || value.extract::<String>().is_ok_and(|text| text == "none");

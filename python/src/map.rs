@@ -164,6 +164,7 @@ fn about(map: &MapSweep) -> Value {
         ("adapter", json!(first.adapter)),
         ("method", json!(map.method)),
         ("sweep_seconds", json!(map.parts.iter().map(|(_, report)| report.sweep).sum::<f64>())),
+        ("repaired", json!(map.repair)),
         ("verification", json!(map.verification)),
     ];
     about.extend(entries.map(|(key, value)| (key.to_string(), value)));

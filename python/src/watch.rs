@@ -38,6 +38,8 @@ impl Observer for Watch {
     fn begins(&self, phase: Phase, total: usize) {
         let name = match phase {
             Phase::Sweeping => "sweep",
+            Phase::Repairing => "repair",
+            Phase::Refining => "refining",
             Phase::Counting => "counting",
             Phase::Choosing => "sample",
             Phase::Verifying => "reference",

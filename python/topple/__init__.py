@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _topple
 from ._accessor import register
-from ._dataset import attributes, dataset, described, of_map
+from ._dataset import attributes, dataset, described, of_leaves, of_map
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
 from ._progress import Progress, finished, listener
@@ -308,17 +308,18 @@ def _suite_path(path: Any) -> str:
 
 
 def open(path: str | os.PathLike[str]) -> Any:
-    """Open a map that was written: lazily from map.zarr, else from map.npz.
+    """Open a map that was written: lazily from map.zarr, else from map.npz; or the leaves of a refined one.
 
     Parameters
     ----------
     path : path
-        A directory of results, or one of these files.
+        A directory of results, or one of these files; leaves.npz for the leaves.
 
     Returns
     -------
     xarray.Dataset
-        As of `pulse`.
+        As of `pulse`. Of leaves a variable a column over the dimension ``leaf``, with the numbers of their first cells
+        (``cell``), ``level``, ``width`` and ``height``; the finest grid's axes are coordinates.
     """
     import numpy as np
 
@@ -342,6 +343,8 @@ def open(path: str | os.PathLike[str]) -> Any:
             raise ValueError(f"{place}: no map of topple")
         about = json.loads(str(arrays["about"]))
         about["coordinates"] = {key: arrays[key] for key in about["axes"]}
+        if "counts" in about:
+            return of_leaves({name: arrays[name] for name in [*about["counts"], *about["columns"], "proved"]}, about)
         return of_map({name: arrays[name] for name in [*about["columns"], "proved"]}, about)
 
 

@@ -83,3 +83,16 @@ def of_map(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
             attrs |= flags(about[name])
         data_vars[name] = (index, values.reshape(shape), attrs)
     return dataset(data_vars, axes(about), attributes(about))
+
+
+def of_leaves(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
+    """The leaves of a refined map: a variable a column over their dimension, the finest grid's axes beside them."""
+    index = tuple(about["index"])
+    known = {**about["columns"], **about["counts"]}
+    data_vars = {}
+    for name, values in columns.items():
+        attrs = described(known[name]) if name in known else {}
+        if name in ("outcome", "status"):
+            attrs |= flags(about[name])
+        data_vars[name] = (index, values, attrs)
+    return dataset(data_vars, axes(about), attributes(about))

@@ -6,6 +6,7 @@ use topple::map::earlier::{Earlier, RUN};
 use topple::map::manifest::{Facts, Manifest, Steps, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
+use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::scene::Parameter;
 use topple::sweep::backend_error::BackendError;
@@ -18,6 +19,7 @@ use super::options::{MapFile, Talk};
 use super::output;
 use super::print::print_line;
 use super::progress::Screen;
+use super::refined;
 use super::words::{self, Say};
 
 /// How a map is finished.
@@ -28,6 +30,8 @@ pub struct Finish<'a> {
     pub files: &'a [MapFile],
     /// What an earlier command left there.
     pub earlier: &'a Earlier,
+    /// The map refined, where that was asked for.
+    pub refined: Option<&'a RefinedMap>,
     /// What the reference runs again.
     pub verify: VerifySettings,
     /// How long the estimate took.
@@ -52,6 +56,10 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let Finish { out, files, .. } = *to;
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
+    if let Some(repair) = &map.repair {
+        let sweep = map.parts.iter().map(|(_, report)| report.sweep).sum();
+        say.line("repair", words::repair(repair, sweep));
+    }
     let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
     // What lies on disk only is gone when its files are written.
     let cells = if map.by_reference() { 0 } else { to.verify.cells };
@@ -72,11 +80,20 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         }
     }
     took.counting = lap(&mut began);
-    let slices = slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?;
+    if let Some(refined) = to.refined {
+        for (number, text) in words::refined(&refined.report).iter().enumerate() {
+            say.line(if number == 0 { "refined" } else { "" }, text);
+        }
+    }
+    let slices = match to.refined {
+        Some(refined) => slices::of(&refined.scene, &refined.grid, refined)?,
+        None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
+    };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
     let figures = output::draw(&slices)?;
     took.drawing = lap(&mut began);
-    let names = output::names(&map, &slices, &figures, files);
+    let mut names = output::names(&map, &slices, &figures, files);
+    names.extend(to.refined.iter().flat_map(|_| refined::names(files)));
     output::replace(out.path(), to.earlier, &names, say)?;
     let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
@@ -86,6 +103,9 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         }
         Err(error) => return Err(error),
     };
+    if let Some(map) = to.refined {
+        refined::write(out, map, files)?;
+    }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
     drop((slices, figures));
@@ -95,10 +115,12 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     }
     took.writing = lap(&mut began);
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
-    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, sharpness };
+    let refined = to.refined.map(|refined| &refined.report);
+    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, refined, sharpness };
     output::write_json(out, &Manifest::of(&map, &facts, took))?;
     map.discard_saved().map_err(sweep_error)?;
-    let thinned = match cells == map.grid.len() {
+    let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
+    let thinned = match cells == all {
         true => String::new(),
         false => format!(", {DRAWN} cells a side of them"),
     };

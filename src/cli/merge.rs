@@ -5,14 +5,17 @@ use std::time::Duration;
 
 use topple::map::earlier::Kind;
 use topple::map::thinned::thinned;
+use topple::refine::run as refine;
 use topple::results::size::FileSizes;
+use topple::sweep::backend::Backend;
 use topple::sweep::map::MapSweep;
 use topple::sweep::parts::Parts;
+use topple::sweep::request::BackendRequest;
 
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::options::{MapFile, Talk, Verify};
+use super::options::{MapFile, Talk, Verify, flag_error};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
 use super::{InputError, examples, interrupt, output};
@@ -36,6 +39,9 @@ pub struct MergeCommand {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
+    #[arg(long, value_name = "K")]
+    refine: Option<u32>,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long)]
     sharpness: bool,
@@ -60,8 +66,9 @@ impl MergeCommand {
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = parts.store(&self.out).map_err(sweep_error)?;
-        let map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
-        let grid = &map.grid;
+        let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
+        let grid = map.grid.clone();
+        let grid = &grid;
         let files =
             if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() };
         let (slice, _) = grid.slice(0);
@@ -76,10 +83,28 @@ impl MergeCommand {
             say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
         }
         say.line("takes", format!("{} of disk", size(bytes)));
+        let screen = Screen::new(self.quiet);
+        if let Some(levels) = self.refine {
+            refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
+        }
+        let mut refined = None;
+        // A part does not know its neighbours.
+        if map.method.repair || self.refine.is_some() {
+            let on_cpu = map.parts.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
+            let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
+            let opened = request.open(map.method.precision, &[]);
+            let opened = opened.map_err(|error| sweep_error(error.into()))?;
+            if map.method.repair {
+                let repaired = map.repair(&opened.backends, &screen);
+                repaired.map_err(|error| sweep_error(map.stopped(error)))?;
+            }
+            refined = super::run::refine(&map, &opened.backends, (self.refine, None), &screen)?;
+        }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
-        let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
-        finish::write(map, &to, &say, &Screen::new(self.quiet))
+        let refined = refined.as_ref();
+        let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
+        finish::write(map, &to, &say, &screen)
     }
 }

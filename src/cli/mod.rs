@@ -28,6 +28,7 @@ mod probability;
 mod progress;
 mod pulse;
 mod ratios;
+mod refined;
 mod run;
 mod save;
 mod scene;

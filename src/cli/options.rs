@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use topple::map::earlier::Kind;
 use topple::model::precision::Precision;
+use topple::refine::run as refine;
 use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
@@ -89,6 +90,16 @@ pub struct MapOptions {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
+    /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
+    #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
+    pub repair: bool,
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
+    #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
+    pub refine: Option<u32>,
+    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
+    /// share of its range
+    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
+    pub smooth: Option<f64>,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
@@ -190,6 +201,7 @@ impl RunOptions {
             largest_step: self.step.unwrap_or(usual.largest_step),
             resolve: self.resolve,
             full_model: self.full_model,
+            ..usual
         }
     }
 
@@ -243,6 +255,12 @@ impl RunOptions {
 }
 
 impl MapOptions {
+    /// Takes over how an earlier run computed its cells, and on what, where no flag says otherwise.
+    pub fn adopt(&mut self, backend: Option<&str>, earlier: Option<Method>) {
+        self.repair |= !self.run.resolve && earlier.is_some_and(|earlier| earlier.repair);
+        self.run.adopt(backend, earlier);
+    }
+
     /// What the files are of.
     pub fn kind(&self) -> Kind {
         if self.uncertain.asked() { Kind::Probability } else { Kind::Map }
@@ -254,6 +272,9 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        if let Some(levels) = self.refine {
+            refine::check(scene, levels).map_err(|error| flag_error(&error))?;
+        }
         self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))
     }
 
@@ -262,7 +283,7 @@ impl MapOptions {
         let mut settings = RunSettings::default();
         settings.backend = self.run.backend();
         settings.adapters.clone_from(&self.run.adapter);
-        settings.method = self.run.method();
+        settings.method = Method { repair: self.repair, ..self.run.method() };
         settings.saving = Some(Saving {
             resume: self.resume,
             every: self.keep_every,
@@ -340,6 +361,12 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
         format!("no number has this key; there are {}", known.join(", "))
     })
+}
+
+/// A share of a range.
+fn share(text: &str) -> Result<f64, String> {
+    let parsed = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
+    parsed.ok_or_else(|| "must be a number above 0 and below 1".into())
 }
 
 /// A time in seconds.

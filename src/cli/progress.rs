@@ -104,6 +104,10 @@ impl Progress for Screen {
 impl Observer for Screen {
     fn begins(&self, phase: Phase, total: usize) {
         let new = match phase {
+            Phase::Repairing => {
+                Bar::share("running cells beside boundaries again", total, self.quiet)
+            }
+            Phase::Refining => Bar::share("refining", total, self.quiet),
             Phase::Counting => Bar::share("counting", total, self.quiet),
             Phase::Choosing => Bar::share("choosing the reference's sample", total, self.quiet),
             Phase::Verifying => Bar::share("verifying by the reference", total, self.quiet),

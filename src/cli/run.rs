@@ -1,10 +1,16 @@
 //! From a scene to files: a map, or a part of one.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use topple::map::earlier::{Kind, RUN};
+use topple::refine::refined::RefinedMap;
+use topple::refine::run as refine;
+use topple::refine::settings::RefineSettings;
 use topple::scene::Scene;
+use topple::sweep::backend::Backend;
 use topple::sweep::job::{Job, SweepResult};
+use topple::sweep::map::MapSweep;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
@@ -36,7 +42,9 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
-    if options.resume && options.tile.is_none() && job.left() == job.wanted.len() {
+    // A finished map may have been refined otherwise, or not at all.
+    let whole = options.tile.is_none() && options.refine.is_none();
+    if options.resume && whole && job.left() == job.wanted.len() {
         match earlier.tag {
             Some(finished) if Some(finished) == tag => {
                 say.line(
@@ -71,6 +79,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     if left > 0 {
         say.line("takes", estimate::line(&job, estimate.as_ref(), options));
     }
+    let opened = Arc::clone(job.opened());
     let ended = job.run(estimate.as_ref(), &screen).map_err(sweep_error)?;
     screen.clear();
     let lost = match &ended {
@@ -93,7 +102,11 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let (out, files, earlier) = (&out, &files[..], &earlier);
             let (sharpness, talk) = (options.sharpness, options.talk);
-            let to = Finish { out, files, earlier, verify, estimate, tag, sharpness, talk };
+            let refined =
+                refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
+            let refined = refined.as_ref();
+            let to =
+                Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
             finish::write(*map, &to, &say, &screen)
         }
         SweepResult::Part(part) => {
@@ -101,6 +114,22 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             Ok(())
         }
     }
+}
+
+/// The map refined in so many levels, where that is asked for.
+pub fn refine(
+    map: &MapSweep,
+    backends: &[Backend],
+    (levels, smooth): (Option<u32>, Option<f64>),
+    screen: &Screen,
+) -> anyhow::Result<Option<RefinedMap>> {
+    let Some(levels) = levels else { return Ok(None) };
+    let mut settings = RefineSettings::levels(levels);
+    settings.smooth = smooth;
+    let refined = refine::refine_on(map, backends, &settings, screen);
+    let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
+    screen.clear();
+    Ok(Some(refined))
 }
 
 /// Says where the run begins.

@@ -36,7 +36,7 @@ impl RunCommand {
         if let Some(earlier) = again::at(&self.scene) {
             let Again { kind, scene, method, backend, uncertainty } = earlier.map_err(refused)?;
             let mut options = self.options.clone();
-            options.run.adopt(backend.as_deref(), method);
+            options.adopt(backend.as_deref(), method);
             match uncertainty {
                 Some(uncertainty) => options.uncertain.adopt(uncertainty),
                 None if kind == Kind::Probability && !options.uncertain.asked() => {

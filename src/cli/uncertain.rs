@@ -4,7 +4,8 @@ use topple::scene::{Scene, SceneError};
 use topple::uncertain::{Uncertainty, Varied};
 
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
-const NOT_BESIDE: [&str; 6] = ["resume", "keep_every", "tile", "files", "sharpness", "dry_run"];
+const NOT_BESIDE: [&str; 8] =
+    ["resume", "keep_every", "tile", "files", "repair", "refine", "sharpness", "dry_run"];
 /// Sweeps where no count is given.
 const SAMPLES: u32 = 64;
 

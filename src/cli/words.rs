@@ -9,6 +9,7 @@ use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::manifest::Timings;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
+use topple::refine::report::{ProbeRound, RefineReport};
 use topple::results::sharpness::{Estimate, Sharpness};
 use topple::results::tally::Tally;
 use topple::scene::keys;
@@ -17,6 +18,7 @@ use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values
 use topple::stepping::outcome::Class;
 use topple::sweep::backend::Backend;
 use topple::sweep::plan::Plan;
+use topple::sweep::repaired::Repair;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::{Verdict, Verification, ZETA_OFF};
@@ -248,6 +250,51 @@ pub fn sharpness(sharpness: &Sharpness) -> Vec<String> {
         sharpness.not_told.iter().map(|why| format!("not told: {}", why.replace("alpha", "α"))),
     );
     lines
+}
+
+/// How a map was refined, in lines.
+pub fn refined(report: &RefineReport) -> Vec<String> {
+    let (columns, rows) = report.shape;
+    let dense = columns as f64 * rows as f64;
+    let mut lines = vec![format!(
+        "{columns} x {rows} cells by {}, one of {:.0}; {} leaves; {:.2} s",
+        report.cells,
+        dense / report.cells as f64,
+        report.leaves,
+        report.seconds
+    )];
+    if let Some(last) = report.last_round().filter(|last| last.left_alone > last.probes) {
+        let ProbeRound { left_alone, probes, missed, share_missed_at_most, .. } = last;
+        let most = share_missed_at_most * *left_alone as f64;
+        lines.push(format!(
+            "{missed} of {probes} cells drawn from the {left_alone} not run have another outcome: at 95 % no more \
+             than {:.2} % of them, {most:.0}, have",
+            100.0 * share_missed_at_most
+        ));
+        if let (Some(smooth), Some(share)) = (report.smooth, last.share_rough_at_most) {
+            lines.push(format!(
+                "of {} of them a number is off by more than {smooth} of its range: at 95 % of no more than {:.2} %",
+                last.rough,
+                100.0 * share
+            ));
+        }
+    }
+    lines
+}
+
+/// How a map was repaired whose sweep took so many seconds.
+pub fn repair(repair: &Repair, sweep: f64) -> String {
+    let Repair { checked, changed, undecided, rounds, seconds, .. } = repair;
+    let undecided = match undecided {
+        0 => String::new(),
+        count => format!(", {count} undecided"),
+    };
+    format!(
+        "{} beside a boundary again in {rounds} rounds, in f64 with half the step: {changed} changed{undecided}; \
+         {seconds:.2} s, {:.2} of the sweep's time",
+        cells(*checked),
+        seconds / sweep.max(1.0e-9)
+    )
 }
 
 /// Cells that took so many seconds.

@@ -2,7 +2,7 @@
 //! after one. Any two differ enough to be told apart at a glance, with red-green colour vision too.
 
 use super::colour::{BLACK, Colour, WHITE};
-use crate::stepping::outcome::{Class, Outcome};
+use crate::stepping::outcome::{COUNTED, Class, Outcome};
 
 /// A class of cells on an overturning map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,13 +25,7 @@ pub enum Kind {
 }
 
 /// Impacts from which on all counts share a colour.
-pub const OPEN: u32 = 10;
-
-/// True where the block came to rest between impacts and lifted anew: how many impacts there were
-/// is then a matter of when it counts as resting.
-fn rested(outcome: &Outcome) -> bool {
-    outcome.impacts > 0 && outcome.uplifts > 1
-}
+pub const OPEN: u32 = COUNTED;
 
 /// True where dots tell the corner, which the colour does not: over the right one, after impacts.
 pub fn is_dotted(outcome: &Outcome) -> bool {
@@ -61,7 +55,9 @@ impl Kind {
             (Class::Rocking, _) => Kind::Rocking,
             (Class::OverturnedLeft, 0) => Kind::DirectLeft,
             (Class::OverturnedRight, 0) => Kind::DirectRight,
-            (Class::OverturnedLeft | Class::OverturnedRight, n) if n < OPEN && !rested(outcome) => {
+            (Class::OverturnedLeft | Class::OverturnedRight, n)
+                if outcome.counted_impacts().is_some() =>
+            {
                 Kind::Impacts(n)
             }
             (Class::OverturnedLeft | Class::OverturnedRight, _) => Kind::More,
@@ -146,7 +142,7 @@ impl Parity {
             Class::Unresolved => Parity::Unresolved,
             class if !class.overturned() => Parity::Stands,
             _ if outcome.impacts == 0 => Parity::Direct,
-            _ if rested(outcome) => Parity::Rested,
+            _ if outcome.rested() => Parity::Rested,
             _ if outcome.impacts % 2 == 1 => Parity::Odd,
             _ => Parity::Even,
         }

@@ -1,30 +1,28 @@
 //! The least amplitude that overturns, against the pulse's frequency.
 //!
-//! A sweep finds the lowest cell of each frequency that overturns; the reference bisects between it
-//! and the cell below. Overturning is no monotonic matter: a region thinner than the sweep's
-//! spacing, below the first that the sweep meets, stays unseen.
+//! A sweep finds the lowest cell of each frequency that overturns; its own method, in f64, bisects between it and the
+//! cell below, at all frequencies at once, and the reference says at some of them how far off that is. Overturning is no
+//! monotonic matter: a region thinner than the sweep's spacing, below the first that the sweep meets, stays unseen.
 
 use std::io::Write;
 
-use rayon::prelude::*;
-
-use super::marks::along;
+use crate::refine::curve::{Bracket, Curve, CurvePoint, ReferenceWord, WITHIN};
 use crate::results::csv::Number;
-use crate::scene::{Directions, Grid, Scene};
+use crate::scene::{Directions, Grid, Parameter, Scene};
 use crate::stepping::outcome::Outcome;
-use crate::stepping::reference::{self, Settings};
-
-/// Width to which an amplitude is bisected, m/s^2.
-pub const WITHIN: f64 = 1.0e-4;
+use crate::sweep::backend::Backend;
+use crate::sweep::error::SweepError;
+use crate::sweep::observer::Observer;
+use crate::sweep::plan::Plan;
 
 /// The boundary at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Least {
     /// Omega, rad/s.
     pub omega: f64,
-    /// The least A_h that overturns, m/s^2, to within [`WITHIN`]; none where no cell does.
+    /// The least A_h that overturns, m/s^2, to [`within`] a millionth of the axis; none where no cell does.
     pub a_h: Option<f64>,
-    /// The outcome just above it, by the reference.
+    /// The outcome just above it.
     pub outcome: Option<Outcome>,
 }
 
@@ -33,37 +31,62 @@ pub fn without_isolation(scene: &Scene) -> Scene {
     scene.clone().isolated(Directions::None)
 }
 
-/// The boundary of a swept map, a value a column.
-pub fn least(scene: &Scene, outcomes: &[Outcome]) -> Vec<Least> {
-    let grid = Grid::of(scene);
-    let (columns, rows) = grid.shape();
-    let column = |i: usize| {
-        let omega = grid.x().values.value(i);
-        let amplitude = |j: usize| grid.y().map_or(0.0, |axis| axis.values.value(j));
-        let first = (0..rows).find(|&j| outcomes[j * columns + i].class.overturned());
-        let Some(first) = first else { return Least { omega, a_h: None, outcome: None } };
-        let judge = |a_h: f64| {
-            let scene = along(scene, omega, a_h)?;
-            Some(reference::run(&scene, &scene.case(), &Settings::default()))
-        };
-        bisect(omega, if first == 0 { 0.0 } else { amplitude(first - 1) }, amplitude(first), judge)
-    };
-    (0..columns).into_par_iter().map(column).collect()
+/// How boundaries are bisected: on what, and by which plan of a scene.
+#[derive(Clone, Copy)]
+pub struct Bisection<'a> {
+    /// What runs cells: one, or several GPUs that are alike.
+    pub backends: &'a [Backend],
+    /// The plan of a scene.
+    pub plan: &'a (dyn Fn(&Scene) -> Result<Plan, SweepError> + Sync),
+    /// Frequencies at which the reference is asked, too.
+    pub asked: usize,
 }
 
-/// Bisects between an amplitude that stands and one that overturns. Where the reference finds the
-/// lower one overturned, or the upper one standing, that end is the answer as far as it goes.
-fn bisect(omega: f64, stands: f64, falls: f64, judge: impl Fn(f64) -> Option<Outcome>) -> Least {
-    let (mut low, mut high) = (stands, falls);
-    let mut outcome = judge(high).filter(|cell| cell.class.overturned());
-    while high - low > WITHIN {
-        let middle = 0.5 * (low + high);
-        match judge(middle) {
-            Some(cell) if cell.class.overturned() => (high, outcome) = (middle, Some(cell)),
-            _ => low = middle,
+/// Width to which the amplitudes of a grid are bisected, m/s^2.
+pub fn within(grid: &Grid) -> f64 {
+    let (low, high) = grid.y().map_or((0.0, 0.0), |axis| axis.values.ends());
+    WITHIN * high.abs().max(high - low)
+}
+
+/// The boundary of a swept map, a value a column, and what the reference says of it.
+///
+/// # Errors
+/// Those of the plan and of the backends; that it was cancelled.
+pub fn least(
+    scene: &Scene,
+    outcomes: &[Outcome],
+    bisection: &Bisection,
+    observer: &dyn Observer,
+) -> Result<(Vec<Least>, ReferenceWord), SweepError> {
+    let grid = Grid::of(scene);
+    let (columns, rows) = grid.shape();
+    let amplitude = |j: usize| grid.y().map_or(0.0, |axis| axis.values.value(j));
+    let first = |i: usize| (0..rows).find(|&j| outcomes[j * columns + i].class.overturned());
+    let bracket = |i: usize| {
+        let first = first(i)?;
+        let before = if first == 0 { 0.0 } else { amplitude(first - 1) };
+        Some(Bracket { at: grid.x().values.value(i), before, beyond: amplitude(first) })
+    };
+    let brackets: Vec<Option<Bracket>> = (0..columns).map(bracket).collect();
+    let curve = Curve {
+        scene,
+        parameters: [Parameter::Omega, Parameter::AH],
+        is_beyond: &|outcome| outcome.class.overturned(),
+        plan: bisection.plan,
+        within: within(&grid),
+    };
+    let known: Vec<Bracket> = brackets.iter().flatten().copied().collect();
+    let mut points = curve.points(&known, bisection.backends, observer)?;
+    let word = curve.ask_reference(&mut points, bisection.asked)?;
+    let mut points = points.into_iter();
+    let least = |(i, bracket): (usize, Option<Bracket>)| {
+        let omega = grid.x().values.value(i);
+        match bracket.and_then(|_| points.next()) {
+            Some(CurvePoint { value, outcome, .. }) => Least { omega, a_h: Some(value), outcome },
+            None => Least { omega, a_h: None, outcome: None },
         }
-    }
-    Least { omega, a_h: Some(high), outcome }
+    };
+    Ok((brackets.into_iter().enumerate().map(least).collect(), word))
 }
 
 /// Writes boundaries: a row a frequency, with and without isolation.

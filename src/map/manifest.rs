@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::earlier::Kind;
+use crate::refine::report::RefineReport;
 use crate::results::sharpness::Sharpness;
 use crate::results::tally::Tally;
 use crate::scene::record::Provenance;
@@ -14,6 +15,7 @@ use crate::scene::{Grid, Scene};
 use crate::sweep::description::AdapterDescription;
 use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
+use crate::sweep::repaired::Repair;
 use crate::sweep::report::{Report, threads};
 use crate::sweep::settings::Method;
 use crate::sweep::shortcuts::Shortcuts;
@@ -57,6 +59,10 @@ pub struct Manifest<'a> {
     pub tensile_cells: usize,
     /// Cells that ask for more friction than the scene's coefficient, if it has one.
     pub sliding_cells: Option<usize>,
+    /// How cells beside boundaries were repaired; none where it was not asked for.
+    pub repaired: Option<&'a Repair>,
+    /// How the map was refined, and how much of it that may have missed; none where it was not asked for.
+    pub refined: Option<&'a RefineReport>,
     /// How sharp the boundaries between outcomes are; none where it was not asked for.
     pub sharpness: Option<&'a Sharpness>,
     /// What was left out of the model.
@@ -118,6 +124,8 @@ pub struct Facts<'a> {
     pub files: &'a [String],
     /// A checksum of all that it depends on.
     pub tag: Option<u32>,
+    /// How it was refined, where that was asked for.
+    pub refined: Option<&'a RefineReport>,
     /// How sharp its boundaries are, where that was asked for.
     pub sharpness: Option<Sharpness>,
 }
@@ -125,7 +133,7 @@ pub struct Facts<'a> {
 impl<'a> Manifest<'a> {
     /// What is known of a map; `took` has the times of what came beside the sweep.
     pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
-        let Facts { tally, steps, drawn, files, tag, sharpness } = facts;
+        let Facts { tally, steps, drawn, files, tag, refined, sharpness } = facts;
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
         let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -159,6 +167,8 @@ impl<'a> Manifest<'a> {
             outcomes: tally.classes(),
             tensile_cells: tally.tensile,
             sliding_cells: tally.sliding,
+            repaired: map.repair.as_ref(),
+            refined: *refined,
             sharpness: sharpness.as_ref(),
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),

@@ -5,6 +5,7 @@ pub mod earlier;
 pub mod figure;
 pub mod history;
 pub mod manifest;
+pub mod refined;
 pub mod slices;
 pub mod thinned;
 

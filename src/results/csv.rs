@@ -6,7 +6,8 @@ use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
 use super::columns::{Column, Holds};
-use super::outcomes::{Outcomes, each_block};
+use super::listed::ListedCells;
+use super::outcomes::{Outcomes, each_block, each_block_of};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
@@ -51,6 +52,28 @@ pub fn write(
         made.iter().try_for_each(|rows| writer.write_all(rows))
     })?;
     writer.flush()?;
+    Ok(())
+}
+
+/// Writes the table of some cells, with their counts after the axes.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_list(listed: &ListedCells, writer: impl Write) -> Result<(), csv::Error> {
+    let ListedCells { grid, cells, counts, outcomes, .. } = *listed;
+    let mut table = csv::Writer::from_writer(writer);
+    let names = grid.axes().iter().map(Axis::key).chain(counts.iter().map(|count| count.name));
+    table.write_record(names.chain(Column::of_table().map(|entry| entry.name)))?;
+    each_block_of(cells.len(), outcomes, &Column::ALL, |first, block| {
+        for (number, cell) in (first..).zip(block) {
+            let at = grid.coordinates(cells[number]).map(|value| Field::Number(Number(value)));
+            let counts = counts.iter().map(|count| Field::Count(count.values[number]));
+            let columns = Column::of_table().map(|entry| Field::of(entry.holds, cell));
+            table.serialize(at.chain(counts).chain(columns).collect::<Vec<Field>>())?;
+        }
+        Ok(())
+    })?;
+    table.flush()?;
     Ok(())
 }
 

@@ -8,12 +8,14 @@ use std::path::Path;
 use bytemuck::NoUninit;
 use npyz::{AutoSerialize, DType, Endianness, NpyHeader, WriterBuilder};
 use rayon::prelude::*;
+use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
 use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
-use super::outcomes::{Outcomes, each_block};
+use super::listed::ListedCells;
+use super::outcomes::{Outcomes, each_block_of};
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
@@ -34,21 +36,47 @@ pub fn write(
     source: Source,
     writer: impl Write + Seek,
 ) -> io::Result<()> {
-    let mut archive = Archive { zip: ZipWriter::new(writer), grid, outcomes };
-    for axis in grid.axes() {
-        archive.axis(axis)?;
-    }
-    for entry in &TABLE {
-        match source.precision {
-            Precision::F32 => archive.entry(entry, |value| value as f32)?,
-            Precision::F64 => archive.entry(entry, |value| value)?,
-        }
-    }
-    archive.column("proved", Column::Status, |cell| cell.status == Status::Proved)?;
-    archive.text(ABOUT, &serde_json::Value::Object(source.about(grid)).to_string())?;
+    let shape: Vec<u64> = grid.axes().iter().rev().map(|axis| axis.count() as u64).collect();
+    let mut archive = Archive { zip: ZipWriter::new(writer), shape, outcomes };
+    archive.all(grid, source)?;
+    archive.text(ABOUT, &Value::Object(source.about(grid)).to_string())?;
     archive.zip.finish()?;
     Ok(())
 }
+
+/// The same of some cells: arrays of one index, with the numbers of the cells (`cell`) and their counts.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_list(
+    listed: &ListedCells,
+    source: Source,
+    writer: impl Write + Seek,
+) -> io::Result<()> {
+    let shape = vec![listed.cells.len() as u64];
+    let mut archive = Archive { zip: ZipWriter::new(writer), shape, outcomes: listed.outcomes };
+    archive.all(listed.grid, source)?;
+    let cells: Vec<u64> = listed.cells.iter().map(|cell| *cell as u64).collect();
+    archive.begin_numbers::<u64>(CELL, &[cells.len() as u64])?;
+    archive.zip.write_all(bytemuck::cast_slice(&cells))?;
+    let mut about = source.about(listed.grid);
+    about.insert("index".into(), json!([listed.index]));
+    let numbered = json!({ "unit": "", "meaning": "its first cell's number in the grid" });
+    let mut counts = serde_json::Map::from_iter([(CELL.to_string(), numbered)]);
+    for count in listed.counts {
+        archive.begin_numbers::<u32>(count.name, &[count.values.len() as u64])?;
+        archive.zip.write_all(bytemuck::cast_slice(&count.values))?;
+        let entry = json!({ "unit": "", "meaning": count.meaning });
+        counts.insert(count.name.into(), entry);
+    }
+    about.insert("counts".into(), Value::Object(counts));
+    archive.text(ABOUT, &Value::Object(about).to_string())?;
+    archive.zip.finish()?;
+    Ok(())
+}
+
+/// Name of the array of cells' numbers.
+const CELL: &str = "cell";
 
 /// Name of the array that tells what the others are.
 const ABOUT: &str = "about";
@@ -81,11 +109,26 @@ const LARGEST_ABOUT: u64 = 64 << 20;
 /// An archive while it is written.
 struct Archive<'a, W: Write + Seek> {
     zip: ZipWriter<W>,
-    grid: &'a Grid,
+    /// Of the arrays of columns.
+    shape: Vec<u64>,
     outcomes: &'a dyn Outcomes,
 }
 
 impl<W: Write + Seek> Archive<'_, W> {
+    /// Adds the axes of a grid and all columns.
+    fn all(&mut self, grid: &Grid, source: Source) -> io::Result<()> {
+        for axis in grid.axes() {
+            self.axis(axis)?;
+        }
+        for entry in &TABLE {
+            match source.precision {
+                Precision::F32 => self.entry(entry, |value| value as f32)?,
+                Precision::F64 => self.entry(entry, |value| value)?,
+            }
+        }
+        self.column("proved", Column::Status, |cell| cell.status == Status::Proved)
+    }
+
     /// Begins an array of a type and a shape, the last index fastest: its values are to follow, so many
     /// bytes.
     fn begin(&mut self, name: &str, dtype: DType, shape: &[u64], bytes: u64) -> io::Result<()> {
@@ -147,18 +190,18 @@ impl<W: Write + Seek> Archive<'_, W> {
         }
     }
 
-    /// Adds a column as an array with an index for each axis, its values made on all cores.
+    /// Adds a column as an array, its values made on all cores.
     fn column<T: AutoSerialize + NoUninit + Send>(
         &mut self,
         name: &str,
         column: Column,
         value: impl Fn(&Outcome) -> T + Sync,
     ) -> io::Result<()> {
-        let shape: Vec<u64> =
-            self.grid.axes().iter().rev().map(|axis| axis.count() as u64).collect();
+        let shape = self.shape.clone();
         self.begin_numbers::<T>(name, &shape)?;
         let mut values = Vec::new();
-        each_block(self.grid, self.outcomes, &[column], |_, block| {
+        let count = shape.iter().product::<u64>() as usize;
+        each_block_of(count, self.outcomes, &[column], |_, block| {
             block.par_iter().map(&value).collect_into_vec(&mut values);
             self.zip.write_all(bytemuck::cast_slice(&values))
         })

@@ -61,10 +61,23 @@ pub fn each_block(
     grid: &Grid,
     outcomes: &dyn Outcomes,
     columns: &[Column],
+    see: impl FnMut(usize, &[Outcome]) -> io::Result<()>,
+) -> io::Result<()> {
+    each_block_of(grid.len(), outcomes, columns, see)
+}
+
+/// The same of so many outcomes.
+///
+/// # Errors
+/// Those of reading, and of `see`.
+pub fn each_block_of(
+    count: usize,
+    outcomes: &dyn Outcomes,
+    columns: &[Column],
     mut see: impl FnMut(usize, &[Outcome]) -> io::Result<()>,
 ) -> io::Result<()> {
-    for first in (0..grid.len()).step_by(BLOCK) {
-        let block = outcomes.read(first..(first + BLOCK).min(grid.len()), columns)?;
+    for first in (0..count).step_by(BLOCK) {
+        let block = outcomes.read(first..(first + BLOCK).min(count), columns)?;
         see(first, &block)?;
     }
     Ok(())

@@ -17,6 +17,7 @@ use super::columns::Column;
 use super::files::{self, Directory};
 use super::identity::Identity;
 use super::lock::{self, lock};
+use super::rounds::Rounds;
 use super::saved_tiles::SavedTiles;
 use super::store_error::StoreError;
 use super::tiling::Tiling;
@@ -28,6 +29,8 @@ use crate::scene::Grid;
 const FOLDER: &str = "unfinished";
 /// Name of the identity's file.
 pub const IDENTITY: &str = "identity.json";
+/// How the names of folders of lists begin.
+pub const LISTS: &str = "lists";
 /// Name of a finished part's report.
 pub const REPORT: &str = "report.json";
 
@@ -143,6 +146,24 @@ impl Store {
         self.path.join(IDENTITY).exists()
     }
 
+    /// Says whose the folder is, where nothing was saved in it yet.
+    fn begin(&self) -> Result<(), StoreError> {
+        if !self.is_used() {
+            self.write_frame()?;
+            self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
+        }
+        Ok(())
+    }
+
+    /// Lists of cells of another grid that are saved beside the tiles, in a folder of this name.
+    ///
+    /// # Errors
+    /// [`StoreError::Write`].
+    pub fn rounds(&self, name: &str) -> Result<Rounds, StoreError> {
+        self.begin()?;
+        Rounds::open(&self.path.join(name), self.identity.tag(), self.precision)
+    }
+
     /// Saves a tile of which some cells at least have run: they are on disk, whole, when this returns.
     ///
     /// # Errors
@@ -162,10 +183,7 @@ impl Store {
         block: &Block,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<bool, StoreError> {
-        if !self.is_used() {
-            self.write_frame()?;
-            self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
-        }
+        self.begin()?;
         let (cells, tag) = (self.tiling.tile_cells(), self.identity.tag());
         let write = |(array, column): (&str, Column)| -> Result<bool, StoreError> {
             if !go_on() {
@@ -246,6 +264,12 @@ impl Store {
         fs::rename(path, place).map_err(StoreError::file(path))?;
         for name in [lock::NAME, IDENTITY] {
             remove(&place.join(name))?;
+        }
+        for folder in fs::read_dir(place).map_err(StoreError::file(place))? {
+            let folder = folder.map_err(StoreError::file(place))?;
+            if folder.file_name().to_string_lossy().starts_with(LISTS) {
+                remove(&folder.path())?;
+            }
         }
         remove(&aside)
     }

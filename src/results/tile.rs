@@ -61,7 +61,7 @@ pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
 }
 
 /// So many bytes from a chunk; none where it is not whole, or has not as many.
-fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
+pub(super) fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     let mut bytes = vec![0; count];
     let mut decoder = GzDecoder::new(packed);
     let has_more =

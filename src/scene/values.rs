@@ -136,6 +136,15 @@ impl Values {
         }
     }
 
+    /// The values of a range with its gaps halved so many times: every 2^`times`-th is a value of this one, to the
+    /// last bit. None of a list, and none where there would be more than a range may have; a single value stays.
+    pub fn refined(&self, times: u32) -> Option<Values> {
+        let Values::Range(range) = self else { return None };
+        let gaps = u64::from(range.count - 1).checked_mul(1_u64.checked_shl(times)?)?;
+        let count = u32::try_from(gaps + 1).ok().filter(|count| *count <= Range::LARGEST_COUNT)?;
+        Some(Values::Range(Range { count, ..*range }))
+    }
+
     /// A list; one number is a single value.
     ///
     /// # Errors
@@ -284,6 +293,20 @@ mod tests {
         }
         let list: Values = "5,1,2".parse().unwrap();
         assert_eq!((list.value_at(0.5), list.value_at(9.0)), (3.0, 2.0));
+    }
+
+    #[test]
+    fn finer_values_hold_the_coarse_ones_to_the_last_bit() {
+        for text in ["0.1:15:37", "0.01:100:7:log", "-3:-0.7:12"] {
+            let values: Values = text.parse().unwrap();
+            let finer = values.refined(6).unwrap();
+            assert_eq!(finer.count(), (values.count() - 1) * 64 + 1);
+            assert!(values.iter().enumerate().all(|(i, value)| finer.value(64 * i) == value));
+        }
+        assert_eq!(Values::from(2.0).refined(3), Some(Values::from(2.0)));
+        assert_eq!("1,2".parse::<Values>().unwrap().refined(1), None);
+        assert_eq!("0:1:1000".parse::<Values>().unwrap().refined(11), None);
+        assert_eq!("0:1:3".parse::<Values>().unwrap().refined(64), None);
     }
 
     #[test]

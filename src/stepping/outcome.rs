@@ -135,7 +135,22 @@ pub struct Outcome {
     pub status: Status,
 }
 
+/// Impacts before overturning from on which they are not told apart.
+pub const COUNTED: u32 = 10;
+
 impl Outcome {
+    /// The impacts of a block that overturns, where their number says something: none from [`COUNTED`] on, and none of a
+    /// block that [rested](Outcome::rested) between. In the model a block comes to rest through infinitely many impacts, and how many
+    /// are counted is a matter of when it counts as resting.
+    pub fn counted_impacts(&self) -> Option<u32> {
+        (self.impacts < COUNTED && !self.rested()).then_some(self.impacts)
+    }
+
+    /// True where the block came to rest between impacts and lifted anew.
+    pub fn rested(&self) -> bool {
+        self.impacts > 0 && self.uplifts > 1
+    }
+
     /// Of a cell that has not run.
     pub const PENDING: Outcome = Outcome {
         class: Class::Unresolved,

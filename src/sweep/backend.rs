@@ -98,10 +98,10 @@ impl Backend {
         precision: Precision,
         progress: &dyn Progress,
     ) -> Result<BackendOutcomes, BackendError> {
-        self.sweep_cells(plan, grid, 0..grid.len(), precision, progress)
+        self.sweep_range(plan, grid, 0..grid.len(), precision, false, progress)
     }
 
-    /// Runs some of a grid's cells, each once, or twice to `resolve` it.
+    /// Runs some of a grid's cells, numbered one after the other, each once, or twice to `resolve` it.
     ///
     /// # Errors
     /// Those of [`Backend::sweep`].
@@ -114,11 +114,29 @@ impl Backend {
         resolve: bool,
         progress: &dyn Progress,
     ) -> Result<BackendOutcomes, BackendError> {
+        let cells: Vec<usize> = cells.collect();
+        self.sweep_list(plan, grid, &cells, (precision, resolve), progress)
+    }
+
+    /// Runs a list of a grid's cells, by their numbers and in any order, each once, or twice to `resolve` it. The
+    /// outcomes are in the list's order. A cell has the outcome that it has in a sweep of the whole grid: on the CPU
+    /// to the last bit.
+    ///
+    /// # Errors
+    /// Those of [`Backend::sweep`].
+    pub fn sweep_list(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        cells: &[usize],
+        (precision, resolve): (Precision, bool),
+        progress: &dyn Progress,
+    ) -> Result<BackendOutcomes, BackendError> {
         let sweep = if resolve { Backend::sweep_resolved } else { Backend::sweep_cells };
         sweep(self, plan, grid, cells, precision, progress)
     }
 
-    /// Runs some of a grid's cells, numbered one after the other.
+    /// Runs a list of a grid's cells once each.
     ///
     /// # Errors
     /// Those of [`Backend::sweep`].
@@ -126,16 +144,16 @@ impl Backend {
         &self,
         plan: &Plan,
         grid: &Grid,
-        cells: Range<usize>,
+        cells: &[usize],
         precision: Precision,
         progress: &dyn Progress,
     ) -> Result<BackendOutcomes, BackendError> {
         let began = Instant::now();
         let mut times = Times::default();
-        let parts = plan.at(precision).parts(grid, cells.clone());
+        let parts = plan.at(precision).parts(grid, cells);
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let of_batch = |outcomes| part.among(&cells, part.all_told(outcomes));
+            let of_batch = |outcomes| part.among(cells.len(), part.all_told(outcomes));
             let progress = PassedOn { progress, change: Some(&of_batch) };
             let outcomes = self.part(part, grid, precision, &progress, &mut times)?;
             ran.push(part.all_told(outcomes));
@@ -143,12 +161,12 @@ impl Backend {
         if progress.cancelled() {
             return Err(BackendError::Cancelled);
         }
-        let outcomes = in_order(&cells, &parts, ran);
+        let outcomes = in_order(cells.len(), &parts, ran);
         let Times { compile, device } = times;
         Ok(BackendOutcomes { outcomes, elapsed: began.elapsed() - compile, compile, device })
     }
 
-    /// Runs some of a grid's cells twice, the second time with steps half as long and, where the backend has it,
+    /// Runs a list of a grid's cells twice, the second time with steps half as long and, where the backend has it,
     /// in f64, and calls those unresolved whose class the step or the rounding decides; the rest is
     /// of the second run. `progress` hears of every cell twice.
     ///
@@ -158,18 +176,14 @@ impl Backend {
         &self,
         plan: &Plan,
         grid: &Grid,
-        cells: Range<usize>,
+        cells: &[usize],
         precision: Precision,
         progress: &dyn Progress,
     ) -> Result<BackendOutcomes, BackendError> {
         // Of the first run nobody is to have outcomes.
         let first = PassedOn { progress, change: None };
-        let coarse = self.sweep_cells(plan, grid, cells.clone(), precision, &first)?;
-        let finer = match self {
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) if !gpu.description.f64 => precision,
-            _ => Precision::F64,
-        };
+        let coarse = self.sweep_cells(plan, grid, cells, precision, &first)?;
+        let finer = self.finest(precision);
         let resolved = |mut outcomes: Vec<Outcome>| {
             resolve(&mut outcomes, &coarse.outcomes);
             outcomes
@@ -181,6 +195,19 @@ impl Backend {
         fine.compile += coarse.compile;
         fine.device = fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse);
         Ok(fine)
+    }
+
+    /// f64 where the backend has it, else the number type given.
+    pub fn finest(
+        &self,
+        #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
+        precision: Precision,
+    ) -> Precision {
+        match self {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(gpu) if !gpu.description.f64 => precision,
+            _ => Precision::F64,
+        }
     }
 
     /// Runs the cells of a part, in its order.
@@ -231,16 +258,16 @@ struct Times {
     device: Option<Duration>,
 }
 
-/// The outcomes of the parts that some cells were run in, in the grid's order.
-fn in_order(cells: &Range<usize>, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
+/// The outcomes of the parts that a list of so many cells was run in, in the list's order.
+fn in_order(count: usize, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
     if ran.len() == 1 {
         // A part alone holds every cell, in order.
         return ran.remove(0);
     }
-    let mut outcomes: Vec<Option<Outcome>> = vec![None; cells.len()];
+    let mut outcomes: Vec<Option<Outcome>> = vec![None; count];
     for (part, swept) in parts.iter().zip(ran) {
-        for (&index, outcome) in part.cells.iter().zip(swept) {
-            outcomes[index - cells.start] = Some(outcome);
+        for (&place, outcome) in part.places.iter().zip(swept) {
+            outcomes[place] = Some(outcome);
         }
     }
     // The parts hold every cell once.

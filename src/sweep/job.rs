@@ -139,6 +139,11 @@ impl Job {
         &self.opened.backends
     }
 
+    /// The same, to run more on.
+    pub fn opened(&self) -> &Arc<OpenBackends> {
+        &self.opened
+    }
+
     /// Errors of GPUs that are listed and were skipped.
     pub fn passed_over(&self) -> &[BackendError] {
         &self.opened.passed_over
@@ -216,7 +221,7 @@ impl Job {
     ) -> Result<SweepResult, SweepError> {
         let (outcomes, work) = self.collect(estimate, observer)?;
         let report = self.report(estimate, &work);
-        let Job { plan, grid, settings, saved, .. } = self;
+        let Job { plan, grid, settings, saved, opened, .. } = self;
         let store = saved.map(|(store, _)| store);
         let Some(outcomes) = outcomes else {
             let Some(store) = store else { return Err(StoreError::Incomplete.into()) };
@@ -226,16 +231,21 @@ impl Job {
         };
         let lost = work.lost;
         let parts = vec![(None, report)];
-        let sweep = MapSweep {
+        let repair = settings.method.repair;
+        let mut sweep = MapSweep {
             plan,
             grid,
             method: settings.method,
             outcomes,
             parts,
             lost,
+            repair: None,
             verification: None,
             store,
         };
+        if repair && let Err(error) = sweep.repair(&opened.backends, observer) {
+            return Err(sweep.stopped(error));
+        }
         Ok(SweepResult::Map(Box::new(sweep)))
     }
 

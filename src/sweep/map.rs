@@ -12,6 +12,7 @@ use super::observed::ObservedOutcomes;
 use super::observer::{Observer, Phase};
 use super::parts::Parts;
 use super::plan::Plan;
+use super::repaired::Repair;
 use super::report::{self, Report};
 use super::sample::{self, Chosen};
 use super::settings::{Method, VerifySettings};
@@ -21,6 +22,7 @@ use crate::results::about::Source;
 use crate::results::block::{Block, Values};
 use crate::results::columns::{Column, Holds};
 use crate::results::outcomes::{Outcomes, each_block};
+use crate::results::rounds::Rounds;
 use crate::results::saved_tiles::SavedTiles;
 use crate::results::sharpness::Sharpness;
 use crate::results::store::Store;
@@ -43,6 +45,8 @@ pub struct MapSweep {
     pub parts: Vec<(Option<PathBuf>, Report)>,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
+    /// How it was repaired, where it was.
+    pub repair: Option<Repair>,
     /// What the reference says of a sample, where it was asked.
     pub verification: Option<Verification>,
     /// Where they are saved.
@@ -64,6 +68,7 @@ impl MapSweep {
             outcomes: Box::new(reader),
             parts,
             lost: Vec::new(),
+            repair: None,
             verification: None,
             store,
         })
@@ -194,7 +199,8 @@ impl MapSweep {
         for tile in 0..tiling.count() {
             let cells = tiling.cells(tile);
             let found = whole.tiles.iter().find(|saved| saved.tile == tile);
-            if found.is_none_or(|found| found.done != [cells.clone()]) {
+            let replaced = self.repair.as_ref().is_some_and(|repair| repair.touches(&cells));
+            if replaced || found.is_none_or(|found| found.done != [cells.clone()]) {
                 let mut block = Block::pending(cells.len(), store.precision());
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
                 if store.save_while(tile, &block, &go_on)? {
@@ -225,6 +231,14 @@ impl MapSweep {
             }
             _ => error,
         }
+    }
+
+    /// Lists of cells of a finer grid, saved beside it in a folder of this name; none of a map that is not saved.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub(crate) fn rounds(&self, name: &str) -> Result<Option<Rounds>, StoreError> {
+        self.store.as_ref().map(|store| store.rounds(name)).transpose()
     }
 
     /// Takes away what was saved while it ran: its files are written. Outcomes that are not in memory cannot be

@@ -10,6 +10,10 @@ use super::progress::{Progress, Unwatched};
 pub enum Phase {
     /// Cells run; those that run twice count twice.
     Sweeping,
+    /// Cells beside a boundary between outcomes run again, more finely; those that change once more.
+    Repairing,
+    /// Cells of a finer grid run.
+    Refining,
     /// Outcomes are counted, in cells times columns.
     Counting,
     /// The reference's sample is chosen, in cells times columns: one of all cells twice, and all of the sample.

@@ -1,6 +1,5 @@
 //! A scene made ready to run: its step lengths, its shortcuts, and its parts that run one model each.
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
@@ -29,6 +28,8 @@ pub struct Part {
     pub plan: Plan,
     /// The cells' numbers in the grid.
     pub cells: Vec<usize>,
+    /// Their places in the list that was divided into parts.
+    pub places: Vec<usize>,
     /// Their vertical isolation is rigid for the record, and is locked.
     pub vertical_locked: bool,
 }
@@ -139,29 +140,32 @@ impl Plan {
 
     /// The plan of some of a grid's cells in parts that each run one model: cells whose base yields and
     /// those whose base does not, those of one exponent n, and those whose vertical isolation is rigid for
-    /// the record, with that direction locked.
-    pub fn parts(&self, grid: &Grid, cells: Range<usize>) -> Vec<Part> {
+    /// the record, with that direction locked. The cells may be in any order.
+    pub fn parts(&self, grid: &Grid, cells: &[usize]) -> Vec<Part> {
         let deciding = [Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
-        if !grid.sweeps(&deciding) && !self.locks_vertical(&grid.case(cells.start)) {
+        let Some(first) = cells.first() else { return Vec::new() };
+        if !grid.sweeps(&deciding) && !self.locks_vertical(&grid.case(*first)) {
             return vec![Part {
                 plan: self.clone(),
-                cells: cells.collect(),
+                cells: cells.to_vec(),
+                places: (0..cells.len()).collect(),
                 vertical_locked: false,
             }];
         }
         let mut parts: Vec<Part> = Vec::new();
-        for cell in cells {
+        for (place, &cell) in cells.iter().enumerate() {
             let case = grid.case(cell);
             let vertical_locked = self.locks_vertical(&case);
             let mut laws = self.laws_of(&case);
             laws.moves[1] &= !vertical_locked;
             if let Some(part) = parts.iter_mut().find(|part| part.plan.laws == laws) {
                 part.cells.push(cell);
+                part.places.push(place);
                 continue;
             }
             let mut plan = if vertical_locked { self.without_vertical() } else { self.clone() };
             plan.laws = laws;
-            parts.push(Part { plan, cells: vec![cell], vertical_locked });
+            parts.push(Part { plan, cells: vec![cell], places: vec![place], vertical_locked });
         }
         // Parts without a locked direction come first.
         parts.sort_by_key(|part| part.vertical_locked);

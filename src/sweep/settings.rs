@@ -24,12 +24,17 @@ pub struct Method {
     pub resolve: bool,
     /// The shortcuts that cannot change the result are turned off.
     pub full_model: bool,
+    /// The cells beside a boundary between outcomes run again in f64 with half the step, and those that change are
+    /// replaced.
+    #[serde(default)]
+    pub repair: bool,
 }
 
 impl Default for Method {
     fn default() -> Method {
         let precision = Precision::F32;
-        Method { precision, largest_step: DEFAULT_STEP, resolve: false, full_model: false }
+        let largest_step = DEFAULT_STEP;
+        Method { precision, largest_step, resolve: false, full_model: false, repair: false }
     }
 }
 

@@ -1,8 +1,6 @@
 //! Snapshots of the outcomes of a batch that is still running, on their way from a backend to who saves them:
 //! in the grid's order, and as they will be at the end.
 
-use std::ops::Range;
-
 use super::plan::Part;
 use super::progress::Progress;
 use crate::stepping::outcome::{Class, Outcome, Status};
@@ -55,15 +53,15 @@ impl Part {
         outcomes
     }
 
-    /// Its outcomes among those of all `cells`, the others pending.
-    pub(super) fn among(&self, cells: &Range<usize>, outcomes: Vec<Outcome>) -> Vec<Outcome> {
-        if outcomes.len() == cells.len() {
+    /// Its outcomes among those of a list of so many cells, the others pending.
+    pub(super) fn among(&self, count: usize, outcomes: Vec<Outcome>) -> Vec<Outcome> {
+        if outcomes.len() == count {
             // A part alone holds every cell, in order.
             return outcomes;
         }
-        let mut all = vec![Outcome::PENDING; cells.len()];
-        for (&cell, outcome) in self.cells.iter().zip(outcomes) {
-            all[cell - cells.start] = outcome;
+        let mut all = vec![Outcome::PENDING; count];
+        for (&place, outcome) in self.places.iter().zip(outcomes) {
+            all[place] = outcome;
         }
         all
     }

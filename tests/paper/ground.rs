@@ -2,14 +2,29 @@
 
 use std::sync::LazyLock;
 
-use topple::figures::boundary;
-use topple::scene::{Directions, Grid};
+use topple::figures::boundary::{self, Bisection, Least};
+use topple::scene::{Directions, Grid, Scene};
+use topple::sweep::backend::Backend;
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
 
 use super::common::{object, say};
 use super::{Ran, ran, swept};
 
 /// Planes at 0, 0.2 and 0.4, windows at the same, planes at -0.2 and -0.4.
 static GROUND: LazyLock<Vec<Ran>> = LazyLock::new(|| ran("ground", 200));
+
+/// The curve of a scene, on which the reference agrees to three widths of the bisection wherever it is asked.
+fn least(scene: &Scene) -> Vec<Least> {
+    let plan = |scene: &Scene| Ok(Plan::new(scene, DEFAULT_STEP)?);
+    let bisection = Bisection { backends: &[Backend::Cpu], plan: &plan, asked: 3 };
+    let (least, word) = boundary::least(scene, &swept(scene), &bisection, &Unwatched).unwrap();
+    let within = boundary::within(&Grid::of(scene));
+    say(&format!("a boundary: {word:?}, bisected to {within:.1e} m/s²"));
+    assert!(word.asked == 3 && word.found == 3 && word.farthest <= 3.0 * within, "{word:?}");
+    least
+}
 
 /// Two mechanisms only, after one impact and without any. Near the origin, where the paper's source
 /// does not look, there are others in a fortieth of what overturns.
@@ -44,9 +59,8 @@ fn isolation_has_a_range_of_lower_amplitudes_and_the_ground_has_none() {
     for e in [-0.4, -0.2, 0.0, 0.2, 0.4] {
         for a_v in [0.0, 0.5] {
             let scene = object(1, e, (1.75, 0.75), a_v, "0.2:10:12", "0.1:12:240");
-            let least = |scene: &_| boundary::least(scene, &swept(scene));
             let (isolated, ground) = (least(&scene), least(&boundary::without_isolation(&scene)));
-            let a_h = |curve: &[boundary::Least]| -> Vec<f64> {
+            let a_h = |curve: &[Least]| -> Vec<f64> {
                 curve.iter().map(|least| least.a_h.unwrap()).collect()
             };
             let (isolated, ground) = (a_h(&isolated), a_h(&ground));
@@ -68,13 +82,11 @@ fn isolation_has_a_range_of_lower_amplitudes_and_the_ground_has_none() {
 #[test]
 fn horizontal_isolation_alone_has_the_range_too() {
     let mut scene = object(1, 0.0, (1.75, 0.75), 0.0, "0.2:6:12", "0.1:6:240");
-    let least = |scene: &_| -> Vec<f64> {
-        let least = boundary::least(scene, &swept(scene));
-        least.iter().map(|least| least.a_h.unwrap()).collect()
-    };
-    let dual = least(&scene);
+    let amplitudes =
+        |scene: &_| -> Vec<f64> { least(scene).iter().map(|least| least.a_h.unwrap()).collect() };
+    let dual = amplitudes(&scene);
     scene = scene.isolated(Directions::Horizontal);
-    let horizontal = least(&scene);
+    let horizontal = amplitudes(&scene);
     say(&format!("least amplitudes: dual {dual:.2?}, horizontal {horizontal:.2?}"));
     let lowest = |curve: &[f64]| curve.iter().copied().fold(f64::INFINITY, f64::min);
     for curve in [&dual, &horizontal] {
@@ -83,21 +95,22 @@ fn horizontal_isolation_alone_has_the_range_too() {
     assert!((lowest(&horizontal) / lowest(&dual) - 1.0).abs() < 0.1);
 }
 
-/// The bisected amplitude is the boundary: the reference overturns the block there, and not by
-/// three widths of the bisection below.
+/// The bisected amplitude is the boundary: the reference overturns the block three widths of the bisection above, and
+/// not as many below.
 #[test]
 fn the_least_amplitude_is_a_boundary() {
     use topple::figures::marks::along;
     use topple::stepping::reference::{self, Settings};
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "1:7:3", "0.1:12:240");
-    for least in boundary::least(&scene, &swept(&scene)) {
+    let within = boundary::within(&Grid::of(&scene));
+    for least in least(&scene) {
         let judge = |a_h: f64| {
             let cell = along(&scene, least.omega, a_h).unwrap();
             reference::run(&cell, &Grid::of(&cell).case(0), &Settings::default()).class
         };
         let a_h = least.a_h.unwrap();
-        assert!(judge(a_h).overturned());
-        assert!(!judge(a_h - 3.0 * boundary::WITHIN).overturned());
-        assert_eq!(least.outcome.unwrap().class, judge(a_h));
+        assert!(judge(a_h + 3.0 * within).overturned());
+        assert!(!judge(a_h - 3.0 * within).overturned());
+        assert_eq!(least.outcome.unwrap().class, judge(a_h + 3.0 * within));
     }
 }

@@ -101,7 +101,7 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     [Precision::F32, Precision::F64].map(|precision| {
         let plain = Backend::Cpu.sweep(&plan, &grid, precision, &Unwatched).unwrap().outcomes;
         let resolved = Backend::Cpu
-            .sweep_resolved(&plan, &grid, 0..grid.len(), precision, &Unwatched)
+            .sweep_range(&plan, &grid, 0..grid.len(), precision, true, &Unwatched)
             .unwrap()
             .outcomes;
         let other = |(cell, right): &(&Outcome, &Class)| cell.class != **right;

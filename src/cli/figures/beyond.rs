@@ -1,14 +1,20 @@
 //! Figures that go beyond the paper's: boundaries, shares, motions.
 
 use topple::figures::animation::{self, Moving};
-use topple::figures::boundary::{self, Least};
+use topple::figures::boundary::{self, Bisection, Least};
 use topple::figures::shares::{self, Shares};
 use topple::figures::{Figure, curves, letter};
+use topple::refine::curve::ReferenceWord;
 use topple::scene::{Grid, Scene, Values};
 use topple::sweep::history;
+use topple::sweep::progress::Unwatched;
 
+use super::super::errors::sweep_error;
 use super::super::progress::Bar;
 use super::{Work, plan};
+
+/// Points of each curve at which the reference is asked.
+const ASKED: usize = 4;
 
 impl Work<'_> {
     /// The least amplitude that overturns, with isolation and without.
@@ -16,10 +22,18 @@ impl Work<'_> {
         let cells = figure.cells();
         let progress = Bar::new(2 * cells, self.options.quiet);
         let mut drawn = Vec::with_capacity(figure.panels.len());
+        let mut all = ReferenceWord { asked: 0, found: 0, farthest: 0.0 };
         for (k, panel) in figure.panels.iter().enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
-            let curve = |scene: &Scene| -> anyhow::Result<Vec<Least>> {
-                Ok(boundary::least(scene, &self.sweep(scene, panel.fixed_step, &name, &progress)?))
+            let plan = |scene: &Scene| self.plan_of(scene, panel.fixed_step);
+            let backends = std::slice::from_ref(&self.backend);
+            let bisection = Bisection { backends, plan: &plan, asked: ASKED };
+            let mut curve = |scene: &Scene| -> anyhow::Result<Vec<Least>> {
+                let swept = self.sweep(scene, panel.fixed_step, &name, &progress)?;
+                let least = boundary::least(scene, &swept, &bisection, &Unwatched);
+                let (least, word) = least.map_err(sweep_error)?;
+                all = all.with(word);
+                Ok(least)
             };
             let isolated = curve(&panel.scene)?;
             let free = curve(&boundary::without_isolation(&panel.scene))?;
@@ -27,14 +41,23 @@ impl Work<'_> {
             drawn.push((isolated, free));
         }
         progress.finish();
-        let rows = Grid::of(&figure.panels[0].scene).shape().1;
+        let grid = Grid::of(&figure.panels[0].scene);
+        let rows = grid.shape().1;
         let caption = format!(
-            "The lowest of {rows} amplitudes that overturns, bisected by the adaptive reference to {} m/s².",
-            boundary::WITHIN
+            "The lowest of {rows} amplitudes that overturns, bisected in f64 to {:.0e} m/s²; at {} of {} points of the \
+             curves the adaptive reference finds it, {:.0e} m/s² apart at most.",
+            boundary::within(&grid),
+            all.found,
+            all.asked,
+            all.farthest
         );
         let svg = curves::boundaries(figure, &drawn, &[caption, self.how()])?;
         let count: usize = drawn.iter().map(|(with, _)| 2 * with.len()).sum();
-        self.picture(&figure.name, &svg, &format!("{count} boundaries by the reference"))
+        self.picture(
+            &figure.name,
+            &svg,
+            &format!("{count} boundaries, {} of them by the reference, too", all.asked),
+        )
     }
 
     /// The shares of the outcomes against the eccentricity.

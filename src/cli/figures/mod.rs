@@ -12,10 +12,11 @@ use topple::figures::motions::{self, Motion, Motions};
 use topple::figures::text::FigureInputs;
 use topple::figures::{Figure, Shows, letter};
 use topple::results::files::Directory;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Scene, SceneError};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Backend;
 use topple::sweep::clock::Resolution;
+use topple::sweep::error::SweepError;
 use topple::sweep::plan::Plan;
 
 use super::memory;
@@ -167,13 +168,16 @@ fn plan(
     fixed: Option<f64>,
     place: &str,
 ) -> Result<Plan, InputError> {
-    let plan = match fixed {
+    plan_by(options, scene, fixed).map_err(|error| InputError(format!("{place}: {error}")))
+}
+
+fn plan_by(options: &RunOptions, scene: &Scene, fixed: Option<f64>) -> Result<Plan, SceneError> {
+    match fixed {
         None => options.plan(scene),
         Some(step) => {
             Plan::resolved(scene, Resolution::exactly(step)).map(|plan| plan.full_model())
         }
-    };
-    plan.map_err(|error| InputError(format!("{place}: {error}")))
+    }
 }
 
 /// What the figures are made with.
@@ -197,6 +201,11 @@ impl Work<'_> {
         for line in lines {
             self.say(&format!("records    {line}"));
         }
+    }
+
+    /// The plan of a scene, as of the sweep.
+    fn plan_of(&self, scene: &Scene, fixed: Option<f64>) -> Result<Plan, SweepError> {
+        Ok(plan_by(self.options, scene, fixed)?)
     }
 
     /// Runs the cells of a scene.

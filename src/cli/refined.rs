@@ -1,0 +1,43 @@
+//! The files of a refined map.
+
+use topple::map::refined::{write_png, write_svg};
+use topple::refine::refined::RefinedMap;
+use topple::results::files::Directory;
+use topple::results::{csv, npz};
+
+use super::options::MapFile;
+
+/// The picture of a pixel a cell, and the outlines.
+const PICTURES: [&str; 2] = ["refined.png", "refined.svg"];
+
+/// The name of the file that holds the leaves, beside one that holds the map.
+fn leaves(file: MapFile) -> &'static str {
+    match file {
+        MapFile::Csv => "leaves.csv",
+        MapFile::Npz | MapFile::Zarr => "leaves.npz",
+    }
+}
+
+/// The names of a refined map's files, beside these of the map.
+pub fn names(files: &[MapFile]) -> Vec<String> {
+    let mut names: Vec<&str> = files.iter().map(|file| leaves(*file)).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.into_iter().chain(PICTURES).map(String::from).collect()
+}
+
+/// Writes them.
+pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Result<()> {
+    let names = names(files);
+    map.listed(|listed| -> anyhow::Result<()> {
+        for name in &names {
+            match name.as_str() {
+                "leaves.csv" => out.write(name, |w| csv::write_list(listed, w))?,
+                "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
+                "refined.png" => out.write(name, |w| write_png(map, w))?,
+                _ => out.write(name, |w| write_svg(map, w))?,
+            };
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,139 @@
+//! The cells beside a boundary between outcomes, run again more finely: what the step or the rounding had wrong is
+//! replaced.
+//!
+//! A cell's outcome is a number's side of a boundary, and an error of the method moves the boundary: it is wrong in
+//! cells beside it first. Each of them runs again in f64 with half the step. Where its outcome changes it runs a third
+//! time with a quarter of the step: where two agree the cell has their outcome, and where they differ, too, it is
+//! undecided. A changed cell has other neighbours beside a boundary than before: these follow, until nothing changes.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use std::time::Instant;
+
+use super::backend::Backend;
+use super::error::SweepError;
+use super::list::ListSweep;
+use super::map::MapSweep;
+use super::observed::ObservedOutcomes;
+use super::observer::{Observer, Phase};
+use super::repaired::Repair;
+use super::sample::beside_boundary;
+use crate::results::columns::Column;
+use crate::results::outcomes::Outcomes;
+use crate::results::replaced::ReplacedOutcomes;
+use crate::scene::Grid;
+use crate::scene::grid::Axis;
+use crate::stepping::outcome::{Class, Outcome, Status};
+
+/// The neighbours of a cell along the first two axes, those of one slice.
+pub(super) fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = usize> + use<> {
+    let columns = grid.x().count();
+    let rows = grid.y().map_or(1, Axis::count);
+    let (column, row) = (cell % columns, cell / columns % rows);
+    let along = [(column > 0).then(|| cell - 1), (column + 1 < columns).then(|| cell + 1)];
+    let across = [(row > 0).then(|| cell - columns), (row + 1 < rows).then(|| cell + columns)];
+    along.into_iter().chain(across).flatten()
+}
+
+/// A map that is being repaired.
+struct Repairing<'a> {
+    outcomes: &'a dyn Outcomes,
+    replaced: BTreeMap<usize, Outcome>,
+}
+
+impl Repairing<'_> {
+    fn class(&self, cell: usize) -> io::Result<Class> {
+        match self.replaced.get(&cell) {
+            Some(outcome) => Ok(outcome.class),
+            None => Ok(self.outcomes.read(cell..cell + 1, &[Column::Outcome])?[0].class),
+        }
+    }
+}
+
+impl MapSweep {
+    /// Runs the cells beside a boundary between outcomes again in f64, where the backends have it, and with half the
+    /// step; replaces those that change. Nothing is done to a map that the reference computed, or a second time.
+    ///
+    /// # Errors
+    /// Those of the backends and of reading; that it was cancelled.
+    pub fn repair(
+        &mut self,
+        backends: &[Backend],
+        observer: &dyn Observer,
+    ) -> Result<(), SweepError> {
+        if self.by_reference() || self.repair.is_some() {
+            return Ok(());
+        }
+        let began = Instant::now();
+        let mut repair = Repair {
+            checked: 0,
+            changed: 0,
+            undecided: 0,
+            rounds: 0,
+            seconds: 0.0,
+            replaced: Vec::new(),
+        };
+        // There is one backend at least.
+        let precision = backends[0].finest(self.method.precision);
+        let (half, quarter) = (self.plan.halved(), self.plan.halved().halved());
+        let grid = &self.grid;
+        let list = |plan| ListSweep { plan, grid, backends, precision, resolve: false };
+        let mut map = Repairing { outcomes: &*self.outcomes, replaced: BTreeMap::new() };
+        let mut wanted = Vec::new();
+        observer.begins(Phase::Counting, grid.len());
+        let watched = ObservedOutcomes::new(&*self.outcomes, observer);
+        beside_boundary(grid, &watched, |cell, beside| {
+            if beside {
+                wanted.push(cell);
+            }
+        })?;
+        let mut asked: BTreeSet<usize> = wanted.iter().copied().collect();
+        while !wanted.is_empty() {
+            repair.rounds += 1;
+            repair.checked += wanted.len();
+            observer.begins(Phase::Repairing, wanted.len());
+            let finer = list(&half).run(&wanted, observer)?.outcomes;
+            let mut changed = Vec::new();
+            for (cell, outcome) in wanted.iter().zip(finer) {
+                if outcome.class != map.class(*cell)? {
+                    changed.push((*cell, outcome));
+                }
+            }
+            let cells: Vec<usize> = changed.iter().map(|(cell, _)| *cell).collect();
+            let finest = match cells.is_empty() {
+                true => Vec::new(),
+                false => list(&quarter).run(&cells, observer)?.outcomes,
+            };
+            for ((cell, mut outcome), finest) in changed.into_iter().zip(finest) {
+                if outcome.class == finest.class {
+                    repair.changed += 1;
+                } else {
+                    (outcome.class, outcome.status) = (Class::Unresolved, Status::Undecided);
+                    repair.undecided += 1;
+                }
+                map.replaced.insert(cell, outcome);
+            }
+            wanted.clear();
+            for cell in cells {
+                let class = map.class(cell)?;
+                for next in neighbours(grid, cell) {
+                    if map.class(next)? != class && asked.insert(next) {
+                        wanted.push(next);
+                    }
+                }
+            }
+            wanted.sort_unstable();
+        }
+        half.forget();
+        let replaced = map.replaced;
+        repair.replaced = replaced.keys().copied().collect();
+        repair.seconds = began.elapsed().as_secs_f64();
+        if !replaced.is_empty() {
+            let columns = self.precision();
+            let all = std::mem::replace(&mut self.outcomes, Box::new(Vec::new()));
+            self.outcomes = Box::new(ReplacedOutcomes::new(all, replaced, columns));
+        }
+        self.repair = Some(repair);
+        Ok(())
+    }
+}
