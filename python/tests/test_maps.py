@@ -145,6 +145,27 @@ def test_what_was_saved_is_drawn_and_run_again(command, records, tmp_path):
     assert len(alone.t) != len(topple.history(object=2, t_h=2.0, t_v=0.5, **pair, progress=False).t)
 
 
+def test_leaves_of_a_refined_map(command, tmp_path):
+    scene = PULSE | {"omega": "0.2:15:17", "a_h": "0.1:15:17"}
+    command("pulse", *flags(scene), "--refine", 2, "--backend", "cpu", "--verify", "none", "--out", tmp_path)
+    leaves = topple.open(tmp_path / "leaves.npz")
+    whole = topple.pulse(**(scene | {"omega": leaves.omega.values, "a_h": leaves.a_h.values}), backend="cpu", verify=0)
+    assert whole.outcome.shape == (65, 65)
+    assert int((leaves.width * leaves.height).sum()) == whole.outcome.size
+    # The first cell of a leaf was run, and has the numbers of the whole sweep.
+    for name in ("outcome", "zeta", "impacts"):
+        assert np.array_equal(leaves[name].values, whole[name].values.ravel()[leaves.cell.values]), name
+
+
+def test_repair():
+    found = topple.pulse(**PULSE, backend="cpu", verify=0, repair=True)
+    repaired = json.loads(found.attrs["repaired"])
+    assert repaired["checked"] > 50 and repaired["undecided"] == 0
+    plain = topple.pulse(**PULSE, backend="cpu", verify=0)
+    assert "repaired" not in plain.attrs
+    assert int((plain.outcome != found.outcome).sum()) == repaired["changed"]
+
+
 def test_history(command, tmp_path):
     cell = {"object": 1, "eccentricity": 0.2, "t_h": 1.75, "t_v": 0.75, "omega": 9, "a_h": 8.4}
     command("history", *flags(cell), "--out", tmp_path)
