@@ -140,6 +140,8 @@ class Settings(TypedDict, total=False):
     resolve: bool
     # leave out no part of the model that a scene does not need
     full_model: bool
+    # run the cells beside a boundary again in f64 with half the step; replace those that change
+    repair: bool
     # cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most
     verify: int
     # directory: the map is written there as map.zarr, and opened lazily
