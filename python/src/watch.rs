@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use topple::{Observer, Phase, Progress};
 
 /// Time between two questions whether Ctrl-C was pressed.
-const ASKED_EVERY: Duration = Duration::from_millis(40);
+const ASKED_EVERY: Duration = Duration::from_millis(20);
 
 /// What is known of work while it goes on.
 #[derive(Default)]

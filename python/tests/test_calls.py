@@ -86,7 +86,7 @@ def test_progress_is_told_and_may_end_the_call():
 
 
 def test_ctrl_c_ends_a_call():
-    """The sweep hears of it within 40 ms and ends within 100; a busy machine may take longer."""
+    """The sweep hears of it within 20 ms and ends within 100; a busy machine may take longer."""
     script = textwrap.dedent(
         f"""
         import os, signal, threading, time, topple
