@@ -99,7 +99,7 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
         lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
     )
     try:
-        for done, future in enumerate(as_completed(futures), start=1):  # type: ignore[no-untyped-call]
+        for done, future in enumerate(as_completed(futures), start=1):  # type: ignore[no-untyped-call, unused-ignore]
             for name, content in future.result().items():
                 place = folder / name
                 place.parent.mkdir(parents=True, exist_ok=True)
@@ -109,7 +109,7 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
                 hears("tiles", done, count)
         return topple.merge([folder], out=out, verify=verify, progress=progress)
     finally:
-        client.cancel(futures)  # type: ignore[no-untyped-call]
+        client.cancel(futures)  # type: ignore[no-untyped-call, unused-ignore]
         finished(hears)
         shutil.rmtree(folder, ignore_errors=True)
 
