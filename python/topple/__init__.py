@@ -22,7 +22,7 @@ from ._accessor import register
 from ._dataset import attributes, dataset, described, of_leaves, of_map
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
-from ._progress import Progress, finished, listener
+from ._progress import Progress, heard
 from ._records import scene_file, taken
 from ._tables import of_cells, of_fragility, of_suite
 
@@ -52,11 +52,8 @@ _MOTION = {
 
 def _map(recorded: bool, keywords: Mapping[str, Any], progress: bool | Progress | None) -> Any:
     keywords = taken(keywords)
-    hears = listener(progress)
-    try:
+    with heard(progress) as hears:
         columns, about = _topple.sweep(recorded, keywords, hears)
-    finally:
-        finished(hears)
     return _returned(columns, about, keywords.get("out"))
 
 
@@ -177,12 +174,9 @@ def merge(
     """
     if isinstance(parts, (str, os.PathLike)) or not all(isinstance(part, (str, os.PathLike)) for part in parts):
         raise ValueError("parts: give a sequence of the parts' directories")
-    hears = listener(progress)
     keywords = {"out": None if out is None else os.fspath(out), "verify": verify}
-    try:
+    with heard(progress) as hears:
         columns, about = _topple.merge([os.fspath(part) for part in parts], keywords, hears)
-    finally:
-        finished(hears)
     return _returned(columns, about, out)
 
 
@@ -255,11 +249,8 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
         The columns of envelope.csv and zeta.csv; a dimension an axis.
     """
     keywords = {**keywords, "suite": _suite_path(suite)}
-    hears = listener(progress)
-    try:
+    with heard(progress) as hears:
         tables, about = _topple.envelope(keywords, hears)
-    finally:
-        finished(hears)
     return of_cells([tables["envelope"], tables["zeta"]], json.loads(about))
 
 
@@ -292,11 +283,8 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
         The tables of the command by their names: ``fragility``, ``fits``, ``capacities``, ``rates``, ``sensitivity``.
     """
     keywords = {**keywords, "suite": _suite_path(suite)}
-    hears = listener(progress)
-    try:
+    with heard(progress) as hears:
         tables, about = _topple.fragility(keywords, hears)
-    finally:
-        finished(hears)
     return of_fragility(tables, json.loads(about))
 
 

@@ -76,19 +76,19 @@ def of_map(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
     """A map: a variable a column, a dimension an axis, the first axis last."""
     index = tuple(about["index"])
     shape = tuple(len(about["coordinates"][key]) for key in index)
-    data_vars = {}
-    for name, values in columns.items():
-        attrs = described(about["columns"][name]) if name in about["columns"] else {}
-        if name in ("outcome", "status"):
-            attrs |= flags(about[name])
-        data_vars[name] = (index, values.reshape(shape), attrs)
-    return dataset(data_vars, axes(about), attributes(about))
+    reshaped = {name: values.reshape(shape) for name, values in columns.items()}
+    return _of_cells(reshaped, index, about["columns"], about)
 
 
 def of_leaves(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
     """The leaves of a refined map: a variable a column over their dimension, the finest grid's axes beside them."""
-    index = tuple(about["index"])
-    known = {**about["columns"], **about["counts"]}
+    return _of_cells(columns, tuple(about["index"]), {**about["columns"], **about["counts"]}, about)
+
+
+def _of_cells(
+    columns: Mapping[str, np.ndarray], index: tuple[str, ...], known: Mapping[str, Any], about: Mapping[str, Any]
+) -> Any:
+    """Columns of cells over their dimensions; `known` has meanings and units."""
     data_vars = {}
     for name, values in columns.items():
         attrs = described(known[name]) if name in known else {}

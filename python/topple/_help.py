@@ -40,12 +40,18 @@ WORDS = {
 
 
 @functools.cache
+def parameters() -> dict[str, dict[str, Any]]:
+    """The parameter table by keys; not to be changed."""
+    return {entry["key"]: entry for entry in json.loads(_topple.parameters())}
+
+
+@functools.cache
 def sections() -> dict[str, list[tuple[str, str, str]]]:
     """The keywords of each section of a scene, and of ``settings``: key, type, meaning."""
     found = {
         section: [(key, *WORDS[key]) for key in words] for section, words in json.loads(_topple.words()).items()
     }
-    for entry in json.loads(_topple.parameters()):
+    for entry in parameters().values():
         unit = f" [{entry['unit']}]" if entry["unit"] else ""
         default = f"; by default {entry['default']}" if entry["default"] else ""
         found[entry["section"]].append((entry["key"], "Numbers", f"{entry['symbol']}{unit}, {entry['meaning']}{default}"))
@@ -88,7 +94,7 @@ ELSEWHERE = {
 def _nearest(word: str) -> str | None:
     """The keyword that a word may mean: by its symbol, or by its letters."""
     plain = word.replace("_", "").lower()
-    for entry in json.loads(_topple.parameters()):
+    for entry in parameters().values():
         if word == entry["symbol"] or plain in (entry["symbol"].replace("_", "").lower(), entry["key"].replace("_", "")):
             return str(entry["key"])
     keys = [key for entries in sections().values() for key, *_ in entries]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _topple
+from ._help import parameters
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,13 +25,9 @@ LETTER = 0.52
 CURVES = {"zeta": "ζ, on the left", "max_u": "max |u|", "stroke_v": "stroke of v"}
 
 
-def _numbers() -> dict[str, dict[str, Any]]:
-    return {entry["key"]: entry for entry in json.loads(_topple.parameters())}
-
-
 def label(key: str) -> str:
     """The name of an axis: its symbol and its unit."""
-    entry = _numbers().get(key)
+    entry = parameters().get(key)
     if entry is None:
         return key
     # An index is lowered.
@@ -90,7 +87,7 @@ def _edges(values: np.ndarray) -> np.ndarray:
 def _below(dataset: Any) -> str:
     """What is said of a scene below its picture."""
     parts = [_topple.caption(dataset.attrs["scene"])]
-    numbers = _numbers()
+    numbers = parameters()
     for key in dataset.coords:
         if dataset[key].ndim == 0 and key in numbers:
             parts.append(f"{numbers[key]['symbol']} = {dataset[key].item():.4g} {numbers[key]['unit']}".strip())

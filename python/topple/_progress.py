@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator
 
 Progress = Callable[[str, int, int], Any]
 
@@ -31,12 +32,6 @@ class Bar:
         self.bar = None
 
 
-def finished(hears: Progress | None) -> None:
-    """Ends a bar."""
-    if isinstance(hears, Bar):
-        hears.close()
-
-
 def listener(progress: bool | Progress | None) -> Progress | None:
     """What hears of a call's progress: a function as given; a bar, where it is wanted and tqdm is there."""
     if callable(progress):
@@ -50,3 +45,14 @@ def listener(progress: bool | Progress | None) -> Progress | None:
             raise
         return None
     return Bar()
+
+
+@contextmanager
+def heard(progress: bool | Progress | None) -> Iterator[Progress | None]:
+    """What hears of a call's progress while it goes on; a bar ends with it."""
+    hears = listener(progress)
+    try:
+        yield hears
+    finally:
+        if isinstance(hears, Bar):
+            hears.close()

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
 
-from . import _topple
+from ._help import parameters
 
 _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
@@ -40,7 +39,7 @@ def _checked(key: str, record: Any) -> np.ndarray:
 
 def _plausible(keywords: Mapping[str, Any], peak: float, units: Any) -> None:
     """Refuses a motion so strong that its units must be others."""
-    highest = next(entry["plausible"][1] for entry in json.loads(_topple.parameters()) if entry["key"] == "pga")
+    highest = parameters()["pga"]["plausible"][1]
     scaled = peak * max(np.abs(np.atleast_1d(keywords["scale"])).max(), 0.0) if _is_number(keywords.get("scale")) else peak
     if scaled > highest and "pga" not in keywords and not keywords.get("force"):
         raise ValueError(f"units: in {units} the peak is {peak:.4g} m/s2, which is not plausible; give others, or force=True")

@@ -8,7 +8,6 @@ a record, if it comes in files.
 from __future__ import annotations
 
 import os
-import shutil
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +16,7 @@ import topple
 
 from . import _topple
 from ._help import SECTIONS, known
-from ._progress import Progress, finished, listener
+from ._progress import Progress, heard
 from ._records import scene_file, taken
 
 if TYPE_CHECKING:
@@ -92,26 +91,26 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
         raise ValueError(f"tiles: {tiles} must be 1 at least")
     parts = [f"{number}/{count}" for number in range(1, count + 1)]
     one = max(min(threads, default=1), 1)
-    hears = listener(progress)
-    folder = Path(tempfile.mkdtemp(prefix="topple-", dir=out and _made(out)))
-    # pure=False: a tile that was asked for before is not taken from there, its files are gone.
-    futures = client.map(
-        lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
-    )
-    try:
-        for done, future in enumerate(as_completed(futures), start=1):  # type: ignore[no-untyped-call, unused-ignore]
-            for name, content in future.result().items():
-                place = folder / name
-                place.parent.mkdir(parents=True, exist_ok=True)
-                place.write_bytes(content)
-            future.release()
-            if hears is not None:
-                hears("tiles", done, count)
-        return topple.merge([folder], out=out, verify=verify, progress=progress)
-    finally:
-        client.cancel(futures)  # type: ignore[no-untyped-call, unused-ignore]
-        finished(hears)
-        shutil.rmtree(folder, ignore_errors=True)
+    place = out and _made(out)
+    with tempfile.TemporaryDirectory(prefix="topple-", dir=place, ignore_cleanup_errors=True) as folder:
+        # pure=False: a tile that was asked for before is not taken from there, its files are gone.
+        futures = client.map(
+            lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
+        )
+        try:
+            with heard(progress) as hears:
+                ended = as_completed(futures)  # type: ignore[no-untyped-call, unused-ignore]
+                for done, future in enumerate(ended, start=1):
+                    for name, content in future.result().items():
+                        file = Path(folder, name)
+                        file.parent.mkdir(parents=True, exist_ok=True)
+                        file.write_bytes(content)
+                    future.release()
+                    if hears is not None:
+                        hears("tiles", done, count)
+            return topple.merge([folder], out=out, verify=verify, progress=progress)
+        finally:
+            client.cancel(futures)  # type: ignore[no-untyped-call, unused-ignore]
 
 
 def _made(out: str | os.PathLike[str]) -> Path:
