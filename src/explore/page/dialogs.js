@@ -1,0 +1,1 @@
+export function createDialogs() { return { redraw() {}, retry() {}, open() {}, draw() {}, mark() {}, escape() {}, tool: '' }; }

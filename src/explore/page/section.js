@@ -1,0 +1,1 @@
+export function createSection() { return { redraw() {}, retry() {}, open() {}, draw() {}, mark() {}, escape() {}, tool: '' }; }
