@@ -57,8 +57,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
     if let Some(repair) = &map.repair {
-        let sweep = map.parts.iter().map(|(_, report)| report.sweep).sum();
-        say.line("repair", words::repair(repair, sweep));
+        say.line("repair", words::repair(repair, map.sweep_seconds()));
     }
     let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
     // What lies on disk only is gone when its files are written.
