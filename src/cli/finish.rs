@@ -6,6 +6,7 @@ use topple::map::earlier::{Earlier, RUN};
 use topple::map::manifest::{Facts, Manifest, Steps, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
+use topple::map::verdict;
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::scene::Parameter;
@@ -143,8 +144,8 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         screen.clear();
         let verification = verified.map_err(not_verified)?;
         took.verification = Some(lap(&mut began));
-        say.line("reference", words::agreement(&verification, to.verify.within));
-        say.styled("", words::verdict(&verification), words::style(&verification));
+        say.line("reference", verdict::agreement(&verification, to.verify.within));
+        say.styled("", verdict::told(&verification), words::style(&verification));
         map.verification = Some(verification);
     }
     let manifest = Manifest::of(&map, &facts, took);
