@@ -94,6 +94,7 @@ fn columns(outcome: &Outcome) -> Object<String, Value> {
     let value = |holds: Holds| match holds {
         Holds::Class => json!(outcome.class.name()),
         Holds::Status => json!(outcome.status.name()),
+        Holds::Count { get, .. } => json!(get(outcome)),
         // A number that is none becomes null.
         _ => json!(holds.number(outcome)),
     };
