@@ -1,0 +1,108 @@
+//! The files of the page, as they are served and exported.
+
+/// A file: its path below the page's address, its type, and its bytes.
+pub struct File {
+    /// `gpu/engine.js`.
+    pub path: &'static str,
+    /// Its type, as a browser is told.
+    pub kind: &'static str,
+    /// What it holds.
+    pub bytes: &'static [u8],
+}
+
+const HTML: &str = "text/html; charset=utf-8";
+const CSS: &str = "text/css; charset=utf-8";
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+const PICTURE: &str = "image/svg+xml";
+
+macro_rules! files {
+    ($($path:literal: $kind:expr),* $(,)?) => {
+        &[$(File { path: $path, kind: $kind, bytes: include_bytes!(concat!("page/", $path)) }),*]
+    };
+}
+
+/// The page's files.
+pub const FILES: &[File] = files![
+    "index.html": HTML,
+    "style.css": CSS,
+    "icon.svg": PICTURE,
+    "applies.js": SCRIPT,
+    "axes.js": SCRIPT,
+    "axis.js": SCRIPT,
+    "block.js": SCRIPT,
+    "cells.js": SCRIPT,
+    "clock.js": SCRIPT,
+    "dialogs.js": SCRIPT,
+    "dom.js": SCRIPT,
+    "engine.js": SCRIPT,
+    "explorer.js": SCRIPT,
+    "fields.js": SCRIPT,
+    "files.js": SCRIPT,
+    "flow.js": SCRIPT,
+    "frames.js": SCRIPT,
+    "histories.js": SCRIPT,
+    "ink.js": SCRIPT,
+    "legend.js": SCRIPT,
+    "main.js": SCRIPT,
+    "map.js": SCRIPT,
+    "marks.js": SCRIPT,
+    "motion.js": SCRIPT,
+    "numbers.js": SCRIPT,
+    "overlay.js": SCRIPT,
+    "picture.js": SCRIPT,
+    "plot.js": SCRIPT,
+    "ranges.js": SCRIPT,
+    "readout.js": SCRIPT,
+    "row.js": SCRIPT,
+    "scene.js": SCRIPT,
+    "section.js": SCRIPT,
+    "server.js": SCRIPT,
+    "shades.js": SCRIPT,
+    "sliders.js": SCRIPT,
+    "state.js": SCRIPT,
+    "suggest.js": SCRIPT,
+    "theme.js": SCRIPT,
+    "view.js": SCRIPT,
+];
+
+/// Its first file, which is served at the page's address.
+pub const INDEX: &str = "index.html";
+
+/// What a page may load: nothing from elsewhere.
+pub const POLICY: &str = "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; base-uri 'none'; \
+                          form-action 'none'; frame-ancestors 'none'";
+
+/// A file of the page by its path.
+pub fn file(path: &str) -> Option<&'static File> {
+    FILES.iter().find(|file| file.path == path)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    use super::FILES;
+
+    fn files_in(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { files_in(&path, found) } else { found.push(path) }
+        }
+    }
+
+    #[test]
+    fn every_file_of_the_folder_is_served() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/explore/page");
+        let mut found = Vec::new();
+        files_in(&folder, &mut found);
+        let mut names: Vec<String> = found
+            .iter()
+            .map(|path| path.strip_prefix(&folder).unwrap().to_str().unwrap().replace('\\', "/"))
+            .collect();
+        names.sort();
+        let mut served: Vec<&str> = FILES.iter().map(|file| file.path).collect();
+        served.sort_unstable();
+        assert_eq!(names, served);
+    }
+}
