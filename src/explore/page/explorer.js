@@ -3,7 +3,7 @@ import { announce, byId, say } from './dom.js';
 import { createFlow } from './flow.js';
 import { writeLegend } from './legend.js';
 import { createMap } from './map.js';
-import { count, read } from './numbers.js';
+import { count, parse, read } from './numbers.js';
 import { cellsOf } from './plot.js';
 import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
 
@@ -11,10 +11,11 @@ import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
 const CELLS = { cpu: 1 << 18, gpu: 1 << 20 };
 /** Columns of every picture, for its crosshair. */
 const ALWAYS = ['outcome', 'impacts', 'zeta'];
-/** Levels in which the engine may refine along boundaries. */
-const LEVELS = 1;
 /** Time after which a picture that is not yet the new one says so, ms. */
 const LATE = 400;
+
+/** The limits of a state: numbers, or none. */
+export const limitsOf = (state) => Object.fromEntries(['limit_u', 'limit_v', 'standing'].map((key) => [key, Number.isFinite(parse(state[key])) ? parse(state[key]) : null]));
 
 /** The column that a state shows. */
 export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
@@ -22,8 +23,8 @@ export const shownOf = (state) => state.show || (excitationOf(state) === 'suite'
 /** Ties the map to the store; `tell.refuse(key, line)` shows an error at a field, `tell.lost(error)` a lost server. */
 export function createExplorer(engine, store, tell) {
   const { about } = engine;
-  const most = Math.min(about.limits?.cells ?? CELLS.cpu, CELLS[about.backend] ?? CELLS.cpu);
-  const map = createMap(about, (place, axes) => cellsOf(place, most, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
+  const most = CELLS[about.backend] ?? CELLS.cpu;
+  const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
   let late = 0;
   let lastCount = [256, 256];
 
@@ -103,10 +104,10 @@ export function createExplorer(engine, store, tell) {
     const columns = known && !ALWAYS.includes(show) ? [...ALWAYS, show] : ALWAYS;
     const { plot } = map;
     if (plot) lastCount = plot.count;
-    const asked = { scene: state.scene, count: lastCount, precision: state.precision || 'auto', columns, levels: LEVELS, show };
+    const asked = { scene: state.scene, count: lastCount, precision: state.precision || 'auto', columns, show };
     if (state.suite) {
       asked.suite = state.suite;
-      asked.limits = { u: state.limit_u, v: state.limit_v, standing: state.standing };
+      asked.limits = limitsOf(state);
     }
     return asked;
   }

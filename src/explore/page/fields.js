@@ -6,9 +6,11 @@ import { excitationOf } from './scene.js';
 
 /** Values of words where none is given. */
 const FIRST = { isolation: 'dual', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
-const NAMES = { object: 'Block', isolation: 'The base moves', shape: 'Shape of the pulse', overturn: 'Overturned when', force: 'Numbers that are not plausible' };
-/** Words that have no select here. */
-const HIDDEN = new Set(['horizontal', 'vertical', 'dt', 'units', 'tilt']);
+const NAMES = { object: 'Block', isolation: 'The base moves', shape: 'Shape of the pulse', overturn: 'Overturned when', force: 'Implausible numbers' };
+/** Words of a choice that say more than its label, or less. */
+const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
+/** A choice that is the page's own. */
+const FORCE = { key: 'force', section: 'run', values: [{ value: 'false', label: 'are refused' }, { value: 'true', label: 'are accepted' }] };
 /** Sections that are closed at first. */
 const CLOSED = new Set(['run']);
 
@@ -22,7 +24,7 @@ export function createFields(about, store, act) {
 
   for (const { key, heading } of about.sections) {
     const body = make('div', { class: 'rows' });
-    for (const word of about.words.filter((entry) => entry.section === key && !HIDDEN.has(entry.key))) {
+    for (const word of [...about.words, FORCE].filter((entry) => entry.section === key)) {
       const made = createWord(word);
       words.push(made);
       body.append(made.element);
@@ -38,7 +40,7 @@ export function createFields(about, store, act) {
   }
 
   function createWord({ key, values }) {
-    const options = values.map(({ value, label }) => make('option', { value }, label));
+    const options = values.map(({ value, label }) => make('option', { value }, LABELS[key]?.(value, label) ?? label));
     if (key === 'object') options.push(make('option', { value: '' }, 'a block of your own'));
     const pick = () => {
       if (key === 'object' && select.value === '') act.own();

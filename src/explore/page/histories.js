@@ -2,7 +2,7 @@
 import { roundStep, ticks } from './axis.js';
 import { colour, rem } from './dom.js';
 import { disc, fit, font, line, writeName } from './ink.js';
-import { criticalAngles, largest, placeOf, stateAt } from './motion.js';
+import { largest, placeOf, stateAt } from './motion.js';
 import { read } from './numbers.js';
 
 /** Room left of and below the plots, in letters. */
@@ -13,13 +13,13 @@ const RIGHT = 0.6;
 /** The plots of a cell: a name, its curves, and levels to mark. */
 function plotsOf(cell, moves) {
   const { motion, ground } = cell;
-  const [left, right] = criticalAngles(cell.block);
+  const [left, right] = cell.critical;
   const input = [{ t: ground.t, y: ground.a_h, style: 'curve' }];
   if (ground.a_v && largest(ground.a_v) > 0) input.push({ t: ground.t, y: ground.a_v, style: 'curve-2', dash: true });
   const plots = [{ name: 'a [m/s²]', key: 'ah', curves: input, levels: [] }];
   if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: [] });
   if (moves.v) plots.push({ name: 'v [m]', key: 'v', curves: [{ t: motion.t, y: motion.v, style: 'curve' }], levels: [] });
-  plots.push({ name: 'φ [rad]', key: 'phi', curves: [{ t: motion.t, y: motion.phi, style: 'curve' }], levels: [left, -right], events: true });
+  plots.push({ name: 'φ [rad]', key: 'phi', curves: [{ t: motion.t, y: motion.phi, style: 'curve' }], levels: [left, -Math.abs(right)], events: true });
   return plots;
 }
 

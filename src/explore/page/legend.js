@@ -4,6 +4,9 @@ import { byId, make } from './dom.js';
 import { percent, read } from './numbers.js';
 import { isShare, shade } from './shades.js';
 
+/** Shares of a suite's motions. */
+const SHARES = { overturned: 'share of motions that overturn the block', standing: 'share of motions under which it stands', rocked: 'share of motions under which it rocks' };
+
 /** Cells of a frame within axes: their first and last places along both. */
 function window(frame, axes) {
   return [frame.x, frame.y].map((ends, k) => {
@@ -45,7 +48,7 @@ function filled(fill, pattern = '') {
 }
 
 /** Writes the legend of a picture; returns a sentence that tells the largest shares. */
-export function writeLegend(about, picture, axes, state) {
+export function writeLegend(about, picture, axes) {
   const shares = countShares(picture.frame, axes, about.kinds);
   const part = (many) => percent(shares.cells ? many / shares.cells : 0);
   const list = [];
@@ -73,7 +76,7 @@ export function writeLegend(about, picture, axes, state) {
     spoken.push([shares.feasible, `the limits hold in ${part(shares.feasible)}`]);
   }
   byId('legend').replaceChildren(...list);
-  writeScale(about, picture, state);
+  writeScale(about, picture);
   spoken.sort((a, b) => b[0] - a[0]);
   return spoken.slice(0, 4).map(([, text]) => text).join(', ');
 }
@@ -87,8 +90,7 @@ function writeScale(about, picture) {
   const bar = make('canvas', { width: 256, height: 1, class: 'bar', 'aria-hidden': 'true' });
   const pixels = Uint32Array.from({ length: 256 }, (_, k) => shade(name, k / 255));
   bar.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), 256, 1), 0, 0);
-  const column = about.columns.find((entry) => entry.name === name);
   const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => make('span', {}, isShare(name) ? `${100 * share} %` : read(low + share * (high - low), 3)));
-  const title = `${column?.meaning ?? name.replaceAll('_', ' ')}${column?.unit ? ` [${column.unit}]` : ''}`;
+  const title = isShare(name) ? SHARES[name] : about.quantities.find((entry) => entry.column === name)?.label ?? name;
   host.replaceChildren(make('p', {}, title), bar, make('div', { class: 'numbers' }, ...marks));
 }

@@ -147,13 +147,10 @@ function createShow(about, change) {
     const suite = excitationOf(state) === 'suite';
     if (filled !== String(suite)) {
       filled = String(suite);
-      const names = suite ? ['overturned', 'standing', 'rocked', 'max_u', 'stroke_v'] : ['outcome', ...about.quantities];
-      const label = (name) => ({ outcome: 'outcomes', zeta: 'ζ', overturned: 'share that overturns', standing: 'share that stands', rocked: 'share that rocks' })[name] ?? name.replaceAll('_', ' ');
-      const text = (name) => {
-        const unit = about.columns.find((column) => column.name === name)?.unit;
-        return unit ? `${label(name)} [${unit}]` : label(name);
-      };
-      select.replaceChildren(...names.map((name) => make('option', { value: name }, text(name))));
+      const shares = { overturned: 'share that overturns', standing: 'share that stands', rocked: 'share that rocks', max_u: 'largest displacement', stroke_v: 'largest vertical stroke' };
+      const quantities = Object.fromEntries(about.quantities.map(({ column, title }) => [column, title]));
+      const names = suite ? shares : { outcome: 'outcomes', ...quantities };
+      select.replaceChildren(...Object.entries(names).map(([value, text]) => make('option', { value }, text)));
     }
     select.value = shownOf(state);
   };
@@ -162,7 +159,7 @@ function createShow(about, change) {
 function writeCaption(about, state) {
   const items = caption(about, state.scene).map(({ symbol: name, text }) => make('span', {}, symbol(name), ` = ${text}`));
   const object = about.words.find((word) => word.key === 'object')?.values.find((entry) => entry.value === state.scene.object);
-  if (object) items.unshift(make('span', {}, `Object ${object.label}`));
+  if (object) items.unshift(make('span', {}, `Object ${object.value}, ${object.label}`));
   byId('caption').replaceChildren(...items);
 }
 

@@ -32,11 +32,6 @@ export function stateAt(cell, t) {
 /** The largest magnitude of a column. */
 export const largest = (column) => column.reduce((most, value) => Math.max(most, Math.abs(value) || 0), 0);
 
-/** Angles at which the block is over its left and its right corner, rad. */
-export function criticalAngles({ half_width: b, height: h, eccentricity: e = 0 }) {
-  return [Math.atan(((1 + e) * b) / h), Math.atan(((1 - e) * b) / h)];
-}
-
 /** The time at which a cell has told all: its last event, and the end of what shakes it and of what can be seen. */
 export function tellingEnd(cell) {
   const { motion, ground, events } = cell;

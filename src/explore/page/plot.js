@@ -40,12 +40,12 @@ export function createPlot(place, axes, count) {
   return plot;
 }
 
-/** How many cells a plot has along each axis: a pixel each, fewer where they would be too many. */
-export function cellsOf(place, most, axes, integer) {
+/** How many cells a plot has along each axis: a pixel each, fewer where they would be too many in all or along a side. */
+export function cellsOf(place, most, side, axes, integer) {
   const share = Math.min(1, Math.sqrt(most / (place.width * place.height)));
   return [place.width, place.height].map((length, k) => {
     const whole = integer[k] ? Math.round(axes[k].stop - axes[k].start) + 1 : Infinity;
-    return Math.max(LEAST, Math.min(whole, Math.floor(length * share)));
+    return Math.max(LEAST, Math.min(whole, side, Math.floor(length * share)));
   });
 }
 

@@ -10,8 +10,6 @@ const DARK = 0.38;
 const RISK = [[0xf4, 0xf6, 0xec], [0xf2, 0xc9, 0xa4], [0xe0, 0x8a, 0x6e], [0xb8, 0x32, 0x3a], [0x5a, 0x00, 0x1a]];
 /** Columns of a suite that are shares of its motions. */
 const SHARES = new Set(['overturned', 'standing', 'rocked']);
-/** Numbers with a scale of their own: its ends. */
-const FIXED = { zeta: [0, 1], min_contact: [0, 10], friction_demand: [0, 1] };
 
 /** A colour of hexadecimal digits, for little-endian pixels. */
 export function word(hex) {
@@ -36,9 +34,9 @@ export function shade(name, share) {
   return rgb(grey, grey, grey);
 }
 
-/** The scale of a column over the cells that count: round numbers around them, or its own. */
-export function scaleOf(name, values, counts) {
-  const fixed = FIXED[name] ?? (isShare(name) ? [0, 1] : null);
+/** The scale of a column over the cells that count: round numbers around them, or its own ends. */
+export function scaleOf(name, values, counts, ends) {
+  const fixed = ends ?? (isShare(name) ? [0, 1] : null);
   if (fixed) return { name, low: fixed[0], high: fixed[1], step: roundStep((fixed[1] - fixed[0]) / STEPS) };
   let low = Infinity;
   let high = -Infinity;
