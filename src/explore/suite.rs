@@ -22,15 +22,33 @@ use crate::suites::envelope::{CellEnvelope, Envelope, Limits};
 use crate::suites::read::Suite;
 use crate::suites::request::SuiteRequest;
 
-/// What a base must do, as the page asks it.
+/// What a base must do, as the page asks it: numbers in texts, and an empty one for none.
 #[derive(Debug, Clone, Default, Deserialize)]
 pub struct AskedLimits {
     /// Share of the motions under which the block must stand; all without it.
-    pub standing: Option<f64>,
+    pub standing: Option<String>,
     /// Largest max |u|, m.
-    pub limit_u: Option<f64>,
+    pub u: Option<String>,
     /// Largest stroke of v, m.
-    pub limit_v: Option<f64>,
+    pub v: Option<String>,
+}
+
+impl AskedLimits {
+    /// As numbers.
+    ///
+    /// # Errors
+    /// The keys `standing`, `limit_u` and `limit_v`: no number.
+    fn read(&self) -> Result<Limits, Refused> {
+        let number = |key: &str, text: &Option<String>| {
+            let given = text.as_deref().map(str::trim).filter(|text| !text.is_empty());
+            let parsed = given.map(|text| text.parse::<f64>().map_err(|_| text));
+            parsed
+                .transpose()
+                .map_err(|text| Refused::of(key, format!("{text} is no number; give one")))
+        };
+        let standing = number("standing", &self.standing)?.unwrap_or(1.0);
+        Ok(Limits { standing, u: number("limit_u", &self.u)?, v: number("limit_v", &self.v)? })
+    }
 }
 
 /// Cells along an axis of the coarse and of the fine picture of a suite.
@@ -100,8 +118,7 @@ pub fn run(
     mut send: impl FnMut(Vec<u8>) -> bool,
 ) -> Result<(), Refused> {
     let suite = session.suites.get(id)?;
-    let AskedLimits { standing, limit_u, limit_v } = request.limits;
-    let limits = Limits { standing: standing.unwrap_or(1.0), u: limit_u, v: limit_v };
+    let limits = request.limits.read()?;
     for (stage, most) in COUNTS {
         let count = request.count.map(|count| count.clamp(2, most));
         let scene = builder(&request.scene, Some(count))?;
