@@ -60,6 +60,7 @@ pub const FILES: &[File] = files![
     "shades.js": SCRIPT,
     "sliders.js": SCRIPT,
     "state.js": SCRIPT,
+    "strip.js": SCRIPT,
     "suggest.js": SCRIPT,
     "theme.js": SCRIPT,
     "view.js": SCRIPT,

@@ -1,7 +1,7 @@
 // The cells that are open, one or two side by side: their motions asked of the engine, drawn at the clock's time.
 import { drawBlock, sizesOf } from './block.js';
 import { createClock } from './clock.js';
-import { announce, byId, make, say, still } from './dom.js';
+import { announce, byId, make, say, still, symbol } from './dom.js';
 import { drawHistories, timeAxis } from './histories.js';
 import { largest, tellingEnd } from './motion.js';
 import { read, within } from './numbers.js';
@@ -102,10 +102,7 @@ export function createCells(engine, store, explorer, change, tell) {
     slot.wanted = null;
     const controller = new AbortController();
     slot.running = controller;
-    const names = [store.state.scene.x, store.state.scene.y].map((key, k) => {
-      const { symbol, unit } = parameterOf(about, key);
-      return `${symbol} = ${read(at[k], 6)} ${unit}`.trim();
-    });
+    const place = [store.state.scene.x, store.state.scene.y].map((key, k) => ({ ...parameterOf(about, key), text: read(at[k], 6) }));
     const done = (act) => (result) => {
       if (slot.running !== controller) return;
       slot.running = null;
@@ -113,32 +110,38 @@ export function createCells(engine, store, explorer, change, tell) {
       if (slot.wanted) send(slot, precision);
     };
     engine.cell({ scene, precision, motion: true }, controller.signal).then(
-      done((cell) => fill(slot, cell, names.join(', '), again)),
-      done((error) => refuse(slot, error, names.join(', '))),
+      done((cell) => fill(slot, cell, place, again)),
+      done((error) => refuse(slot, error, place)),
     );
+  }
+
+  /** The place of a cell as its heading; returns it as a text. */
+  function entitle(slot, place) {
+    slot.title.replaceChildren(...place.flatMap(({ symbol: name, text, unit }, k) => [k ? ', ' : '', make('span', { class: 'whole' }, symbol(name), ` = ${text} ${unit}`)]));
+    return slot.title.textContent;
   }
 
   function refuse(slot, error, place) {
     if (error.name === 'AbortError') return;
     if (error.lost) tell.lost(error);
     slot.cell = null;
-    say(slot.title, place);
+    entitle(slot, place);
     say(slot.words, error.line ?? error.message);
     lay();
   }
 
   function fill(slot, cell, place, again) {
     slot.cell = cell;
-    say(slot.title, place);
+    const named = entitle(slot, place);
     const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.backgroundColor = about.kinds[cell.kind]?.colour ?? 'transparent';
     slot.words.replaceChildren(swatch, cell.words);
-    slot.block.setAttribute('aria-label', `The block of ${place}: ${cell.words}`);
+    slot.block.setAttribute('aria-label', `The block at ${named}: ${cell.words}`);
     const events = cell.events.slice(0, 40).map((event) => `${WORDS[event.what] ?? event.what} at ${event.t.toFixed(2)} s`);
     slot.histories.setAttribute('aria-label', `Time histories. ${events.join(', ') || 'no uplift'}`);
     lay();
     clock.until(endOf(), again);
-    if (again) announce(`${place}: ${cell.words}`);
+    if (again) announce(`${named}: ${cell.words}`);
   }
 
   const endOf = () => Math.max(...open().map(({ cell }) => (whole.checked ? cell.motion.t.at(-1) : tellingEnd(cell))), 1e-3);

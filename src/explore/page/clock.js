@@ -48,7 +48,7 @@ export function createClock(onTime, eventTimes) {
   }
 
   function label() {
-    play.textContent = playing ? '⏸' : '▶';
+    play.textContent = playing ? '❚❚' : '▶';
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
   }
 

@@ -3,7 +3,7 @@ import { announce, byId, say } from './dom.js';
 import { createFlow } from './flow.js';
 import { writeLegend } from './legend.js';
 import { createMap } from './map.js';
-import { count, parse, read } from './numbers.js';
+import { count, read } from './numbers.js';
 import { cellsOf } from './plot.js';
 import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
 
@@ -13,9 +13,6 @@ const CELLS = { cpu: 1 << 18, gpu: 1 << 20 };
 const ALWAYS = ['outcome', 'impacts', 'zeta'];
 /** Time after which a picture that is not yet the new one says so, ms. */
 const LATE = 400;
-
-/** The limits of a state: numbers, or none. */
-export const limitsOf = (state) => Object.fromEntries(['limit_u', 'limit_v', 'standing'].map((key) => [key, Number.isFinite(parse(state[key])) ? parse(state[key]) : null]));
 
 /** The column that a state shows. */
 export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
@@ -107,7 +104,7 @@ export function createExplorer(engine, store, tell) {
     const asked = { scene: state.scene, count: lastCount, precision: state.precision || 'auto', columns, show };
     if (state.suite) {
       asked.suite = state.suite;
-      asked.limits = limitsOf(state);
+      asked.limits = { u: state.limit_u, v: state.limit_v, standing: state.standing };
     }
     return asked;
   }

@@ -62,20 +62,15 @@ export function createFiles(engine, store, change, tell) {
 
   function createLimits() {
     const inputs = LIMITS.map(([key, text, unit, first]) => {
-      const field = make('input', { type: 'text', inputmode: 'decimal', id: `limit-${key}`, placeholder: first, autocomplete: 'off', change: () => give(key, text, field) });
+      const field = make('input', { type: 'text', inputmode: 'decimal', id: `limit-${key}`, placeholder: first, autocomplete: 'off', change: () => change({ [key]: field.value.trim() }, true) });
       return { key, field, parts: [make('label', { for: `limit-${key}` }, text), field, make('span', { class: 'unit' }, unit)] };
     });
     const element = make('div', { class: 'limits', role: 'group', 'aria-label': 'Limits' }, ...inputs.flatMap(({ parts }) => parts));
-    return { element, update: (state) => inputs.forEach(({ key, field }) => document.activeElement !== field && (field.value = state[key])) };
-  }
-
-  function give(key, text, field) {
-    const value = field.value.trim();
-    const wrong = value !== '' && !(parse(value) >= 0);
-    if (wrong) field.setAttribute('aria-invalid', 'true');
-    else field.removeAttribute('aria-invalid');
-    refuse(wrong ? `${text}: ${value} is not a number from 0 on; give one` : '');
-    if (!wrong) change({ [key]: value }, true);
+    return {
+      element,
+      update: (state) => inputs.forEach(({ key, field }) => document.activeElement !== field && (field.value = state[key])),
+      refuse: (wrong) => inputs.forEach(({ key, field }) => (key === wrong ? field.setAttribute('aria-invalid', 'true') : field.removeAttribute('aria-invalid'))),
+    };
   }
 
   /** Takes files that were dropped or chosen. */
@@ -184,6 +179,15 @@ export function createFiles(engine, store, change, tell) {
 
   followDrops((files) => can.records && take(files));
   store.listen(update);
+  return {
+    /** Shows the engine's line where it is about files or limits; false where it is about something else. */
+    refuse(key, text) {
+      const here = [...LIMITS.map(([limit]) => limit), 'suite', ...Object.keys(NONE)].includes(key);
+      refuse(here ? text : '');
+      limits.refuse(here ? key : null);
+      return here;
+    },
+  };
 }
 
 /** Shows where to drop while files are over the page, and hands them on. */

@@ -2,10 +2,7 @@
 import { measure } from './axis.js';
 import { byId, make } from './dom.js';
 import { percent, read } from './numbers.js';
-import { isShare, shade } from './shades.js';
-
-/** Shares of a suite's motions. */
-const SHARES = { overturned: 'share of motions that overturn the block', standing: 'share of motions under which it stands', rocked: 'share of motions under which it rocks' };
+import { isShare, shade, titleOf } from './shades.js';
 
 /** Cells of a frame within axes: their first and last places along both. */
 function window(frame, axes) {
@@ -76,13 +73,13 @@ export function writeLegend(about, picture, axes) {
     spoken.push([shares.feasible, `the limits hold in ${part(shares.feasible)}`]);
   }
   byId('legend').replaceChildren(...list);
-  writeScale(about, picture);
+  writeScale(picture);
   spoken.sort((a, b) => b[0] - a[0]);
   return spoken.slice(0, 4).map(([, text]) => text).join(', ');
 }
 
 /** The colour bar of a number. */
-function writeScale(about, picture) {
+function writeScale(picture) {
   const host = byId('scale');
   host.hidden = !picture.scale;
   if (!picture.scale) return;
@@ -91,6 +88,5 @@ function writeScale(about, picture) {
   const pixels = Uint32Array.from({ length: 256 }, (_, k) => shade(name, k / 255));
   bar.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), 256, 1), 0, 0);
   const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => make('span', {}, isShare(name) ? `${100 * share} %` : read(low + share * (high - low), 3)));
-  const title = isShare(name) ? SHARES[name] : about.quantities.find((entry) => entry.column === name)?.label ?? name;
-  host.replaceChildren(make('p', {}, title), bar, make('div', { class: 'numbers' }, ...marks));
+  host.replaceChildren(make('p', {}, titleOf(name)), bar, make('div', { class: 'numbers' }, ...marks));
 }

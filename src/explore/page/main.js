@@ -6,6 +6,7 @@ import { openEngine } from './engine.js';
 import { createFields } from './fields.js';
 import { readCell, writeReadout } from './readout.js';
 import { axesOf, axesPatch, caption, cellScene, excitationOf, homeRange, motionKey } from './scene.js';
+import { titleOf } from './shades.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { followHand } from './view.js';
@@ -43,7 +44,8 @@ function run(engine) {
   const fields = createFields(about, store, { change, own });
   const tell = {
     refuse(key, line) {
-      const shown = fields.refuse(key, line);
+      const seen = [fields.refuse(key, line), files.refuse(key, line)];
+      const shown = seen.includes(true);
       byId('problem').hidden = !line || shown;
       say(byId('problem'), shown ? '' : (line ?? ''));
     },
@@ -58,7 +60,7 @@ function run(engine) {
   const { map } = explorer;
   const cells = createCells(engine, store, explorer, change, tell);
   const section = createSection(engine, store, explorer, change, tell);
-  createFiles(engine, store, change, tell);
+  const files = createFiles(engine, store, change, tell);
   createDialogs(engine, store, explorer, tell);
 
   function retry() {
@@ -147,10 +149,8 @@ function createShow(about, change) {
     const suite = excitationOf(state) === 'suite';
     if (filled !== String(suite)) {
       filled = String(suite);
-      const shares = { overturned: 'share that overturns', standing: 'share that stands', rocked: 'share that rocks', max_u: 'largest displacement', stroke_v: 'largest vertical stroke' };
-      const quantities = Object.fromEntries(about.quantities.map(({ column, title }) => [column, title]));
-      const names = suite ? shares : { outcome: 'outcomes', ...quantities };
-      select.replaceChildren(...Object.entries(names).map(([value, text]) => make('option', { value }, text)));
+      const names = suite ? ['overturned', 'standing', 'rocked', 'max_u', 'stroke_v'] : ['outcome', ...about.quantities];
+      select.replaceChildren(...names.map((value) => make('option', { value }, titleOf(value))));
     }
     select.value = shownOf(state);
   };

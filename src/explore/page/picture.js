@@ -36,8 +36,7 @@ function shaded(frame, about, show, values, words) {
   const outcome = frame.arrays.outcome;
   const fallen = (k) => outcome !== undefined && FALLEN.includes(outcome[k]);
   const unknown = (k) => outcome !== undefined && outcome[k] === UNRESOLVED;
-  const ends = about.quantities.find((entry) => entry.column === show)?.ends;
-  const scale = scaleOf(show, values, (k) => !fallen(k) && !unknown(k), ends);
+  const scale = scaleOf(show, values, (k) => !fallen(k) && !unknown(k));
   const shades = shadesOf(scale);
   const [gone, blank] = [word(about.shades.fallen), word('#ffffff')];
   const times = (shades.length - 1) / (scale.high - scale.low || 1);

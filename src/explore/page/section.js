@@ -1,5 +1,5 @@
 // The cross-section: the line is drawn with the tool or with the key L, its cells are asked of the engine, and drawn.
-import { announce, byId, make, say } from './dom.js';
+import { announce, byId, say, symbol } from './dom.js';
 import { read, within } from './numbers.js';
 import { axesOf, parameterOf, pictureKey } from './scene.js';
 import { drawStrip, shareAt } from './strip.js';
@@ -101,8 +101,8 @@ export function createSection(engine, store, explorer, change, tell) {
   }
 
   function describe({ scene, from, to }) {
-    const text = (at) => [scene.x, scene.y].map((key, k) => `${parameterOf(about, key).symbol} = ${read(at[k])}`).join(', ');
-    byId('section-ends').replaceChildren(make('span', {}, `from ${text(from)} to ${text(to)}`));
+    const text = (at) => [scene.x, scene.y].flatMap((key, k) => [k ? ', ' : '', symbol(parameterOf(about, key).symbol), ` = ${read(at[k])}`]);
+    byId('section-ends').replaceChildren('from ', ...text(from), ' to ', ...text(to));
     const runs = [];
     for (const kind of answer.kind) if (runs.at(-1) !== kind) runs.push(kind);
     const told = `${runs.length} stretches: ${runs.slice(0, 12).map((kind) => about.kinds[kind].label).join('; ')}${runs.length > 12 ? '; …' : ''}`;

@@ -58,5 +58,8 @@ function typed(cell) {
       cell[part][name] = name === 'mode' ? Uint8Array.from(list) : Float64Array.from(list, (number) => number ?? NaN);
     }
   }
+  // Motions begin at the static position, from which v is told here.
+  const { v } = cell.motion ?? {};
+  if (v) cell.motion.v = v.map((value) => value - v[0]);
   return cell;
 }

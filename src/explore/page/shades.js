@@ -11,6 +11,25 @@ const RISK = [[0xf4, 0xf6, 0xec], [0xf2, 0xc9, 0xa4], [0xe0, 0x8a, 0x6e], [0xb8,
 /** Columns of a suite that are shares of its motions. */
 const SHARES = new Set(['overturned', 'standing', 'rocked']);
 
+/** Numbers whose scale has ends of its own. */
+const FIXED = { zeta: [0, 1], min_contact: [0, 10], friction_demand: [0, 1] };
+/** What the numbers that can be shown are called. */
+const TITLES = {
+  outcome: 'outcomes',
+  zeta: 'ζ = max |φ| / α',
+  max_u: 'max |u| [m]',
+  max_v: 'max |v| [m]',
+  stroke_v: 'max |v + g/ω_v²| [m]',
+  min_contact: 'min N/M [m/s²]',
+  friction_demand: 'friction needed, max |S|/N',
+  overturned: 'share of motions that overturn the block',
+  standing: 'share of motions under which it stands',
+  rocked: 'share of motions under which it rocks',
+};
+
+/** What a column is called. */
+export const titleOf = (name) => TITLES[name] ?? name.replaceAll('_', ' ');
+
 /** A colour of hexadecimal digits, for little-endian pixels. */
 export function word(hex) {
   const number = parseInt(hex.slice(1), 16);
@@ -35,8 +54,8 @@ export function shade(name, share) {
 }
 
 /** The scale of a column over the cells that count: round numbers around them, or its own ends. */
-export function scaleOf(name, values, counts, ends) {
-  const fixed = ends ?? (isShare(name) ? [0, 1] : null);
+export function scaleOf(name, values, counts) {
+  const fixed = FIXED[name] ?? (isShare(name) ? [0, 1] : null);
   if (fixed) return { name, low: fixed[0], high: fixed[1], step: roundStep((fixed[1] - fixed[0]) / STEPS) };
   let low = Infinity;
   let high = -Infinity;
