@@ -15,13 +15,13 @@ const AXES = { pulse: ['omega', 'a_h'], record: ['t_h', 't_v', 'eccentricity', '
 /** True where a key means something in a state. */
 export function applies(about, state, key) {
   const { scene } = state;
-  const isolation = scene.isolation ?? 'dual';
-  const shape = scene.shape ?? 'one-sine';
+  const isolation = scene.isolation || 'dual';
+  const shape = scene.shape || 'one-sine';
   const section = [...about.parameters, ...about.words].find((entry) => entry.key === key)?.section;
   const excitation = excitationOf(state);
   if (section === 'pulse' && excitation !== 'pulse') return false;
   if (section === 'record' && excitation === 'pulse') return false;
-  if (OWN_BLOCK.includes(key)) return scene.object === undefined;
+  if (OWN_BLOCK.includes(key)) return !scene.object;
   if (ACROSS.includes(key)) return isolation === 'dual' || isolation === 'horizontal';
   if (UP.includes(key)) return isolation === 'dual' || isolation === 'vertical';
   if (key === 'restitution') return isolation === 'none';
@@ -35,11 +35,18 @@ export function createKeeper(about) {
   const kept = { ...about.scene };
   delete kept.x;
   delete kept.y;
+  /** The last scene under a pulse, a record, a suite. */
+  const scenes = {};
 
   /** A patch with all that follows from it. */
   return function settle(state, patch) {
     const next = { ...state, ...patch, scene: { ...state.scene, ...patch.scene } };
     const scene = next.scene;
+    const [was, is] = [excitationOf(state), excitationOf(next)];
+    if (was !== is) {
+      scenes[was] = { ...state.scene };
+      restoreAxes(scene, scenes[is]);
+    }
     for (const [key, text] of Object.entries(patch.scene ?? {})) {
       const group = text ? EITHER.find((keys) => keys.includes(key)) : null;
       for (const other of group ?? []) if (other !== key) scene[other] = '';
@@ -58,6 +65,13 @@ export function createKeeper(about) {
     bringBack(next);
     return { ...patch, scene };
   };
+
+  /** The axes that a scene had under what shakes the base again, and single numbers in the place of those since. */
+  function restoreAxes(scene, earlier) {
+    if (!earlier) return;
+    for (const key of [scene.x, scene.y]) scene[key] = earlier[key] ?? '';
+    for (const which of ['x', 'y']) Object.assign(scene, { [which]: earlier[which], [earlier[which]]: earlier[earlier[which]] });
+  }
 
   function replaceAxes(next) {
     const { scene } = next;

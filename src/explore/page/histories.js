@@ -9,6 +9,8 @@ import { read } from './numbers.js';
 const LEFT = 3.6;
 const BELOW = 2.5;
 const RIGHT = 0.6;
+/** Least span of a plot, in its unit: what is smaller is rest. */
+const LEAST = 1e-3;
 
 /** The plots of a cell: a name, its curves, and levels to mark. */
 function plotsOf(cell, moves) {
@@ -48,7 +50,7 @@ export function drawHistories(canvas, cell, end, t, moves) {
 function drawPlot(context, plot, at) {
   const { left, right, top, bottom, x, unit, end, cell, t, now } = at;
   const largestLevel = largest(plot.levels);
-  const most = Math.max(...plot.curves.map((curve) => largest(curve.y)), 1e-9);
+  const most = Math.max(...plot.curves.map((curve) => largest(curve.y)), LEAST);
   const span = 1.12 * (plot.levels.length ? Math.min(Math.max(most, 0.5 * largestLevel), 1.2 * largestLevel) : most);
   const y = (value) => (top + bottom) / 2 - ((bottom - top) / 2) * (value / span);
   const [ink, thin] = [colour('ink'), Math.max(1, 0.05 * unit)];
@@ -86,28 +88,27 @@ function drawPlot(context, plot, at) {
   context.restore();
 }
 
-/** A curve, of no more points than there are pixels: the extremes of each. */
+/** A curve, of no more points than there are pixels: the extremes and the last value of each. */
 function drawCurve(context, { t, y: values, style, dash }, x, y, end, unit) {
   const last = Math.min(t.length - 1, placeOf(t, end) + 1);
+  let [column, low, high, now] = [NaN, 0, 0, 0];
+  const close = () => {
+    if (Number.isNaN(column)) return;
+    for (const py of low === high ? [now] : [low, high, now]) context.lineTo(column, py);
+  };
   context.beginPath();
-  let [column, low, high] = [-1, 0, 0];
   for (let k = 0; k <= last; k += 1) {
     const px = Math.round(x(t[k]));
     const py = y(values[k]);
     if (!Number.isFinite(py)) continue;
     if (px !== column) {
-      if (column >= 0 && low !== high) {
-        context.lineTo(column, low);
-        context.lineTo(column, high);
-      }
-      if (column < 0) context.moveTo(x(t[k]), py);
-      else context.lineTo(x(t[k]), py);
+      close();
+      context.lineTo(px, py);
       [column, low, high] = [px, py, py];
-    } else {
-      [low, high] = [Math.min(low, py), Math.max(high, py)];
-      context.lineTo(x(t[k]), py);
     }
+    [low, high, now] = [Math.min(low, py), Math.max(high, py), py];
   }
+  close();
   context.strokeStyle = colour(style);
   context.lineWidth = 0.11 * unit;
   context.lineJoin = 'round';

@@ -144,7 +144,7 @@ function fillPrecision(about, store, change) {
 function createShow(about, change) {
   const select = byId('show');
   let filled = '';
-  select.onchange = () => change({ show: select.value }, true);
+  select.onchange = () => change({ show: select.selectedIndex === 0 ? '' : select.value }, true);
   return (state) => {
     const suite = excitationOf(state) === 'suite';
     if (filled !== String(suite)) {

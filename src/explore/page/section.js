@@ -56,6 +56,7 @@ export function createSection(engine, store, explorer, change, tell) {
     const { line } = state;
     map.marks.line = line;
     byId('section').hidden = !line;
+    document.documentElement.classList.toggle('has-line', line !== null);
     if (!line) {
       [answer, along, map.marks.along] = [null, null, null];
       running?.abort();
