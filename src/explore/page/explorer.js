@@ -23,6 +23,7 @@ export function createExplorer(engine, store, tell) {
   const most = CELLS[about.backend] ?? CELLS.cpu;
   const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
   let late = 0;
+  let ran = { view: 0, cells: 0, seconds: 0 };
   let lastCount = [256, 256];
 
   const stage = (name) => (map.host.dataset.stage = name);
@@ -40,7 +41,7 @@ export function createExplorer(engine, store, tell) {
       if (current) {
         fresh(frame.stage);
         shares();
-        describe(frame);
+        describe(frame, request.view);
       } else {
         stage('stale');
       }
@@ -88,10 +89,14 @@ export function createExplorer(engine, store, tell) {
     return map.picture && axes ? writeLegend(about, map.picture, axes) : '';
   }
 
-  function describe({ backend, adapter, precision, shape, seconds, rate, note, stage: name }) {
+  /** Says what computed how many cells how fast, all stages of a view together. */
+  function describe({ backend, adapter, precision, shape, seconds, cells, note, stage: name }, view) {
+    if (ran.view !== view) ran = { view, cells: 0, seconds: 0 };
+    ran.cells += cells;
+    ran.seconds += seconds;
     const where = `${backend === 'cpu' ? `CPU, ${about.cores} cores` : adapter || 'GPU'}, ${precision}`;
-    const speed = `${shape[0]} × ${shape[1]} cells in ${read(seconds, 2)} s, ${count(rate)} cells/s`;
-    say(byId('status'), [where, speed, name, note].filter(Boolean).join(' · '));
+    const speed = `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${count(ran.cells / Math.max(ran.seconds, 1e-9))} a second`;
+    say(byId('status'), [where, speed, `${name}, ${shape[0]} × ${shape[1]}`, note].filter(Boolean).join(' · '));
   }
 
   /** The request of what the state shows. */
