@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::asked::{self, AskedPrecision, Flat};
 use super::records::Records;
 use super::refused::Refused;
-use super::suite::Suites;
+use super::suites::Suites;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Scene};
 use crate::sweep::error::SweepError;
