@@ -13,6 +13,7 @@ pub struct File {
 const HTML: &str = "text/html; charset=utf-8";
 const CSS: &str = "text/css; charset=utf-8";
 const SCRIPT: &str = "text/javascript; charset=utf-8";
+const PICTURE: &str = "image/svg+xml";
 
 macro_rules! files {
     ($($path:literal: $kind:expr),* $(,)?) => {
@@ -24,7 +25,45 @@ macro_rules! files {
 pub const FILES: &[File] = files![
     "index.html": HTML,
     "style.css": CSS,
+    "icon.svg": PICTURE,
+    "applies.js": SCRIPT,
+    "axes.js": SCRIPT,
+    "axis.js": SCRIPT,
+    "block.js": SCRIPT,
+    "cells.js": SCRIPT,
+    "clock.js": SCRIPT,
+    "dialogs.js": SCRIPT,
+    "dom.js": SCRIPT,
+    "engine.js": SCRIPT,
+    "explorer.js": SCRIPT,
+    "fields.js": SCRIPT,
+    "files.js": SCRIPT,
+    "flow.js": SCRIPT,
+    "frames.js": SCRIPT,
+    "histories.js": SCRIPT,
+    "ink.js": SCRIPT,
+    "legend.js": SCRIPT,
     "main.js": SCRIPT,
+    "map.js": SCRIPT,
+    "marks.js": SCRIPT,
+    "motion.js": SCRIPT,
+    "numbers.js": SCRIPT,
+    "overlay.js": SCRIPT,
+    "picture.js": SCRIPT,
+    "plot.js": SCRIPT,
+    "ranges.js": SCRIPT,
+    "readout.js": SCRIPT,
+    "row.js": SCRIPT,
+    "scene.js": SCRIPT,
+    "section.js": SCRIPT,
+    "server.js": SCRIPT,
+    "shades.js": SCRIPT,
+    "sliders.js": SCRIPT,
+    "state.js": SCRIPT,
+    "strip.js": SCRIPT,
+    "suggest.js": SCRIPT,
+    "theme.js": SCRIPT,
+    "view.js": SCRIPT,
 ];
 
 /// Its first file, which is served at the page's address.

@@ -1,0 +1,467 @@
+"""The page of `topple explore` in a browser: what a reader does, and what must not happen meanwhile."""
+
+import os
+import random
+import statistics
+
+import pytest
+
+MOVES = int(os.environ.get("TOPPLE_MOVES", "300"))
+# The aims, in milliseconds, and what a loaded machine of two cores may take.
+AIMS = {"coarse": 100, "fine": 400}
+GENEROUS = 40
+# A view of few cells, so that many views are quick.
+SMALL = {"viewport": {"width": 360, "height": 640}}
+
+
+def spread(times):
+    times = sorted(times)
+    return statistics.median(times), times[int(0.95 * (len(times) - 1))]
+
+
+def told(what, times, limit):
+    median, late = spread(times)
+    print(f"\n{what}: median {median:.0f} ms, 95th percentile {late:.0f} ms of {len(times)}")
+    assert median < limit
+
+
+def first(stages, name, since=0.0):
+    return next((at - since for at, stage in stages if stage == name and at >= since), None)
+
+
+def test_the_first_picture_comes_after_the_load(open_page):
+    times = {"coarse": [], "fine": []}
+    for _ in range(7):
+        page = open_page()
+        page.settle()
+        stages = page.page.evaluate("() => window.stages")
+        begun = stages[0][0]
+        for stage, found in times.items():
+            found.append(first(stages, stage) - begun)
+    for stage, found in times.items():
+        told(f"load, {stage}", found, GENEROUS * AIMS[stage])
+
+
+def test_a_slider_is_answered(open_page):
+    page = open_page()
+    page.settle()
+    times = {"coarse": [], "fine": []}
+    for k in range(12):
+        since = page.page.evaluate("() => { window.stages.length = 0; return performance.now(); }")
+        page.slide("eccentricity", 180 + 10 * k)
+        page.settle()
+        stages = page.page.evaluate("() => window.stages")
+        for stage, found in times.items():
+            found.append(first(stages, stage, since))
+    assert page.page.input_value("#field-eccentricity") == "0.36"
+    for stage, found in times.items():
+        told(f"slider, {stage}", found, GENEROUS * AIMS[stage])
+
+
+class Moves:
+    """Random moves of a reader."""
+
+    KEYS = ["+", "-", "0", "ArrowLeft", "ArrowUp", "Shift+ArrowRight", "Shift+ArrowDown"]
+    SLIDERS = ["eccentricity", "t_h", "t_v", "psi", "xi_h", "xi_v", "a_v"]
+
+    def __init__(self, page, seed):
+        self.page, self.random = page, random.Random(seed)
+
+    def place(self):
+        box = self.page.page.locator("#map").bounding_box()
+        return (
+            box["x"] + box["width"] * self.random.uniform(0.3, 0.9),
+            box["y"] + box["height"] * self.random.uniform(0.1, 0.75),
+        )
+
+    def wheel(self):
+        self.page.page.mouse.move(*self.place())
+        self.page.page.mouse.wheel(0, self.random.choice([-240, -120, 120, 240, 480]))
+
+    def drag(self):
+        mouse = self.page.page.mouse
+        mouse.move(*self.place())
+        mouse.down()
+        mouse.move(*self.place(), steps=self.random.randint(1, 4))
+        mouse.up()
+
+    def key(self):
+        self.page.page.locator("#map").press(self.random.choice(self.KEYS))
+
+    def slider(self):
+        self.page.slide(self.random.choice(self.SLIDERS), self.random.randint(0, 400))
+
+    def show(self):
+        self.page.page.select_option("#show", self.random.choice(["outcome", "zeta", "max_u", "min_contact"]))
+
+    def button(self):
+        self.page.page.locator(self.random.choice(["#zoom-in", "#zoom-out", "#home"])).click()
+
+    def axes(self):
+        key, which = self.random.choice([("omega", 0), ("a_h", 1), ("eccentricity", 0), ("t_h", 1)])
+        self.page.page.locator(f'.row[data-key="{key}"] .axis').nth(which).evaluate("button => button.click()")
+
+    def back(self):
+        self.page.page.evaluate("() => history.back()")
+
+    def one(self):
+        kinds = [self.wheel, self.drag, self.key, self.slider, self.show, self.button, self.axes, self.back]
+        self.random.choices(kinds, [6, 4, 4, 8, 1, 2, 0.6, 0.3])[0]()
+        if self.random.random() < 0.3:
+            self.page.page.wait_for_timeout(self.random.choice([0, 10, 40, 120]))
+
+
+def heap(page, session):
+    session.send("HeapProfiler.collectGarbage")
+    metrics = session.send("Performance.getMetrics")["metrics"]
+    return {metric["name"]: metric["value"] for metric in metrics}
+
+
+def test_random_moves_leave_no_error_no_leak_and_no_stale_picture(open_page, server):
+    page = open_page(**SMALL)
+    page.page.evaluate("() => history.pushState(null, '', location.hash)")
+    page.settle()
+    session = page.page.context.new_cdp_session(page.page)
+    session.send("Performance.enable")
+    moves = Moves(page, 22)
+    warm = max(20, MOVES // 10)
+    before = None
+    for k in range(MOVES):
+        moves.one()
+        if k == warm:
+            page.settle()
+            before = heap(page, session)
+        if k % 50 == 49:
+            # What is shown at rest is what a fresh page shows.
+            page.settle()
+            assert page.page.locator("#problem").is_hidden(), page.page.inner_text("#problem")
+            assert page.errors == []
+    page.settle()
+    after = heap(page, session)
+    grown = after["JSHeapUsedSize"] - before["JSHeapUsedSize"]
+    print(f"\n{MOVES} moves: heap grown by {grown / 1e6:.1f} MB, nodes {before['Nodes']:.0f} to {after['Nodes']:.0f}")
+    assert grown < 12e6
+    assert after["Nodes"] < 2 * before["Nodes"] + 500
+    address = page.rested()
+    page.settle()
+    fresh = open_page("#" + address.split("#", 1)[1], **SMALL)
+    fresh.settle()
+    fresh.rested()
+    assert fresh.page.url == address
+    assert fresh.page.inner_text("#legend") == page.page.inner_text("#legend")
+    page.page.mouse.move(1, 1)
+    assert fresh.picture() == page.picture()
+
+
+def test_a_picture_that_is_not_the_newest_is_never_said_to_be(open_page):
+    """The map's stage is stale from the input on until a frame of that very request comes."""
+    page = open_page(**SMALL)
+    page.settle()
+    for place in range(100, 301, 10):
+        stage = page.page.locator('.row[data-key="t_h"] input[type=range]').evaluate(
+            """(slider, place) => {
+              slider.value = place;
+              slider.dispatchEvent(new Event('input', { bubbles: true }));
+              return document.getElementById('map').dataset.stage;
+            }""",
+            place,
+        )
+        assert stage == "stale"
+    page.settle()
+    assert "t_h=4.55" in page.rested()
+
+
+def test_back_and_forward(open_page):
+    page = open_page()
+    page.settle()
+    start, picture = page.rested(), page.picture()
+    page.page.click("#zoom-in")
+    page.settle()
+    zoomed = page.rested()
+    page.slide("t_h", 300)
+    page.settle()
+    slid = page.rested()
+    assert len({start, zoomed, slid}) == 3
+    for expected in (zoomed, start):
+        page.page.go_back()
+        page.settle()
+        assert page.rested() == expected
+    assert page.picture() == picture
+    page.page.go_forward()
+    page.settle()
+    assert page.rested() == zoomed
+
+
+def test_a_drag_is_one_entry_of_the_history(open_page):
+    page = open_page()
+    page.settle()
+    start = page.rested()
+    count = page.page.evaluate("() => history.length")
+    box = page.page.locator("#map").bounding_box()
+    page.page.mouse.move(box["x"] + 300, box["y"] + 150)
+    page.page.mouse.down()
+    for k in range(20):
+        page.page.mouse.move(box["x"] + 300 - 5 * k, box["y"] + 150 + 2 * k)
+        page.page.wait_for_timeout(15)
+    page.page.mouse.up()
+    assert page.rested() != start
+    assert page.page.evaluate("() => history.length") == count + 1
+    page.settle()
+
+
+def expect_refused(page, key, selector, text):
+    """A text is refused at its field in one line, and the picture is marked as old."""
+    page.give(selector, text)
+    problem = page.page.locator(f"#problem-{key}")
+    problem.wait_for(state="visible", timeout=20_000)
+    line = problem.inner_text()
+    assert line and "\n" not in line
+    assert page.page.locator(selector).get_attribute("aria-invalid") == "true"
+    data = page.data()
+    assert data["stage"] == "error"
+    assert "old" in page.page.locator("#map").get_attribute("class")
+    assert page.page.locator("#badge").is_visible()
+
+
+def test_bad_input_is_told_at_every_field(open_page):
+    page = open_page()
+    page.settle()
+    page.page.locator('details[data-section="run"]').evaluate("details => { details.open = true; }")
+    keys = page.page.locator(".row:visible").evaluate_all("rows => rows.map((row) => row.dataset.key)")
+    assert len(keys) > 15
+    for key in keys:
+        is_axis = page.page.locator(f'.row[data-key="{key}"].is-axis').count()
+        selector = f'.row[data-key="{key}"] .end >> nth=0' if is_axis else f"#field-{key}"
+        before = page.page.input_value(selector)
+        for text in ("nonsense", "1e999"):
+            expect_refused(page, key, selector, text)
+        page.give(selector, before)
+        page.settle()
+        assert page.data()["stage"] != "error", key
+        assert page.page.locator(f"#problem-{key}").is_hidden()
+
+
+def test_a_lost_server_is_told_and_tried_again(open_page):
+    page = open_page()
+    page.settle()
+    page.page.route("**/map", lambda route: route.abort())
+    page.slide("t_h", 150)
+    banner = page.page.locator("#banner")
+    banner.wait_for(state="visible")
+    assert page.data()["stage"] == "lost"
+    # Nothing blocks: the view still moves.
+    address = page.rested()
+    page.page.click("#zoom-in")
+    assert page.rested() != address
+    page.page.unroute("**/map")
+    page.page.click("#retry")
+    page.settle()
+    assert banner.is_hidden()
+    page.errors.clear()
+
+
+def test_a_server_that_ended_is_told(open_page, own_server):
+    page = open_page(url=own_server.url)
+    page.settle()
+    own_server.stop()
+    page.slide("t_h", 150)
+    page.page.locator("#banner").wait_for(state="visible")
+    assert "server" in page.page.inner_text("#banner-text")
+    page.errors.clear()
+
+
+def test_two_tabs_do_not_end_each_other(open_page):
+    one, two = open_page(**SMALL), open_page(**SMALL)
+    for k in range(10):
+        one.slide("t_h", 100 + 10 * k)
+        two.slide("t_v", 100 + 10 * k)
+    one.settle()
+    two.settle()
+    assert one.rested() != two.rested()
+    for page in (one, two):
+        fresh = open_page("#" + page.page.url.split("#", 1)[1], **SMALL)
+        fresh.settle()
+        assert fresh.picture() == page.picture()
+
+
+def test_a_cell_opens_and_its_time_is_linked(open_page):
+    page = open_page()
+    page.settle()
+    page.page.click("#suggest")
+    page.page.locator(".cell .histories").wait_for()
+    page.page.wait_for_timeout(300)
+    page.page.click("#to-start")
+    seen = []
+    for _ in range(3):
+        page.page.click("#step")
+        seen.append(page.page.inner_text("#event"))
+    assert "uplift" in seen[0]
+    assert any("impact" in text for text in seen)
+    page.page.locator("#map").click(modifiers=["Shift"], position={"x": 300, "y": 200})
+    page.page.locator(".cell >> nth=1").wait_for()
+    assert "cell2=" in page.rested()
+    page.page.locator(".cell .close >> nth=1").click()
+    assert "cell2=" not in page.rested()
+
+
+def test_a_line_is_drawn_and_told(open_page):
+    page = open_page()
+    page.settle()
+    page.page.click("#tool")
+    box = page.page.locator("#map").bounding_box()
+    page.page.mouse.move(box["x"] + 120, box["y"] + 60)
+    page.page.mouse.down()
+    page.page.mouse.move(box["x"] + 400, box["y"] + 250, steps=6)
+    page.page.mouse.up()
+    page.page.locator("#section-ends >> text=from").wait_for()
+    assert "line=" in page.rested()
+    assert "stretches" in page.page.get_attribute("#section-picture", "aria-label")
+    page.page.click("#section-close")
+    assert "line=" not in page.rested()
+
+
+def test_by_keyboard_alone(open_page):
+    page = open_page()
+    page.settle()
+    keyboard = page.page.keyboard
+    for _ in range(40):
+        keyboard.press("Tab")
+        if page.page.evaluate("() => document.activeElement.id") == "map":
+            break
+    assert page.page.evaluate("() => document.activeElement.id") == "map"
+    start = page.rested()
+    keyboard.press("+")
+    page.settle()
+    assert page.rested() != start
+    keyboard.press("0")
+    page.settle()
+    assert page.rested() == start
+    for key in ("ArrowUp", "ArrowRight", "Control+ArrowRight"):
+        keyboard.press(key)
+    page.page.wait_for_timeout(400)
+    assert "Ω" in page.page.inner_text("#readout")
+    assert "Ω" in page.page.text_content("#live")
+    keyboard.press("Enter")
+    page.page.locator(".cell").wait_for()
+    assert "cell=" in page.rested()
+    keyboard.press("l")
+    for _ in range(8):
+        keyboard.press("ArrowLeft")
+    keyboard.press("l")
+    assert "line=" in page.rested()
+    keyboard.press("Escape")
+    address = page.rested()
+    assert "cell=" not in address and "line=" not in address
+
+
+def test_what_the_system_says_of_motion_is_kept(open_page):
+    page = open_page(reduced_motion="reduce")
+    page.settle()
+    page.page.click("#suggest")
+    page.page.locator(".cell").wait_for()
+    page.page.wait_for_timeout(500)
+    assert page.page.locator("#play").is_hidden()
+    assert page.page.inner_text("#time") == "t = 0.00 s"
+    page.page.click("#step")
+    assert page.page.inner_text("#time") != "t = 0.00 s"
+
+
+LUMINANCE = """
+() => {
+  const style = getComputedStyle(document.documentElement);
+  const canvas = document.createElement('canvas').getContext('2d');
+  const luminance = (name) => {
+    canvas.fillStyle = style.getPropertyValue(name);
+    canvas.fillRect(0, 0, 1, 1);
+    const linear = [...canvas.getImageData(0, 0, 1, 1).data].slice(0, 3)
+      .map((part) => part / 255)
+      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+  };
+  const contrast = (a, b) => {
+    const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (high + 0.05) / (low + 0.05);
+  };
+  const text = ['--ink', '--soft', '--bad', '--accent'].flatMap((name) => ['--paper', '--surface'].map((on) => [name, on, contrast(name, on), 4.5]));
+  text.push(['--on-accent', '--accent', contrast('--on-accent', '--accent'), 4.5], ['--bad', '--bad-paper', contrast('--bad', '--bad-paper'), 4.5]);
+  for (const on of ['--paper', '--surface']) text.push(['--edge', on, contrast('--edge', on), 3], ['--curve', on, contrast('--curve', on), 3]);
+  return text;
+}
+"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_contrast_is_enough(open_page, scheme):
+    """WCAG 2.2, AA: 4.5 for text, 3 for borders of controls and for curves."""
+    page = open_page(color_scheme=scheme)
+    for ink, paper, contrast, least in page.page.evaluate(LUMINANCE):
+        assert contrast >= least, f"{scheme}: {ink} on {paper}"
+    page.settle()
+
+
+def test_every_control_has_a_name(open_page):
+    page = open_page()
+    page.settle()
+    nameless = page.page.evaluate(
+        """() => [...document.querySelectorAll('button, input, select, canvas[role], [role=application]')]
+          .filter((control) => !control.getAttribute('aria-label') && !control.labels?.length && !control.textContent.trim())
+          .map((control) => control.outerHTML)"""
+    )
+    assert nameless == []
+
+
+@pytest.mark.parametrize("width, height", [(320, 640), (1280, 800), (3840, 2160)])
+def test_the_page_fits(open_page, width, height):
+    page = open_page(viewport={"width": width, "height": height})
+    page.settle()
+    page.page.click("#suggest")
+    page.page.locator(".cell").wait_for()
+    wide = page.page.evaluate("() => document.documentElement.scrollWidth")
+    assert wide <= width
+    beyond = page.page.evaluate(
+        """() => [...document.querySelectorAll('.layout > section, .row, .toolbar, .clock')]
+          .filter((part) => part.scrollWidth > part.clientWidth + 1).map((part) => part.className)"""
+    )
+    assert beyond == []
+    page.settle()
+
+
+def test_the_page_asks_nobody_else(open_page, server):
+    page = open_page()
+    page.settle()
+    page.page.click("#copy")
+    page.page.locator("#dialog pre >> nth=0").wait_for()
+    assert "topple pulse" in page.page.inner_text("#dialog pre >> nth=0")
+    strangers = [url for url in page.requests if not url.startswith((server.url, "blob:", "data:"))]
+    assert strangers == []
+
+
+@pytest.mark.parametrize("kind", ["PNG", "SVG", "NPZ", "TOML"])
+def test_what_is_in_view_is_saved(open_page, kind):
+    page = open_page(**SMALL)
+    page.settle()
+    page.page.click("#save")
+    with page.page.expect_download() as download:
+        page.page.locator(f"#dialog button >> text={kind},").click()
+    head = download.value.path().read_bytes()[:8]
+    begins = {"PNG": b"\x89PNG", "SVG": b"<", "NPZ": b"PK", "TOML": b"["}[kind]
+    assert head.startswith(begins)
+
+
+def test_a_record_shakes_the_base(open_page, tmp_path):
+    steps = "".join(f"{0.01 * k:.2f} {2.0 if k // 40 % 2 else -2.0}\n" for k in range(400))
+    record = tmp_path / "shaking.txt"
+    record.write_text(steps)
+    page = open_page(**SMALL)
+    page.settle()
+    page.page.locator("#source input[type=file]").set_input_files(record)
+    units = page.page.locator("#need-units")
+    units.wait_for()
+    units.select_option("m/s2")
+    page.page.locator("#dialog button >> text=Shake").click()
+    page.settle()
+    address = page.rested()
+    assert "horizontal=shaking.txt" in address and "x=t_h" in address and "omega" not in address
+    page.page.locator("#excitation [data-key=pulse]").click()
+    page.settle()
+    assert "omega=" in page.rested() and "horizontal" not in page.page.url
