@@ -62,6 +62,10 @@ pub mod figures;
 #[doc(hidden)]
 pub mod map;
 
+#[cfg(feature = "explore")]
+#[doc(hidden)]
+pub mod explore;
+
 #[cfg(not(feature = "internals"))]
 mod fragility;
 #[cfg(feature = "internals")]
