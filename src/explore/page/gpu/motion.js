@@ -5,7 +5,7 @@ import { timeOf } from './clock.js';
 import { heed } from './errors.js';
 import { windowAround } from './grid.js';
 import { known } from './known.js';
-import { PLACE } from './outcome.js';
+import { PLACE, outcomeOf } from './outcome.js';
 import { partsOf } from './plan.js';
 import { wave } from './pulse.js';
 import { samplesOf } from './sweep.js';
@@ -67,9 +67,10 @@ function eventsBetween(reals, words, before, after, [t0, t1], clock) {
   if (impacts > 0) {
     // phi is nearly linear over what is left of the way to the impact.
     const t = t0 - reals[before + PLACE.phi] / reals[before + PLACE.dphi];
-    const rests = mode === 0;
-    for (let k = 0; k < impacts; k += 1) events.push({ t: within(Number.isFinite(t) ? t : t1), what: 'impact', mode });
-    if (rests) events.push({ t: t1, what: 'rest', mode });
+    for (let k = 1; k <= impacts; k += 1) {
+      const rests = k === impacts && mode === 0;
+      events.push({ t: within(Number.isFinite(t) ? t : t1), what: rests ? 'rest' : 'impact', mode });
+    }
   }
   const ended = of(after, 'status');
   if (of(before, 'status') !== ended && (ended === known.status.overturned_left || ended === known.status.overturned_right)) {
@@ -102,7 +103,7 @@ function groundOf(cell, clock, record) {
   return { t: column(0), a_h: column(1), a_v: column(2) };
 }
 
-// The motion of a scene of one cell, its events and its ground.
+// The motion of a scene of one cell to its end, with what became of it, its events and its ground.
 export async function motionOf(device, scene, signal) {
   const { grid } = scene;
   const [{ plan }] = partsOf(scene, grid, null);
@@ -136,5 +137,8 @@ export async function motionOf(device, scene, signal) {
     const span = [motion.t[row - 1], motion.t[row]];
     events.push(...eventsBetween(reals, words, rows[row - 1], rows[row], span, clock));
   }
-  return { motion, events, ground: groundOf(grid.caseAt(grid.place(0)), clock, plan.record) };
+  const place = grid.place(0);
+  const last = rows[rows.length - 1];
+  const outcome = outcomeOf(tables.readers.at(place), clock, reals, words, last, plan.verticalLocked);
+  return { outcome, motion, events, ground: groundOf(grid.caseAt(place), clock, plan.record) };
 }
