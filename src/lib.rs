@@ -50,6 +50,10 @@
 #[cfg(all(feature = "gpu", feature = "pictures"))]
 #[doc(hidden)]
 pub mod chart;
+#[cfg(feature = "explore")]
+#[doc(hidden)]
+pub mod explore;
+
 #[cfg(not(feature = "internals"))]
 mod drawing;
 #[cfg(feature = "internals")]
@@ -61,10 +65,6 @@ pub mod figures;
 #[cfg(feature = "pictures")]
 #[doc(hidden)]
 pub mod map;
-
-#[cfg(feature = "explore")]
-#[doc(hidden)]
-pub mod explore;
 
 #[cfg(not(feature = "internals"))]
 mod fragility;

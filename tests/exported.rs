@@ -6,24 +6,26 @@
 
 mod common;
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
-use common::{all, gpu, scene, synthetic_pair, under};
+use common::{all, gpu, synthetic_pair};
 use serde_json::{Value, json};
-use topple::explore::known::{RECORD, known};
-use topple::explore::export;
+use topple::BackendRequest;
+use topple::explore::asked::{Flat, SYNTHETIC, builder};
+use topple::explore::export::export;
+use topple::explore::known::known;
+use topple::explore::records::Records;
+use topple::explore::session::{Session, Settings};
 use topple::model::precision::Precision;
-use topple::scene::keys;
-use topple::scene::parameters::Section;
-use topple::scene::{Grid, Parameter, Scene};
+use topple::scene::{Grid, Scene, SceneBuilder};
 use topple::stepping::outcome::Outcome;
+use topple::sweep::backend::Backend;
 use topple::sweep::cell_tables::{CellTables, Clocks};
 use topple::sweep::cells::Cells;
 use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::history::{Row, by_steps};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
 use topple::sweep::table::Window;
@@ -35,72 +37,60 @@ const SCENES: [(&str, &str, [u32; 2]); 22] = [
     ("horizontal", "object=2 isolation=horizontal t_h=2 omega=0.5:9 a_h=0.5:20", [16, 16]),
     ("vertical", "object=3 isolation=vertical t_v=0.4 omega=0.5:9 a_h=0.5:20", [16, 16]),
     ("fixed", "half_width=0.5 height=1.5 isolation=none omega=0.5:9 a_h=0.5:20", [16, 16]),
-    ("sizes", "slenderness=3 isolation=none size=0.3:3:log a_h=3 omega=0.5:9:log", [16, 16]),
+    ("sizes", "slenderness=3 isolation=none size=0.1:3:log a_h=5 omega=0.5:12:log", [16, 16]),
     ("offset", "object=1 offset=-0.04 t_h=1.3 t_v=0.2 omega=1:12 a_h=1:20", [12, 12]),
-    ("one cosine", "object=1 shape=one-cosine cycles=1.5 t_h=1.75 t_v=0.75 omega=1:12:log a_h=1:20", [14, 12]),
+    (
+        "one cosine",
+        "object=1 shape=one-cosine cycles=1.5 t_h=1.75 t_v=0.75 omega=1:12:log a_h=1:20",
+        [14, 12],
+    ),
     ("two cycles", "object=1 cycles=2 t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
     ("half sine", "object=1 shape=half-sine t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
     ("rectangle", "object=2 shape=rectangle isolation=none omega=1:12 a_h=1:20", [12, 12]),
     ("ricker", "object=1 shape=ricker t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
-    ("ricker antisymmetric", "object=1 shape=ricker-antisymmetric t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
-    ("modulated", "object=1 shape=mavroeidis-papageorgiou phase=0.7 t_h=1.75 t_v=0.75 gamma=1:4 a_h=1:20 omega=5", [12, 12]),
+    (
+        "ricker antisymmetric",
+        "object=1 shape=ricker-antisymmetric t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20",
+        [12, 12],
+    ),
+    (
+        "modulated",
+        "object=1 shape=mavroeidis-papageorgiou phase=0.7 t_h=1.75 t_v=0.75 gamma=1:4 a_h=1:20 omega=5",
+        [12, 12],
+    ),
     ("exponents", "object=1 t_h=1.75 t_v=0.75 bouc_wen_n=5 omega=1:12 a_h=1:20", [12, 12]),
     ("strength", "object=1 t_h=1.75 t_v=0.75 u_y=0.01 omega=1:12 a_h=1:20", [12, 12]),
-    ("yield force", "object=2 t_h=1.75 t_v=0.75 yield_force=900 omega=2 a_h=1:20 t_h=0.5:4", [12, 12]),
-    ("linear to yielding", "object=1 t_h=1.75 t_v=0.75 psi=0.1:1 xi_h=0.02:0.4 omega=3 a_h=9", [13, 12]),
+    (
+        "yield force",
+        "object=2 t_h=1.75 t_v=0.75 yield_force=900 omega=2 a_h=1:20 t_h=0.5:4",
+        [12, 12],
+    ),
+    (
+        "linear to yielding",
+        "object=1 t_h=1.75 t_v=0.75 psi=0.1:1 xi_h=0.02:0.4 omega=3 a_h=2.4",
+        [13, 12],
+    ),
     ("tilted", "object=1 isolation=none tilt=-0.08:0.08 a_h=0:9 omega=4", [13, 12]),
-    ("restitution", "object=1 eccentricity=0.1 isolation=none restitution=0.5:1 a_h=2:12 omega=4 overturn=quarter-turn", [12, 12]),
-    ("eccentricities", "object=1 eccentricity=-0.4:0.4 t_h=1.75 t_v=0.05:1 omega=4 a_h=8 t_max=12 friction=0.4", [13, 12]),
-    ("record", "object=1 eccentricity=0.2 horizontal=exported t_h=0.5:4 t_v=0.001:1", [12, 12]),
+    (
+        "restitution",
+        "object=1 eccentricity=0.1 isolation=none restitution=0.5:1 a_h=2:12 omega=4 overturn=quarter-turn",
+        [12, 12],
+    ),
+    (
+        "eccentricities",
+        "object=1 eccentricity=-0.4:0.4 t_h=1.75 t_v=0.05:1 omega=4 a_h=4 t_max=12 friction=0.4",
+        [13, 12],
+    ),
+    ("record", "object=1 eccentricity=0.2 horizontal=synthetic t_h=0.5:4 t_v=0.001:1", [12, 12]),
 ];
 
-/// The keys of a scene's text.
-fn flat(text: &str) -> BTreeMap<String, String> {
-    let pair = |pair: &str| pair.split_once('=').map(|(key, value)| (key.into(), value.into()));
-    text.split(' ').filter_map(pair).collect()
-}
-
-/// The two axes: the keys of ranges, in the text's order.
-fn axes(text: &str) -> Vec<&str> {
-    text.split(' ').filter(|pair| pair.contains(':')).map(|pair| pair.split('=').next().unwrap()).collect()
-}
-
-/// The library's scene of such a text.
-fn checked(text: &str, count: [u32; 2]) -> Scene {
-    let (flat, axes) = (flat(text), axes(text));
-    let mut toml = String::new();
-    for section in Section::ALL {
-        let own = |key: &str| {
-            keys::words(section).contains(&key)
-                || Parameter::of_key(key).is_some_and(|of| of.entry().section == section)
-        };
-        toml.push_str(&format!("[{}]\n", section.key()));
-        for (key, value) in flat.iter().filter(|(key, _)| own(key) && *key != "horizontal") {
-            let counted = match axes.iter().position(|axis| axis == key) {
-                Some(axis) => {
-                    let (range, log) = match value.strip_suffix(":log") {
-                        Some(range) => (range, ":log"),
-                        None => (&value[..], ""),
-                    };
-                    format!("{range}:{}{log}", count[axis])
-                }
-                None => value.clone(),
-            };
-            let quote = if counted.parse::<f64>().is_ok() { "" } else { "\"" };
-            toml.push_str(&format!("{key} = {quote}{counted}{quote}\n"));
-        }
-        if section == Section::Run {
-            toml.push_str(&format!("x = \"{}\"\ny = \"{}\"\n", axes[0], axes[1]));
-        }
-    }
-    let recorded = flat.contains_key("horizontal");
-    // A record takes the place of a pulse, with which a scene is checked here.
-    let toml = if recorded { toml.replace("[pulse]\n[record]\n", "[pulse]\nomega = 1\na_h = 1\n") } else { toml.replace("[record]\n", "") };
-    let mut scene = scene(&toml);
-    if recorded {
-        under(&mut scene, synthetic_pair());
-    }
-    scene
+/// The keys of a scene's text. Ranges are the axes, in the text's order.
+fn flat(text: &str) -> Flat {
+    let pairs: Vec<(&str, &str)> =
+        text.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+    let axes = pairs.iter().filter(|(_, value)| value.contains(':')).map(|(key, _)| *key);
+    let named = ["x", "y"].into_iter().zip(axes);
+    pairs.iter().copied().chain(named).map(|(key, value)| (key.into(), value.into())).collect()
 }
 
 fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
@@ -109,9 +99,9 @@ fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
 
 /// The numbers of a plan's cells: the tables of all, and each cell as its integration begins.
 fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
-    let mut tables: CellTables<f32> = CellTables::of(plan, grid, &Window::around(grid, cells));
-    // The page has a list of a clock for each cell.
-    let clocks = match std::mem::replace(&mut tables.clocks, Clocks::Shared(empty())) {
+    let tables: CellTables<f32> = CellTables::of(plan, grid, &Window::around(grid, cells));
+    // Where each cell has its own they are seen in the cells alone.
+    let clocks = match &tables.clocks {
         Clocks::Shared(table) => {
             json!(words(&table.entries.iter().map(|(_, steps)| *steps).collect::<Vec<_>>()))
         }
@@ -129,10 +119,6 @@ fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
         "cells": words(&begun.iter().map(|(cell, _)| *cell).collect::<Vec<_>>()),
         "states": words(&begun.iter().map(|(_, state)| *state).collect::<Vec<_>>()),
     })
-}
-
-fn empty<T>() -> topple::sweep::table::Table<T> {
-    topple::sweep::table::Table { entries: Vec::new(), strides: [0; 6], before: 0 }
 }
 
 fn outcome(outcome: &Outcome) -> Value {
@@ -156,27 +142,22 @@ fn outcome(outcome: &Outcome) -> Value {
     })
 }
 
-/// What the library has for a scene, part by part.
-fn library(scene: &Scene, gpu: Option<&Gpu>) -> Value {
+/// What the library has for a scene: the numbers of its cells part by part, and all outcomes.
+fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
     // The page integrates the full contact of each cell by itself.
     let mut plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     plan.reductions.full_contact = false;
     let grid = Grid::of(scene);
-    let parts = plan.parts(&grid, &all(&grid));
-    let told = parts.iter().map(|part| {
-        let outcomes = gpu.map(|gpu| {
-            let sweeper = Sweeper::new(gpu, Precision::F32, part.plan.variant()).unwrap();
-            let swept = sweeper.sweep::<f32>(&part.plan, &grid, &part.cells, &Unwatched).unwrap();
-            swept.outcomes.iter().map(outcome).collect::<Vec<_>>()
-        });
-        json!({
-            "cells": part.cells,
-            "verticalLocked": part.vertical_locked,
-            "tables": tables(&part.plan, &grid, &part.cells),
-            "outcomes": outcomes,
-        })
-    });
-    told.collect()
+    let cells = all(&grid);
+    let parts = plan.parts(&grid, &cells);
+    let parts = parts.iter().map(
+        |part| json!({ "cells": part.cells, "tables": tables(&part.plan, &grid, &part.cells) }),
+    );
+    let how = (Precision::F32, false);
+    let swept =
+        backend.map(|backend| backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap());
+    let outcomes = swept.map(|swept| swept.outcomes.iter().map(outcome).collect::<Vec<_>>());
+    json!({ "parts": parts.collect::<Vec<_>>(), "outcomes": outcomes })
 }
 
 /// Where the browser's test looks.
@@ -186,26 +167,97 @@ fn folder() -> PathBuf {
 
 #[test]
 fn what_the_browser_is_compared_with_is_written() {
-    let gpu = gpu("outcomes for the exported page", Precision::F32);
+    // Without an adapter the outcomes are left out, and it says so.
+    let adapter = gpu("outcomes for the exported page", Precision::F32);
+    let opened = adapter.map(|_| BackendRequest::Gpu.open(Precision::F32, &[]).unwrap());
+    let backend = opened.as_ref().map(|opened| &opened.backends[0]);
     let folder = folder();
     fs::create_dir_all(&folder).unwrap();
-    let record = synthetic_pair();
+    let (records, pair) = (Records::new().unwrap(), synthetic_pair());
     let write = |name: &str, text: String| fs::write(folder.join(name), text).unwrap();
-    write("model.json", known(Some(&record)).unwrap().to_string());
-    write("sweep.wgsl", export::shader());
+    write("model.json", known(Some((SYNTHETIC, &pair))).unwrap().to_string());
     for (number, (name, text, count)) in SCENES.iter().enumerate() {
-        let scene = checked(text, *count);
-        let axes = axes(text);
-        let mut asked = flat(text);
-        asked.insert("x".into(), axes[0].into());
-        asked.insert("y".into(), axes[1].into());
-        assert!(asked.get("horizontal").is_none_or(|id| id == RECORD));
-        let told = json!({
-            "name": name,
-            "scene": asked,
-            "count": count,
-            "parts": library(&scene, gpu.as_ref()),
-        });
+        let asked = flat(text);
+        let given = SceneBuilder { force: true, ..builder(&asked, Some(*count)).unwrap() };
+        let mut told = library(&records.check(&given).unwrap(), backend);
+        told["name"] = json!(name);
+        told["scene"] = json!(asked);
+        told["count"] = json!(count);
         write(&format!("scene-{number}.json"), told.to_string());
     }
+}
+
+/// The page of a scene, as it is exported; a second export takes the place of the first.
+#[test]
+fn a_page_is_exported_whole_and_again() {
+    let folder = folder().join("page");
+    let first =
+        flat("object=1 eccentricity=0.2 isolation=dual t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15");
+    let settings = Settings { backend: BackendRequest::Cpu, adapters: Vec::new() };
+    let session = Session::open(settings, Records::new().unwrap(), first).unwrap();
+    let stop = AtomicBool::new(false);
+    let bytes = export(&folder, &session, &stop).unwrap();
+    fs::write(folder.join("gone.bin"), "of an earlier version").unwrap();
+    let list = fs::read_to_string(folder.join("export.json")).unwrap();
+    let listed = list.replacen("about.json", "gone.bin\", \"about.json", 1);
+    fs::write(folder.join("export.json"), listed).unwrap();
+    assert_eq!(export(&folder, &session, &stop).unwrap(), bytes, "the same again");
+    assert!(!folder.join("gone.bin").exists());
+    let list = fs::read_to_string(folder.join("export.json")).unwrap();
+    let list: Value = serde_json::from_str(&list).unwrap();
+    let sizes = list["files"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|name| fs::metadata(folder.join(name.as_str().unwrap())).unwrap().len());
+    assert_eq!(sizes.sum::<u64>(), bytes);
+    let about = fs::read_to_string(folder.join("about.json")).unwrap();
+    let about: Value = serde_json::from_str(&about).unwrap();
+    assert_eq!(
+        (&about["engine"], about["stored"].as_array().unwrap().len()),
+        (&json!("webgpu"), 4)
+    );
+    stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(export(&folder, &session, &stop).is_err(), "it was ended");
+}
+
+/// Cells whose motions the browser's are compared with.
+const CELLS: [&str; 5] = [
+    "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=5 a_h=6",
+    "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=2 a_h=3 a_v=0.5 t_max=12",
+    "half_width=0.5 height=1.5 isolation=none omega=6 a_h=6 t_max=10",
+    "half_width=0.5 height=1.5 isolation=none tilt=0.1 omega=6 a_h=0 t_max=6",
+    "object=3 isolation=vertical t_v=0.4 omega=6 a_h=3.5 t_max=8",
+];
+
+#[test]
+fn motions_for_the_browser_are_written() {
+    let told = CELLS.iter().map(|text| {
+        let asked = flat(text);
+        let scene = builder(&asked, None).unwrap().check().unwrap();
+        let mut plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        // A motion is shown to its end, proved or not.
+        plan.reductions.certificate = false;
+        let case = scene.case();
+        let (rows, outcome) = by_steps::<f32>(&plan.at(Precision::F32), &case);
+        let mode = |row: &Row| match row.mode {
+            "rocking_left" => 1,
+            "rocking_right" => 2,
+            _ => 0,
+        };
+        let row = |row: &Row| json!([row.t, row.phi, row.u, row.v + case.deflection(), mode(row)]);
+        let changes = rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode);
+        json!({
+            "scene": asked,
+            "outcome": outcome.class.name(),
+            "impacts": outcome.impacts,
+            "uplifts": outcome.uplifts,
+            "rows": rows.iter().map(row).collect::<Vec<_>>(),
+            "switches": changes.map(|pair| pair[1].t).collect::<Vec<_>>(),
+        })
+    });
+    let told = Value::Array(told.collect());
+    assert!(told.as_array().unwrap().iter().any(|cell| cell["impacts"].as_u64() > Some(3)));
+    fs::create_dir_all(folder()).unwrap();
+    fs::write(folder().join("motions.json"), told.to_string()).unwrap();
 }

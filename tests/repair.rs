@@ -14,8 +14,8 @@ use tempfile::TempDir;
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::parts::Parts;
 use topple::{
-    BackendRequest, Class, Column, Grid, MapSweep, Parameter, Range, RunSettings, Scene, Status,
-    Unwatched, Values, VerifySettings, sweep,
+    BackendRequest, Class, Column, ColumnValues, Grid, MapSweep, Parameter, Range, RunSettings,
+    Scene, Status, Unwatched, Values, VerifySettings, sweep,
 };
 
 /// Under a record of twice the strength at T_v of 0.03 to 0.12 s: rocking is chaotic there, and rounding decides cells.
@@ -72,6 +72,9 @@ fn what_is_wrong_beside_boundaries_is_mended_or_undecided() {
         .collect();
     assert_eq!(undecided.len(), repair.undecided);
     assert!(undecided.iter().all(|cell| mended.outcome(*cell).unwrap().class == Class::Unresolved));
+    let codes: Vec<u8> = classes(&mended).iter().map(|class| *class as u8).collect();
+    let columns = mended.into_columns().unwrap();
+    assert_eq!(columns[Column::Outcome as usize], ColumnValues::Codes(codes));
 }
 
 /// Both components as files of a column each.

@@ -9,7 +9,9 @@ use pyo3::types::{PyDict, PyDictMethods};
 use serde_json::{Value, json};
 use topple::results::columns::status_code;
 use topple::sweep::parts::Parts;
-use topple::{Column, ColumnValues, Job, MapSweep, RunSettings, Status, SweepError, SweepResult};
+use topple::{
+    Axis, Column, ColumnValues, Grid, Job, MapSweep, RunSettings, Status, SweepError, SweepResult,
+};
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
 use crate::keywords::Request;
@@ -144,26 +146,27 @@ fn finish(
     Ok(Arrays { columns, about })
 }
 
+/// The values of a grid's axes by their keys.
+pub fn coordinates(grid: &Grid) -> Value {
+    let values = |axis: &Axis| json!(axis.values.iter().collect::<Vec<f64>>());
+    let axes = grid.axes().iter().map(|axis| (axis.key().to_string(), values(axis)));
+    Value::Object(axes.collect())
+}
+
 /// What a map is, and how it was made.
 fn about(map: &MapSweep) -> Value {
     let mut about = map.source().about(&map.grid);
-    let axes: serde_json::Map<String, Value> = map
-        .grid
-        .axes()
-        .iter()
-        .map(|axis| (axis.key().to_string(), json!(axis.values.iter().collect::<Vec<f64>>())))
-        .collect();
     let (_, first) = &map.parts[0];
     // With its folders, from which the motion of a cell is read again.
     if let Some(files) = map.plan.scene.excitation.provenance() {
         about.insert("record".into(), json!(files));
     }
     let entries = [
-        ("coordinates", Value::Object(axes)),
+        ("coordinates", coordinates(&map.grid)),
         ("backend", json!(first.backend)),
         ("adapter", json!(first.adapter)),
         ("method", json!(map.method)),
-        ("sweep_seconds", json!(map.parts.iter().map(|(_, report)| report.sweep).sum::<f64>())),
+        ("sweep_seconds", json!(map.sweep_seconds())),
         ("repaired", json!(map.repair)),
         ("verification", json!(map.verification)),
     ];

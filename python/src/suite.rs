@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::fragility::tables as fragility_tables;
+use topple::results::about;
 use topple::suites::{envelope as envelope_tables, saved, table};
 use topple::uncertain::Varied;
 use topple::{
@@ -16,6 +17,7 @@ use topple::{
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
 use crate::keywords::{Request, taken, values};
+use crate::map::coordinates;
 use crate::watch;
 
 /// Reads a suite: its table as CSV.
@@ -179,18 +181,12 @@ fn discard(request: &SuiteRequest) -> PyResult<()> {
 
 /// What a sweep was.
 fn told(sweep: &SuiteSweep) -> Value {
-    let axes: serde_json::Map<String, Value> = sweep
-        .grid
-        .axes()
-        .iter()
-        .map(|axis| (axis.key().to_string(), json!(axis.values.iter().collect::<Vec<f64>>())))
-        .collect();
     json!({
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),
         "scene": sweep.scene,
-        "index": sweep.grid.axes().iter().rev().map(|axis| axis.key()).collect::<Vec<_>>(),
-        "coordinates": axes,
+        "index": about::index(&sweep.grid),
+        "coordinates": coordinates(&sweep.grid),
         "motions": sweep.motions.iter().map(|motion| &motion.id).collect::<Vec<_>>(),
         "sweep_seconds": sweep.seconds,
         "verification": sweep.verified,

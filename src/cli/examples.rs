@@ -73,6 +73,16 @@ Examples:
   An earlier run again, with half the step:
     topple run map/run.json --step 0.00390625 --out again";
 
+/// Of `topple explore`.
+pub const EXPLORE: &str = "\
+Examples:
+  The scene of topple alone:
+    topple explore
+  A scene's file, at a fixed port, without opening a browser:
+    topple explore scene.toml --port 8080 --no-open
+  The page as a folder of files, for any static host:
+    topple explore scene.toml --export page";
+
 /// Of `topple suite`.
 pub const SUITE: &str = "\
 Examples:

@@ -6,6 +6,7 @@ use topple::map::earlier::{Earlier, RUN};
 use topple::map::manifest::{Facts, Manifest, Steps, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
+use topple::map::verdict;
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::scene::Parameter;
@@ -57,8 +58,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
     if let Some(repair) = &map.repair {
-        let sweep = map.parts.iter().map(|(_, report)| report.sweep).sum();
-        say.line("repair", words::repair(repair, sweep));
+        say.line("repair", words::repair(repair, map.sweep_seconds()));
     }
     let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
     // What lies on disk only is gone when its files are written.
@@ -144,8 +144,8 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
         screen.clear();
         let verification = verified.map_err(not_verified)?;
         took.verification = Some(lap(&mut began));
-        say.line("reference", words::agreement(&verification, to.verify.within));
-        say.styled("", words::verdict(&verification), words::style(&verification));
+        say.line("reference", verdict::agreement(&verification, to.verify.within));
+        say.styled("", verdict::told(&verification), words::style(&verification));
         map.verification = Some(verification);
     }
     let manifest = Manifest::of(&map, &facts, took);

@@ -20,7 +20,17 @@ const LARGEST: u64 = 1 << 20;
 /// # Errors
 /// What is wrong, where, and what to do.
 pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
-    let refused = |reason: String| InputError(format!("{}: {reason}", path.display()));
+    let scene = given(path, force)?;
+    let directory = path.parent().unwrap_or(Path::new(""));
+    scene.check_in(directory).map_err(|error| refused(path, with_keys(&error.to_string())))
+}
+
+/// What a file gives of a scene, unchecked.
+///
+/// # Errors
+/// What is wrong, where, and what to do.
+pub fn given(path: &Path, force: bool) -> Result<SceneBuilder, InputError> {
+    let refused = |reason| refused(path, reason);
     let text = read(path).map_err(refused)?;
     if let Some(format) = format_of(&text) {
         return Err(refused(format!(
@@ -33,8 +43,11 @@ pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
     }
     let mut scene = SceneBuilder::from_toml(&text).map_err(refused)?;
     scene.force |= force;
-    let directory = path.parent().unwrap_or(Path::new(""));
-    scene.check_in(directory).map_err(|error| refused(with_keys(&error.to_string())))
+    Ok(scene)
+}
+
+fn refused(path: &Path, reason: String) -> InputError {
+    InputError(format!("{}: {reason}", path.display()))
 }
 
 /// Reads a scene's file.

@@ -10,6 +10,7 @@ mod envelope;
 mod errors;
 mod estimate;
 mod examples;
+mod explore;
 mod figures;
 mod finish;
 mod fragility;
@@ -79,6 +80,8 @@ enum Command {
     History(history::HistoryCommand),
     /// Run a scene from a file, or an earlier run again
     Run(scene::RunCommand),
+    /// Show a map alive, on a page in the browser
+    Explore(explore::ExploreCommand),
     /// Chart speed against accuracy: every method, over its steps or tolerances
     Chart(chart::ChartCommand),
     /// Draw every figure of the paper, and further ones
@@ -117,6 +120,7 @@ pub fn run() -> anyhow::Result<()> {
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),
+        Some(Command::Explore(command)) => command.run(),
         Some(Command::Chart(command)) => command.run(),
         Some(Command::Figures(command)) => command.run(),
         Some(Command::Bench(command)) => command.run(),

@@ -179,9 +179,7 @@ impl RunOptions {
     /// # Errors
     /// More threads than the system gives.
     pub fn set_threads(&self) -> Result<(), InputError> {
-        let Some(count) = self.threads else { return Ok(()) };
-        let built = rayon::ThreadPoolBuilder::new().num_threads(count.get()).build_global();
-        built.map_err(|error| InputError(format!("--threads: {error}; give fewer")))
+        set_threads(self.threads)
     }
 
     /// The plan of a scene.
@@ -252,6 +250,16 @@ impl RunOptions {
             words::warn(format!("{}; computing on {on}", with_flags(&error.to_string())));
         }
     }
+}
+
+/// Sets the number of threads, where one was given.
+///
+/// # Errors
+/// More threads than the system gives.
+pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
+    let Some(count) = threads else { return Ok(()) };
+    let built = rayon::ThreadPoolBuilder::new().num_threads(count.get()).build_global();
+    built.map_err(|error| InputError(format!("--threads: {error}; give fewer")))
 }
 
 impl MapOptions {

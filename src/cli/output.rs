@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
 use topple::map::earlier::{Earlier, Kind, RUN};
-use topple::map::figure::{curves, field, fields, overturning};
+use topple::map::figure::{field, fields, main};
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::results::columns::Column;
@@ -131,16 +131,9 @@ fn name_of(number: usize) -> String {
     format!("map-{:02}", number + 1)
 }
 
-/// The picture of a map that stands for all of it: its outcomes for a pulse, the rocking index for a
-/// record; of one axis curves. `at` tells what the map is a slice at.
+/// The picture of a map that stands for all of it.
 fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
-    let svg = if let Some(axis) = map.grid.line() {
-        curves::draw(map, axis)?
-    } else if map.scene.excitation.record().is_none() {
-        overturning::draw(map, at)?
-    } else {
-        field::draw(map, &fields::FIELDS[0], at)?
-    };
+    let svg = main::draw(map, at)?;
     let png = render::png(&svg)?;
     Ok((name.into(), svg, png))
 }

@@ -1,12 +1,12 @@
 //! What is said about a run.
 
 use std::fmt::Display;
-use std::time::Duration;
 
 use anstyle::Style;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use topple::map::manifest::Timings;
+use topple::map::verdict;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
@@ -21,7 +21,7 @@ use topple::sweep::plan::Plan;
 use topple::sweep::repaired::Repair;
 use topple::sweep::report::{Report, threads};
 use topple::sweep::shortcuts::Shortcuts;
-use topple::sweep::verification::{Verdict, Verification, ZETA_OFF};
+use topple::sweep::verification::{Verdict, Verification};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
 pub struct Say(bool);
@@ -292,7 +292,7 @@ pub fn repair(repair: &Repair, sweep: f64) -> String {
     format!(
         "{} beside a boundary again in {rounds} rounds, in f64 with half the step: {changed} changed{undecided}; \
          {seconds:.2} s, {:.2} of the sweep's time",
-        cells(*checked),
+        verdict::cells(*checked),
         seconds / sweep.max(1.0e-9)
     )
 }
@@ -327,43 +327,6 @@ pub fn phases(took: &Timings) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// How the reference's sample came out, which had so much time.
-pub fn agreement(v: &Verification, within: Duration) -> String {
-    let left_out = match v.chosen - v.sampled {
-        0 => String::new(),
-        _ => format!(" of {}, as many as {} s allowed", v.chosen, within.as_secs()),
-    };
-    let unresolved = match v.unresolved {
-        0 => String::new(),
-        count => format!("{count} unresolved, "),
-    };
-    format!(
-        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
-         t_end within {} s, zeta within {}",
-        cells(v.sampled),
-        v.beside_boundary,
-        v.differ,
-        v.impacts_differ,
-        rounded(v.worst_t_end),
-        rounded(v.worst_zeta)
-    )
-}
-
-/// A small number to one digit: `2e-7`, `0`.
-fn rounded(number: f64) -> String {
-    if number == 0.0 { "0".into() } else { format!("{number:.0e}") }
-}
-
-/// So many cells that differ.
-fn differ(count: usize) -> String {
-    if count == 1 { "1 cell differs".into() } else { format!("{count} cells differ") }
-}
-
-/// So many cells.
-pub fn cells(count: usize) -> String {
-    if count == 1 { "1 cell".into() } else { format!("{count} cells") }
-}
-
 /// How the verdict is said.
 pub fn style(v: &Verification) -> Style {
     match v.verdict {
@@ -371,43 +334,5 @@ pub fn style(v: &Verification) -> Style {
         Verdict::AsExpected => NOTICE,
         Verdict::Wrong => WRONG,
         Verdict::Nothing => WRONG,
-    }
-}
-
-/// What the sample says of the map, in a sentence.
-pub fn verdict(v: &Verification) -> String {
-    let places = [
-        (v.differ_tensile, "where the contact force is tensile (hatched)"),
-        (v.differ_beside_boundary, "beside a boundary"),
-        (v.differ_sensitive, "in chaotic rocking, where a millionth of the block's width decides"),
-        (v.differ_inside(), "amid cells of one outcome"),
-    ];
-    let places: Vec<String> = places
-        .iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, place)| format!("{count} {place}"))
-        .collect();
-    let places = places.join(", ");
-    match v.verdict {
-        Verdict::Right if v.worst_zeta > ZETA_OFF => format!(
-            "every outcome of the sample is right, but zeta of one cell at least is off by {:.0e}",
-            v.worst_zeta
-        ),
-        Verdict::Right => "every outcome of the sample is right".into(),
-        Verdict::AsExpected => {
-            format!("the map is right as far as can be expected: {}, {places}", differ(v.differ))
-        }
-        Verdict::Wrong if v.differ == 0 => format!(
-            "the map is not right: half of the rocking cells are off by {:.0e} in zeta or more; \
-             try a smaller --step or --precision f64",
-            v.median_zeta
-        ),
-        Verdict::Wrong => format!(
-            "the map is not right: {}, {places}; try a smaller --step, --precision f64 or --resolve",
-            differ(v.differ)
-        ),
-        Verdict::Nothing => {
-            format!("nothing is verified; --verify {} takes the time that it needs", v.chosen)
-        }
     }
 }

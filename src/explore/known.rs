@@ -3,6 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::asked::SYNTHETIC;
 use crate::drawing::palette::{Kind, OPEN};
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
@@ -35,11 +36,11 @@ const SHAPES: [Shape; 7] = [
     Shape::MavroeidisPapageorgiou,
 ];
 
-/// What the engine knows; `record` is that of the exported scene, where it has one.
+/// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
 ///
 /// # Errors
 /// None: a scene from whose completion the defaults are read is a valid one.
-pub fn known(record: Option<&Pair>) -> Result<Value, SceneError> {
+pub fn known(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
     Ok(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "gravity": GRAVITY,
@@ -142,7 +143,8 @@ fn defaults() -> Result<Value, SceneError> {
     use Parameter::{AH, Omega, TH, TV};
     let given = [(TH, 1.0), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];
     let scene = SceneBuilder::object(1).pulse(Shape::MavroeidisPapageorgiou);
-    let scene = given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value)).check()?;
+    let scene =
+        given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value)).check()?;
     let own = scene.numbers.iter().filter(|(of, _)| given.iter().all(|(known, _)| known != of));
     Ok(own.map(|(of, values)| (of.key().to_string(), json!(values.first()))).collect())
 }
@@ -174,11 +176,11 @@ fn columns() -> Value {
 }
 
 /// A record as the shader has it: both components of each sample.
-fn samples(pair: &Pair) -> Value {
+fn samples((id, pair): (&str, &Pair)) -> Value {
     let both = pair.horizontal.iter().zip(pair.vertical.iter());
     json!({
-        "id": RECORD,
-        "title": pair.title,
+        "id": id,
+        "synthetic": id == SYNTHETIC,
         "dt": pair.dt,
         "length": pair.len(),
         "duration": pair.duration(),
@@ -187,6 +189,3 @@ fn samples(pair: &Pair) -> Value {
         "samples": both.flat_map(|(h, v)| [*h as f32, *v as f32]).collect::<Vec<f32>>(),
     })
 }
-
-/// What a scene of the exported page calls its record.
-pub const RECORD: &str = "exported";

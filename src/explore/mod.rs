@@ -1,4 +1,28 @@
-//! `topple explore`: a page that shows a map alive.
+//! `topple explore`: a page that shows a map alive, and what answers it.
+//!
+//! ```text
+//! request -> asked (a scene) -> view, cell, section ... -> frames, JSON -> page
+//! ```
 
+pub mod about;
+pub mod asked;
+pub mod cell;
+pub mod command;
+#[cfg(feature = "gpu")]
 pub mod export;
+pub mod frame;
+pub mod guard;
+#[cfg(feature = "gpu")]
 pub mod known;
+pub mod page;
+pub mod records;
+pub mod refused;
+pub mod routes;
+pub mod save;
+pub mod section;
+pub mod server;
+pub mod session;
+pub mod start;
+pub mod suite;
+pub mod verify;
+pub mod view;

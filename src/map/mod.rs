@@ -5,9 +5,11 @@ pub mod earlier;
 pub mod figure;
 pub mod history;
 pub mod manifest;
+pub mod motion;
 pub mod refined;
 pub mod slices;
 pub mod thinned;
+pub mod verdict;
 
 use std::borrow::Cow;
 use std::io;

@@ -42,6 +42,12 @@ impl Outcomes for ReplacedOutcomes {
         Ok(read)
     }
 
+    fn into_block(self: Box<Self>, cells: usize, precision: Precision) -> io::Result<Block> {
+        let mut block = self.all.into_block(cells, precision)?;
+        self.replaced.iter().for_each(|(cell, outcome)| block.put(*cell, &[*outcome]));
+        Ok(block)
+    }
+
     fn moved(&mut self, from: &Path, to: &Path) {
         self.all.moved(from, to);
     }

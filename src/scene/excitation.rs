@@ -112,7 +112,7 @@ pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), 
 }
 
 /// The checked motion, scaled by the scene's factor or to its peak; files are looked for from `directory`.
-pub(super) fn check_record(
+pub(crate) fn check_record(
     text: &RecordText,
     numbers: &Numbers,
     directory: &Path,

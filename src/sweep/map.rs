@@ -79,6 +79,11 @@ impl MapSweep {
         report::columns(&self.parts, self.method.precision)
     }
 
+    /// Seconds that its cells took, all parts together.
+    pub fn sweep_seconds(&self) -> f64 {
+        self.parts.iter().map(|(_, report)| report.sweep).sum()
+    }
+
     /// What its files are of.
     pub fn source(&self) -> Source<'_> {
         Source { scene: &self.plan.scene, precision: self.precision() }

@@ -1,5 +1,6 @@
 //! One cell's motion against time, below what shakes it.
 
+use super::super::motion::{self, What};
 use super::layout::{GAP, SIDE};
 use crate::drawing::canvas::write;
 use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
@@ -11,9 +12,8 @@ use crate::drawing::palette::CURVES;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
-use crate::scene::{Case, Excitation, Scene, Shaking};
-use crate::stepping::outcome::{Class, Outcome};
-use crate::stepping::reference::pulse::Pulse;
+use crate::scene::{Case, Scene};
+use crate::stepping::outcome::Outcome;
 use crate::sweep::history::Row;
 
 /// Height of a strip.
@@ -37,51 +37,6 @@ struct Strip {
     points: Vec<Point>,
 }
 
-/// What shakes a cell, m/s^2: points of the horizontal and of the vertical acceleration of the ground.
-fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>; 2] {
-    match (&scene.excitation, case.shaking) {
-        (Excitation::Record(pair), Shaking::Record { factor, .. }) => {
-            [&pair.horizontal, &pair.vertical].map(|samples| {
-                let at = |(k, a): (usize, &f64)| (k as f64 * pair.dt, factor * a);
-                samples.iter().enumerate().map(at).take_while(|(t, _)| *t <= end).collect()
-            })
-        }
-        (_, Shaking::Pulse(pulse)) => {
-            let wave = Pulse::new(&pulse);
-            let stop = wave.end();
-            [pulse.a_h, pulse.a_v].map(|amplitude| {
-                let during = rows.iter().map(|row| row.t).filter(|t| *t < stop);
-                let mut points: Vec<Point> =
-                    during.chain([stop]).map(|t| (t, amplitude * wave.wave(t))).collect();
-                points.extend([(stop, 0.0), (end, 0.0)]);
-                points.retain(|(t, _)| *t <= end);
-                points
-            })
-        }
-        (Excitation::Pulse(_), Shaking::Record { .. }) => [Vec::new(), Vec::new()],
-    }
-}
-
-/// What became of the cell.
-fn told(outcome: &Outcome) -> String {
-    let impacts = match outcome.impacts {
-        1 => "1 impact".to_string(),
-        count => format!("{count} impacts"),
-    };
-    match outcome.class {
-        Class::OverturnedLeft | Class::OverturnedRight => {
-            let corner = if outcome.class == Class::OverturnedLeft { "left" } else { "right" };
-            format!(
-                "Overturned about the {corner} corner at {:.3} s, after {impacts}",
-                outcome.t_end
-            )
-        }
-        Class::FullContact => "Full contact throughout".into(),
-        Class::Rocking => format!("Rocking, stable: {impacts}, ζ = {:.4}", outcome.zeta),
-        Class::Unresolved => "Unresolved".into(),
-    }
-}
-
 /// Draws the motion as SVG.
 ///
 /// # Errors
@@ -94,10 +49,10 @@ pub fn draw(
 ) -> Result<String, FigureError> {
     let mut canvas = Canvas::new(COLUMN);
     let mut y = caption::heading(&mut canvas, scene, &scene.title);
-    let said = wrapped(&told(outcome), FONT, COLUMN - 2.0 * MARGIN);
+    let said = wrapped(&motion::told(outcome), FONT, COLUMN - 2.0 * MARGIN);
     y = write(&mut canvas, (MARGIN, y), style(FONT), &said) + GAP;
     let end = rows.last().map_or(1.0, |row| row.t).max(f64::MIN_POSITIVE);
-    let [horizontal, vertical] = ground(scene, case, rows, end);
+    let [horizontal, vertical] = motion::ground(scene, case, rows, end);
     let mut strips = vec![Strip { name: "ü_g [m/s²]", points: horizontal }];
     if vertical.iter().any(|(_, a)| *a != 0.0) {
         strips.push(Strip { name: "v\u{308}_g [m/s²]", points: vertical });
@@ -111,7 +66,15 @@ pub fn draw(
         Strip { name, points }
     }));
     let critical = [1.0, -1.0].map(|side| side * case.overturning_angle(side));
-    let (uplifts, impacts) = switches(rows);
+    let switches = motion::switches(rows);
+    let of = |what: What| -> Vec<Point> {
+        switches
+            .iter()
+            .filter(|switch| switch.what == what)
+            .map(|switch| (switch.t, switch.phi))
+            .collect()
+    };
+    let (uplifts, impacts) = (of(What::Uplift), of(What::Impact));
     let mut shows_critical = false;
     let count = strips.len();
     for (k, strip) in strips.iter().enumerate() {
@@ -157,16 +120,6 @@ pub fn draw(
 
 /// The line at the angle at which the block counts as overturned.
 const CRITICAL: crate::drawing::canvas::Stroke = dashed([0xd6, 0x2f, 0x2a], 0.5, (2.0, 1.5));
-
-/// The uplifts and the impacts of a motion: time and angle.
-fn switches(rows: &[Row]) -> (Vec<Point>, Vec<Point>) {
-    let (mut uplifts, mut impacts) = (Vec::new(), Vec::new());
-    for pair in rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode) {
-        let to = if pair[0].mode == "full_contact" { &mut uplifts } else { &mut impacts };
-        to.push((pair[1].t, pair[1].phi));
-    }
-    (uplifts, impacts)
-}
 
 /// The ends of a strip: those of its values, and some room.
 fn ends(points: &[Point]) -> (f64, f64) {

@@ -9,5 +9,6 @@ pub mod islands;
 pub mod keys;
 pub mod labels;
 pub mod layout;
+pub mod main;
 pub mod overlay;
 pub mod overturning;

@@ -27,7 +27,7 @@ export function wordsOf(outcome) {
 
 // Runs a cell.
 export async function cellOf(device, request, signal) {
-  const scene = sceneOf(request.scene);
+  const scene = sceneOf(request.scene, null);
   const { outcome, motion, events, ground } = await motionOf(device, scene, signal);
   const cell = scene.grid.caseAt(scene.grid.place(0));
   const { block } = cell;

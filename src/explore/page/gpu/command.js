@@ -34,6 +34,7 @@ export function commandOf(scene, count) {
   const recorded = scene.horizontal !== undefined;
   const sections = sectionsOf(scene);
   const option = (key) => {
+    if (key === 'horizontal' && known.record?.synthetic) return [];
     if (key === 'force') return scene.force === 'true' ? ['--force'] : [];
     const flag = key === 'shape' ? 'pulse' : key.replaceAll('_', '-');
     return [`--${flag}=${counted(scene, key, count)}`];

@@ -2,6 +2,9 @@
 
 import { EngineError } from './errors.js';
 
+// Time in which a device whose work failed may say that it is lost, ms.
+const GRACE = 500;
+
 export class Device {
   static async open(source) {
     const adapter = await navigator.gpu?.requestAdapter({ powerPreference: 'high-performance' });
@@ -22,9 +25,16 @@ export class Device {
     return own;
   }
 
-  // What comes of work on the device; an error where the device is lost before.
-  async wait(work) {
-    return Promise.race([work, this.lost]);
+  // What comes of work on the device; an error where the device is lost before, or where the work fails, as `failed` says.
+  async wait(work, failed = 'the GPU failed') {
+    try {
+      return await Promise.race([work, this.lost]);
+    } catch (error) {
+      if (error instanceof EngineError) throw error;
+      // A lost device ends its work before it says that it is lost.
+      await Promise.race([this.lost, new Promise((resolve) => setTimeout(resolve, GRACE))]);
+      throw new EngineError(null, `${failed}: ${error.message}`);
+    }
   }
 
   // The kernels for a variant of the model, given by the shader's override constants.
@@ -37,13 +47,8 @@ export class Device {
       both.catch(() => this.compiled.delete(key));
       this.compiled.set(key, both);
     }
-    try {
-      const [begin, sweep] = await this.wait(this.compiled.get(key));
-      return { begin, sweep };
-    } catch (error) {
-      if (error instanceof EngineError) throw error;
-      throw new EngineError(null, `this browser refuses the shader: ${error.message}`);
-    }
+    const [begin, sweep] = await this.wait(this.compiled.get(key), 'this browser refuses the shader');
+    return { begin, sweep };
   }
 
   // What a step of work on the device gives, and an error that the device finds in it.

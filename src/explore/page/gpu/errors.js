@@ -4,9 +4,11 @@
 // the device is gone, the next request opens another.
 export class EngineError extends Error {
   constructor(key, problem, lost = false) {
-    const line = key ? `${key}: ${problem}` : problem;
+    // Keys are marked on a command line, not on a page.
+    const plain = problem.replaceAll('`', '');
+    const line = key ? `${key}: ${plain}` : plain;
     super(line);
-    Object.assign(this, { name: 'EngineError', key, problem, line, lost });
+    Object.assign(this, { name: 'EngineError', key, problem: plain, line, lost });
   }
 }
 

@@ -66,14 +66,14 @@ function word(text, key) {
   return value;
 }
 
-// The numbers that the scene gives; `counts` are those of the axes x and y.
+// The numbers that the scene gives; `counts` are those of the axes x and y, null for a single cell.
 function given(text, axes, counts, force) {
   const numbers = new Numbers();
   for (const [key, value] of Object.entries(text)) {
     if (WORDS.includes(key)) continue;
     if (!known.parameter.has(key)) throw new EngineError(key, 'is no number of a scene');
     const axis = axes.indexOf(key);
-    const range = axis >= 0 && value.includes(':') ? Range.of(key, value, counts[axis]) : Range.single(number(key, value));
+    const range = counts && axis >= 0 ? Range.of(key, value, counts[axis]) : Range.single(number(key, value));
     for (const end of range.ends()) checkNumber(key, end, force);
     numbers.set(key, range);
   }
@@ -136,10 +136,11 @@ function checkTogether(scene) {
   }
 }
 
-// The checked scene of a flat request: its numbers, choices, and the grid of its axes. `count`: values of each axis.
-export function sceneOf(text, count = [1, 1]) {
+// The checked scene of a flat request: its numbers, choices, and the grid of its axes. `count`: values of each axis; null for a
+// single cell, all of whose numbers are single.
+export function sceneOf(text, count) {
   const force = text.force === 'true';
-  const axes = [text.x, text.y].filter((key) => key !== undefined);
+  const axes = count ? [text.x, text.y] : [];
   const numbers = given(text, axes, count, force);
   const record = recordOf(text);
   const choices = {
@@ -157,7 +158,7 @@ export function sceneOf(text, count = [1, 1]) {
   numbers.setMissing('t_max', record ? record.duration : known.defaults.t_max);
   numbers.setMissing('tilt', known.defaults.tilt);
   for (const key of axes) {
-    if (!numbers.has(key)) throw new EngineError(text.x === key ? 'x' : 'y', `\`${key}\` has no values; give it a range`);
+    if (!numbers.has(key)) throw new EngineError(key, 'missing; give start:stop, for it is an axis');
   }
   const point = {};
   for (const [key, range] of numbers) point[key] = range.value(0);

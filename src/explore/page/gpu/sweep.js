@@ -9,19 +9,16 @@ import { CellTables } from './tables.js';
 import { tileOf } from './tile.js';
 import { known } from './known.js';
 
-// Cells of a tile at most: their tables are made between two submissions, while a page waits.
-const MOST_CELLS = 1 << 15;
-
 // The samples of a plan's record in f32, and two zeros where there is none.
 export function samplesOf(record) {
   return record ? record.samples : new Float32Array(4);
 }
 
-// The tiles of a part: the tables for the rows of each, and its cells.
-function* tilesOf({ plan, cells }, grid) {
+// The tiles of a part: the tables for the rows of each, and its cells. They are made between two submissions, while a page waits.
+function* tilesOf({ plan, cells }, grid, pace) {
   const count = cells === null ? grid.length : cells.length;
-  for (let first = 0; first < count; first += MOST_CELLS) {
-    const here = Math.min(MOST_CELLS, count - first);
+  for (let first = 0, here; first < count; first += here) {
+    here = Math.min(pace.tile, count - first);
     const list = cells === null ? null : cells.slice(first, first + here);
     const least = list ? list.reduce((a, b) => Math.min(a, b)) : first;
     const most = list ? list.reduce((a, b) => Math.max(a, b)) : first + here - 1;
@@ -43,7 +40,7 @@ export async function sweepCells(device, pace, scene, grid, cells, put, signal) 
   for (const part of partsOf(scene, grid, cells)) {
     const { plan, places } = part;
     const pipelines = await device.pipelines(plan.constants);
-    for (const { first, tables, tile, count } of tilesOf(part, grid)) {
+    for (const { first, tables, tile, count } of tilesOf(part, grid, pace)) {
       heed(signal);
       const loaded = await device.checked(() => new LoadedTile(device, pipelines, tile, samplesOf(plan.record), count));
       let words;

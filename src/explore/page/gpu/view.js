@@ -98,7 +98,7 @@ export async function sectionOf(device, pace, request, signal) {
   checkAxes(request.scene);
   const count = Math.min(Math.max(Math.round(request.count), 2), MOST_SECTION);
   const keys = [request.scene.x, request.scene.y];
-  const view = sceneOf(request.scene);
+  const view = sceneOf(request.scene, [2, 2]);
   const ends = [request.from, request.to];
   keys.forEach((key, k) => {
     const [from, to] = ends.map((end) => end[k]);
@@ -108,7 +108,7 @@ export async function sectionOf(device, pace, request, signal) {
   });
   // Both ends are scenes that make sense; so are those between.
   for (const end of ends) {
-    sceneOf({ ...request.scene, ...Object.fromEntries(keys.map((key, k) => [key, String(end[k])])) });
+    sceneOf({ ...request.scene, ...Object.fromEntries(keys.map((key, k) => [key, String(end[k])])) }, null);
   }
   const lists = keys.map((key, k) => along(view.numbers.get(key), ends[0][k], ends[1][k], count));
   const grid = Grid.ofList(keys, lists, view.grid.fixed, view.choices);

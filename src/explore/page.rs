@@ -1,0 +1,98 @@
+//! The files of the page, as they are served and exported.
+
+/// A file: its path below the page's address, its type, and its bytes.
+pub struct File {
+    /// `gpu/engine.js`.
+    pub path: &'static str,
+    /// Its type, as a browser is told.
+    pub kind: &'static str,
+    /// What it holds.
+    pub bytes: &'static [u8],
+}
+
+const HTML: &str = "text/html; charset=utf-8";
+const CSS: &str = "text/css; charset=utf-8";
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+
+macro_rules! files {
+    ($($path:literal: $kind:expr),* $(,)?) => {
+        &[$(File { path: $path, kind: $kind, bytes: include_bytes!(concat!("page/", $path)) }),*]
+    };
+}
+
+/// The page's files.
+pub const FILES: &[File] = files![
+    "index.html": HTML,
+    "style.css": CSS,
+    "main.js": SCRIPT,
+    "gpu/block.js": SCRIPT,
+    "gpu/body.js": SCRIPT,
+    "gpu/case.js": SCRIPT,
+    "gpu/cell.js": SCRIPT,
+    "gpu/chunks.js": SCRIPT,
+    "gpu/clock.js": SCRIPT,
+    "gpu/command.js": SCRIPT,
+    "gpu/device.js": SCRIPT,
+    "gpu/engine.js": SCRIPT,
+    "gpu/errors.js": SCRIPT,
+    "gpu/frame.js": SCRIPT,
+    "gpu/grid.js": SCRIPT,
+    "gpu/groups.js": SCRIPT,
+    "gpu/isolation.js": SCRIPT,
+    "gpu/known.js": SCRIPT,
+    "gpu/motion.js": SCRIPT,
+    "gpu/outcome.js": SCRIPT,
+    "gpu/pace.js": SCRIPT,
+    "gpu/plan.js": SCRIPT,
+    "gpu/pulse.js": SCRIPT,
+    "gpu/range.js": SCRIPT,
+    "gpu/refine.js": SCRIPT,
+    "gpu/scene.js": SCRIPT,
+    "gpu/stored.js": SCRIPT,
+    "gpu/sweep.js": SCRIPT,
+    "gpu/tables.js": SCRIPT,
+    "gpu/tile.js": SCRIPT,
+    "gpu/view.js": SCRIPT,
+];
+
+/// Its first file, which is served at the page's address.
+pub const INDEX: &str = "index.html";
+
+/// What a page may load: nothing from elsewhere.
+pub const POLICY: &str = "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; base-uri 'none'; \
+                          form-action 'none'; frame-ancestors 'none'";
+
+/// A file of the page by its path.
+pub fn file(path: &str) -> Option<&'static File> {
+    FILES.iter().find(|file| file.path == path)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    use super::FILES;
+
+    fn files_in(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { files_in(&path, found) } else { found.push(path) }
+        }
+    }
+
+    #[test]
+    fn every_file_of_the_folder_is_served() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/explore/page");
+        let mut found = Vec::new();
+        files_in(&folder, &mut found);
+        let mut names: Vec<String> = found
+            .iter()
+            .map(|path| path.strip_prefix(&folder).unwrap().to_str().unwrap().replace('\\', "/"))
+            .collect();
+        names.sort();
+        let mut served: Vec<&str> = FILES.iter().map(|file| file.path).collect();
+        served.sort_unstable();
+        assert_eq!(names, served);
+    }
+}

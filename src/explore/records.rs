@@ -1,0 +1,220 @@
+//! The records of a session: the file that the first scene has, and files that were dropped on the page.
+
+use std::collections::{BTreeMap, HashMap};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::asked::SYNTHETIC;
+use super::refused::Refused;
+use crate::scene::excitation::{RecordText, check_record};
+use crate::scene::record::{Pair, Units, synthetic};
+use crate::scene::{Numbers, Parameter, Scene, SceneBuilder};
+
+/// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
+/// they are scaled to.
+type Key = (RecordTextKey, Option<u64>);
+type RecordTextKey = (Option<PathBuf>, Option<PathBuf>, Option<u64>, Option<String>);
+
+/// Motions that are kept read.
+const KEPT: usize = 8;
+
+/// Files of records by names, and the motions that were read from them.
+pub struct Records {
+    folder: TempDir,
+    places: Mutex<BTreeMap<String, PathBuf>>,
+    read: Mutex<HashMap<Key, Pair>>,
+}
+
+/// The last part of a name that a browser gave, without what a file's name cannot have.
+pub fn plain_name(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let kept = |c: &char| c.is_alphanumeric() || matches!(c, '.' | '-' | '_' | ' ');
+    let name: String = last.chars().filter(kept).take(128).collect();
+    let name = name.trim_matches([' ', '.']).to_string();
+    if name.is_empty() { "record".into() } else { name }
+}
+
+impl Records {
+    /// None yet.
+    ///
+    /// # Errors
+    /// Those of the disk: dropped files lie in a folder that goes with the session.
+    pub fn new() -> io::Result<Records> {
+        let folder = tempfile::Builder::new().prefix("topple-explore-").tempdir()?;
+        Ok(Records { folder, places: Mutex::default(), read: Mutex::default() })
+    }
+
+    /// The folder that goes with the session.
+    pub fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
+        let plain = plain_name(name);
+        // What is stored is whole, whoever panicked.
+        let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        for number in 1_u32.. {
+            let id = if number == 1 { plain.clone() } else { format!("{number}-{plain}") };
+            match places.get(&id) {
+                Some(place) if fs::read(place).is_ok_and(|known| known == bytes) => return Ok(id),
+                Some(_) => {}
+                None => {
+                    let place = self.folder.path().join(&id);
+                    fs::write(&place, bytes)?;
+                    places.insert(id.clone(), place);
+                    return Ok(id);
+                }
+            }
+        }
+        Err(Refused::told("too many files of one name"))
+    }
+
+    /// Knows a file where it lies; its name here.
+    pub fn know(&self, path: &Path) -> String {
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into());
+        let plain = plain_name(&name);
+        let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        places.insert(plain.clone(), std::path::absolute(path).unwrap_or_else(|_| path.into()));
+        plain
+    }
+
+    /// Where a file lies.
+    ///
+    /// # Errors
+    /// A name that is not known.
+    fn place(&self, key: &str, id: &Path) -> Result<PathBuf, Refused> {
+        let places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = id.to_str().and_then(|id| places.get(id));
+        place.cloned().ok_or_else(|| {
+            Refused::of(
+                key,
+                format!("{} is not here; drop the record's file on the page", id.display()),
+            )
+        })
+    }
+
+    /// The file as a command line names it: where it lay before it was dropped is not known.
+    pub fn written(&self, id: &Path) -> PathBuf {
+        match self.place("", id) {
+            Ok(place) if !place.starts_with(self.folder.path()) => place,
+            _ => id.into(),
+        }
+    }
+
+    /// Checks a scene, under its record where it has one.
+    ///
+    /// # Errors
+    /// The first key at fault.
+    pub fn check(&self, given: &SceneBuilder) -> Result<Scene, Refused> {
+        let Some(text) = &given.record else { return Ok(given.check()?) };
+        if text.horizontal.as_deref() == Some(Path::new(SYNTHETIC)) {
+            return Ok(given.check_under_motion(synthetic::pair())?);
+        }
+        let pair = self.pair(text, &given.numbers, given.force)?;
+        Ok(given.check_under_motion(pair)?)
+    }
+
+    /// A record's motion, as it is in its files.
+    fn pair(&self, text: &RecordText, numbers: &Numbers, force: bool) -> Result<Pair, Refused> {
+        // Files without units are read where a peak is given.
+        let pga = numbers.get(Parameter::Pga).map(crate::scene::Values::first);
+        let files = (
+            text.horizontal.clone(),
+            text.vertical.clone(),
+            text.dt.map(f64::to_bits),
+            text.units.map(|units| format!("{units:?}")),
+        );
+        let key = (files, pga.map(f64::to_bits));
+        if let Some(pair) = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+            return Ok(pair.clone());
+        }
+        let place =
+            |key, id: &Option<PathBuf>| id.as_deref().map(|id| self.place(key, id)).transpose();
+        let places = RecordText {
+            horizontal: place("horizontal", &text.horizontal)?,
+            vertical: place("vertical", &text.vertical)?,
+            ..text.clone()
+        };
+        let peak =
+            pga.map_or_else(Numbers::default, |pga| Numbers::default().with(Parameter::Pga, pga));
+        let pair = check_record(&places, &peak, Path::new(""), force)?;
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if read.len() >= KEPT {
+            read.clear();
+        }
+        read.insert(key, pair.clone());
+        Ok(pair)
+    }
+
+    /// What a dropped file is: its title, duration and peaks; or what it `needs` beside it, `dt` or `units`.
+    ///
+    /// # Errors
+    /// The key `horizontal`, with what is wrong with the file.
+    pub fn told(&self, id: &str) -> Result<Value, Refused> {
+        let with = |(dt, units): (Option<f64>, Option<Units>)| {
+            let text =
+                RecordText { horizontal: Some(id.into()), dt, units, ..RecordText::default() };
+            self.pair(&text, &Numbers::default(), true)
+        };
+        let pair = match with((None, None)) {
+            Ok(pair) => pair,
+            Err(error) => {
+                // Any will do to see what is missing.
+                let (dt, units) = (Some(0.01), Some(Units::G));
+                let tries = [
+                    ((dt, None), &["dt"][..]),
+                    ((None, units), &["units"]),
+                    ((dt, units), &["dt", "units"]),
+                ];
+                let needs = tries.into_iter().find(|(given, _)| with(*given).is_ok());
+                let (_, needs) = needs.ok_or_else(|| error.clone())?;
+                return Ok(json!({ "id": id, "title": id, "needs": needs, "line": error.line }));
+            }
+        };
+        let (peak, duration) = (pair.pga_h, pair.duration());
+        Ok(json!({
+            "id": id,
+            "title": pair.title,
+            "dt": pair.dt,
+            "duration": duration,
+            "peak_h": peak,
+            "peak_v": pair.pga_v,
+            "line": format!("{}: {duration:.2} s, largest acceleration {peak:.3} m/s²", pair.title),
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Records, plain_name};
+
+    #[test]
+    fn a_name_leads_nowhere_else() {
+        for (name, plain) in [
+            ("../../etc/passwd", "passwd"),
+            ("C:\\records\\h.at2", "h.at2"),
+            ("..", "record"),
+            ("a\0b.txt", "ab.txt"),
+            ("", "record"),
+        ] {
+            assert_eq!(plain_name(name), plain);
+        }
+    }
+
+    #[test]
+    fn a_file_is_kept_once_and_another_of_its_name_beside_it() {
+        let records = Records::new().unwrap();
+        assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
+        assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
+        assert_eq!(records.add("x/h.at2", b"two").unwrap(), "2-h.at2");
+    }
+}

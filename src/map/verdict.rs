@@ -1,0 +1,80 @@
+//! What the reference's sample says of a map, in words.
+
+use std::time::Duration;
+
+use crate::sweep::verification::{Verdict, Verification, ZETA_OFF};
+
+/// How the reference's sample came out, which had so much time.
+pub fn agreement(v: &Verification, within: Duration) -> String {
+    let left_out = match v.chosen - v.sampled {
+        0 => String::new(),
+        _ => format!(" of {}, as many as {} s allowed", v.chosen, within.as_secs()),
+    };
+    let unresolved = match v.unresolved {
+        0 => String::new(),
+        count => format!("{count} unresolved, "),
+    };
+    format!(
+        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
+         t_end within {} s, zeta within {}",
+        cells(v.sampled),
+        v.beside_boundary,
+        v.differ,
+        v.impacts_differ,
+        rounded(v.worst_t_end),
+        rounded(v.worst_zeta)
+    )
+}
+
+/// A small number to one digit: `2e-7`, `0`.
+fn rounded(number: f64) -> String {
+    if number == 0.0 { "0".into() } else { format!("{number:.0e}") }
+}
+
+/// So many cells that differ.
+fn differ(count: usize) -> String {
+    if count == 1 { "1 cell differs".into() } else { format!("{count} cells differ") }
+}
+
+/// So many cells.
+pub fn cells(count: usize) -> String {
+    if count == 1 { "1 cell".into() } else { format!("{count} cells") }
+}
+
+/// What the sample says of a map, in a sentence.
+pub fn told(v: &Verification) -> String {
+    let places = [
+        (v.differ_tensile, "where the contact force is tensile (hatched)"),
+        (v.differ_beside_boundary, "beside a boundary"),
+        (v.differ_sensitive, "in chaotic rocking, where a millionth of the block's width decides"),
+        (v.differ_inside(), "amid cells of one outcome"),
+    ];
+    let places: Vec<String> = places
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, place)| format!("{count} {place}"))
+        .collect();
+    let places = places.join(", ");
+    match v.verdict {
+        Verdict::Right if v.worst_zeta > ZETA_OFF => format!(
+            "every outcome of the sample is right, but zeta of one cell at least is off by {:.0e}",
+            v.worst_zeta
+        ),
+        Verdict::Right => "every outcome of the sample is right".into(),
+        Verdict::AsExpected => {
+            format!("the map is right as far as can be expected: {}, {places}", differ(v.differ))
+        }
+        Verdict::Wrong if v.differ == 0 => format!(
+            "the map is not right: half of the rocking cells are off by {:.0e} in zeta or more; \
+             try a smaller --step or --precision f64",
+            v.median_zeta
+        ),
+        Verdict::Wrong => format!(
+            "the map is not right: {}, {places}; try a smaller --step, --precision f64 or --resolve",
+            differ(v.differ)
+        ),
+        Verdict::Nothing => {
+            format!("nothing is verified; --verify {} takes the time that it needs", v.chosen)
+        }
+    }
+}
