@@ -8,7 +8,7 @@ import { EngineError } from './errors.js';
 import { known, learn } from './known.js';
 import { Pace } from './pace.js';
 import { sceneOf } from './scene.js';
-import { StoredMaps, notice } from './stored.js';
+import { StoredMaps, WITHOUT } from './stored.js';
 import { mapOf, sectionOf } from './view.js';
 
 const CAN = { records: false, suites: false, verify: false, save: false, f64: false };
@@ -49,7 +49,7 @@ export class Engine {
     this.opening = null;
     // What each tab asks for: a newer view ends the one before.
     this.views = new Map();
-    this.stored = new StoredMaps(about.stored ?? [], async (name) => (await fetched(name)).arrayBuffer());
+    this.stored = new StoredMaps(about.stored, fetched);
     this.verify = refuse('has no reference to verify by');
     this.save = refuse('saves no files of data');
     this.record = refuse('reads no records');
@@ -75,7 +75,7 @@ export class Engine {
     const device = await Device.open(this.source);
     this.device = device;
     this.pace = new Pace();
-    const told = device ? { backend: 'gpu', adapter: device.adapter, notice: '' } : { backend: null, adapter: null, notice };
+    const told = device ? { backend: 'gpu', adapter: device.adapter, notice: '' } : { backend: null, adapter: null, notice: WITHOUT };
     Object.assign(this.about, told);
     return device;
   }
@@ -101,7 +101,7 @@ export class Engine {
 
   async section(request, signal) {
     const device = await this.openDevice();
-    if (!device) throw new EngineError(null, notice);
+    if (!device) throw new EngineError(null, WITHOUT);
     return sectionOf(device, this.pace, request, signal);
   }
 

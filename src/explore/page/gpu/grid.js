@@ -50,12 +50,13 @@ export class Grid {
 
   // A cell's place along each axis.
   place(cell) {
+    const place = [];
     let rest = cell;
-    return this.axes.map((axis) => {
-      const at = rest % axis.count;
-      rest = Math.floor(rest / axis.count);
-      return at;
-    });
+    for (const { count } of this.axes) {
+      place.push(rest % count);
+      rest = Math.floor(rest / count);
+    }
+    return place;
   }
 
   caseAt(place) {
@@ -144,6 +145,8 @@ export class Table {
   }
 
   index(place) {
-    return this.strides.reduce((sum, stride, k) => sum + stride * place[k], 0) - this.before;
+    let index = -this.before;
+    for (let k = 0; k < place.length; k += 1) index += this.strides[k] * place[k];
+    return index;
   }
 }

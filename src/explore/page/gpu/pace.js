@@ -6,7 +6,7 @@ import { known } from './known.js';
 // What a submission may take, ms.
 const LONGEST = 50;
 // Cells of a tile at least, at most, and on a device that nothing is known of.
-const TILES = { least: 2048, most: 1 << 16, first: 8192 };
+const TILES = { least: 2048, most: 1 << 15, first: 8192 };
 // Turns of a cell in the first submission to a device that nothing is known of, and in the longest one.
 const FIRST_WORK = 16;
 const MOST_WORK = 2048;

@@ -1,6 +1,5 @@
 // A scene made ready for its cells: parts that run one model each. Twin: src/sweep/plan.rs.
 
-import { caseOf } from './case.js';
 import { movesH, movesV } from './isolation.js';
 import { known } from './known.js';
 import { bodyParameters } from './body.js';
@@ -13,6 +12,9 @@ function rigidPeriod({ record, isolation }) {
   return record && movesV(isolation) ? known.rigid_share * record.dt : 0;
 }
 
+// The numbers that decide which model a cell runs, by what they decide.
+const DECIDING = { verticalLocked: 't_v', yields: 'psi', n: 'bouc_wen_n' };
+
 // The model that a cell runs.
 function lawsOf(cell, rigid) {
   const { horizontal, vertical } = cell.base;
@@ -21,6 +23,22 @@ function lawsOf(cell, rigid) {
     yields: horizontal !== null && horizontal.psi < 1,
     n: horizontal === null ? 2 : horizontal.n,
   };
+}
+
+// What differs in the models of a grid's cells: which law, along which axis, and its values there.
+function differencesOf(grid, rigid) {
+  const differences = [];
+  for (const [law, key] of Object.entries(DECIDING)) {
+    const axis = grid.axes.findIndex((own) => own.keys.includes(key));
+    if (axis < 0) continue;
+    const place = grid.axes.map(() => 0);
+    const values = Array.from({ length: grid.axes[axis].count }, (_, i) => {
+      place[axis] = i;
+      return lawsOf(grid.caseAt(place), rigid)[law];
+    });
+    if (values.some((value) => value !== values[0])) differences.push({ law, axis, values });
+  }
+  return differences;
 }
 
 function planOf(scene, grid, laws) {
@@ -59,21 +77,23 @@ function planOf(scene, grid, laws) {
 // their places in the list.
 export function partsOf(scene, grid, cells) {
   const rigid = rigidPeriod(scene.choices);
-  const first = cells === null ? 0 : cells[0];
-  const firstLaws = lawsOf(grid.caseAt(grid.place(first)), rigid);
-  if (!grid.sweeps(['psi', 'bouc_wen_n', 't_v']) && !firstLaws.verticalLocked) {
-    return [{ plan: planOf(scene, grid, firstLaws), cells, places: null }];
-  }
+  const first = lawsOf(grid.caseAt(grid.axes.map(() => 0)), rigid);
+  const differences = differencesOf(grid, rigid);
+  if (differences.length === 0) return [{ plan: planOf(scene, grid, first), cells, places: null }];
   const parts = new Map();
-  const point = { ...grid.fixed };
   const count = cells === null ? grid.length : cells.length;
   for (let place = 0; place < count; place += 1) {
     const cell = cells === null ? place : cells[place];
     const at = grid.place(cell);
-    grid.axes.forEach((axis, k) => axis.set(point, at[k]));
-    const laws = lawsOf(caseOf(point, grid.choices), rigid);
-    const key = JSON.stringify(laws);
-    if (!parts.has(key)) parts.set(key, { plan: planOf(scene, grid, laws), cells: [], places: [] });
+    const own = differences.map(({ axis, values }) => values[at[axis]]);
+    const key = own.join();
+    if (!parts.has(key)) {
+      const laws = { ...first };
+      differences.forEach(({ law }, k) => {
+        laws[law] = own[k];
+      });
+      parts.set(key, { plan: planOf(scene, grid, laws), cells: [], places: [] });
+    }
     const part = parts.get(key);
     part.cells.push(cell);
     part.places.push(place);

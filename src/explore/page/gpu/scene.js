@@ -149,7 +149,7 @@ export function sceneOf(text, count) {
     shape: record ? known.shapes[0] : known.shape.get(word(text, 'shape')),
     record,
   };
-  completeBlock(text.object, numbers);
+  completeBlock(text.object || undefined, numbers);
   completeIsolation(choices.isolation, numbers);
   if (record) {
     const pulse = known.parameters.find((entry) => entry.section === 'pulse' && numbers.has(entry.key));

@@ -1,14 +1,15 @@
 // Maps that were stored when the page was exported, for a browser without WebGPU.
 
+import { readFrames } from '../frames.js';
 import { wordsOf } from './cell.js';
 import { EngineError, heed } from './errors.js';
-import { frameOf } from './frame.js';
 import { known } from './known.js';
 import { Range } from './range.js';
 
-const WITHOUT = 'This browser has no WebGPU: the page shows stored maps and computes none.';
+// Browsers give WebGPU to pages that come over https, or from the reader's own machine.
+const WHY = globalThis.isSecureContext ? 'This browser has no WebGPU' : 'WebGPU needs a page that comes over https';
 
-export const notice = WITHOUT;
+export const WITHOUT = `${WHY}: the page shows stored maps and computes none.`;
 
 // The keys and values of a scene but for the ranges of its axes, in one text.
 function fixedOf(scene) {
@@ -17,7 +18,7 @@ function fixedOf(scene) {
 }
 
 export class StoredMaps {
-  // `list`: of each its file and scene; `read` gives a file's bytes.
+  // `list`: of each its title, file and scene; `read` gives a file's response.
   constructor(list, read) {
     Object.assign(this, { list, read, frames: new Map() });
   }
@@ -29,7 +30,10 @@ export class StoredMaps {
       const titles = this.list.map((own) => own.title).join('; ');
       throw new EngineError(null, `${WITHOUT} Of this scene none is stored; there are: ${titles}`);
     }
-    if (!this.frames.has(stored.file)) this.frames.set(stored.file, frameOf(await this.read(stored.file)));
+    if (!this.frames.has(stored.file)) {
+      const { body } = await this.read(stored.file);
+      await readFrames(body, (frame) => this.frames.set(stored.file, frame));
+    }
     return this.frames.get(stored.file);
   }
 

@@ -1,0 +1,89 @@
+// Which numbers a scene takes beside which others, so that a change leaves none behind that has no meaning.
+import { axisPatch, excitationOf, homeRange, parameterOf } from './scene.js';
+import { handy, middle } from './ranges.js';
+
+const OWN_BLOCK = ['half_width', 'height', 'slenderness', 'size', 'mass', 'inertia', 'plate_h', 'plate_v'];
+const ACROSS = ['t_h', 'psi', 'xi_h', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'];
+const UP = ['t_v', 'xi_v'];
+/** Numbers of which one says what the others say. */
+const EITHER = [['eccentricity', 'offset'], ['alpha_y', 'u_y', 'yield_force'], ['scale', 'pga']];
+/** Numbers that a moving base must have. */
+const NEEDED = { t_h: '1.75', t_v: '0.75' };
+/** Axes to fall back on, by what shakes the base. */
+const AXES = { pulse: ['omega', 'a_h'], record: ['t_h', 't_v', 'eccentricity', 'scale'], suite: ['t_h', 't_v', 'eccentricity', 'scale'] };
+
+/** True where a key means something in a state. */
+export function applies(about, state, key) {
+  const { scene } = state;
+  const isolation = scene.isolation ?? 'dual';
+  const shape = scene.shape ?? 'one-sine';
+  const section = [...about.parameters, ...about.words].find((entry) => entry.key === key)?.section;
+  const excitation = excitationOf(state);
+  if (section === 'pulse' && excitation !== 'pulse') return false;
+  if (section === 'record' && excitation === 'pulse') return false;
+  if (OWN_BLOCK.includes(key)) return scene.object === undefined;
+  if (ACROSS.includes(key)) return isolation === 'dual' || isolation === 'horizontal';
+  if (UP.includes(key)) return isolation === 'dual' || isolation === 'vertical';
+  if (key === 'restitution') return isolation === 'none';
+  if (key === 'cycles') return shape === 'one-sine' || shape === 'one-cosine';
+  if (key === 'gamma' || key === 'phase') return shape === 'mavroeidis-papageorgiou';
+  return true;
+}
+
+/** Keeps numbers that a change drops, and brings them back when they mean something again. */
+export function createKeeper(about) {
+  const kept = { ...about.scene };
+  delete kept.x;
+  delete kept.y;
+
+  /** A patch with all that follows from it. */
+  return function settle(state, patch) {
+    const next = { ...state, ...patch, scene: { ...state.scene, ...patch.scene } };
+    const scene = next.scene;
+    for (const [key, text] of Object.entries(patch.scene ?? {})) {
+      const group = text ? EITHER.find((keys) => keys.includes(key)) : null;
+      for (const other of group ?? []) if (other !== key) scene[other] = '';
+    }
+    const keys = [...about.parameters, ...about.words].map((entry) => entry.key);
+    for (const key of keys) {
+      if (scene[key] && !applies(about, next, key)) {
+        kept[key] = scene[key];
+        scene[key] = '';
+      }
+    }
+    for (const [key, text] of Object.entries(NEEDED)) {
+      if (!scene[key] && applies(about, next, key)) scene[key] = single(kept[key]) ?? text;
+    }
+    replaceAxes(next);
+    bringBack(next);
+    return { ...patch, scene };
+  };
+
+  function replaceAxes(next) {
+    const { scene } = next;
+    const choices = [...AXES[excitationOf(next)], 'eccentricity', 't_max'];
+    for (const which of ['x', 'y']) {
+      const other = scene[which === 'x' ? 'y' : 'x'];
+      if (scene[which] && applies(about, next, scene[which])) continue;
+      const key = choices.find((choice) => choice !== other && applies(about, next, choice));
+      const range = kept[key]?.includes(':') ? kept[key] : homeRange(about, key);
+      Object.assign(scene, { [which]: key, [key]: range });
+    }
+  }
+
+  /** A pulse has a frequency and an amplitude. */
+  function bringBack(next) {
+    const { scene } = next;
+    if (excitationOf(next) !== 'pulse') return;
+    for (const key of AXES.pulse) {
+      if (!scene[key]) scene[key] = single(kept[key]) ?? String(middle(handy(parameterOf(about, key))));
+    }
+  }
+
+  function single(text) {
+    return text && !text.includes(':') ? text : undefined;
+  }
+}
+
+/** The changes that make a key an axis, with what follows. */
+export const axisChange = (about, state, which, key) => ({ scene: axisPatch(about, state.scene, which, key) });

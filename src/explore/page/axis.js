@@ -1,0 +1,102 @@
+// An axis of the map: a range of one number, in its own measure, which is the logarithm on a log axis.
+import { parse, plain, within } from './numbers.js';
+
+/** The measure of a value. */
+export const measure = (axis, value) => (axis.log ? Math.log10(value) : value);
+
+/** The value of a measure. */
+export const value = (axis, measured) => (axis.log ? 10 ** measured : measured);
+
+/** The axis of a key from its text, `start:stop` or `start:stop:log`; null where it is none. */
+export function parseRange(key, text) {
+  const words = String(text ?? '').split(':').map((word) => word.trim());
+  const [start, stop] = words.map(parse);
+  const log = words[2] === 'log';
+  if (words.length > 3 || (words.length === 3 && !log) || !(start < stop) || (log && start <= 0)) return null;
+  return { key, start, stop, log };
+}
+
+/** The text of an axis; its ends have the digits that its span needs. */
+export function rangeText(axis, integer = false) {
+  const { start, stop, log } = axis;
+  const ends = integer
+    ? [Math.round(start), Math.round(stop)]
+    : [start, stop].map((end) => (log ? plain(end, logDigits(axis)) : within(end, stop - start)));
+  return ends.join(':') + (log ? ':log' : '');
+}
+
+const logDigits = ({ start, stop }) => Math.min(17, 6 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));
+
+/** The ends of a number that the engine accepts: legal ones, and plausible ones unless those are waived. */
+export function bounds(parameter, forced = false) {
+  let low = parameter.low ?? -Infinity;
+  let high = parameter.high ?? Infinity;
+  const [least, most] = parameter.plausible ?? [null, null];
+  if (!forced) {
+    const largest = most ?? Infinity;
+    const smallest = low < 0 ? -largest : (least ?? 0);
+    low = Math.max(low, smallest);
+    high = Math.min(high, largest);
+  }
+  return { low, high, open: parameter.lowIncluded === false && low === parameter.low };
+}
+
+/** An axis moved and narrowed into the ends that its number may have. */
+export function clamped(axis, limits, least) {
+  const { low, high } = limits;
+  const floor = limits.open || axis.log ? Math.max(low, least) : low;
+  const ends = [measure(axis, axis.start), measure(axis, axis.stop)];
+  const lowest = Number.isFinite(floor) && (!axis.log || floor > 0) ? measure(axis, floor) : -Infinity;
+  const highest = Number.isFinite(high) ? measure(axis, high) : Infinity;
+  const span = Math.min(ends[1] - ends[0], highest - lowest);
+  const from = Math.max(lowest, Math.min(ends[0], highest - span));
+  return { ...axis, start: value(axis, from), stop: value(axis, from + span) };
+}
+
+/** Numbers of an axis from one measure to another: round ones, as many as fit. */
+export function ticks(axis, from, to, most) {
+  if (!(to > from)) return [];
+  if (axis.log && to - from > 0.9) return decades(from, to, most);
+  const low = value(axis, from);
+  const high = value(axis, to);
+  const step = roundStep((high - low) / Math.max(1, most));
+  const first = Math.ceil(low / step - 1e-6);
+  const last = Math.floor(high / step + 1e-6);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-6));
+  const found = [];
+  for (let k = first; k <= last && found.length < 60; k += 1) {
+    const at = k * step;
+    found.push({ at: measure(axis, at), text: tickText(at, digits, Math.max(Math.abs(low), Math.abs(high))) });
+  }
+  return found;
+}
+
+function tickText(at, digits, largest) {
+  if (digits > 15 || largest >= 1e5) return Number(at.toPrecision(12)).toExponential().replace('e+', 'e').replace('-', '−');
+  return at.toFixed(digits).replace('-', '−');
+}
+
+/** The next of 1, 2 and 5 of a decimal place. */
+export function roundStep(rough) {
+  const place = 10 ** Math.floor(Math.log10(rough));
+  return place * ([1, 2, 5].find((digit) => digit * place >= rough * (1 - 1e-9)) ?? 10);
+}
+
+function decades(from, to, most) {
+  const all = [[1, 2, 5], [1, 3], [1]].map((digits) => marks(from, to, digits, 1));
+  for (let every = 2; every < 40; every += 1) all.push(marks(from, to, [1], every));
+  return all.find((found) => found.filter((tick) => tick.text).length <= most) ?? all.at(-1);
+}
+
+function marks(from, to, digits, every) {
+  const found = [];
+  for (let decade = Math.floor(from); decade <= Math.ceil(to); decade += 1) {
+    for (let digit = 1; digit < 10; digit += 1) {
+      const at = decade + Math.log10(digit);
+      if (at < from - 1e-9 || at > to + 1e-9 || (every > 1 && (digit > 1 || decade % every))) continue;
+      const text = digits.includes(digit) && decade % every === 0 ? plain(digit * 10 ** decade) : '';
+      found.push({ at, text });
+    }
+  }
+  return found;
+}

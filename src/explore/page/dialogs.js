@@ -1,0 +1,100 @@
+// Dialogs and buttons about what is in view: its command, its files, its verification, the keys.
+import { announce, byId, download, make, say } from './dom.js';
+
+const KINDS = { png: 'PNG, the picture in pixels', svg: 'SVG, the picture in lines', npz: 'NPZ, all columns for numpy', csv: 'CSV, all columns as a table', toml: 'TOML, the scene' };
+/** Cells that the reference runs again. */
+const SAMPLE = 64;
+const HELP = {
+  'drag, Shift + arrows': 'move the view',
+  'wheel, pinch, + and −': 'zoom; over an axis that axis alone',
+  0: 'the whole map',
+  'arrows, Control + arrows': 'move the crosshair, by one cell',
+  'click, Enter': 'the motion of a cell',
+  'Shift + click, Shift + Enter': 'a second cell beside it',
+  'Section, L': 'draw a line across the map',
+  'space, comma, full stop': 'play, the event before, the next event',
+  Escape: 'close cells and line',
+  'x, y': 'beside a number: make it an axis of the map',
+  'a symbol': 'what the number means, its range, its default',
+};
+
+/** Shows a dialog with a title and a body. */
+export function openDialog(title, ...body) {
+  const dialog = byId('dialog');
+  say(byId('dialog-title'), title);
+  byId('dialog-body').replaceChildren(...body);
+  if (!dialog.open) dialog.showModal();
+  return dialog;
+}
+
+/** Ties the buttons to the engine. */
+export function createDialogs(engine, store, explorer, tell) {
+  const view = () => {
+    const { scene, count, precision } = explorer.request();
+    return { scene, count, precision };
+  };
+  const failed = (error) => {
+    if (error.lost) tell.lost(error);
+    return make('p', { class: 'problem', role: 'alert' }, error.line ?? error.message);
+  };
+
+  byId('copy').onclick = async () => {
+    const asked = view();
+    const shown = await engine.command(asked).then(
+      ({ command, toml }) => [copied('The command line', command), copied('The scene as a file, for topple run', toml)],
+      (error) => [failed(error)],
+    );
+    openDialog('The map in view, as a command', ...shown.flat());
+  };
+
+  function copied(title, text) {
+    const button = make('button', { type: 'button', click: async () => {
+      const done = await navigator.clipboard.writeText(text).then(() => 'Copied', () => 'Select the text and copy it');
+      say(button, done);
+      announce(done);
+    } }, 'Copy');
+    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, text)];
+  }
+
+  byId('save').disabled = !engine.can.save;
+  byId('save').onclick = () => {
+    const line = make('p', { role: 'status' });
+    const buttons = Object.entries(KINDS).map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
+    openDialog('Save the map in view', make('p', { class: 'hint' }, 'The map is computed again at the resolution of the screen, with its legend.'), make('div', { class: 'choices' }, ...buttons), line);
+  };
+
+  async function save(kind, line) {
+    say(line, 'computing …');
+    line.className = '';
+    try {
+      download(await engine.save(view(), kind), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
+      say(line, `map.${kind} is saved`.replace('map.toml', 'scene.toml'));
+    } catch (error) {
+      line.className = 'problem';
+      say(line, error.line ?? error.message);
+      if (error.lost) tell.lost(error);
+    }
+  }
+
+  const verify = byId('verify');
+  verify.disabled = !engine.can.verify;
+  verify.title = engine.can.verify ? `The reference runs ${SAMPLE} of the cells in view again` : 'Only topple itself has the reference';
+  verify.onclick = async () => {
+    const asked = JSON.stringify(view());
+    verify.disabled = true;
+    say(byId('verified'), `the reference runs ${SAMPLE} cells again …`);
+    const line = await engine.verify({ ...view(), cells: SAMPLE }).then((told) => told.line, (error) => {
+      if (error.lost) tell.lost(error);
+      return error.line ?? error.message;
+    });
+    verify.disabled = false;
+    // What was verified may be out of view by now.
+    say(byId('verified'), asked === JSON.stringify(view()) ? line : `an earlier view: ${line}`);
+  };
+
+  byId('keys').onclick = () => {
+    const entries = Object.entries(HELP).flatMap(([key, text]) => [make('dt', {}, key), make('dd', {}, text)]);
+    const { version, backend, adapter } = engine.about;
+    openDialog('What hands and keys do', make('dl', {}, ...entries), make('p', { class: 'hint' }, `topple ${version}, ${adapter ?? backend}`));
+  };
+}

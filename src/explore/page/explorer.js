@@ -1,0 +1,146 @@
+// The map and the state: what is asked of the engine, what is shown, and what is said of it.
+import { announce, byId, say } from './dom.js';
+import { createFlow } from './flow.js';
+import { writeLegend } from './legend.js';
+import { createMap } from './map.js';
+import { count, read } from './numbers.js';
+import { cellsOf } from './plot.js';
+import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
+
+/** Most cells of a picture on a CPU, and on a GPU: what comes while a hand rests. */
+const CELLS = { cpu: 1 << 18, gpu: 1 << 20 };
+/** Columns of every picture, for its crosshair. */
+const ALWAYS = ['outcome', 'impacts', 'zeta'];
+/** Time after which a picture that is not yet the new one says so, ms. */
+const LATE = 400;
+
+/** The column that a state shows. */
+export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
+
+/** Ties the map to the store; `tell.refuse(key, line)` shows an error at a field, `tell.lost(error)` a lost server. */
+export function createExplorer(engine, store, tell) {
+  const { about } = engine;
+  const most = CELLS[about.backend] ?? CELLS.cpu;
+  const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
+  let late = 0;
+  let lastCount = [256, 256];
+
+  const stage = (name) => (map.host.dataset.stage = name);
+  const flow = createFlow(engine, {
+    busy(busy, view) {
+      map.host.dataset.busy = String(busy);
+      map.host.dataset.view = String(view);
+      map.host.setAttribute('aria-busy', String(busy));
+      if (!busy && map.picture && map.host.dataset.stage !== 'stale') finish();
+    },
+    frame(frame, request, current) {
+      map.show(frame, request.show, `${request.scene.x},${request.scene.y}`);
+      tell.refuse(null, null);
+      tell.found();
+      if (current) {
+        fresh(frame.stage);
+        shares();
+        describe(frame);
+      } else {
+        stage('stale');
+      }
+    },
+    error(error) {
+      if (error.lost) tell.lost(error);
+      stage(error.lost ? 'lost' : 'error');
+      old(map.picture ? 'picture of the earlier numbers' : 'no picture');
+      if (!error.lost) tell.refuse(error.key, error.line);
+      say(byId('status'), error.lost ? 'no server' : 'not computed');
+      announce(error.line);
+    },
+  });
+
+  function fresh(name) {
+    clearTimeout(late);
+    late = 0;
+    map.host.classList.remove('old');
+    byId('badge').hidden = true;
+    stage(name);
+  }
+
+  function old(text) {
+    clearTimeout(late);
+    late = 0;
+    map.host.classList.add('old');
+    byId('badge').hidden = false;
+    say(byId('badge'), text);
+  }
+
+  function stale() {
+    if (map.host.dataset.stage !== 'error' && map.host.dataset.stage !== 'lost') {
+      stage('stale');
+      late ||= setTimeout(() => old('computing'), LATE);
+    }
+  }
+
+  function finish() {
+    const told = shares();
+    announce(`Map of ${about.kinds.length ? map.names.join(' and ') : ''}: ${told}.`);
+  }
+
+  function shares() {
+    const axes = axesOf(store.state);
+    return map.picture && axes ? writeLegend(about, map.picture, axes) : '';
+  }
+
+  function describe({ backend, adapter, precision, shape, seconds, rate, note, stage: name }) {
+    const where = `${backend === 'cpu' ? `CPU, ${about.cores} cores` : adapter || 'GPU'}, ${precision}`;
+    const speed = `${shape[0]} × ${shape[1]} cells in ${read(seconds, 2)} s, ${count(rate)} cells/s`;
+    say(byId('status'), [where, speed, name, note].filter(Boolean).join(' · '));
+  }
+
+  /** The request of what the state shows. */
+  function request(state) {
+    const show = shownOf(state);
+    const known = about.columns.some((column) => column.name === show);
+    const columns = known && !ALWAYS.includes(show) ? [...ALWAYS, show] : ALWAYS;
+    const { plot } = map;
+    if (plot) lastCount = plot.count;
+    const asked = { scene: state.scene, count: lastCount, precision: state.precision || 'auto', columns, show };
+    if (state.suite) {
+      asked.suite = state.suite;
+      asked.limits = { u: state.limit_u, v: state.limit_v, standing: state.standing };
+    }
+    return asked;
+  }
+
+  function update(state, before, always = false) {
+    const axes = axesOf(state);
+    if (axes) map.view(axes, axes.map((axis) => parameterOf(about, axis.key).label));
+    const show = shownOf(state);
+    const changed = always || pictureKey(state) !== pictureKey(before);
+    const held = map.picture && (show === 'outcome' || map.picture.frame.arrays[show]);
+    if (!changed && held) {
+      if (map.picture.show !== show) {
+        map.reshow(show);
+        shares();
+      }
+      return;
+    }
+    if (!changed && shownOf(before) === show) return;
+    stale();
+    shares();
+    flow.ask(request(state));
+  }
+
+  store.listen((state, before) => update(state, before));
+  map.onResize = () => {
+    clearTimeout(map.resized);
+    map.resized = setTimeout(() => {
+      if (map.picture || map.plot) update(store.state, store.state, true);
+    }, 150);
+  };
+  /** True where the picture is that of the newest input. */
+  map.current = () => !['stale', 'error', 'lost', ''].includes(map.host.dataset.stage);
+  return {
+    map,
+    request: () => request(store.state),
+    retry: () => update(store.state, store.state, true),
+    start: () => update(store.state, store.state, true),
+  };
+}

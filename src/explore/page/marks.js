@@ -1,0 +1,50 @@
+// What lies over the map: the crosshair, the cells that are open, the line of the cross-section.
+import { disc, font, line } from './ink.js';
+
+const [WHITE, BLACK] = ['#ffffff', '#111111'];
+
+/** Draws the marks of a plot. */
+export function drawMarks(context, plot, marks, unit) {
+  const { left, top, width, height } = plot.place;
+  context.save();
+  context.beginPath();
+  context.rect(left, top, width, height);
+  context.clip();
+  if (marks.crosshair) drawCrosshair(context, plot, marks.crosshair, unit);
+  if (marks.line) drawLine(context, plot, marks.line, marks.along, unit);
+  marks.cells.forEach((cell, k) => cell && drawCell(context, plot.at(cell), marks.cells[1] ? 'AB'[k] : '', unit));
+  context.restore();
+}
+
+function drawCrosshair(context, plot, at, unit) {
+  const { left, top, width, height } = plot.place;
+  const [x, y] = plot.at(at);
+  const gap = 0.5 * unit;
+  const lines = [[[left, y], [x - gap, y]], [[x + gap, y], [left + width, y]], [[x, top], [x, y - gap]], [[x, y + gap], [x, top + height]]];
+  for (const points of lines) line(context, points, 'rgb(255 255 255 / 0.7)', 0.16 * unit);
+  for (const points of lines) line(context, points, BLACK, 0.06 * unit);
+}
+
+function drawCell(context, [x, y], name, unit) {
+  disc(context, x, y, 0.5 * unit, null, WHITE, 0.3 * unit);
+  disc(context, x, y, 0.5 * unit, null, BLACK, 0.13 * unit);
+  if (!name) return;
+  context.font = font(0.9 * unit, '700');
+  context.textAlign = 'left';
+  context.lineJoin = 'round';
+  context.strokeStyle = WHITE;
+  context.lineWidth = 0.25 * unit;
+  context.strokeText(name, x + 0.75 * unit, y - 0.4 * unit);
+  context.fillStyle = BLACK;
+  context.fillText(name, x + 0.75 * unit, y - 0.4 * unit);
+}
+
+function drawLine(context, plot, [x0, y0, x1, y1], along, unit) {
+  const ends = [plot.at([x0, y0]), plot.at([x1, y1])];
+  line(context, ends, WHITE, 0.3 * unit);
+  line(context, ends, BLACK, 0.12 * unit);
+  for (const [x, y] of ends) disc(context, x, y, 0.26 * unit, WHITE, BLACK, 0.12 * unit);
+  if (along === null || along === undefined) return;
+  const [x, y] = [0, 1].map((k) => ends[0][k] + along * (ends[1][k] - ends[0][k]));
+  disc(context, x, y, 0.3 * unit, '#d62f2a', WHITE, 0.12 * unit);
+}

@@ -1,0 +1,48 @@
+// The numbers of the cell under the crosshair, from the frame that is shown.
+import { byId, make, symbol } from './dom.js';
+import { read } from './numbers.js';
+import { cellAt } from './plot.js';
+import { parameterOf } from './scene.js';
+
+/** What the crosshair's cell says: a list of names and texts, with the class's colour. */
+export function readCell(about, state, map, at) {
+  const { picture, plot } = map;
+  if (!at || !plot) return null;
+  const items = [state.scene.x, state.scene.y].map((key, k) => {
+    const parameter = parameterOf(about, key);
+    return { name: parameter.symbol, text: `${read(at[k], 5)} ${parameter.unit}`.trim() };
+  });
+  const cell = picture && map.current() ? cellAt(picture.frame, plot.axes, at) : null;
+  if (!cell) return { items, kind: null };
+  const { arrays } = picture.frame;
+  const kind = arrays.kind ? about.kinds[arrays.kind[cell.index]] : null;
+  const marks = arrays.marks?.[cell.index] ?? 0;
+  const names = Object.keys(arrays).filter((name) => !['kind', 'marks', 'outcome', 'feasible'].includes(name));
+  for (const name of names) {
+    const column = about.columns.find((entry) => entry.name === name);
+    items.push({ name: name === 'zeta' ? 'ζ' : name.replaceAll('_', ' '), text: `${read(arrays[name][cell.index])} ${column?.unit ?? ''}`.trim() });
+  }
+  if (arrays.feasible) items.push({ name: 'limits', text: arrays.feasible[cell.index] ? 'hold' : 'do not hold' });
+  if (marks & 1) items.push({ name: 'contact', text: 'the model does not hold' });
+  const corner = marks & 4 ? ', right corner' : '';
+  return { items, kind: kind && { ...kind, label: kind.label + corner } };
+}
+
+/** Shows the readout; returns it as a sentence. */
+export function writeReadout(readout) {
+  const host = byId('readout');
+  if (!readout) {
+    host.replaceChildren(make('span', { class: 'hint' }, 'Point at the map to read a cell, click to see its motion.'));
+    return '';
+  }
+  const parts = readout.items.map((item) => make('span', { class: 'item' }, symbol(item.name), ` ${item.text}`));
+  if (readout.kind) {
+    const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
+    swatch.style.backgroundColor = readout.kind.colour;
+    parts.splice(2, 0, make('span', { class: 'item kind' }, swatch, readout.kind.label));
+  }
+  host.replaceChildren(...parts);
+  const spoken = readout.items.map((item) => `${item.name} ${item.text}`);
+  if (readout.kind) spoken.splice(2, 0, readout.kind.label);
+  return spoken.join(', ');
+}

@@ -1,0 +1,103 @@
+// One number of the scene: a slider and a field, or, where it is an axis, the ends of its range.
+import { make, symbol } from './dom.js';
+import { parse } from './numbers.js';
+import { PLACES, numberAt, placeOf } from './sliders.js';
+
+/** The rule, the default and the source of a parameter in words. */
+function helpText(parameter) {
+  const { low, high, plausible, lowIncluded } = parameter;
+  const range = [];
+  if (low !== null && high !== null) range.push(`${lowIncluded === false ? 'above ' : ''}${low} to ${high}`);
+  else if (low !== null) range.push(lowIncluded === false ? `above ${low}` : `${low} or more`);
+  if (plausible?.[1]) range.push(`plausible ${plausible[0]} to ${plausible[1]}`);
+  if (parameter.integer) range.push('whole');
+  const words = [parameter.meaning.replace(/^./, (letter) => letter.toUpperCase())];
+  if (range.length) words.push(`Range: ${range.join('; ')}`);
+  if (parameter.default) words.push(`Default: ${parameter.default}`);
+  if (parameter.source) words.push(`Source: ${parameter.source} of the paper`);
+  return `${words.join('. ')}.`;
+}
+
+/** A field for a text; what is typed is not overwritten before it is given. */
+function field(attributes, onText) {
+  const input = make('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    ...attributes,
+    input: () => (input.dataset.typed = 'yes'),
+    blur: () => delete input.dataset.typed,
+    change: () => {
+      delete input.dataset.typed;
+      onText(input.value.trim());
+    },
+  });
+  return input;
+}
+
+const put = (input, text) => {
+  if (!input.dataset.typed && input.value !== text) input.value = text;
+};
+
+/**
+ * The row of a parameter. `change(scene, resting)` hears its changes, `axis(which, key)` that it becomes an axis.
+ */
+export function createRow(parameter, { change, axis }) {
+  const { key, unit, meaning } = parameter;
+  const short = meaning.split(/[;:,]/)[0];
+  const title = `${parameter.symbol}: ${short}${unit ? `, ${unit}` : ''}`;
+  const [helpId, problemId] = [`help-${key}`, `problem-${key}`];
+  const described = { 'aria-describedby': problemId };
+  const help = make('p', { class: 'help', id: helpId, hidden: true }, helpText(parameter));
+  const name = make('button', { type: 'button', class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short, click: () => {
+    help.hidden = !help.hidden;
+    name.setAttribute('aria-expanded', String(!help.hidden));
+  } }, symbol(parameter.symbol));
+  const set = (text, resting) => change({ [key]: text }, resting);
+  const slider = make('input', { type: 'range', min: 0, max: PLACES, step: 1, 'aria-label': title, input: () => set(String(numberAt(parameter, Number(slider.value))), false) });
+  const number = field({ id: `field-${key}`, 'aria-label': title, placeholder: /^[\d.-]+/.exec(parameter.default)?.[0] ?? '', ...described }, (text) => set(text, true));
+  const ends = () => set([from.value, to.value].map((text) => text.trim()).join(':') + (log.checked ? ':log' : ''), true);
+  const from = field({ 'aria-label': `${title}, from`, class: 'end', ...described }, ends);
+  const to = field({ 'aria-label': `${title}, to`, class: 'end', ...described }, ends);
+  const log = make('input', { type: 'checkbox', 'aria-label': `${title}, logarithmic axis`, change: ends });
+  const problem = make('p', { class: 'problem', id: problemId, role: 'alert', hidden: true });
+  const buttons = ['x', 'y'].map((which) =>
+    make('button', { type: 'button', class: 'axis', 'aria-pressed': 'false', 'aria-label': `${title}: make it the ${which === 'x' ? 'horizontal' : 'vertical'} axis`, title: `${which} axis`, click: () => axis(which, key) }, which));
+  const single = make('div', { class: 'control single' }, slider, number);
+  const range = make('div', { class: 'control range' }, from, make('span', { 'aria-hidden': 'true' }, '–'), to, make('label', { class: 'log' }, log, 'log'));
+  const element = make('div', { class: 'row', 'data-key': key }, name, single, range, make('span', { class: 'unit' }, unit || '\u00a0'), make('span', { class: 'axes', role: 'group', 'aria-label': 'Axis' }, ...buttons), help, problem);
+
+  return {
+    key,
+    element,
+    update(scene) {
+      const text = scene[key] ?? '';
+      const which = scene.x === key ? 0 : scene.y === key ? 1 : -1;
+      element.classList.toggle('is-axis', which >= 0);
+      element.classList.toggle('is-set', text !== '');
+      buttons.forEach((button, k) => button.setAttribute('aria-pressed', String(k === which)));
+      if (which >= 0) {
+        const words = text.split(':');
+        put(from, words[0] ?? '');
+        put(to, words[1] ?? '');
+        log.checked = words[2] === 'log';
+        return;
+      }
+      put(number, text);
+      const shown = parse(text === '' ? /^[\d.-]+/.exec(parameter.default)?.[0] : text);
+      const place = String(placeOf(parameter, shown));
+      if (slider.value !== place && !(document.activeElement === slider && numberAt(parameter, Number(slider.value)) === shown)) slider.value = place;
+      slider.setAttribute('aria-valuetext', Number.isFinite(shown) ? `${shown} ${unit}`.trim() : 'not given');
+    },
+    /** Shows the engine's line at the field, or nothing. */
+    refuse(line) {
+      problem.hidden = !line;
+      if (problem.textContent !== (line ?? '')) problem.textContent = line ?? '';
+      for (const input of [number, from, to]) {
+        if (line) input.setAttribute('aria-invalid', 'true');
+        else input.removeAttribute('aria-invalid');
+      }
+    },
+  };
+}

@@ -1,0 +1,76 @@
+// What a map shows: outcomes in their colours, or a number as a shade with its scale.
+import { roundStep } from './axis.js';
+
+/** Steps of a scale at most. */
+const STEPS = 10;
+/** Shades of the least and the largest value, as in the figures. */
+const LIGHT = 0.96;
+const DARK = 0.38;
+/** A probability from none to one. */
+const RISK = [[0xf4, 0xf6, 0xec], [0xf2, 0xc9, 0xa4], [0xe0, 0x8a, 0x6e], [0xb8, 0x32, 0x3a], [0x5a, 0x00, 0x1a]];
+/** Columns of a suite that are shares of its motions. */
+const SHARES = new Set(['overturned', 'standing', 'rocked']);
+
+/** Numbers whose scale has ends of its own. */
+const FIXED = { zeta: [0, 1], min_contact: [0, 10], friction_demand: [0, 1] };
+/** What the numbers that can be shown are called. */
+const TITLES = {
+  outcome: 'outcomes',
+  zeta: 'ζ = max |φ| / α',
+  max_u: 'max |u| [m]',
+  max_v: 'max |v| [m]',
+  stroke_v: 'max |v + g/ω_v²| [m]',
+  min_contact: 'min N/M [m/s²]',
+  friction_demand: 'friction needed, max |S|/N',
+  overturned: 'share of motions that overturn the block',
+  standing: 'share of motions under which it stands',
+  rocked: 'share of motions under which it rocks',
+};
+
+/** What a column is called. */
+export const titleOf = (name) => TITLES[name] ?? name.replaceAll('_', ' ');
+
+/** A colour of hexadecimal digits, for little-endian pixels. */
+export function word(hex) {
+  const number = parseInt(hex.slice(1), 16);
+  return rgb((number >> 16) & 255, (number >> 8) & 255, number & 255);
+}
+
+const rgb = (red, green, blue) => ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
+
+/** True for a column that is a share of a suite's motions. */
+export const isShare = (name) => SHARES.has(name);
+
+/** The colour of a share of a scale, as a word. */
+export function shade(name, share) {
+  const at = Math.min(1, Math.max(0, share));
+  if (isShare(name)) {
+    const risk = (name === 'standing' ? 1 - at : at) * (RISK.length - 1);
+    const k = Math.min(RISK.length - 2, Math.floor(risk));
+    return rgb(...RISK[k].map((part, c) => Math.round(part + (RISK[k + 1][c] - part) * (risk - k))));
+  }
+  const grey = Math.floor(255 * (LIGHT + (DARK - LIGHT) * at));
+  return rgb(grey, grey, grey);
+}
+
+/** The scale of a column over the cells that count: round numbers around them, or its own ends. */
+export function scaleOf(name, values, counts) {
+  const fixed = FIXED[name] ?? (isShare(name) ? [0, 1] : null);
+  if (fixed) return { name, low: fixed[0], high: fixed[1], step: roundStep((fixed[1] - fixed[0]) / STEPS) };
+  let low = Infinity;
+  let high = -Infinity;
+  for (let k = 0; k < values.length; k += 1) {
+    const value = values[k];
+    if (Number.isFinite(value) && counts(k)) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  if (!(low <= high)) [low, high] = [0, 1];
+  const span = Math.max(high - low, 1e-9 + 0.01 * Math.max(Math.abs(low), Math.abs(high)));
+  const step = roundStep(span / STEPS);
+  return { name, low: Math.floor(low / step) * step, high: Math.ceil((low + span) / step) * step, step };
+}
+
+/** The shades of a scale, a word each, from its least to its largest value. */
+export const shadesOf = (scale, many = 256) => Uint32Array.from({ length: many }, (_, k) => shade(scale.name, k / (many - 1)));
