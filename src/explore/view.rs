@@ -122,7 +122,8 @@ pub fn sweep(ready: &Ready, stop: &AtomicBool) -> Result<MapSweep, SweepError> {
     }
 }
 
-fn framed(map: &Map, ready: &Ready, told: &Told, columns: &[String]) -> Vec<u8> {
+/// The frame of a map.
+pub fn framed(map: &Map, ready: &Ready, told: &Told, columns: &[String]) -> Vec<u8> {
     frame(header(&map.grid, ready, told), &arrays(map, columns))
 }
 
