@@ -108,7 +108,7 @@ fn compare(map: &RefinedMap, dense: &[u8]) {
     let share = |cells: usize| 100.0 * cells as f64 / told.len() as f64;
     let RefineReport { beside, impacts_differ, marked, .. } = map.report;
     println!(
-        "marked and not run: {:.2} % of the cells, beside smaller leaves {:.2} %, between other numbers of impacts {:.2} %",
+        "marked and not run: {:.2} % of the cells, beside smaller leaves {:.2} %, between different numbers of impacts {:.2} %",
         share(marked),
         share(beside),
         share(impacts_differ)

@@ -265,7 +265,7 @@ pub fn refined(report: &RefineReport) -> Vec<String> {
     )];
     if report.marked > 0 {
         lines.push(format!(
-            "{} cells not run, {:.2} %, are less sure: beside smaller leaves {}, between other numbers of impacts {}",
+            "{} cells not run, {:.2} %, are less sure: beside smaller leaves {}, between different numbers of impacts {}",
             report.marked,
             100.0 * report.marked as f64 / dense,
             report.beside,
