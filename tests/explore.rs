@@ -333,7 +333,7 @@ fn files_are_those_of_a_map() {
         ("svg", b"<svg"),
         ("npz", b"PK"),
         ("csv", b"omega,a_h,"),
-        ("toml", b"[block]"),
+        ("toml", b"[pulse]"),
     ] {
         let answer =
             server.post("save", &json!({ "scene": flat(), "count": [9, 9], "kind": kind }));

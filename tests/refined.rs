@@ -21,7 +21,7 @@ use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::sweep::backend::Backend;
 use topple::{
-    BackendRequest, Observer, Outcome, Progress, RunSettings, Saving, Scene, Unwatched,
+    BackendRequest, Observer, Outcome, Progress, RunSettings, Saving, Scene, SweepError, Unwatched,
     VerifySettings, sweep,
 };
 
@@ -158,6 +158,41 @@ fn islands_smaller_than_the_first_grid_are_found_by_probes() {
     assert!(left as f64 <= last.share_missed_at_most * last.left_alone as f64);
 }
 
+/// A window of the last panel of Fig. 14: blocks overturn after 40 to 60 impacts, and between two numbers of them they
+/// rock on, in bands thinner than a cell. Those that no cell of a leaf's border shows lie in leaves that are marked.
+#[test]
+fn bands_thinner_than_a_cell_lie_in_leaves_that_are_marked() {
+    let scene = scene(
+        "[block]\nobject = 1\neccentricity = -0.4\n[base]\nt_h = 1.75\nt_v = 0.75\n[run]\nt_max = 30\n\
+         [pulse]\nomega = \"2.296875:2.33125:9\"\na_h = \"0.990:1.020:21\"\na_v = 0.5\n",
+    );
+    let map = refined(&scene, Backend::Cpu, &levels(2, 0));
+    let dense = dense(&map);
+    let told = map.read(0..dense.len(), &Column::ALL).unwrap();
+    let columns = map.report.shape.0;
+    // Of each mark the cells that were not run; wrong cells beside smaller leaves, marked otherwise, and not marked.
+    let (mut not_run, mut wrong) = ([0; 3], [0; 3]);
+    for leaf in map.leaves() {
+        for row in leaf.row..leaf.row + leaf.height {
+            for cell in row * columns + leaf.column..row * columns + leaf.column + leaf.width {
+                let alone = usize::from(map.cells().binary_search(&cell).is_err());
+                for (count, is_of) in
+                    not_run.iter_mut().zip([leaf.beside, leaf.impacts_differ, leaf.is_marked()])
+                {
+                    *count += alone * usize::from(is_of);
+                }
+                let place = if leaf.beside { 0 } else { 2 - usize::from(leaf.is_marked()) };
+                wrong[place] += usize::from(code(&told[cell]) != code(&dense[cell]));
+            }
+        }
+    }
+    say(&format!("{wrong:?} wrong of {} cells, {not_run:?} of marks", dense.len()));
+    let report = &map.report;
+    assert_eq!(not_run, [report.beside, report.impacts_differ, report.marked]);
+    assert!(wrong[1] > 0, "no band crosses a leaf unseen");
+    assert_eq!(wrong[2], 0);
+}
+
 /// What 40 draws of 60 cells say of the share missed, before what they find is mended: it is too small in one of 20, so
 /// that of 40 no more than 5 are, with a chance of 99 %.
 #[test]
@@ -212,8 +247,8 @@ fn the_command_writes_pictures_and_leaves() {
     let mut table = csv::Reader::from_path(out.join("leaves.csv")).unwrap();
     let head = table.headers().unwrap().clone();
     assert_eq!(
-        head.iter().take(7).collect::<Vec<_>>(),
-        ["omega", "a_h", "level", "width", "height", "beside", "outcome"]
+        head.iter().take(8).collect::<Vec<_>>(),
+        ["omega", "a_h", "level", "width", "height", "beside", "impacts_differ", "outcome"]
     );
     let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
     let area: usize = rows
@@ -234,7 +269,7 @@ fn the_command_writes_pictures_and_leaves() {
         let (i, j) = ((number(0) - 1.0) * 16.0, (number(1) - 1.0) / 1.1 * 16.0);
         let (i, j) = (i.round() as usize, j.round() as usize);
         assert!(j < 161 && i < 177, "{row:?}");
-        let kind = match (&row[6], &row[7]) {
+        let kind = match (&row[7], &row[8]) {
             // After impacts the colour tells their number, not the corner.
             ("overturned_left" | "overturned_right", impacts) if impacts != "0" => "impacts",
             (outcome, _) => outcome,
@@ -302,6 +337,9 @@ fn an_interrupted_refinement_goes_on() {
     let first = map();
     let error = refine(&first, &settings, &run, &Ends(AtomicUsize::new(2500))).err().unwrap();
     assert!(error.is_cancelled());
+    // Of the lists, too, it is said how much is saved.
+    let SweepError::Stopped { saved: cells_saved, cells, .. } = error else { panic!("{error}") };
+    assert!(144 < cells_saved && cells_saved < cells && cells < alone.cells().len());
     drop(first);
     let lists = dir.path().join("unfinished/lists-177x177");
     let saved = || -> BTreeMap<String, std::time::SystemTime> {

@@ -11,7 +11,7 @@ use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
-use topple::{Parameter, RunSettings, Saving, Scene, SceneBuilder, Values};
+use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
 
 use crate::errors::{of_keyword, of_scene};
 
@@ -41,6 +41,9 @@ pub const SETTINGS: [&str; 11] = [
     "resume",
     "tile",
 ];
+
+/// The keywords that say how a map is refined.
+pub const REFINING: [&str; 2] = ["refine", "smooth"];
 
 /// The key under which arrays of a record come: `(dt, horizontal, vertical, title)` in s and m/s^2.
 const MOTION: &str = "motion";
@@ -240,6 +243,42 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
         }
     }
     Ok(())
+}
+
+/// How a map is refined, where keywords ask for it: only one that is held in memory is.
+pub fn refining(
+    keywords: &Bound<'_, PyDict>,
+    settings: &RunSettings,
+) -> PyResult<Option<RefineSettings>> {
+    let given = |key: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
+        Ok(keywords.get_item(key)?.filter(|value| !value.is_none()))
+    };
+    let [refine, smooth] = REFINING;
+    let smoothness = given(smooth)?;
+    let Some(levels) = given(refine)? else {
+        return match smoothness {
+            Some(_) => Err(of_keyword(smooth, "it says how a map is refined; give refine, too")),
+            None => Ok(None),
+        };
+    };
+    let mut refining = RefineSettings::levels(taken(refine, &levels, "a number of levels")?);
+    if let Some(share) = smoothness {
+        let share = taken(smooth, &share, "a share of a range")?;
+        if !(share > 0.0 && share < 1.0) {
+            return Err(of_keyword(smooth, "give a share above 0 and below 1"));
+        }
+        refining.smooth = Some(share);
+    }
+    if settings.saving.is_some() {
+        return Err(of_keyword(
+            refine,
+            "the leaves are held in memory; leave out, resume and tile out",
+        ));
+    }
+    if settings.method.repair {
+        return Err(of_keyword(refine, "a repaired map is not refined; leave repair out"));
+    }
+    Ok(Some(refining))
 }
 
 /// A value of a type; `expected` says which.

@@ -6,20 +6,26 @@ use std::path::{Path, PathBuf};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyDictMethods};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
+use topple::refine::run as refine;
+use topple::results::block::Block;
 use topple::results::columns::status_code;
+use topple::results::listed::{CELL, CountColumn};
 use topple::sweep::parts::Parts;
 use topple::{
-    Axis, Column, ColumnValues, Grid, Job, MapSweep, RunSettings, Status, SweepError, SweepResult,
+    Axis, Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings,
+    Status, SweepError, SweepResult,
 };
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
-use crate::keywords::Request;
+use crate::keywords::{REFINING, Request, refining};
 use crate::watch::{self, Watch};
 
 /// A map: its columns, unless they are on disk, and what is said of it.
 struct Arrays {
     columns: Option<Vec<ColumnValues>>,
+    /// Of a refined map the numbers of its leaves' first cells, and what else is counted of them.
+    leaves: Option<(Vec<u64>, Vec<CountColumn>)>,
     about: String,
 }
 
@@ -28,6 +34,7 @@ type Returned<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
 /// Runs a map: `(columns, about)`, a column a one-dimensional array in the grid's order, the first axis fastest;
 /// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a part `about` is None, too.
+/// With `refine` a column has a value a leaf, and `about` has `counts`.
 ///
 /// `recorded`: a record shakes the base.
 #[pyfunction]
@@ -37,10 +44,14 @@ pub fn sweep<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Returned<'py>> {
-    let request = Request::of(keywords, &[])?;
+    let request = Request::of(keywords, &REFINING)?;
     let scene = request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)?;
     let settings = &request.settings;
+    let refining = refining(keywords, settings)?;
+    if let Some(refining) = &refining {
+        refine::check(&scene, refining.levels).map_err(of_scene)?;
+    }
     let part = settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
     if let Some(saving) = &settings.saving {
         if saving.directory.as_os_str().is_empty() {
@@ -54,7 +65,10 @@ pub fn sweep<'py>(
         let estimate = job.estimate_if_long(watch)?;
         match job.run(estimate.as_ref(), watch)? {
             SweepResult::Part(_) => Ok(None),
-            SweepResult::Map(map) => finish(*map, settings, saved.as_deref(), watch).map(Some),
+            SweepResult::Map(map) => {
+                let to = (saved.as_deref(), refining.as_ref());
+                finish(*map, settings, to, watch).map(Some)
+            }
         }
     })?;
     debug_assert!(!part || matches!(ran, Ok(None) | Err(_)));
@@ -67,7 +81,7 @@ pub fn sweep<'py>(
 /// Refuses keywords that make no scene, without running it.
 #[pyfunction]
 pub fn check(recorded: bool, keywords: &Bound<'_, PyDict>) -> PyResult<()> {
-    let request = Request::of(keywords, &[])?;
+    let request = Request::of(keywords, &REFINING)?;
     request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)
 }
@@ -88,15 +102,23 @@ pub fn merge<'py>(
     let joined = watch::run(py, progress, |watch| {
         let parts = Parts::join(&parts, watch)?;
         let store = out.map(|out| parts.store(out)).transpose()?;
-        finish(MapSweep::of_parts(parts, store)?, &settings, out, watch)
+        finish(MapSweep::of_parts(parts, store)?, &settings, (out, None), watch)
     })?;
     returned(py, joined.map_err(of_sweep)?)
 }
 
 /// A map as Python gets it.
 fn returned(py: Python<'_>, map: Arrays) -> PyResult<Returned<'_>> {
-    let Arrays { columns: Some(columns), about } = map else { return Ok((None, Some(map.about))) };
+    let Arrays { columns: Some(columns), leaves, about } = map else {
+        return Ok((None, Some(map.about)));
+    };
     let arrays = PyDict::new(py);
+    if let Some((cells, counts)) = leaves {
+        arrays.set_item(CELL, PyArray1::from_vec(py, cells))?;
+        for count in counts {
+            arrays.set_item(count.name, PyArray1::from_vec(py, count.values))?;
+        }
+    }
     let proved = |code: &u8| Status::ALL.get(usize::from(*code)) == Some(&Status::Proved);
     for (column, values) in Column::ALL.iter().zip(columns) {
         let name = column.entry().name;
@@ -128,14 +150,17 @@ fn returned(py: Python<'_>, map: Arrays) -> PyResult<Returned<'_>> {
 fn finish(
     mut map: MapSweep,
     settings: &RunSettings,
-    saved: Option<&Path>,
+    (saved, refining): (Option<&Path>, Option<&RefineSettings>),
     watch: &Watch,
 ) -> Result<Arrays, SweepError> {
     if settings.verify.cells > 0 && !map.by_reference() {
         let verified = map.verify(&settings.verify, watch);
         map.verification = Some(verified.map_err(|error| map.stopped(error))?);
     }
-    let about = about(&map).to_string();
+    if let Some(refining) = refining {
+        return leaves(&map, &topple::refine(&map, refining, settings, watch)?);
+    }
+    let about = Value::Object(about(&map, map.source().about(&map.grid), &map.grid)).to_string();
     let columns = match saved {
         Some(folder) => {
             map.publish(&folder.join("map.zarr"), watch)?;
@@ -143,7 +168,24 @@ fn finish(
         }
         None => Some(map.into_columns()?),
     };
-    Ok(Arrays { columns, about })
+    Ok(Arrays { columns, leaves: None, about })
+}
+
+/// The leaves of a map that was refined.
+fn leaves(map: &MapSweep, refined: &RefinedMap) -> Result<Arrays, SweepError> {
+    refined.listed(|listed| {
+        let (count, source) = (listed.cells.len(), refined.source());
+        let mut block = Block::pending(count, source.precision);
+        block.put(0, &listed.outcomes.read(0..count, &Column::ALL)?);
+        let mut about = about(map, listed.about(source), &refined.grid);
+        about.insert("refined".into(), json!(refined.report));
+        let cells = listed.cells.iter().map(|cell| *cell as u64).collect();
+        Ok(Arrays {
+            columns: Some(block.into_columns()),
+            leaves: Some((cells, listed.counts.to_vec())),
+            about: Value::Object(about).to_string(),
+        })
+    })
 }
 
 /// The values of a grid's axes by their keys.
@@ -153,16 +195,15 @@ pub fn coordinates(grid: &Grid) -> Value {
     Value::Object(axes.collect())
 }
 
-/// What a map is, and how it was made.
-fn about(map: &MapSweep) -> Value {
-    let mut about = map.source().about(&map.grid);
+/// What arrays of a grid are, and how the map was made.
+fn about(map: &MapSweep, mut about: Map<String, Value>, grid: &Grid) -> Map<String, Value> {
     let (_, first) = &map.parts[0];
     // With its folders, from which the motion of a cell is read again.
     if let Some(files) = map.plan.scene.excitation.provenance() {
         about.insert("record".into(), json!(files));
     }
     let entries = [
-        ("coordinates", coordinates(&map.grid)),
+        ("coordinates", coordinates(grid)),
         ("backend", json!(first.backend)),
         ("adapter", json!(first.adapter)),
         ("method", json!(map.method)),
@@ -171,5 +212,5 @@ fn about(map: &MapSweep) -> Value {
         ("verification", json!(map.verification)),
     ];
     about.extend(entries.map(|(key, value)| (key.to_string(), value)));
-    Value::Object(about)
+    about
 }

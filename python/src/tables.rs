@@ -6,7 +6,7 @@ use topple::Column;
 use topple::scene::keys;
 use topple::scene::parameters::{PARAMETERS, Section};
 
-use crate::keywords::SETTINGS;
+use crate::keywords::{REFINING, SETTINGS};
 
 /// The parameters of a scene as JSON: key, symbol, unit, meaning, range, default, section.
 #[pyfunction]
@@ -26,7 +26,8 @@ pub fn parameters() -> String {
     json!(entries.collect::<Vec<_>>()).to_string()
 }
 
-/// The keywords that are no numbers, as JSON: those of each section of a scene, and under `settings` how it is run.
+/// The keywords that are no numbers, as JSON: those of each section of a scene, under `settings` how it is run,
+/// and under `refining` how its map is refined.
 #[pyfunction]
 pub fn words() -> String {
     let mut words: serde_json::Map<String, serde_json::Value> = Section::ALL
@@ -34,6 +35,7 @@ pub fn words() -> String {
         .map(|section| (section.key().to_string(), json!(keys::words(*section))))
         .collect();
     words.insert("settings".into(), json!(SETTINGS));
+    words.insert("refining".into(), json!(REFINING));
     json!(words).to_string()
 }
 

@@ -165,6 +165,23 @@ def test_leaves_of_a_refined_map(command, tmp_path):
         assert np.array_equal(leaves[name].values, whole[name].values.ravel()[leaves.cell.values]), name
 
 
+def test_refine_gives_the_leaves_that_the_command_writes(command, tmp_path):
+    scene = PULSE | {"omega": "0.2:15:9", "a_h": "0.1:15:9"}
+    command("pulse", *flags(scene), "--refine", 2, "--backend", "cpu", "--verify", "none", "--out", tmp_path)
+    written = topple.open(tmp_path / "leaves.npz")
+    found = topple.pulse(**scene, backend="cpu", verify=0, refine=2)
+    assert set(found.data_vars) == set(written.data_vars)
+    for name in written.data_vars:
+        assert np.array_equal(found[name].values, written[name].values, equal_nan=name == "t_uplift"), name
+    assert json.loads(found.attrs["refined"])["shape"] == [33, 33]
+    with pytest.raises(ValueError, match="^refine: .*leave out"):
+        topple.pulse(**scene, refine=2, out=tmp_path)
+    with pytest.raises(ValueError, match="^smooth: .*refine"):
+        topple.pulse(**scene, smooth=0.1)
+    with pytest.raises(ValueError, match="^refine: .*list"):
+        topple.pulse(**(scene | {"omega": [1.0, 2.0, 5.0]}), refine=2)
+
+
 def test_repair():
     found = topple.pulse(**PULSE, backend="cpu", verify=0, repair=True)
     repaired = json.loads(found.attrs["repaired"])

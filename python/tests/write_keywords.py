@@ -32,12 +32,13 @@ SECTIONS = {
     "record": "The record.",
     "run": "Duration and criteria.",
     "settings": "How a scene is run.",
+    "refining": "How its map is refined.",
 }
 CALLS = {
-    "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings"]),
-    "RecordCall": ("under a record", ["block", "base", "record", "run", "settings"]),
+    "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings", "refining"]),
+    "RecordCall": ("under a record", ["block", "base", "record", "run", "settings", "refining"]),
     "SuiteCall": ("under a suite of records", ["block", "base", "run", "settings"]),
-    "AnyCall": ("under anything", ["block", "base", "pulse", "record", "run", "settings"]),
+    "AnyCall": ("under anything", ["block", "base", "pulse", "record", "run", "settings", "refining"]),
 }
 
 

@@ -62,7 +62,8 @@ def _returned(columns: Any, about: str | None, out: Any) -> Any:
         return None
     if columns is None:
         return open(out).assign_attrs(_attributes(about))
-    return of_map(columns, json.loads(about))
+    told = json.loads(about)
+    return of_leaves(columns, told) if "counts" in told else of_map(columns, told)
 
 
 def _attributes(about: str) -> dict[str, Any]:

@@ -59,7 +59,7 @@ def attributes(about: Mapping[str, Any]) -> dict[str, Any]:
     return {
         key: value if isinstance(value, plain) else json.dumps(value)
         for key, value in about.items()
-        if value is not None and key not in ("axes", "columns", "coordinates", "outcome", "status", "index")
+        if value is not None and key not in ("axes", "columns", "coordinates", "counts", "outcome", "status", "index")
     }
 
 

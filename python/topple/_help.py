@@ -35,6 +35,8 @@ WORDS = {
     "verify": ("int", "cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most"),
     "out": ("Path", "directory: the map is written there as map.zarr, and opened lazily"),
     "resume": ("bool", "go on from what an interrupted call left in ``out``"),
+    "refine": ("int", "halve the cells beside boundaries so many times; the result is the leaves, as `open` gives them"),
+    "smooth": ("float", "with ``refine``: share of its range by which a number between cells that ran may be off"),
     "tile": ("str", "part ``k/n`` of the grid, left in ``out`` for `merge`"),
 }
 
@@ -47,7 +49,7 @@ def parameters() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def sections() -> dict[str, list[tuple[str, str, str]]]:
-    """The keywords of each section of a scene, and of ``settings``: key, type, meaning."""
+    """The keywords of each section of a scene, of ``settings`` and of ``refining``: key, type, meaning."""
     found = {
         section: [(key, *WORDS[key]) for key in words] for section, words in json.loads(_topple.words()).items()
     }
@@ -77,9 +79,9 @@ def listed(*names: str) -> Callable[[Call], Call]:
 
 #: The sections of keywords that calls take.
 SECTIONS = {
-    "pulse": ("block", "base", "pulse", "run", "settings"),
-    "seismic": ("block", "base", "record", "run", "settings"),
-    "run": ("block", "base", "pulse", "record", "run", "settings"),
+    "pulse": ("block", "base", "pulse", "run", "settings", "refining"),
+    "seismic": ("block", "base", "record", "run", "settings", "refining"),
+    "run": ("block", "base", "pulse", "record", "run", "settings", "refining"),
     "history": ("block", "base", "pulse", "record", "run", "settings"),
 }
 #: Flags of the command that no call has.

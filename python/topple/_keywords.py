@@ -152,13 +152,22 @@ class Settings(TypedDict, total=False):
     tile: str
 
 
-class PulseCall(Block, Base, Pulse, Run, Settings, total=False):
+class Refining(TypedDict, total=False):
+    """How its map is refined."""
+
+    # halve the cells beside boundaries so many times; the result is the leaves, as `open` gives them
+    refine: int
+    # with ``refine``: share of its range by which a number between cells that ran may be off
+    smooth: float
+
+
+class PulseCall(Block, Base, Pulse, Run, Settings, Refining, total=False):
     """Keywords of a call under pulses."""
 
     title: str
 
 
-class RecordCall(Block, Base, Record, Run, Settings, total=False):
+class RecordCall(Block, Base, Record, Run, Settings, Refining, total=False):
     """Keywords of a call under a record."""
 
     title: str
@@ -170,7 +179,7 @@ class SuiteCall(Block, Base, Run, Settings, total=False):
     title: str
 
 
-class AnyCall(Block, Base, Pulse, Record, Run, Settings, total=False):
+class AnyCall(Block, Base, Pulse, Record, Run, Settings, Refining, total=False):
     """Keywords of a call under anything."""
 
     title: str

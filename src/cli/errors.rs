@@ -20,6 +20,11 @@ pub fn not_verified(error: SweepError) -> anyhow::Error {
     }
 }
 
+/// The end of an export before its files are written.
+pub fn not_exported() -> anyhow::Error {
+    Interrupted("cancelled; no page was written".into()).into()
+}
+
 /// An error of a sweep: bad input names the flag at fault.
 pub fn sweep_error(error: SweepError) -> anyhow::Error {
     let problem = match &error {

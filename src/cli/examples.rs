@@ -79,7 +79,9 @@ Examples:
   The scene of topple alone:
     topple explore
   A scene's file, at a fixed port, without opening a browser:
-    topple explore scene.toml --port 8080 --no-open";
+    topple explore scene.toml --port 8080 --no-open
+  The page as a folder of files, for any static host:
+    topple explore scene.toml --export page";
 
 /// Of `topple suite`.
 pub const SUITE: &str = "\

@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
+use topple::explore::export::{ExportError, export};
 use topple::explore::records::Records;
 use topple::explore::server::Server;
 use topple::explore::session::{Session, Settings};
@@ -10,7 +11,7 @@ use topple::explore::start;
 use topple::scene::builder::SceneBuilder;
 use topple::sweep::request::BackendRequest;
 
-use super::errors::sweep_error;
+use super::errors::{not_exported, sweep_error};
 use super::scene::DEFAULT_SCENE;
 use super::words::{self, Say};
 use super::{InputError, examples, interrupt, load, options};
@@ -30,6 +31,9 @@ pub struct ExploreCommand {
     /// Open no browser
     #[arg(long)]
     no_open: bool,
+    /// Write the page to a folder and end: any static host serves it, and it computes in its reader's browser by WebGPU
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "no_open"])]
+    export: Option<PathBuf>,
     /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
     #[arg(long)]
     backend: Option<BackendRequest>,
@@ -63,14 +67,17 @@ impl ExploreCommand {
             }
             None => options::flag_error(&error),
         })?;
-        let server =
-            Server::bind(self.port).map_err(|error| InputError(format!("--port: {error}")))?;
         let records = Records::new()?;
         let first = start::first(&records, &scene, &given, folder);
         let backend = self.backend.unwrap_or(BackendRequest::Auto);
         let settings = Settings { backend, adapters: self.adapter.clone() };
         let session = Session::open(settings, records, first).map_err(sweep_error)?;
         interrupt::listen();
+        if let Some(folder) = &self.export {
+            return write(folder, &session);
+        }
+        let server =
+            Server::bind(self.port).map_err(|error| InputError(format!("--port: {error}")))?;
         let address = server.address();
         Say::unless(false).line("explore", &address);
         if !self.no_open && open::that_detached(&address).is_err() {
@@ -79,4 +86,17 @@ impl ExploreCommand {
         server.serve(session, interrupt::asked)?;
         Ok(())
     }
+}
+
+/// Writes the page of a session to a folder.
+fn write(folder: &Path, session: &Session) -> anyhow::Result<()> {
+    let bytes = export(folder, session, interrupt::flag()).map_err(|error| match error {
+        ExportError::Occupied(_) => InputError(format!("--export: {error}")).into(),
+        ExportError::Refused(refused) if refused.cancelled => not_exported(),
+        error => anyhow::Error::from(error),
+    })?;
+    let size = bytes.div_ceil(1 << 20);
+    Say::unless(false)
+        .line("page", format!("{} ({size} MiB): serve it by any web server", folder.display()));
+    Ok(())
 }

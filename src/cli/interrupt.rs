@@ -22,3 +22,8 @@ pub fn listen() {
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
+
+/// The flag that is true when the run is to end.
+pub fn flag() -> &'static AtomicBool {
+    &ASKED
+}

@@ -15,7 +15,7 @@ use topple::sweep::request::BackendRequest;
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::options::{MapFile, Talk, Verify, flag_error};
+use super::options::{MapFile, Talk, Verify, flag_error, share};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
 use super::{InputError, examples, interrupt, output};
@@ -42,6 +42,10 @@ pub struct MergeCommand {
     /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
     #[arg(long, value_name = "K")]
     refine: Option<u32>,
+    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
+    /// share of its range
+    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
+    smooth: Option<f64>,
     /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long)]
     sharpness: bool,
@@ -98,7 +102,8 @@ impl MergeCommand {
                 let repaired = map.repair(&opened.backends, &screen);
                 repaired.map_err(|error| sweep_error(map.stopped(error)))?;
             }
-            refined = super::run::refine(&map, &opened.backends, (self.refine, None), &screen)?;
+            refined =
+                super::run::refine(&map, &opened.backends, (self.refine, self.smooth), &screen)?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let (out, files, earlier) = (&out, &files[..], &earlier);

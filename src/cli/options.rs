@@ -372,7 +372,7 @@ fn parameter(text: &str) -> Result<Parameter, String> {
 }
 
 /// A share of a range.
-fn share(text: &str) -> Result<f64, String> {
+pub fn share(text: &str) -> Result<f64, String> {
     let parsed = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
     parsed.ok_or_else(|| "must be a number above 0 and below 1".into())
 }

@@ -263,6 +263,15 @@ pub fn refined(report: &RefineReport) -> Vec<String> {
         report.leaves,
         report.seconds
     )];
+    if report.marked > 0 {
+        lines.push(format!(
+            "{} cells not run, {:.2} %, are less sure: beside smaller leaves {}, between different numbers of impacts {}",
+            report.marked,
+            100.0 * report.marked as f64 / dense,
+            report.beside,
+            report.impacts_differ
+        ));
+    }
     if let Some(last) = report.last_round().filter(|last| last.left_alone > last.probes) {
         let ProbeRound { left_alone, probes, missed, share_missed_at_most, .. } = last;
         let most = share_missed_at_most * *left_alone as f64;

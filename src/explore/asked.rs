@@ -9,7 +9,7 @@ use super::refused::Refused;
 use crate::model::precision::Precision;
 use crate::scene::keys;
 use crate::scene::parameters::Section;
-use crate::scene::{Grid, Parameter, Scene, SceneBuilder, Values};
+use crate::scene::{FIRST, Grid, Parameter, Scene, SceneBuilder, Values};
 
 /// The keys of a scene with their values as on a command line; the two axes are `start:stop`, or `start:stop:log`.
 pub type Flat = BTreeMap<String, String>;
@@ -172,7 +172,7 @@ fn ends(values: &Values) -> String {
 
 /// A range around a single value, for an axis that a scene does not have.
 fn around(value: f64) -> Values {
-    let reach = if value == 0.0 { 1.0 } else { 0.5 * value };
+    let reach = if value == 0.0 { 1.0 } else { 0.5 * value.abs() };
     Values::Range(crate::scene::Range::even(value - reach, value + reach, 2))
 }
 
@@ -186,10 +186,11 @@ pub fn flat(scene: &Scene, given: &SceneBuilder) -> Flat {
             if axis.count() > 1 { axis.values.clone() } else { around(axis.values.first()) };
         axes.push((axis.parameter, values));
     }
-    // A grid of one axis has a scene of other numbers.
-    let others = scene.numbers.iter().filter(|(parameter, _)| *parameter != axes[0].0);
+    // Beside an axis alone a period or the pulse is the other one.
+    let mut others = FIRST.iter().filter(|parameter| **parameter != axes[0].0);
     if axes.len() < 2
-        && let Some((parameter, values)) = others.last()
+        && let Some((parameter, values)) =
+            others.find_map(|parameter| Some((*parameter, scene.numbers.get(*parameter)?)))
     {
         axes.push((parameter, around(values.first())));
     }

@@ -8,8 +8,12 @@ pub mod about;
 pub mod asked;
 pub mod cell;
 pub mod command;
+#[cfg(feature = "gpu")]
+pub mod export;
 pub mod frame;
 pub mod guard;
+#[cfg(feature = "gpu")]
+pub mod known;
 pub mod page;
 pub mod records;
 pub mod refused;
@@ -18,7 +22,9 @@ pub mod save;
 pub mod section;
 pub mod server;
 pub mod session;
+pub mod stage;
 pub mod start;
 pub mod suite;
+pub mod suites;
 pub mod verify;
 pub mod view;

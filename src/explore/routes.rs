@@ -1,5 +1,6 @@
 //! From a request to what answers it.
 
+use std::net::SocketAddr;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,18 +20,27 @@ use serde_json::json;
 use tokio::sync::mpsc;
 
 use super::frame::frame;
-use super::guard::{Said, let_in};
+use super::guard::{Said, Token, let_in};
 use super::refused::Refused;
-use super::server::Shared;
 use super::session::Session;
-use super::view::ViewRequest;
-use super::{about, cell, command, page, save, section, verify, view};
+use super::stage::ViewRequest;
+use super::{about, cell, command, page, save, section, suite, verify, view};
 
 /// The header of the page's own requests.
 const MARK: HeaderName = HeaderName::from_static("x-topple");
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 /// Frames that wait for a page at most.
 const WAITING: usize = 2;
+
+/// What every request is answered from.
+pub struct Shared {
+    /// The word in the page's address.
+    pub token: Token,
+    /// Where the server listens.
+    pub at: SocketAddr,
+    /// What it has.
+    pub session: Arc<Session>,
+}
 
 /// Ends work when the one who asked for it is gone.
 struct Asker(Arc<AtomicBool>);
@@ -183,7 +193,11 @@ fn map(session: Arc<Session>, asked: ViewRequest) -> Response {
     };
     let frames = Frames { receive, _asker: Asker(Arc::clone(&stop)) };
     tokio::task::spawn_blocking(move || {
-        let ran = view::run(&session, &asked, &stop, |frame| send.blocking_send(frame).is_ok());
+        let take = |frame| send.blocking_send(frame).is_ok();
+        let ran = match &asked.suite {
+            Some(id) => suite::run(&session, &asked, id, &stop, take),
+            None => view::run(&session, &asked, &stop, take),
+        };
         session.end(&asked.tab, asked.view);
         if let Err(error) = ran
             && !error.cancelled

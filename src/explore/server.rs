@@ -8,18 +8,8 @@ use axum::Router;
 use axum::extract::DefaultBodyLimit;
 
 use super::guard::{NoToken, Token};
-use super::routes::answer;
+use super::routes::{Shared, answer};
 use super::session::Session;
-
-/// What every request is answered from.
-pub struct Shared {
-    /// The word in the page's address.
-    pub token: Token,
-    /// Where the server listens.
-    pub at: SocketAddr,
-    /// What it has.
-    pub session: Arc<Session>,
-}
 
 /// Why a page is not served.
 #[derive(Debug, thiserror::Error)]

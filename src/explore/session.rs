@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::asked::{self, AskedPrecision, Flat};
 use super::records::Records;
 use super::refused::Refused;
-use super::suite::Suites;
+use super::suites::Suites;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Scene};
 use crate::sweep::error::SweepError;
@@ -23,6 +23,9 @@ pub struct Settings {
     pub adapters: Vec<usize>,
 }
 
+/// Tabs whose last views are known; of more, those that rest are forgotten.
+const TABS: usize = 256;
+
 /// What a server has.
 pub struct Session {
     settings: Settings,
@@ -33,7 +36,8 @@ pub struct Session {
     /// The scene that the page begins with, and what it is called.
     pub first: Flat,
     opened: [Mutex<Option<Arc<OpenBackends>>>; 2],
-    views: Mutex<HashMap<String, (u64, Arc<AtomicBool>)>>,
+    /// The newest view of each tab, and the flag that ends it while it is computed.
+    views: Mutex<HashMap<String, (u64, Option<Arc<AtomicBool>>)>>,
 }
 
 /// A scene that is ready to be swept.
@@ -117,24 +121,28 @@ impl Session {
             if *known > view {
                 return None;
             }
-            stop.store(true, Ordering::Relaxed);
+            stop.iter().for_each(|stop| stop.store(true, Ordering::Relaxed));
+        }
+        if views.len() >= TABS {
+            views.retain(|_, (_, stop)| stop.is_some());
         }
         let stop = Arc::new(AtomicBool::new(false));
-        views.insert(tab.into(), (view, Arc::clone(&stop)));
+        views.insert(tab.into(), (view, Some(Arc::clone(&stop))));
         Some(stop)
     }
 
     /// Ends all views.
     pub fn stop(&self) {
         let views = self.views.lock().unwrap_or_else(PoisonError::into_inner);
-        views.values().for_each(|(_, stop)| stop.store(true, Ordering::Relaxed));
+        let running = views.values().filter_map(|(_, stop)| stop.as_ref());
+        running.for_each(|stop| stop.store(true, Ordering::Relaxed));
     }
 
-    /// Forgets a view that is over.
+    /// Hears that a view is over. Its number stays known: an older request may still be on its way.
     pub fn end(&self, tab: &str, view: u64) {
         let mut views = self.views.lock().unwrap_or_else(PoisonError::into_inner);
-        if views.get(tab).is_some_and(|(known, _)| *known == view) {
-            views.remove(tab);
+        if let Some((_, stop)) = views.get_mut(tab).filter(|(known, _)| *known == view) {
+            *stop = None;
         }
     }
 }

@@ -3,14 +3,11 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use serde::Deserialize;
-use serde_json::{Value, json};
-
-use super::asked::{AskedPrecision, Flat, axes};
+use super::asked::{AskedPrecision, axes};
 use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
-use super::suite::{self, AskedLimits};
+use super::stage::{Told, ViewRequest, header};
 use crate::drawing::palette::{Kind, is_dotted};
 use crate::map::Map;
 use crate::model::precision::Precision;
@@ -19,39 +16,10 @@ use crate::refine::settings::RefineSettings;
 use crate::results::columns::{Column, Holds, TABLE};
 use crate::results::outcomes::Outcomes;
 use crate::results::store_error::StoreError;
-use crate::scene::grid::Axis;
-use crate::scene::{Grid, Values};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::sweep::error::SweepError;
 use crate::sweep::job::{Job, SweepResult};
 use crate::sweep::map::MapSweep;
-
-/// A request for a view.
-#[derive(Debug, Clone, Deserialize)]
-pub struct ViewRequest {
-    /// The page that asks.
-    #[serde(default)]
-    pub tab: String,
-    /// Its number: a larger one ends those before.
-    #[serde(default)]
-    pub view: u64,
-    /// The scene.
-    pub scene: Flat,
-    /// Cells along each axis of the finest picture, about.
-    pub count: [u32; 2],
-    /// Number type.
-    #[serde(default)]
-    pub precision: AskedPrecision,
-    /// Columns that are sent, beside kinds and marks.
-    #[serde(default)]
-    pub columns: Vec<String>,
-    /// The suite, for shares over its motions.
-    #[serde(default)]
-    pub suite: Option<String>,
-    /// What a base must do under it.
-    #[serde(default)]
-    pub limits: AskedLimits,
-}
 
 /// Gaps along an axis of the coarse picture at most.
 const COARSE: u32 = 64;
@@ -94,9 +62,6 @@ pub fn run(
 ) -> Result<(), Refused> {
     let ViewRequest { scene, count, precision, columns, .. } = request;
     axes(scene)?;
-    if let Some(id) = &request.suite {
-        return suite::run(session, request, id, stop, send);
-    }
     // All stages are of one number type.
     let levels = levels(*count);
     let finest = session.ready(scene, counts(*count, levels, 0), *precision)?;
@@ -157,44 +122,8 @@ pub fn sweep(ready: &Ready, stop: &AtomicBool) -> Result<MapSweep, SweepError> {
     }
 }
 
-/// What is told of a stage.
-pub struct Told<'a> {
-    /// Its name.
-    pub stage: &'a str,
-    /// Cells that were run for it.
-    pub cells: usize,
-    /// Seconds that they took.
-    pub seconds: f64,
-    /// What is to be known besides.
-    pub note: &'a str,
-}
-
-/// The header of a stage's frame.
-pub fn header(grid: &Grid, ready: &Ready, told: &Told) -> Value {
-    let ends = |axis: Option<&Axis>| {
-        axis.map_or(json!([0, 0]), |axis| json!([axis.values.first(), axis.values.last()]))
-    };
-    let log = |axis: Option<&Axis>| {
-        axis.is_some_and(|axis| matches!(axis.values, Values::Range(range) if range.log))
-    };
-    let backend = &ready.opened.backends[0];
-    json!({
-        "stage": told.stage,
-        "shape": grid.shape(),
-        "x": ends(Some(grid.x())),
-        "y": ends(grid.y()),
-        "log": [log(Some(grid.x())), log(grid.y())],
-        "precision": ready.settings.method.precision,
-        "backend": backend.name(),
-        "adapter": backend.adapter().map(|adapter| &adapter.name),
-        "cells": told.cells,
-        "seconds": told.seconds,
-        "rate": told.cells as f64 / told.seconds.max(1.0e-9),
-        "note": told.note,
-    })
-}
-
-fn framed(map: &Map, ready: &Ready, told: &Told, columns: &[String]) -> Vec<u8> {
+/// The frame of a map.
+pub fn framed(map: &Map, ready: &Ready, told: &Told, columns: &[String]) -> Vec<u8> {
     frame(header(&map.grid, ready, told), &arrays(map, columns))
 }
 

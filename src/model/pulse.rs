@@ -34,7 +34,7 @@ pub enum Shape {
 
 /// What the third-order wavelet's formula comes to at its extrema: (3 - x^2) x exp(-x^2/2) for
 /// x^2 = 3 - sqrt 6.
-const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
+pub(crate) const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
 
 impl Shape {
     /// What it is called in captions and messages.

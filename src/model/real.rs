@@ -9,6 +9,7 @@ use super::number::Number;
 use super::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
 };
+use super::precision::Precision;
 
 /// A number type that a sweep can run in: `f32` or `f64`.
 pub trait Real:
@@ -20,6 +21,9 @@ pub trait Real:
     + Send
     + Sync
 {
+    /// Which one it is. What is generic is compiled again in every crate that calls it; where it takes long, a function
+    /// that is none is called by this.
+    const PRECISION: Precision;
     /// A switch is located to within this fraction of its step.
     const EVENT_TOLERANCE: Self;
     /// A kink of the Bouc-Wen law is located to within this fraction of its step; what is left of
@@ -73,8 +77,9 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ($type:ty, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr) => {
+    ($type:ty, $precision:ident, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr) => {
         impl Real for $type {
+            const PRECISION: Precision = Precision::$precision;
             const EVENT_TOLERANCE: $type = $event;
             const KINK_TOLERANCE: $type = $kink;
             const ROUNDING: $type = <$type>::EPSILON;
@@ -152,8 +157,8 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32);
-scalar!(f64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64);
+scalar!(f32, F32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32);
+scalar!(f64, F64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64);
 
 /// A number as a vector of one lane: the same code steps a single cell.
 macro_rules! single {

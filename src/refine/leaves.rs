@@ -4,6 +4,8 @@ use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
 
+use rayon::prelude::*;
+
 use super::boxes::Square;
 use super::probes::own_cells;
 use super::refined::RefinedMap;
@@ -11,6 +13,9 @@ use crate::results::columns::Column;
 use crate::results::listed::{CountColumn, ListedCells};
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
+
+/// The columns that tell how a block overturned.
+const COUNTS: [Column; 3] = [Column::Outcome, Column::Impacts, Column::Uplifts];
 
 /// A leaf: cells of the finest grid that have one outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +32,9 @@ pub struct Leaf {
     pub height: usize,
     /// A leaf beside it is smaller: a boundary is near, and a band thinner than a cell may cross it.
     pub beside: bool,
+    /// Its corners overturn after different numbers of impacts, 10 or more, which are not told apart: between two
+    /// numbers blocks may rock on, in a band that may be thinner than a cell.
+    pub impacts_differ: bool,
     /// Place of its first cell among those that were run.
     place: usize,
 }
@@ -47,6 +55,13 @@ impl Outcomes for LeafOutcomes<'_> {
     }
 }
 
+impl Leaf {
+    /// True of a leaf whose cells that were not run are less sure than others.
+    pub fn is_marked(&self) -> bool {
+        self.beside || self.impacts_differ
+    }
+}
+
 impl RefinedMap {
     /// The leaves, row by row of their first cells. Together they have every cell of the finest grid once.
     pub fn leaves(&self) -> Vec<Leaf> {
@@ -61,18 +76,65 @@ impl RefinedMap {
     fn add_leaf(&self, square: Square, leaves: &mut Vec<Leaf>) {
         let (columns, rows) = own_cells(&self.boxes, square);
         let level = square.level;
-        let beside = self.boxes.is_beside_smaller(square);
+        let whole = level < self.boxes.levels();
+        // Those of the finest level have no cell that was not run.
+        let beside = whole && self.boxes.is_beside_smaller(square);
+        let impacts_differ = whole && self.impacts_differ(square);
         let leaf = |column, row, width, height| {
             let place = self.place_of(row * self.boxes.shape().0 + column);
-            Leaf { level, column, row, width, height, beside, place }
+            Leaf { level, column, row, width, height, beside, impacts_differ, place }
         };
-        if level < self.boxes.levels() {
+        if whole {
             leaves.push(leaf(columns.start, rows.start, columns.len(), rows.len()));
             return;
         }
         for row in rows {
             leaves.extend(columns.clone().map(|column| leaf(column, row, 1, 1)));
         }
+    }
+
+    /// True where the corners of a leaf overturn after different numbers of impacts that are not told apart.
+    fn impacts_differ(&self, square: Square) -> bool {
+        let width = self.boxes.shape().0;
+        let (columns, rows) = self.boxes.cells(square);
+        let corner = |row: &usize, column: &usize| {
+            let mut outcome = [Outcome::PENDING];
+            let place = self.place_of(row * width + column);
+            self.block().read(place, &COUNTS, &mut outcome);
+            outcome[0]
+        };
+        let first = corner(rows.start(), columns.start());
+        if !first.class.overturned() || first.counted_impacts().is_some() {
+            return false;
+        }
+        let others = [
+            corner(rows.start(), columns.end()),
+            corner(rows.end(), columns.start()),
+            corner(rows.end(), columns.end()),
+        ];
+        others.iter().any(|corner| corner.impacts != first.impacts)
+    }
+
+    /// Counts the leaves and the cells of those that are marked.
+    pub(super) fn count_leaves(&mut self) {
+        let (leaves, columns) = (self.leaves(), self.report.shape.0);
+        let ran = |leaf: &Leaf| -> usize {
+            let row = |row: usize| {
+                let first = row * columns + leaf.column;
+                self.place_of(first + leaf.width) - self.place_of(first)
+            };
+            (leaf.row..leaf.row + leaf.height).map(row).sum()
+        };
+        let count = |is_of: fn(&Leaf) -> bool| -> usize {
+            let marked = leaves.par_iter().filter(|leaf| is_of(leaf));
+            marked.map(|leaf| leaf.width * leaf.height - ran(leaf)).sum()
+        };
+        let beside = count(|leaf| leaf.beside);
+        let impacts_differ = count(|leaf| leaf.impacts_differ);
+        let marked = count(Leaf::is_marked);
+        self.report.leaves = leaves.len();
+        (self.report.beside, self.report.impacts_differ) = (beside, impacts_differ);
+        self.report.marked = marked;
     }
 
     /// Hands the leaves over as a list of cells, with the level, the width and the height of each.
@@ -104,6 +166,11 @@ impl RefinedMap {
                 "beside",
                 "1 where a leaf beside it is smaller: a boundary is near, and its cells that were not run are less sure",
                 |leaf| usize::from(leaf.beside),
+            ),
+            count(
+                "impacts_differ",
+                "1 where its corners overturn after different numbers of impacts, 10 or more: its cells that were not run are less sure",
+                |leaf| usize::from(leaf.impacts_differ),
             ),
         ];
         let outcomes = LeafOutcomes { map: self, leaves: &leaves };

@@ -37,7 +37,7 @@ pub fn own_cells(boxes: &Boxes, leaf: Square) -> (std::ops::Range<usize>, std::o
 }
 
 /// How many of a leaf's own cells were not run.
-pub fn not_run(boxes: &Boxes, codes: &[u8], leaf: Square) -> usize {
+fn not_run(boxes: &Boxes, codes: &[u8], leaf: Square) -> usize {
     let width = boxes.shape().0;
     let (columns, rows) = own_cells(boxes, leaf);
     let row = |row: usize| &codes[row * width + columns.start..row * width + columns.end];

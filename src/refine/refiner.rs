@@ -1,6 +1,7 @@
 //! A map that is being refined: boxes split, islands followed, probes drawn.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 use std::time::Instant;
 
 use rand_pcg::Pcg64Mcg;
@@ -43,6 +44,8 @@ pub(super) struct Refiner<'a> {
     pub(super) smooth: Option<Smooth>,
     /// What an earlier run saved of the same lists, and where this one saves.
     pub(super) rounds: Option<Rounds>,
+    /// The folder in which these and the map are, where they are saved.
+    pub(super) saved_in: Option<&'a Path>,
 }
 
 impl Refiner<'_> {
@@ -89,8 +92,15 @@ impl Refiner<'_> {
     /// Runs cells that have not run, and hears of their codes.
     fn run(&mut self, cells: &[usize]) -> Result<(), SweepError> {
         self.observer.begins(Phase::Refining, cells.len());
+        let wanted = self.ran.len() + cells.len();
         for cells in cells.chunks(SAVED) {
-            self.run_some(cells)?;
+            if let Err(error) = self.run_some(cells) {
+                // How many cells later lists have nobody knows yet.
+                return Err(match self.saved_in {
+                    Some(folder) => error.stopped(self.ran.len(), wanted, folder),
+                    None => error,
+                });
+            }
         }
         Ok(())
     }

@@ -52,6 +52,11 @@ pub struct RefineReport {
     pub leaves: usize,
     /// Cells that were not run in leaves beside a smaller one: a boundary is near, and they are less sure than others.
     pub beside: usize,
+    /// The same in leaves whose corners overturn after different numbers of impacts, 10 or more, which are not told
+    /// apart.
+    pub impacts_differ: usize,
+    /// The same in leaves of either mark.
+    pub marked: usize,
     /// The share of their range on the map by which numbers between cells that were run may be off; none where nothing
     /// is said of them.
     pub smooth: Option<f64>,

@@ -6,7 +6,6 @@ use rand_pcg::Pcg64Mcg;
 
 use super::boxes::Boxes;
 use super::codes::NOT_RUN;
-use super::probes::not_run;
 use super::refined::{RanCells, RefinedMap};
 use super::refiner::Refiner;
 use super::report::RefineReport;
@@ -76,7 +75,8 @@ pub fn refine_on(
     let codes = vec![NOT_RUN; columns * rows];
     let smooth = settings.smooth.map(Smooth::new);
     let rounds = map.rounds(&format!("{LISTS}-{columns}x{rows}"))?;
-    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth, rounds };
+    let saved_in = map.saved_in();
+    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth, rounds, saved_in };
     refiner.begin(map)?;
     let mut random = Pcg64Mcg::new(u128::from(settings.seed) | 1 << 64 | 1);
     let mut levels = Vec::new();
@@ -84,23 +84,21 @@ pub fn refine_on(
         levels.push(refiner.level(level, settings.probes, &mut random)?);
     }
     plan.forget();
-    let Refiner { boxes, codes, ran, .. } = refiner;
-    let (mut leaves, mut beside) = (0, 0);
-    boxes.each_leaf(|leaf| {
-        leaves += 1;
-        if leaf.level < boxes.levels() && boxes.is_beside_smaller(leaf) {
-            beside += not_run(&boxes, &codes, leaf);
-        }
-    });
+    let Refiner { boxes, ran, .. } = refiner;
     let report = RefineReport {
         shape: (columns, rows),
         cells: ran.len(),
         share: ran.len() as f64 / (columns * rows) as f64,
-        leaves,
-        beside,
+        leaves: 0,
+        beside: 0,
+        impacts_differ: 0,
+        marked: 0,
         smooth: settings.smooth,
-        seconds: began.elapsed().as_secs_f64(),
+        seconds: 0.0,
         levels,
     };
-    Ok(RefinedMap::new(scene, grid, boxes, ran.sorted(), report))
+    let mut refined = RefinedMap::new(scene, grid, boxes, ran.sorted(), report);
+    refined.count_leaves();
+    refined.report.seconds = began.elapsed().as_secs_f64();
+    Ok(refined)
 }

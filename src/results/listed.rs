@@ -1,8 +1,14 @@
 //! Some of a grid's cells, in any order, with counts of their own beside the columns: as a table, and as arrays of one
 //! index.
 
+use serde_json::{Map, Value, json};
+
+use super::about::Source;
 use super::outcomes::Outcomes;
 use crate::scene::Grid;
+
+/// Name of the array of the cells' numbers.
+pub const CELL: &str = "cell";
 
 /// A count that each of the cells has, such as the width of what it stands for.
 #[derive(Debug, Clone)]
@@ -27,4 +33,18 @@ pub struct ListedCells<'a> {
     pub outcomes: &'a dyn Outcomes,
     /// What one of them is: the index of their arrays.
     pub index: &'static str,
+}
+
+impl ListedCells<'_> {
+    /// What their arrays are, as [`Source::about`] tells it of a grid's, and under `counts` what is beside the columns.
+    pub fn about(&self, source: Source) -> Map<String, Value> {
+        let entry = |meaning: &str| json!({ "unit": "", "meaning": meaning });
+        let cells = (CELL.to_string(), entry("its first cell's number in the grid"));
+        let own = self.counts.iter().map(|count| (count.name.to_string(), entry(count.meaning)));
+        let counts: Map<String, Value> = [cells].into_iter().chain(own).collect();
+        let mut about = source.about(self.grid);
+        about.insert("index".into(), json!([self.index]));
+        about.insert("counts".into(), Value::Object(counts));
+        about
+    }
 }

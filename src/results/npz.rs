@@ -8,13 +8,13 @@ use std::path::Path;
 use bytemuck::NoUninit;
 use npyz::{AutoSerialize, DType, Endianness, NpyHeader, WriterBuilder};
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::Value;
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
 use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
-use super::listed::ListedCells;
+use super::listed::{CELL, ListedCells};
 use super::outcomes::{Outcomes, each_block_of};
 use crate::model::precision::Precision;
 use crate::scene::Grid;
@@ -59,24 +59,15 @@ pub fn write_list(
     let cells: Vec<u64> = listed.cells.iter().map(|cell| *cell as u64).collect();
     archive.begin_numbers::<u64>(CELL, &[cells.len() as u64])?;
     archive.zip.write_all(bytemuck::cast_slice(&cells))?;
-    let mut about = source.about(listed.grid);
-    about.insert("index".into(), json!([listed.index]));
-    let numbered = json!({ "unit": "", "meaning": "its first cell's number in the grid" });
-    let mut counts = serde_json::Map::from_iter([(CELL.to_string(), numbered)]);
     for count in listed.counts {
         archive.begin_numbers::<u32>(count.name, &[count.values.len() as u64])?;
         archive.zip.write_all(bytemuck::cast_slice(&count.values))?;
-        let entry = json!({ "unit": "", "meaning": count.meaning });
-        counts.insert(count.name.into(), entry);
     }
-    about.insert("counts".into(), Value::Object(counts));
+    let about = listed.about(source);
     archive.text(ABOUT, &Value::Object(about).to_string())?;
     archive.zip.finish()?;
     Ok(())
 }
-
-/// Name of the array of cells' numbers.
-const CELL: &str = "cell";
 
 /// Name of the array that tells what the others are.
 const ABOUT: &str = "about";

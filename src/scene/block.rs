@@ -22,7 +22,7 @@ pub struct Block {
 }
 
 /// A block of Table 1 with the masses of its base's plates (section 3.3).
-struct Object {
+pub(crate) struct Object {
     half_width: f64,
     height: f64,
     mass: f64,
@@ -30,11 +30,26 @@ struct Object {
     plate: f64,
 }
 
-const OBJECTS: [Object; 3] = [
+pub(crate) const OBJECTS: [Object; 3] = [
     Object { half_width: 0.175, height: 0.95, mass: 895.0, inertia: 278.38, plate: 43.3 },
     Object { half_width: 0.3, height: 1.1, mass: 676.0, inertia: 292.93, plate: 254.3 },
     Object { half_width: 0.19, height: 0.82, mass: 68.0, inertia: 16.06, plate: 100.7 },
 ];
+
+impl Object {
+    /// Its numbers.
+    pub(crate) fn numbers(&self) -> [(Parameter, f64); 6] {
+        use Parameter::{HalfWidth, Height, Inertia, Mass, PlateH, PlateV};
+        [
+            (HalfWidth, self.half_width),
+            (Height, self.height),
+            (Mass, self.mass),
+            (Inertia, self.inertia),
+            (PlateH, self.plate),
+            (PlateV, self.plate),
+        ]
+    }
+}
 
 impl Block {
     /// The block of these numbers; zeros stand for what is missing, which a checked scene has none of.
@@ -111,7 +126,7 @@ const SHAPE: [Parameter; 4] =
 /// # Errors
 /// The key that is missing, or is given twice.
 pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(), SceneError> {
-    use Parameter::{HalfWidth, Height, Inertia, Mass, PlateH, PlateV};
+    use Parameter::{Inertia, Mass, PlateH, PlateV};
     if let Some(number) = object {
         let mut own = SHAPE.into_iter().chain([Mass, Inertia]);
         if let Some(given) = own.find(|parameter| numbers.has(*parameter)) {
@@ -122,14 +137,7 @@ pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(),
             1..=3 => &OBJECTS[number as usize - 1],
             _ => return Err(SceneError::new("object", format!("{number} must be 1, 2 or 3"))),
         };
-        for (parameter, value) in [
-            (HalfWidth, object.half_width),
-            (Height, object.height),
-            (Mass, object.mass),
-            (Inertia, object.inertia),
-            (PlateH, object.plate),
-            (PlateV, object.plate),
-        ] {
+        for (parameter, value) in object.numbers() {
             numbers.set_missing(parameter, value);
         }
     }

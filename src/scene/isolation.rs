@@ -137,7 +137,7 @@ impl Isolation {
 }
 
 /// Least period that is still taken for an isolation, s.
-const LEAST_PERIOD: f64 = 1.0e-4;
+pub(crate) const LEAST_PERIOD: f64 = 1.0e-4;
 
 fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
     let key = parameter.key();

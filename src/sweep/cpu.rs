@@ -9,6 +9,7 @@ use super::lanes;
 use super::plan::Plan;
 use super::progress::{Progress, Unwatched};
 use crate::model::CellEquations;
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::log::{Event, FirstSwitches, Log};
@@ -26,11 +27,26 @@ pub fn sweep<R: Real>(
     cells: &[usize],
     progress: &dyn Progress,
 ) -> Vec<Outcome> {
-    lanes::sweep::<R>(plan, grid, cells, progress, Level::new())
+    match R::PRECISION {
+        Precision::F32 => lanes::sweep::<f32>(plan, grid, cells, progress, Level::new()),
+        Precision::F64 => lanes::sweep::<f64>(plan, grid, cells, progress, Level::new()),
+    }
 }
 
 /// The same, a cell at a time: vectors of one lane.
 pub fn sweep_one_by_one<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+) -> Vec<Outcome> {
+    match R::PRECISION {
+        Precision::F32 => outcomes::<f32>(plan, grid, cells, progress),
+        Precision::F64 => outcomes::<f64>(plan, grid, cells, progress),
+    }
+}
+
+fn outcomes<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],

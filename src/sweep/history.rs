@@ -4,6 +4,7 @@ use std::cell::RefCell;
 
 use crate::model::CellEquations;
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::{Case, Scene};
 use crate::stepping::log::Log;
@@ -67,6 +68,13 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
 
 /// The motion by fixed steps: a row for each step, and one for each switch.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
+    match R::PRECISION {
+        Precision::F32 => rows::<f32>(plan, case),
+        Precision::F64 => rows::<f64>(plan, case),
+    }
+}
+
+fn rows<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
     let model = plan.model::<R>(case);
     let clock = plan.clock(case);
     let (cell, mut state) = plan.cell::<R>(case);

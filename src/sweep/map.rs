@@ -230,12 +230,15 @@ impl MapSweep {
 
     /// An error of the work on it, with where it is saved, if it is.
     pub fn stopped(&self, error: SweepError) -> SweepError {
-        match &self.store {
-            Some(store) if store.is_used() => {
-                error.stopped(self.grid.len(), self.grid.len(), store.path())
-            }
-            _ => error,
+        match self.saved_in() {
+            Some(folder) => error.stopped(self.grid.len(), self.grid.len(), folder),
+            None => error,
         }
+    }
+
+    /// Where it is saved, if it is.
+    pub(crate) fn saved_in(&self) -> Option<&Path> {
+        self.store.as_ref().filter(|store| store.is_used()).map(Store::path)
     }
 
     /// Lists of cells of a finer grid, saved beside it in a folder of this name; none of a map that is not saved.

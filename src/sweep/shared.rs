@@ -1,5 +1,6 @@
 //! The motions in full contact that the tiles of a sweep share, integrated for the first tile.
 
+use std::any::Any;
 use std::sync::Arc;
 
 use super::full_contact::FullContactMotions;
@@ -7,6 +8,7 @@ use super::motion_cache::Key;
 use super::plan::Plan;
 use super::progress::Progress;
 use crate::model::excitation::Ground;
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::Grid;
 
@@ -27,12 +29,29 @@ impl Plan {
         // Computed without the lock: a thread that waits for the lock may be needed by the computation.
         // Two threads that begin at the same time compute the same motions twice; this happens once at
         // most.
-        let motions = Arc::new(FullContactMotions::of(self, &key.grid, record, progress));
+        let motions = match R::PRECISION {
+            Precision::F32 => self.motions::<f32, R>(&key.grid, record, progress),
+            Precision::F64 => self.motions::<f64, R>(&key.grid, record, progress),
+        };
         // None of a sweep that is cancelled does not mean that there are none.
         if !progress.cancelled() {
             self.motion_cache.add(key, Arc::clone(&motions) as _);
         }
         motions
+    }
+
+    /// Those of a number type by its own name, `S`, which is `R`.
+    fn motions<S: Real, R: Real>(
+        &self,
+        grid: &Grid,
+        record: &[Ground<R>],
+        progress: &dyn Progress,
+    ) -> Arc<Option<FullContactMotions<R>>> {
+        let record: &[Ground<S>] = bytemuck::cast_slice(record);
+        let motions: Arc<dyn Any + Send + Sync> =
+            Arc::new(FullContactMotions::of(self, grid, record, progress));
+        // They are of one type.
+        motions.downcast().unwrap_or_default()
     }
 
     /// Frees the motions that the tiles share, at the end of a sweep.

@@ -1,0 +1,298 @@
+//! The page as a folder of files that any static host serves: it computes in its reader's browser, by WebGPU with this
+//! library's shader.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use super::about;
+use super::asked::{AskedPrecision, Flat};
+use super::known::known;
+use super::page::{FILES, INDEX, POLICY};
+use super::refused::Refused;
+use super::session::Session;
+use super::view::{self, Told};
+use crate::model::precision::Precision;
+use crate::scene::isolation::{HORIZONTAL, VERTICAL};
+use crate::scene::{Directions, Excitation};
+use crate::sweep::gpu::shader::{self, Switches};
+
+/// Why a page is not exported.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// A folder that holds something else.
+    #[error("{}: holds other files; give a folder that is empty, new, or an earlier export", .0.display())]
+    Occupied(PathBuf),
+    /// The disk.
+    #[error("{}: {error}", .path.display())]
+    File {
+        /// Which file or folder.
+        path: PathBuf,
+        /// What is wrong.
+        error: io::Error,
+    },
+    /// The scene, or its sweep.
+    #[error(transparent)]
+    Refused(#[from] Refused),
+    /// The page has no place for what computes.
+    #[error("the page does not name its engine, so that it cannot be told to compute by itself")]
+    NoEngine,
+}
+
+/// What lists the files of an export: a folder that has it may be written again.
+const LIST: &str = "export.json";
+/// The line of the page that names its engine, as served and as exported.
+const ENGINES: [&str; 2] = [
+    r#"<meta name="topple-engine" content="server">"#,
+    r#"<meta name="topple-engine" content="webgpu">"#,
+];
+/// Cells along each axis of a stored map.
+const STORED: u32 = 129;
+/// What a browser without WebGPU is shown of stored maps, beside kinds and marks.
+const COLUMNS: [&str; 9] = [
+    "outcome",
+    "impacts",
+    "zeta",
+    "t_end",
+    "max_u",
+    "max_v",
+    "stroke_v",
+    "min_contact",
+    "friction_demand",
+];
+
+/// A file of the folder: its path there, and its bytes.
+type File = (String, Vec<u8>);
+
+/// Writes the page of a session to a folder, with its first scene; `stop` ends the sweeps of the stored maps. Returns
+/// the bytes written.
+///
+/// # Errors
+/// [`ExportError`]. A folder that holds anything but an earlier export is left as it is.
+pub fn export(directory: &Path, session: &Session, stop: &AtomicBool) -> Result<u64, ExportError> {
+    let earlier = earlier(directory)?;
+    let files = files(session, stop)?;
+    let names: BTreeSet<&str> = files.iter().map(|(name, _)| &**name).collect();
+    for name in earlier.iter().filter(|name| !names.contains(&***name)) {
+        let path = directory.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(ExportError::File { path, error });
+            }
+            _ => {}
+        }
+    }
+    // The list is first, so that a folder whose writing broke off is known as an export.
+    let list = json!({ "version": env!("CARGO_PKG_VERSION"), "files": names });
+    write(directory, LIST, format!("{list:#}").as_bytes())?;
+    for (name, bytes) in &files {
+        write(directory, name, bytes)?;
+    }
+    Ok(files.iter().map(|(_, bytes)| bytes.len() as u64).sum())
+}
+
+fn write(directory: &Path, name: &str, bytes: &[u8]) -> Result<(), ExportError> {
+    let path = directory.join(name);
+    let folder = path.parent().unwrap_or(directory);
+    let failed = |path: &Path| {
+        let path = path.into();
+        |error| ExportError::File { path, error }
+    };
+    fs::create_dir_all(folder).map_err(failed(folder))?;
+    fs::write(&path, bytes).map_err(failed(&path))
+}
+
+/// The files of an earlier export in a folder; none where the folder is empty, or is none.
+fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
+    let failed = |error| ExportError::File { path: directory.into(), error };
+    match fs::read_dir(directory).map(|mut entries| entries.next()) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => return Err(failed(error)),
+        Ok(None) => return Ok(Vec::new()),
+        Ok(Some(_)) => {}
+    }
+    let occupied = || ExportError::Occupied(directory.into());
+    let text = fs::read(directory.join(LIST)).map_err(|_| occupied())?;
+    let list: Value = serde_json::from_slice(&text).map_err(|_| occupied())?;
+    let files = list["files"].as_array().ok_or_else(occupied)?;
+    let names = files.iter().filter_map(Value::as_str).map(String::from);
+    // A list that was tampered with reaches nothing beyond the folder.
+    let within = |name: &String| {
+        Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+    };
+    Ok(names.filter(within).collect())
+}
+
+/// All files of an export.
+///
+/// # Errors
+/// Those of the stored maps; [`ExportError::NoEngine`].
+fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError> {
+    let scene = exported(&session.first);
+    let pair = match session.ready(&session.first, [2, 2], AskedPrecision::F32)?.scene.excitation {
+        Excitation::Record(pair) => Some(pair),
+        Excitation::Pulse(_) => None,
+    };
+    let record = pair.as_ref().zip(scene.get("horizontal")).map(|(pair, id)| (&**id, pair));
+    let known = known(record).map_err(Refused::from)?;
+    let mut files = Vec::new();
+    for file in FILES {
+        let bytes = if file.path == INDEX { index(file.bytes)? } else { file.bytes.to_vec() };
+        files.push((file.path.into(), bytes));
+    }
+    let (listed, maps) = stored(session, stop)?;
+    files.extend(maps);
+    let mut about = about::about(session);
+    let own = [
+        ("engine", json!("webgpu")),
+        ("backend", Value::Null),
+        ("adapter", Value::Null),
+        ("cores", Value::Null),
+        ("precision", json!([Precision::F32])),
+        ("scene", json!(scene)),
+        ("stored", json!(listed)),
+    ];
+    for (key, value) in own {
+        about[key] = value;
+    }
+    files.push(("about.json".into(), about.to_string().into_bytes()));
+    files.push(("model.json".into(), known.to_string().into_bytes()));
+    files.push(("sweep.wgsl".into(), shader().into_bytes()));
+    Ok(files)
+}
+
+/// The shader's text for a page.
+pub fn shader() -> String {
+    shader::source(Precision::F32, Switches::Forgotten)
+}
+
+/// The page with the engine that computes in the browser, and with what a server would tell a browser of it.
+fn index(page: &[u8]) -> Result<Vec<u8>, ExportError> {
+    let text = std::str::from_utf8(page).map_err(|_| ExportError::NoEngine)?;
+    if text.matches(ENGINES[0]).count() != 1 {
+        return Err(ExportError::NoEngine);
+    }
+    // A page cannot say itself who may frame it.
+    let policy: Vec<&str> =
+        POLICY.split("; ").filter(|rule| !rule.starts_with("frame-ancestors")).collect();
+    let policy = policy.join("; ");
+    let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">");
+    Ok(text.replace(ENGINES[0], &format!("{}\n{policy}", ENGINES[1])).into_bytes())
+}
+
+/// A scene as the exported page has it: its record is known by its name alone, with both components in it.
+fn exported(scene: &Flat) -> Flat {
+    let mut scene = scene.clone();
+    for key in ["vertical", "dt", "units"] {
+        scene.remove(key);
+    }
+    scene
+}
+
+/// The first scene, and the same on the other kinds of base, each with its title.
+fn scenes(first: &Flat) -> Vec<(String, Flat)> {
+    let kinds = [
+        (Directions::Dual, "isolated horizontally and vertically"),
+        (Directions::Horizontal, "isolated horizontally alone"),
+        (Directions::Vertical, "isolated vertically alone"),
+        (Directions::None, "on the ground"),
+    ];
+    let own = first.get("isolation").map_or("dual", |own| &**own);
+    let mut scenes = Vec::new();
+    for (directions, title) in kinds {
+        let word = json!(directions);
+        let word = word.as_str().unwrap_or_default();
+        let mut scene = first.clone();
+        if word != own {
+            scene.insert("isolation".into(), word.into());
+            let locked_h = HORIZONTAL.iter().filter(|_| !directions.moves_h());
+            let locked_v = VERTICAL.iter().filter(|_| !directions.moves_v());
+            for parameter in locked_h.chain(locked_v) {
+                scene.remove(parameter.key());
+            }
+        }
+        let at = if word == own { 0 } else { scenes.len() };
+        scenes.insert(at, (title.to_string(), scene));
+    }
+    scenes
+}
+
+/// The stored maps: what about.json lists of each, and their files. A scene that makes no sense on another kind of base,
+/// such as one without the period that it then needs, has no map.
+fn stored(session: &Session, stop: &AtomicBool) -> Result<(Vec<Value>, Vec<File>), Refused> {
+    let (mut listed, mut files) = (Vec::new(), Vec::new());
+    let columns = COLUMNS.map(String::from);
+    for (number, (title, scene)) in scenes(&session.first).into_iter().enumerate() {
+        let ready = match session.ready(&scene, [STORED, STORED], AskedPrecision::F32) {
+            Ok(ready) => ready,
+            Err(refused) if number == 0 => return Err(refused),
+            Err(_) => continue,
+        };
+        let began = Instant::now();
+        let map = view::sweep(&ready, stop)?;
+        let seconds = began.elapsed().as_secs_f64();
+        let told = Told { stage: "stored", cells: map.grid.len(), seconds, note: "" };
+        let file = format!("stored-{number}.bin");
+        files.push((file.clone(), view::framed(&view::whole(&map)?, &ready, &told, &columns)));
+        listed.push(json!({ "title": title, "scene": exported(&scene), "file": file }));
+    }
+    Ok((listed, files))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::results::columns::{Holds, TABLE};
+
+    #[test]
+    fn the_page_names_the_engine_that_computes_in_the_browser() {
+        let page = FILES.iter().find(|file| file.path == INDEX).unwrap();
+        let text = String::from_utf8(index(page.bytes).unwrap()).unwrap();
+        assert!(text.contains(ENGINES[1]) && !text.contains(ENGINES[0]));
+        assert!(text.contains("default-src 'self'") && !text.contains("frame-ancestors"));
+        assert!(matches!(index(b"<!doctype html>"), Err(ExportError::NoEngine)));
+    }
+
+    #[test]
+    fn stored_columns_are_columns_of_numbers_and_codes() {
+        for name in COLUMNS {
+            let entry = TABLE.iter().find(|entry| entry.name == name);
+            // A time that a cell has not is no number, which the page tells apart by its column.
+            assert!(
+                entry.is_some_and(|entry| !matches!(entry.holds, Holds::Time { .. })),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_first_stored_map_is_the_first_scenes() {
+        let of = |pairs: &[(&str, &str)]| -> Flat {
+            pairs.iter().map(|(key, text)| ((*key).into(), (*text).into())).collect()
+        };
+        let first = of(&[("isolation", "vertical"), ("t_v", "0.5"), ("omega", "1:2")]);
+        let scenes = scenes(&first);
+        assert_eq!(scenes[0].1, first);
+        let ground = &scenes.iter().find(|(title, _)| title == "on the ground").unwrap().1;
+        assert_eq!(*ground, of(&[("isolation", "none"), ("omega", "1:2")]));
+        assert_eq!(scenes.len(), 4);
+    }
+
+    #[test]
+    fn a_folder_of_other_files_is_left_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        assert!(earlier(&path.join("none")).unwrap().is_empty());
+        assert!(earlier(path).unwrap().is_empty());
+        fs::write(path.join("thesis.tex"), "mine").unwrap();
+        assert!(matches!(earlier(path), Err(ExportError::Occupied(_))));
+        let list = json!({ "files": ["about.json", "../thesis.tex", "/etc/passwd"] });
+        fs::write(path.join(LIST), list.to_string()).unwrap();
+        assert_eq!(earlier(path).unwrap(), ["about.json"]);
+    }
+}

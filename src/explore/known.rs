@@ -1,0 +1,191 @@
+//! What the exported page's engine knows of the model: constants, the parameter table, the blocks of Table 1. Its modules
+//! read it from model.json, so that no number is written in them a second time.
+
+use serde_json::{Map, Value, json};
+
+use super::asked::SYNTHETIC;
+use crate::drawing::palette::{Kind, OPEN};
+use crate::model::block::Model;
+use crate::model::excitation::Cell;
+use crate::model::polynomials::SINE_F64;
+use crate::model::pulse::{ANTISYMMETRIC_PEAK, Shape};
+use crate::results::columns::{Holds, STATUS_NAMES, TABLE};
+use crate::scene::block::OBJECTS;
+use crate::scene::isolation::LEAST_PERIOD;
+use crate::scene::parameters::{Legal, PARAMETERS};
+use crate::scene::record::Pair;
+use crate::scene::{Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError};
+use crate::stepping::outcome::Class;
+use crate::stepping::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
+};
+use crate::sweep::clock;
+use crate::sweep::gpu::pace::CHUNK;
+use crate::sweep::gpu::pipelines::WORKGROUP;
+use crate::sweep::groups::FLIGHTS_A_STEP;
+use crate::sweep::plan::RIGID_SHARE;
+
+/// The shapes of pulses; the first is the default.
+const SHAPES: [Shape; 7] = [
+    Shape::OneSine,
+    Shape::OneCosine,
+    Shape::HalfSine,
+    Shape::Rectangle,
+    Shape::Ricker,
+    Shape::RickerAntisymmetric,
+    Shape::MavroeidisPapageorgiou,
+];
+
+/// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
+///
+/// # Errors
+/// None: a scene from whose completion the defaults are read is a valid one.
+pub fn known(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
+    Ok(json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "gravity": GRAVITY,
+        "least_period": LEAST_PERIOD,
+        "rigid_share": RIGID_SHARE,
+        "sine": SINE_F64,
+        "antisymmetric_peak": ANTISYMMETRIC_PEAK,
+        "objects": objects(),
+        "parameters": PARAMETERS.iter().map(parameter).collect::<Vec<_>>(),
+        "defaults": defaults()?,
+        "words": {
+            "isolation": [
+                Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None,
+            ],
+            "overturn": [Overturn::CriticalAngle, Overturn::QuarterTurn],
+            "shape": SHAPES,
+        },
+        "shapes": SHAPES.map(shape),
+        "steps": {
+            "largest_step": clock::DEFAULT_STEP,
+            "steps_a_period": clock::STEPS_A_PERIOD,
+            "finest": clock::FINEST_STEPS_A_PERIOD[0],
+            "most": clock::FINEST_STEPS_A_PERIOD[1],
+            "short_period": clock::SHORT_PERIOD,
+            "stiff_period": clock::STIFF_PERIOD,
+            "steps_a_pulse": clock::STEPS_A_PULSE,
+            "flights_a_step": FLIGHTS_A_STEP,
+        },
+        "kinds": kinds(),
+        "codes": { "outcome": Class::ALL.map(Class::name), "status": STATUS_NAMES },
+        "columns": columns(),
+        "status": {
+            "running": RUNNING,
+            "finished": FINISHED,
+            "overturned_left": OVERTURNED_LEFT,
+            "overturned_right": OVERTURNED_RIGHT,
+            "event_limit": EVENT_LIMIT,
+            "proved": PROVED,
+        },
+        "words_of": {
+            "cell": size_of::<Cell<f32>>() / 4,
+            "state": size_of::<State<f32>>() / 4,
+            "model": size_of::<Model<f32>>() / 4,
+        },
+        "workgroup": WORKGROUP,
+        "chunk": CHUNK,
+        "record": record.map(samples),
+    }))
+}
+
+/// The blocks of Table 1 by the keys of their numbers.
+fn objects() -> Value {
+    let of = |object: &crate::scene::block::Object| {
+        let mut numbers = Map::new();
+        for (parameter, value) in object.numbers() {
+            numbers.insert(parameter.key().into(), json!(value));
+        }
+        Value::Object(numbers)
+    };
+    OBJECTS.iter().map(of).collect()
+}
+
+fn parameter(entry: &crate::scene::parameters::Entry) -> Value {
+    let (kind, ends) = match entry.legal {
+        Legal::Finite => ("finite", None),
+        Legal::NotZero => ("not_zero", None),
+        Legal::Positive => ("positive", None),
+        Legal::NotNegative => ("not_negative", None),
+        Legal::Within(low, high) => ("within", Some((low, high))),
+        Legal::InBase => ("in_base", None),
+        Legal::AboveUpTo(low, high) => ("above_up_to", Some((low, high))),
+        Legal::Whole(low, high) => ("whole", Some((f64::from(low), f64::from(high)))),
+    };
+    json!({
+        "key": entry.key,
+        "unit": entry.unit,
+        "section": entry.section.key(),
+        "legal": { "kind": kind, "low": ends.map(|(low, _)| low), "high": ends.map(|(_, high)| high) },
+        "must": entry.legal.to_string(),
+        // An end that is infinite is null.
+        "plausible": [entry.plausible.0, entry.plausible.1],
+        "perhaps": entry.perhaps,
+    })
+}
+
+fn shape(shape: Shape) -> Value {
+    json!({
+        "name": shape,
+        "code": shape as u8,
+        "words": shape.words(),
+        "has_cycles": shape.has_cycles(),
+        "is_modulated": shape.is_modulated(),
+        // Of those that neither cycles nor gamma make.
+        "periods": shape.periods(1.0, 1.0),
+    })
+}
+
+/// What a scene has where nothing is said, read off one that was completed.
+fn defaults() -> Result<Value, SceneError> {
+    use Parameter::{AH, Omega, TH, TV};
+    let given = [(TH, 1.0), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];
+    let scene = SceneBuilder::object(1).pulse(Shape::MavroeidisPapageorgiou);
+    let scene =
+        given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value)).check()?;
+    let own = scene.numbers.iter().filter(|(of, _)| given.iter().all(|(known, _)| known != of));
+    Ok(own.map(|(of, values)| (of.key().to_string(), json!(values.first()))).collect())
+}
+
+/// The places of kinds in the list of all.
+fn kinds() -> Value {
+    let all = Kind::all();
+    let place = |kind: Kind| all.iter().position(|known| *known == kind);
+    json!({
+        "full_contact": place(Kind::FullContact),
+        "rocking": place(Kind::Rocking),
+        "overturned_left": place(Kind::DirectLeft),
+        "overturned_right": place(Kind::DirectRight),
+        "impacts": place(Kind::Impacts(1)),
+        "more": place(Kind::More),
+        "unresolved": place(Kind::Unresolved),
+        "counted": OPEN,
+    })
+}
+
+/// The types of columns in f32, by their names.
+fn columns() -> Value {
+    let kind = |holds: &Holds| match holds {
+        Holds::Class | Holds::Status => "u8",
+        Holds::Count { .. } => "u32",
+        Holds::Number { .. } | Holds::Time { .. } => "f32",
+    };
+    TABLE.iter().map(|entry| (entry.name.to_string(), json!(kind(&entry.holds)))).collect()
+}
+
+/// A record as the shader has it: both components of each sample.
+fn samples((id, pair): (&str, &Pair)) -> Value {
+    let both = pair.horizontal.iter().zip(pair.vertical.iter());
+    json!({
+        "id": id,
+        "synthetic": id == SYNTHETIC,
+        "dt": pair.dt,
+        "length": pair.len(),
+        "duration": pair.duration(),
+        "factor": pair.factor,
+        "pga_h": pair.pga_h,
+        "samples": both.flat_map(|(h, v)| [*h as f32, *v as f32]).collect::<Vec<f32>>(),
+    })
+}

@@ -1,0 +1,174 @@
+// A scene as the page asks for it, checked: what is missing has a default or is an error. Twin: src/scene/builder.rs and
+// src/scene/check.rs.
+
+import { completeBlock, offset } from './block.js';
+import { overturning } from './case.js';
+import { EngineError } from './errors.js';
+import { Grid } from './grid.js';
+import { completeIsolation } from './isolation.js';
+import { known } from './known.js';
+import { Range, number } from './range.js';
+
+// Keys of a scene that are no numbers.
+const WORDS = ['object', 'isolation', 'shape', 'overturn', 'force', 'x', 'y', 'horizontal', 'vertical', 'dt', 'units'];
+
+// Parameters that say the same: one of each row.
+const ALTERNATIVES = [
+  ['eccentricity', 'offset'],
+  ['alpha_y', 'u_y', 'yield_force'],
+  ['scale', 'pga'],
+];
+
+// Numbers by key, a Range each.
+class Numbers extends Map {
+  setMissing(key, value) {
+    if (!this.has(key)) this.set(key, Range.single(value));
+  }
+}
+
+function holds({ kind, low, high }, value) {
+  switch (kind) {
+    case 'finite':
+      return true;
+    case 'not_zero':
+      return value !== 0;
+    case 'positive':
+      return value > 0;
+    case 'not_negative':
+      return value >= 0;
+    case 'within':
+      return value >= low && value <= high;
+    case 'in_base':
+      return Math.abs(value) < 1;
+    case 'above_up_to':
+      return value > low && value <= high;
+    default:
+      return Number.isInteger(value) && value >= low && value <= high;
+  }
+}
+
+function checkNumber(key, value, force) {
+  const entry = known.parameter.get(key);
+  if (!holds(entry.legal, value)) throw new EngineError(key, `${value} must ${entry.must}`);
+  const [low, high] = [entry.plausible[0], entry.plausible[1] ?? Infinity];
+  const size = Math.abs(value);
+  if (force || value === 0 || (size >= low && size <= high)) return;
+  const least = low === 0 && holds(entry.legal, -high) ? -high : low;
+  const unit = entry.unit ? ` ${entry.unit}` : '';
+  throw new EngineError(key, `${value}${unit} is not plausible (${least} to ${high}; ${entry.perhaps}); \`force\` accepts it`);
+}
+
+function word(text, key) {
+  const value = text[key] ?? known.words[key][0];
+  if (!known.words[key].includes(value)) {
+    throw new EngineError(key, `${value} is not known here; give ${known.words[key].join(', ')}`);
+  }
+  return value;
+}
+
+// The numbers that the scene gives; `counts` are those of the axes x and y, null for a single cell.
+function given(text, axes, counts, force) {
+  const numbers = new Numbers();
+  for (const [key, value] of Object.entries(text)) {
+    if (WORDS.includes(key)) continue;
+    if (!known.parameter.has(key)) throw new EngineError(key, 'is no number of a scene');
+    const axis = axes.indexOf(key);
+    const range = counts && axis >= 0 ? Range.of(key, value, counts[axis]) : Range.single(number(key, value));
+    for (const end of range.ends()) checkNumber(key, end, force);
+    numbers.set(key, range);
+  }
+  for (const row of ALTERNATIVES) {
+    const [first, second] = row.filter((key) => numbers.has(key));
+    if (second) throw new EngineError(second, `\`${first}\` says it too; give one of them`);
+  }
+  return numbers;
+}
+
+function completePulse(shape, numbers) {
+  for (const key of ['omega', 'a_h']) {
+    if (!numbers.has(key)) throw new EngineError(key, 'missing; give a number or a range');
+  }
+  numbers.setMissing('a_v', known.defaults.a_v);
+  const modulated = 'mavroeidis-papageorgiou has it';
+  for (const [key, has, whose] of [
+    ['cycles', shape.has_cycles, 'one-sine and one-cosine have it'],
+    ['gamma', shape.is_modulated, modulated],
+    ['phase', shape.is_modulated, modulated],
+  ]) {
+    if (!has && numbers.has(key)) throw new EngineError(key, `a ${shape.words} has none; ${whose}`);
+  }
+  if (shape.is_modulated) for (const key of ['gamma', 'phase']) numbers.setMissing(key, known.defaults[key]);
+}
+
+// The record of a scene that names one: the page has no other than that it was exported with.
+function recordOf(text) {
+  if (text.horizontal === undefined) return null;
+  if (known.record?.id === text.horizontal) return known.record;
+  throw new EngineError('horizontal', 'this page was exported without that record; run `topple explore`');
+}
+
+// Checks the numbers of a scene together, at the corners of its grid.
+function checkTogether(scene) {
+  const { numbers, choices } = scene;
+  if (numbers.has('restitution') && choices.isolation !== 'none') {
+    throw new EngineError('restitution', 'replaces the law of impact only where `isolation` is none');
+  }
+  if (numbers.has('yield_force') && !numbers.has('mass')) {
+    throw new EngineError('mass', 'missing; a `yield_force` means nothing without it');
+  }
+  const duration = choices.record ? choices.record.duration : 0;
+  for (const cell of scene.grid.corners()) {
+    const { block } = cell;
+    if (!(block.halfWidth > 0 && block.height > 0)) {
+      throw new EngineError('size', 'half the diagonal must be larger than `half_width` and `height`');
+    }
+    const e = offset(block);
+    if (!(Math.abs(e) < block.halfWidth)) {
+      throw new EngineError('offset', `${e} m lies outside the base, whose half is ${block.halfWidth} m`);
+    }
+    const most = overturning(cell, Math.sign(cell.tilt));
+    if (!(Math.abs(cell.tilt) < most)) {
+      throw new EngineError('tilt', `${cell.tilt} must be below the overturning angle, ${most.toFixed(4)} rad`);
+    }
+    if (cell.tMax < duration) {
+      throw new EngineError('t_max', `${cell.tMax} s ends before the record, ${duration} s; lengthen it`);
+    }
+  }
+}
+
+// The checked scene of a flat request: its numbers, choices, and the grid of its axes. `count`: values of each axis; null for a
+// single cell, all of whose numbers are single.
+export function sceneOf(text, count) {
+  const force = text.force === 'true';
+  const axes = count ? [text.x, text.y] : [];
+  const numbers = given(text, axes, count, force);
+  const record = recordOf(text);
+  const choices = {
+    isolation: word(text, 'isolation'),
+    overturn: word(text, 'overturn'),
+    shape: record ? known.shapes[0] : known.shape.get(word(text, 'shape')),
+    record,
+  };
+  completeBlock(text.object || undefined, numbers);
+  completeIsolation(choices.isolation, numbers);
+  if (record) {
+    const pulse = known.parameters.find((entry) => entry.section === 'pulse' && numbers.has(entry.key));
+    if (pulse) throw new EngineError(pulse.key, 'a record shakes the base, not a pulse; leave it out');
+  } else completePulse(choices.shape, numbers);
+  numbers.setMissing('t_max', record ? record.duration : known.defaults.t_max);
+  numbers.setMissing('tilt', known.defaults.tilt);
+  for (const key of axes) {
+    if (!numbers.has(key)) throw new EngineError(key, 'missing; give start:stop, for it is an axis');
+  }
+  const point = {};
+  for (const [key, range] of numbers) point[key] = range.value(0);
+  const grid = Grid.ofAxes(
+    axes.map((key) => ({ key, range: numbers.get(key) })),
+    point,
+    choices,
+  );
+  const scene = { text, numbers, choices, grid };
+  checkTogether(scene);
+  return scene;
+}
+

@@ -1,0 +1,84 @@
+// The numbers of a grid's cells in tables, for the cells of a window. Twin: src/sweep/cell_tables.rs and
+// src/sweep/gpu/inputs.rs.
+
+import { Body, bodyParameters } from './body.js';
+import { deflection } from './case.js';
+import { SPAN, SWING_V, clockOf, clockParameters, spanOf, swingH, swingParameters, swingV } from './clock.js';
+import { Table, entriesOf } from './grid.js';
+import { DRIVE, driveOf, horizontalOf, stepsOf, verticalOf } from './groups.js';
+import { HORIZONTAL, VERTICAL } from './isolation.js';
+import { PEAK } from './case.js';
+
+// A_h of the shared motions of u, m/s^2, which cells under a record and of a given strength have none of.
+function sharedAmplitude(grid) {
+  if (grid.choices.record || grid.givesStrength()) return null;
+  let most = 0;
+  for (const cell of grid.corners()) most = Math.max(most, Math.abs(cell.pulse.aH));
+  return most;
+}
+
+export class CellTables {
+  constructor(plan, grid, window) {
+    const { record } = plan;
+    const cells = window.counts.reduce((product, count) => product * count, 1);
+    const byBody = (law, entry) =>
+      new Table(grid, window, [...bodyParameters(), ...law], (cell) => {
+        const own = plan.locked(cell);
+        return entry(own, new Body(own));
+      });
+    const shared = sharedAmplitude(grid);
+    this.plan = plan;
+    this.grid = grid;
+    this.bodies = byBody([], (_, body) => ({
+      model: body.model(),
+      lever: [body.block.height, ...body.arms],
+      critical: body.critical(),
+      fall: body.fall(),
+    }));
+    this.horizontal = byBody([...HORIZONTAL, ...PEAK], horizontalOf);
+    this.vertical = byBody(VERTICAL, verticalOf);
+    this.drive = new Table(grid, window, DRIVE, (cell) => driveOf(cell, shared));
+    this.readers = byBody(['t_max', 'tilt', 't_v'], (cell, body) => ({
+      tMax: cell.tMax,
+      tilted: cell.tilt !== 0,
+      critical: body.critical(),
+      deflection: deflection(cell),
+      friction: cell.friction,
+    }));
+    const all = clockParameters(grid);
+    this.ownClocks = !(entriesOf(grid, window, all) < cells || cells === 1);
+    if (!this.ownClocks) {
+      this.clocks = byBody(all, (cell, body) => {
+        const span = spanOf(cell, record);
+        const clock = clockOf(swingH(cell, body), swingV(cell, body), span, record);
+        return { clock, ...stepsOf(span.omega, clock, body.fall()) };
+      });
+      return;
+    }
+    this.swingH = byBody(swingParameters(grid), swingH);
+    this.swingV = byBody(SWING_V, swingV);
+    this.span = new Table(grid, window, SPAN, (cell) => spanOf(cell, record));
+  }
+
+  // A cell's clock with the reals of its steps.
+  clockAt(place) {
+    if (!this.ownClocks) return this.clocks.at(place);
+    const span = this.span.at(place);
+    const clock = clockOf(this.swingH.at(place), this.swingV.at(place), span, this.plan.record);
+    return { clock, ...stepsOf(span.omega, clock, this.bodies.at(place).fall) };
+  }
+}
+
+// Reals and words of one entry of clocks for the device.
+const STEP_WORDS = 8;
+
+// The clocks of a list as the device reads them.
+export function stepWords(clocks) {
+  const buffer = new ArrayBuffer(4 * STEP_WORDS * Math.max(clocks.length, 1));
+  const [reals, words] = [new Float32Array(buffer), new Uint32Array(buffer)];
+  clocks.forEach(({ clock, reals: own, sound }, k) => {
+    reals.set(own, STEP_WORDS * k);
+    words.set([clock.stepsForced, clock.steps, clock.substeps, sound], STEP_WORDS * k + 4);
+  });
+  return words;
+}
