@@ -1,7 +1,7 @@
 // The map and the state: what is asked of the engine, what is shown, and what is said of it.
 import { announce, byId, say } from './dom.js';
 import { createFlow } from './flow.js';
-import { writeLegend } from './legend.js';
+import { clearLegend, writeLegend } from './legend.js';
 import { createMap } from './map.js';
 import { count, read } from './numbers.js';
 import { cellsOf } from './plot.js';
@@ -86,7 +86,10 @@ export function createExplorer(engine, store, tell) {
 
   function shares() {
     const axes = axesOf(store.state);
-    return map.picture && axes ? writeLegend(about, map.picture, axes) : '';
+    const keys = axes?.map((axis) => axis.key).join();
+    if (map.picture && keys === map.picture.keys) return writeLegend(about, map.picture, axes);
+    clearLegend();
+    return '';
   }
 
   /** Says what computed how many cells how fast, all stages of a view together. */
