@@ -12,7 +12,7 @@ import threading
 
 import pytest
 
-playwright = pytest.importorskip("playwright.sync_api")
+pytest.importorskip("playwright.sync_api")
 
 ROOT = pathlib.Path(__file__).parents[2]
 PAGE = ROOT / "src/explore/page"
@@ -65,11 +65,10 @@ def address():
 
 
 @pytest.fixture(scope="module")
-def browser():
-    with playwright.sync_playwright() as p:
-        own = p.chromium.launch(executable_path=CHROMIUM, args=SOFTWARE)
-        yield own
-        own.close()
+def browser(driver):
+    own = driver.chromium.launch(executable_path=CHROMIUM, args=SOFTWARE)
+    yield own
+    own.close()
 
 
 @pytest.fixture(scope="module")
