@@ -371,9 +371,9 @@ def test_the_command_line_is_the_scenes(page):
     assert told[1]["command"].endswith("--x=t_h --y=a_h")
 
 
-def test_without_webgpu_stored_maps_are_shown(address):
-    with playwright.sync_playwright() as p:
-        plain = p.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
+def test_without_webgpu_stored_maps_are_shown(address, driver):
+    plain = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
+    try:
         page = plain.new_page()
         page.goto(address + "page/")
         told = page.evaluate(f"""async () => {{ {ENGINE.replace("/gpu/", "/page/gpu/")}
@@ -384,6 +384,7 @@ def test_without_webgpu_stored_maps_are_shown(address):
           const cell = await engine.cell({{ scene: near, motion: false }});
           return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words];
         }}""")
+    finally:
         plain.close()
     assert "no WebGPU" in told[0]
     assert len(told[1]) == 1 and "no WebGPU" in told[1][0][1]

@@ -2,6 +2,7 @@
 import { announce, byId, download, make, say } from './dom.js';
 
 const KINDS = { png: 'PNG, the picture in pixels', svg: 'SVG, the picture in lines', npz: 'NPZ, all columns for numpy', csv: 'CSV, all columns as a table', toml: 'TOML, the scene' };
+const AGAIN = 'The map is computed again at the resolution of the screen, with its legend.';
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
@@ -26,6 +27,9 @@ export function openDialog(title, ...body) {
   if (!dialog.open) dialog.showModal();
   return dialog;
 }
+
+/** The map's canvas as a file. */
+const shot = () => new Promise((done) => byId('picture').toBlob(done, 'image/png'));
 
 /** Ties the buttons to the engine. */
 export function createDialogs(engine, store, explorer, tell) {
@@ -56,18 +60,18 @@ export function createDialogs(engine, store, explorer, tell) {
     return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, text)];
   }
 
-  byId('save').disabled = !engine.can.save;
   byId('save').onclick = () => {
     const line = make('p', { role: 'status' });
-    const buttons = Object.entries(KINDS).map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
-    openDialog('Save the map in view', make('p', { class: 'hint' }, 'The map is computed again at the resolution of the screen, with its legend.'), make('div', { class: 'choices' }, ...buttons), line);
+    const kinds = Object.entries(KINDS).filter(([kind]) => engine.can.save || kind === 'png');
+    const buttons = kinds.map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
+    openDialog('Save the map in view', make('p', { class: 'hint' }, engine.can.save ? AGAIN : 'The map as it is shown. Files of data are saved by topple explore.'), make('div', { class: 'choices' }, ...buttons), line);
   };
 
   async function save(kind, line) {
     say(line, 'computing …');
     line.className = '';
     try {
-      download(await engine.save(view(), kind), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
+      download(engine.can.save ? await engine.save(view(), kind) : await shot(), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
       say(line, `map.${kind} is saved`.replace('map.toml', 'scene.toml'));
     } catch (error) {
       line.className = 'problem';
