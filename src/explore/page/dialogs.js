@@ -8,7 +8,7 @@ const SAMPLE = 64;
 const HELP = {
   'drag, Shift + arrows': 'move the view',
   'wheel, pinch, + and −': 'zoom; over an axis that axis alone',
-  0: 'the whole map',
+  '0, Home': 'the whole map',
   'arrows, Control + arrows': 'move the crosshair, by one cell',
   'click, Enter': 'the motion of a cell',
   'Shift + click, Shift + Enter': 'a second cell beside it',
@@ -52,12 +52,14 @@ export function createDialogs(engine, store, explorer, tell) {
   };
 
   function copied(title, text) {
+    // A flag is not broken at its dashes.
+    const words = text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
     const button = make('button', { type: 'button', click: async () => {
       const done = await navigator.clipboard.writeText(text).then(() => 'Copied', () => 'Select the text and copy it');
       say(button, done);
       announce(done);
     } }, 'Copy');
-    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, text)];
+    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, ...words)];
   }
 
   byId('save').onclick = () => {
