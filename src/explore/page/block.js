@@ -2,8 +2,9 @@
 import { colour, rem } from './dom.js';
 import { disc, fit, font, line } from './ink.js';
 import { largest, stateAt } from './motion.js';
-import { read } from './numbers.js';
 
+/** A number of the picture, to a tenth of a thousandth. */
+const short = (value) => value.toFixed(4).replace('-', '−');
 /** Bends of a spring. */
 const BENDS = 8;
 
@@ -66,7 +67,7 @@ export function drawBlock(canvas, cell, sizes, t, moves) {
   context.font = font(0.8 * unit);
   context.textAlign = 'left';
   context.textBaseline = 'alphabetic';
-  const words = [moves.h && `u = ${read(now.u, 2)} m`, moves.v && `v = ${read(now.v, 2)} m`, `φ = ${read(now.phi, 2)} rad`];
+  const words = [moves.h && `u = ${short(now.u)} m`, moves.v && `v = ${short(now.v)} m`, `φ = ${short(now.phi)} rad`];
   words.filter(Boolean).forEach((text, k) => context.fillText(text, 0.2 * unit, (1 + 1.15 * k) * unit));
 }
 

@@ -62,13 +62,13 @@ function drawPlot(context, plot, at) {
   context.rect(left, top, right - left, bottom - top);
   context.clip();
   for (const level of plot.levels) line(context, [[left, y(level)], [right, y(level)]], colour('curve-2'), thin, [0.3 * unit, 0.25 * unit]);
-  for (const event of cell.events) {
+  for (const event of apart(cell.events, x, 0.3 * unit)) {
     const style = event.what === 'overturned' ? colour('curve-2') : colour('event');
     line(context, [[x(event.t), top], [x(event.t), bottom]], style, thin, event.what === 'impact' ? [] : [0.12 * unit, 0.18 * unit]);
   }
   for (const curve of plot.curves) drawCurve(context, curve, x, y, end, unit);
   line(context, [[x(t), top], [x(t), bottom]], ink, 0.1 * unit);
-  if (plot.events) for (const event of cell.events) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
+  if (plot.events) for (const event of apart(cell.events, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
   disc(context, x(t), y(now[plot.key]), 0.22 * unit, colour('curve'), colour('surface'), 0.08 * unit);
   context.restore();
   context.strokeStyle = colour('edge');
@@ -86,6 +86,17 @@ function drawPlot(context, plot, at) {
   context.textBaseline = 'alphabetic';
   writeName(context, plot.name, 0, 0, 0.82 * unit, 0.5);
   context.restore();
+}
+
+/** Events that lie apart on the screen: of a chattering block's impacts those that can be told from each other. */
+function apart(events, x, distance) {
+  let last = -Infinity;
+  return events.filter((event) => {
+    const at = x(event.t);
+    if (event.what === 'impact' && at - last < distance) return false;
+    last = at;
+    return true;
+  });
 }
 
 /** A curve, of no more points than there are pixels: the extremes and the last value of each. */
