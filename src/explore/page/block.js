@@ -5,6 +5,8 @@ import { largest, stateAt } from './motion.js';
 
 /** A number of the picture, to a tenth of a thousandth. */
 const short = (value) => value.toFixed(4).replace('-', '−');
+/** Least width of a picture with numbers, in letters. */
+const ROOM = 17;
 /** Bends of a spring. */
 const BENDS = 8;
 
@@ -63,6 +65,8 @@ export function drawBlock(canvas, cell, sizes, t, moves) {
     base += thick;
   }
   drawBody(context, place, cell.block, now, [shift, base], unit, ink);
+  // Where there is no room beside the block, the time histories have the numbers.
+  if (width < ROOM * unit) return;
   context.fillStyle = colour('soft');
   context.font = font(0.8 * unit);
   context.textAlign = 'left';
