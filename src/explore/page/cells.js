@@ -119,7 +119,11 @@ export function createCells(engine, store, explorer, change, tell) {
 
   /** The place of a cell as its heading; returns it as a text. */
   function entitle(slot, place) {
-    slot.title.replaceChildren(...place.flatMap(({ symbol: name, text, unit }, k) => [k ? ', ' : '', make('span', { class: 'whole' }, symbol(name), ` = ${text} ${unit}`)]));
+    const parts = place.flatMap(({ symbol: name, text, unit }, k) => [
+      k ? ', ' : '',
+      make('span', { class: 'whole' }, symbol(name), ` = ${text} ${unit}`),
+    ]);
+    slot.title.replaceChildren(...parts);
     return slot.title.textContent;
   }
 
@@ -180,7 +184,8 @@ export function createCells(engine, store, explorer, change, tell) {
   /** Which directions move: those of the scene. */
   function movesOf(cell) {
     const isolation = store.state.scene.isolation ?? 'dual';
-    return { h: isolation === 'dual' || isolation === 'horizontal' || largest(cell.motion.u) > 0, v: isolation === 'dual' || isolation === 'vertical' };
+    const moves = (direction) => isolation === 'dual' || isolation === direction;
+    return { h: moves('horizontal') || largest(cell.motion.u) > 0, v: moves('vertical') };
   }
 
   /** What happens at a time, of each cell. */
@@ -204,5 +209,11 @@ export function createCells(engine, store, explorer, change, tell) {
   });
   byId('play').hidden = still();
   store.listen(update);
-  return { open: act, redraw: () => draw(clock.t), retry: () => slots.forEach((slot) => slot.at && !slot.running && ask(slot, store.state, store.state[slot.key], false)) };
+  return {
+    open: act,
+    redraw: () => draw(clock.t),
+    retry() {
+      for (const slot of slots) if (slot.at && !slot.running) ask(slot, store.state, store.state[slot.key], false);
+    },
+  };
 }

@@ -1,8 +1,15 @@
 // Dialogs and buttons about what is in view: its command, its files, its verification, the keys.
 import { announce, byId, download, make, say } from './dom.js';
 
-const KINDS = { png: 'PNG, the picture in pixels', svg: 'SVG, the picture in lines', npz: 'NPZ, all columns for numpy', csv: 'CSV, all columns as a table', toml: 'TOML, the scene' };
+const KINDS = {
+  png: 'PNG, the picture in pixels',
+  svg: 'SVG, the picture in lines',
+  npz: 'NPZ, all columns for numpy',
+  csv: 'CSV, all columns as a table',
+  toml: 'TOML, the scene',
+};
 const AGAIN = 'The map is computed again at the resolution of the screen, with its legend.';
+const SHOWN = 'The map as it is shown. Files of data are saved by topple explore.';
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
@@ -66,7 +73,8 @@ export function createDialogs(engine, store, explorer, tell) {
     const line = make('p', { role: 'status' });
     const kinds = Object.entries(KINDS).filter(([kind]) => engine.can.save || kind === 'png');
     const buttons = kinds.map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
-    openDialog('Save the map in view', make('p', { class: 'hint' }, engine.can.save ? AGAIN : 'The map as it is shown. Files of data are saved by topple explore.'), make('div', { class: 'choices' }, ...buttons), line);
+    const hint = make('p', { class: 'hint' }, engine.can.save ? AGAIN : SHOWN);
+    openDialog('Save the map in view', hint, make('div', { class: 'choices' }, ...buttons), line);
   };
 
   async function save(kind, line) {

@@ -22,8 +22,10 @@ export const shownOf = (state) => state.show || (excitationOf(state) === 'suite'
 export function createExplorer(engine, store, tell) {
   const { about } = engine;
   const most = CELLS[about.engine]?.[about.backend] ?? FEWEST;
-  const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
+  const isWhole = (axis) => parameterOf(about, axis.key).integer;
+  const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map(isWhole)));
   let late = 0;
+  let resized = 0;
   let ran = { view: 0, cells: 0, seconds: 0 };
   let lastCount = [256, 256];
 
@@ -82,7 +84,7 @@ export function createExplorer(engine, store, tell) {
 
   function finish() {
     const told = shares();
-    announce(`Map of ${about.kinds.length ? map.names.join(' and ') : ''}: ${told}.`);
+    announce(`Map over ${map.names.join(' and ')}: ${told}.`);
   }
 
   function shares() {
@@ -100,7 +102,8 @@ export function createExplorer(engine, store, tell) {
     ran.seconds += seconds;
     const on = { cpu: `CPU, ${about.cores} cores`, gpu: adapter || 'GPU' }[backend];
     const where = [on, precision].filter(Boolean).join(', ');
-    const speed = ran.cells > 0 && `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${count(ran.cells / Math.max(ran.seconds, 1e-9))} a second`;
+    const rate = count(ran.cells / Math.max(ran.seconds, 1e-9));
+    const speed = ran.cells > 0 && `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${rate} a second`;
     say(byId('status'), [where, speed, `${name}, ${shape[0]} × ${shape[1]}`, note].filter(Boolean).join(' · '));
   }
 
@@ -140,8 +143,8 @@ export function createExplorer(engine, store, tell) {
 
   store.listen((state, before) => update(state, before));
   map.onResize = () => {
-    clearTimeout(map.resized);
-    map.resized = setTimeout(() => {
+    clearTimeout(resized);
+    resized = setTimeout(() => {
       if (map.picture || map.plot) update(store.state, store.state, true);
     }, 150);
   };
@@ -150,7 +153,7 @@ export function createExplorer(engine, store, tell) {
   return {
     map,
     request: () => request(store.state),
-    retry: () => update(store.state, store.state, true),
-    start: () => update(store.state, store.state, true),
+    /** Asks for the picture, whatever is shown. */
+    again: () => update(store.state, store.state, true),
   };
 }

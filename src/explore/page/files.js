@@ -25,7 +25,11 @@ export function createFiles(engine, store, change, tell) {
   } });
   const titles = new Map();
   let [record, suite] = [SYNTHETIC, ''];
-  const choices = Object.entries(NAMES).map(([key, text]) => make('button', { type: 'button', role: 'radio', 'aria-checked': 'false', 'data-key': key, click: () => choose(key) }, text));
+  const choice = ([key, text]) => {
+    const attributes = { type: 'button', role: 'radio', 'aria-checked': 'false', 'data-key': key };
+    return make('button', { ...attributes, click: () => choose(key) }, text);
+  };
+  const choices = Object.entries(NAMES).map(choice);
   byId('excitation').append(...choices);
   byId('excitation').addEventListener('keydown', (event) => {
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
@@ -62,14 +66,16 @@ export function createFiles(engine, store, change, tell) {
 
   function createLimits() {
     const inputs = LIMITS.map(([key, text, unit, first]) => {
-      const field = make('input', { type: 'text', inputmode: 'decimal', id: `limit-${key}`, placeholder: first, autocomplete: 'off', change: () => change({ [key]: field.value.trim() }, true) });
+      const give = () => change({ [key]: field.value.trim() }, true);
+      const attributes = { type: 'text', inputmode: 'decimal', id: `limit-${key}`, placeholder: first, autocomplete: 'off' };
+      const field = make('input', { ...attributes, change: give });
       return { key, field, parts: [make('label', { for: `limit-${key}` }, text), field, make('span', { class: 'unit' }, unit)] };
     });
     const element = make('div', { class: 'limits', role: 'group', 'aria-label': 'Limits' }, ...inputs.flatMap(({ parts }) => parts));
     return {
       element,
       update: (state) => inputs.forEach(({ key, field }) => document.activeElement !== field && (field.value = state[key])),
-      refuse: (wrong) => inputs.forEach(({ key, field }) => (key === wrong ? field.setAttribute('aria-invalid', 'true') : field.removeAttribute('aria-invalid'))),
+      refuse: (wrong) => inputs.forEach(({ key, field }) => field.setAttribute('aria-invalid', String(key === wrong))),
     };
   }
 
@@ -121,8 +127,11 @@ export function createFiles(engine, store, change, tell) {
   /** Two files are a pair, or a suite of two. */
   function askRoles(files) {
     const upright = VERTICAL.test(files[0].name) && !VERTICAL.test(files[1].name) ? 0 : 1;
-    const select = (k) => make('select', {}, ...['horizontal', 'vertical', 'not used'].map((value) => make('option', { value, selected: value === (k === upright ? 'vertical' : 'horizontal') }, value)));
-    const selects = files.map((_, k) => select(k));
+    const select = (first) => {
+      const option = (value) => make('option', { value, selected: value === first }, value);
+      return make('select', {}, ...['horizontal', 'vertical', 'not used'].map(option));
+    };
+    const selects = files.map((_, k) => select(k === upright ? 'vertical' : 'horizontal'));
     const rows = files.map((file, k) => make('div', { class: 'choices' }, make('label', {}, `${file.name} is `, selects[k])));
     const words = make('p', { class: 'problem', role: 'alert' });
     const pair = make('button', { type: 'button', click: () => {
@@ -145,9 +154,10 @@ export function createFiles(engine, store, change, tell) {
   function askNeeds(scene, needs) {
     const dt = make('input', { type: 'text', inputmode: 'decimal', id: 'need-dt' });
     const units = make('select', { id: 'need-units' }, ...['g', 'm/s2', 'cm/s2'].map((value) => make('option', { value }, value)));
+    const row = (text, input) => make('div', { class: 'choices' }, make('label', { for: input.id }, text), input);
     const rows = [];
-    if (needs.includes('dt')) rows.push(make('div', { class: 'choices' }, make('label', { for: 'need-dt' }, 'Step, s'), dt));
-    if (needs.includes('units')) rows.push(make('div', { class: 'choices' }, make('label', { for: 'need-units' }, 'Unit of the acceleration'), units));
+    if (needs.includes('dt')) rows.push(row('Step, s', dt));
+    if (needs.includes('units')) rows.push(row('Unit of the acceleration', units));
     const words = make('p', { class: 'problem', role: 'alert' });
     const done = make('button', { type: 'button', click: () => {
       if (needs.includes('dt') && !(parse(dt.value) > 0)) {
@@ -171,7 +181,9 @@ export function createFiles(engine, store, change, tell) {
     if (key === 'record') record = Object.fromEntries(Object.keys(NONE).map((name) => [name, state.scene[name] ?? '']));
     if (key === 'suite') suite = state.suite;
     const { horizontal, vertical } = state.scene;
-    const text = { pulse: '', record: horizontal === 'synthetic' ? 'The synthetic pair of accelerograms.' : [horizontal, vertical].filter(Boolean).map((id) => titles.get(id) ?? id).join(' With '), suite: titles.get(state.suite) ?? '' }[key];
+    const dropped = [horizontal, vertical].filter(Boolean).map((id) => titles.get(id) ?? id).join('; ');
+    const made = 'The synthetic pair of accelerograms.';
+    const text = { pulse: '', record: horizontal === 'synthetic' ? made : dropped, suite: titles.get(state.suite) ?? '' }[key];
     const add = make('button', { type: 'button', click: () => input.click() }, key === 'suite' ? 'Another suite …' : 'Open records …');
     line.replaceChildren(text && make('span', {}, text), can.records && key !== 'pulse' ? add : '');
     line.hidden = key === 'pulse';

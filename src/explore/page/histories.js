@@ -21,7 +21,8 @@ function plotsOf(cell, moves) {
   const plots = [{ name: 'a [m/s²]', key: 'ah', curves: input, levels: [] }];
   if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: [] });
   if (moves.v) plots.push({ name: 'v [m]', key: 'v', curves: [{ t: motion.t, y: motion.v, style: 'curve' }], levels: [] });
-  plots.push({ name: 'φ [rad]', key: 'phi', curves: [{ t: motion.t, y: motion.phi, style: 'curve' }], levels: [left, -Math.abs(right)], events: true });
+  const rotation = [{ t: motion.t, y: motion.phi, style: 'curve' }];
+  plots.push({ name: 'φ [rad]', key: 'phi', curves: rotation, levels: [left, -Math.abs(right)], events: true });
   return plots;
 }
 

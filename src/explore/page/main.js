@@ -64,7 +64,7 @@ function run(engine) {
   createDialogs(engine, store, explorer, tell);
 
   function retry() {
-    explorer.retry();
+    explorer.again();
     cells.retry();
     section.retry();
   }
@@ -133,7 +133,7 @@ function run(engine) {
   byId('notice').hidden = !about.notice;
   say(byId('notice'), about.notice ?? '');
   store.start();
-  explorer.start();
+  explorer.again();
 }
 
 function fillPrecision(about, store, change) {

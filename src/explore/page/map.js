@@ -25,7 +25,8 @@ export function createMap(about, cellsFor) {
     const { width, height, unit } = fit(below, rem());
     const left = Math.round(ROOM.left * unit);
     const top = Math.round(ROOM.top * unit);
-    return { left, top, width: Math.max(8, Math.round(width - left - ROOM.right * unit)), height: Math.max(8, Math.round(height - top - ROOM.bottom * unit)) };
+    const within = (length) => Math.max(8, Math.round(length));
+    return { left, top, width: within(width - left - ROOM.right * unit), height: within(height - top - ROOM.bottom * unit) };
   }
 
   function lay() {

@@ -50,23 +50,36 @@ export function createRow(parameter, { change, axis }) {
   const [helpId, problemId] = [`help-${key}`, `problem-${key}`];
   const described = { 'aria-describedby': problemId };
   const help = make('p', { class: 'help', id: helpId, hidden: true }, helpText(parameter));
-  const name = make('button', { type: 'button', class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short, click: () => {
+  const explain = () => {
     help.hidden = !help.hidden;
     name.setAttribute('aria-expanded', String(!help.hidden));
-  } }, symbol(parameter.symbol));
+  };
+  const asks = { class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short };
+  const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol));
   const set = (text, resting) => change({ [key]: text }, resting);
-  const slider = make('input', { type: 'range', min: 0, max: PLACES, step: 1, 'aria-label': title, input: () => set(String(numberAt(parameter, Number(slider.value))), false) });
-  const number = field({ id: `field-${key}`, 'aria-label': title, placeholder: /^[\d.-]+/.exec(parameter.default)?.[0] ?? '', ...described }, (text) => set(text, true));
+  const first = /^[\d.-]+/.exec(parameter.default)?.[0] ?? '';
+  const slide = () => set(String(numberAt(parameter, Number(slider.value))), false);
+  const slider = make('input', { type: 'range', min: 0, max: PLACES, step: 1, 'aria-label': title, input: slide });
+  const named = { id: `field-${key}`, 'aria-label': title, placeholder: first, ...described };
+  const number = field(named, (text) => set(text, true));
   const ends = () => set([from.value, to.value].map((text) => text.trim()).join(':') + (log.checked ? ':log' : ''), true);
   const from = field({ 'aria-label': `${title}, from`, class: 'end', ...described }, ends);
   const to = field({ 'aria-label': `${title}, to`, class: 'end', ...described }, ends);
   const log = make('input', { type: 'checkbox', 'aria-label': `${title}, logarithmic axis`, change: ends });
   const problem = make('p', { class: 'problem', id: problemId, role: 'alert', hidden: true });
-  const buttons = ['x', 'y'].map((which) =>
-    make('button', { type: 'button', class: 'axis', 'aria-pressed': 'false', 'aria-label': `${title}: make it the ${which === 'x' ? 'horizontal' : 'vertical'} axis`, title: `${which} axis`, click: () => axis(which, key) }, which));
+  const axisButton = (which) => {
+    const becomes = `${title}: make it the ${which === 'x' ? 'horizontal' : 'vertical'} axis`;
+    const attributes = { type: 'button', class: 'axis', 'aria-pressed': 'false', 'aria-label': becomes, title: `${which} axis` };
+    return make('button', { ...attributes, click: () => axis(which, key) }, which);
+  };
+  const buttons = ['x', 'y'].map(axisButton);
+  const inUnit = (text) => make('span', { class: 'unit' }, text);
+  const dash = make('span', { 'aria-hidden': 'true' }, '–');
   const single = make('div', { class: 'control single' }, slider, number);
-  const range = make('div', { class: 'control range' }, from, make('span', { 'aria-hidden': 'true' }, '–'), to, make('span', { class: 'unit' }, unit), make('label', { class: 'log' }, log, 'log'));
-  const element = make('div', { class: 'row', 'data-key': key }, name, single, range, make('span', { class: 'unit' }, unit || '\u00a0'), make('span', { class: 'axes', role: 'group', 'aria-label': 'Axis' }, ...buttons), help, problem);
+  const range = make('div', { class: 'control range' }, from, dash, to, inUnit(unit), make('label', { class: 'log' }, log, 'log'));
+  const axes = make('span', { class: 'axes', role: 'group', 'aria-label': 'Axis' }, ...buttons);
+  const parts = [name, single, range, inUnit(unit || '\u00a0'), axes, help, problem];
+  const element = make('div', { class: 'row', 'data-key': key }, ...parts);
 
   return {
     key,
@@ -85,9 +98,11 @@ export function createRow(parameter, { change, axis }) {
         return;
       }
       put(number, text);
-      const shown = parse(text === '' ? /^[\d.-]+/.exec(parameter.default)?.[0] : text);
+      const shown = parse(text === '' ? first : text);
       const place = String(placeOf(parameter, shown));
-      if (slider.value !== place && !(document.activeElement === slider && numberAt(parameter, Number(slider.value)) === shown)) slider.value = place;
+      // A slider that is held stays where it is: several places may have one number.
+      const held = document.activeElement === slider && numberAt(parameter, Number(slider.value)) === shown;
+      if (slider.value !== place && !held) slider.value = place;
       slider.setAttribute('aria-valuetext', Number.isFinite(shown) ? `${shown} ${unit}`.trim() : 'not given');
     },
     /** Shows the engine's line at the field, or nothing. */

@@ -65,7 +65,8 @@ export function cellScene(state, [x, y]) {
 export const excitationOf = (state) => (state.suite ? 'suite' : state.scene.horizontal ? 'record' : 'pulse');
 
 /** All that a picture depends on but the columns that it shows. */
-export const pictureKey = ({ scene, precision, suite, limit_u: u, limit_v: v, standing }) => JSON.stringify([scene, precision, suite, u, v, standing]);
+export const pictureKey = ({ scene, precision, suite, limit_u: u, limit_v: v, standing }) =>
+  JSON.stringify([scene, precision, suite, u, v, standing]);
 
 /** All that a cell depends on but its place. */
 export function motionKey(state) {
@@ -77,6 +78,6 @@ export function motionKey(state) {
 /** A caption of the numbers that have one value, symbols and units as in the figures. */
 export function caption(about, scene) {
   const axes = [scene.x, scene.y];
-  const shown = about.parameters.filter((entry) => scene[entry.key] !== undefined && !axes.includes(entry.key) && Number.isFinite(parse(scene[entry.key])));
+  const shown = about.parameters.filter(({ key }) => !axes.includes(key) && Number.isFinite(parse(scene[key])));
   return shown.map((entry) => ({ symbol: entry.symbol, text: `${scene[entry.key]}${entry.unit ? ` ${entry.unit}` : ''}` }));
 }

@@ -128,7 +128,9 @@ export function createSection(engine, store, explorer, change, tell) {
     }
     const k = Math.round(share * (answer.kind.length - 1));
     const symbols = [store.state.scene.x, store.state.scene.y].map((key) => parameterOf(about, key).symbol);
-    say(byId('section-words'), `${symbols[0]} = ${read(answer.x[k])}, ${symbols[1]} = ${read(answer.y[k])}: ${about.kinds[answer.kind[k]].label}, ${answer.impacts[k]} impacts, ζ = ${read(answer.zeta[k], 3)}`);
+    const place = `${symbols[0]} = ${read(answer.x[k])}, ${symbols[1]} = ${read(answer.y[k])}`;
+    const outcome = `${about.kinds[answer.kind[k]].label}, ${answer.impacts[k]} impacts, ζ = ${read(answer.zeta[k], 3)}`;
+    say(byId('section-words'), `${place}: ${outcome}`);
   }
 
   canvas.addEventListener('pointermove', (event) => answer && point(shareAt(canvas, event.clientX)));

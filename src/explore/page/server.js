@@ -3,6 +3,7 @@ import { EngineError } from './engine.js';
 import { readFrames } from './frames.js';
 
 const LOST = 'the server does not answer: is topple explore still running?';
+const REFUSED = 'the server refuses this page: open the address that topple explore prints';
 
 /** Opens the engine: reads what it knows. */
 export async function open() {
@@ -38,7 +39,7 @@ async function upload(path, files, signal) {
 async function ask(path, options) {
   const response = await followed(fetch(path, { cache: 'no-store', ...options }));
   if (response.ok) return response;
-  const refused = response.status === 403 ? 'the server refuses this page: open the address that topple explore prints' : `the server answers with status ${response.status}`;
+  const refused = response.status === 403 ? REFUSED : `the server answers with status ${response.status}`;
   const problem = await response.json().catch(() => ({ key: null, problem: refused, line: refused }));
   throw new EngineError(problem);
 }

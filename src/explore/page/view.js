@@ -31,7 +31,7 @@ const middles = (axes) => axes.map((axis) => (measure(axis, axis.stop) + measure
 /**
  * Hears pointers, wheel and keys on the map. `hand.axes()` and `hand.plot()` are what is shown; `hand.move(axes)`,
  * `hand.rest()`, `hand.home()`, `hand.cross(values)`, `hand.open(values, second)`, `hand.line(points, done)`,
- * `hand.escape()` and `hand.tool()` act.
+ * `hand.mark(values)` and `hand.escape()` act; `hand.tool()` and `hand.crosshair()` tell what is drawn and where.
  */
 export function followHand(host, hand) {
   const pointers = new Map();
@@ -81,8 +81,15 @@ export function followHand(host, hand) {
   /** Remembers where pointers, axes and plot are as a drag or a pinch begins. */
   function hold(event) {
     const points = [...pointers.values()];
-    held = { plot: hand.plot(), axes: hand.axes(), points: points.map((point) => [...point]), first: points[0], moved: points.length > 1 || (held?.moved ?? false), line: null };
-    held.drawing = points.length === 1 && hand.tool() === 'line' && event.type === 'pointerdown';
+    held = {
+      plot: hand.plot(),
+      axes: hand.axes(),
+      points: points.map((point) => [...point]),
+      first: points[0],
+      moved: points.length > 1 || (held?.moved ?? false),
+      drawing: points.length === 1 && hand.tool() === 'line' && event.type === 'pointerdown',
+      line: null,
+    };
   }
 
   function drag() {
