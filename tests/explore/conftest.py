@@ -7,7 +7,6 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).parents[2]
 COMMAND = os.environ.get("TOPPLE_COMMAND", str(ROOT / "target/release/topple"))
@@ -60,16 +59,20 @@ def own_server():
 
 
 @pytest.fixture(scope="session")
-def browser():
+def driver():
+    """Playwright, of which there is one a run."""
+    with pytest.importorskip("playwright.sync_api").sync_playwright() as playwright:
+        yield playwright
+
+
+@pytest.fixture(scope="session")
+def browser(driver):
     path = os.environ.get("TOPPLE_CHROMIUM") or next(filter(None, map(shutil.which, BROWSERS)), None)
     if not path:
         pytest.skip("no Chromium: give its path as TOPPLE_CHROMIUM")
-    with sync_playwright() as playwright:
-        launched = playwright.chromium.launch(
-            executable_path=path, args=["--no-sandbox", "--headless=new"]
-        )
-        yield launched
-        launched.close()
+    launched = driver.chromium.launch(executable_path=path, args=["--no-sandbox", "--headless=new"])
+    yield launched
+    launched.close()
 
 
 class Page:

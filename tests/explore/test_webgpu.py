@@ -12,7 +12,7 @@ import threading
 
 import pytest
 
-playwright = pytest.importorskip("playwright.sync_api")
+pytest.importorskip("playwright.sync_api")
 
 ROOT = pathlib.Path(__file__).parents[2]
 PAGE = ROOT / "src/explore/page"
@@ -65,11 +65,10 @@ def address():
 
 
 @pytest.fixture(scope="module")
-def browser():
-    with playwright.sync_playwright() as p:
-        own = p.chromium.launch(executable_path=CHROMIUM, args=SOFTWARE)
-        yield own
-        own.close()
+def browser(driver):
+    own = driver.chromium.launch(executable_path=CHROMIUM, args=SOFTWARE)
+    yield own
+    own.close()
 
 
 @pytest.fixture(scope="module")
@@ -372,9 +371,9 @@ def test_the_command_line_is_the_scenes(page):
     assert told[1]["command"].endswith("--x=t_h --y=a_h")
 
 
-def test_without_webgpu_stored_maps_are_shown(address):
-    with playwright.sync_playwright() as p:
-        plain = p.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
+def test_without_webgpu_stored_maps_are_shown(address, driver):
+    plain = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
+    try:
         page = plain.new_page()
         page.goto(address + "page/")
         told = page.evaluate(f"""async () => {{ {ENGINE.replace("/gpu/", "/page/gpu/")}
@@ -385,6 +384,7 @@ def test_without_webgpu_stored_maps_are_shown(address):
           const cell = await engine.cell({{ scene: near, motion: false }});
           return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words];
         }}""")
+    finally:
         plain.close()
     assert "no WebGPU" in told[0]
     assert len(told[1]) == 1 and "no WebGPU" in told[1][0][1]

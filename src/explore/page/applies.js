@@ -5,10 +5,14 @@ import { handy, middle } from './ranges.js';
 const OWN_BLOCK = ['half_width', 'height', 'slenderness', 'size', 'mass', 'inertia', 'plate_h', 'plate_v'];
 const ACROSS = ['t_h', 'psi', 'xi_h', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'];
 const UP = ['t_v', 'xi_v'];
+/** Numbers that say when a base yields. */
+const YIELD = ['alpha_y', 'u_y', 'yield_force'];
 /** Numbers of which one says what the others say. */
-const EITHER = [['eccentricity', 'offset'], ['alpha_y', 'u_y', 'yield_force'], ['scale', 'pga']];
+const EITHER = [['eccentricity', 'offset'], YIELD, ['scale', 'pga']];
 /** Numbers that a moving base must have. */
 const NEEDED = { t_h: '1.75', t_v: '0.75' };
+/** Under a suite a base stays the same whatever shakes it: it yields at a displacement. */
+const FIXED_YIELD = { key: 'u_y', text: '0.02' };
 /** Axes to fall back on, by what shakes the base. */
 const AXES = { pulse: ['omega', 'a_h'], record: ['t_h', 't_v', 'eccentricity', 'scale'], suite: ['t_h', 't_v', 'eccentricity', 'scale'] };
 
@@ -61,6 +65,7 @@ export function createKeeper(about) {
     for (const [key, text] of Object.entries(NEEDED)) {
       if (!scene[key] && applies(about, next, key)) scene[key] = single(kept[key]) ?? text;
     }
+    fixYield(next);
     replaceAxes(next);
     bringBack(next);
     return { ...patch, scene };
@@ -70,7 +75,15 @@ export function createKeeper(about) {
   function restoreAxes(scene, earlier) {
     if (!earlier) return;
     for (const key of [scene.x, scene.y]) scene[key] = earlier[key] ?? '';
+    for (const key of YIELD) scene[key] = earlier[key] ?? '';
     for (const which of ['x', 'y']) Object.assign(scene, { [which]: earlier[which], [earlier[which]]: earlier[earlier[which]] });
+  }
+
+  function fixYield(next) {
+    const { scene } = next;
+    if (excitationOf(next) !== 'suite' || scene.u_y || scene.yield_force || !applies(about, next, FIXED_YIELD.key)) return;
+    scene.alpha_y = '';
+    scene[FIXED_YIELD.key] = FIXED_YIELD.text;
   }
 
   function replaceAxes(next) {

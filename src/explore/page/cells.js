@@ -11,6 +11,8 @@ import { suggestion } from './suggest.js';
 const SLOTS = ['cell', 'cell2'];
 /** How near an event is to the time that is shown, s. */
 const NEAR = 1e-4;
+const ONE = 'Click a cell of the map: its block rocks here in its own time. Click with Shift to set a second one beside it.';
+const MANY = 'Under a suite a cell has a motion for each of its records. To see one, shake the base by a pulse or by one record.';
 const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned' };
 
 /** Ties the open cells to the state. */
@@ -56,7 +58,7 @@ export function createCells(engine, store, explorer, change, tell) {
 
   function act(values, second) {
     const axes = axesOf(store.state);
-    if (!axes) return;
+    if (!axes || store.state.suite) return;
     const at = values.map((value, k) => {
       const near = parameterOf(about, axes[k].key).integer ? Math.round(value) : Number(within(value, axes[k].stop - axes[k].start, 1e-4));
       return near;
@@ -151,6 +153,8 @@ export function createCells(engine, store, explorer, change, tell) {
     const wanted = slots.filter((slot) => slot.at);
     byId('players').hidden = wanted.length === 0;
     byId('motion-hint').hidden = wanted.length > 0;
+    say(byId('motion-words'), store.state.suite ? MANY : ONE);
+    byId('suggest').hidden = Boolean(store.state.suite);
     const pair = byId('pair');
     wanted.forEach((slot, k) => {
       if (pair.children[k] !== slot.element) pair.insertBefore(slot.element, pair.children[k] ?? null);

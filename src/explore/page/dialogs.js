@@ -2,12 +2,13 @@
 import { announce, byId, download, make, say } from './dom.js';
 
 const KINDS = { png: 'PNG, the picture in pixels', svg: 'SVG, the picture in lines', npz: 'NPZ, all columns for numpy', csv: 'CSV, all columns as a table', toml: 'TOML, the scene' };
+const AGAIN = 'The map is computed again at the resolution of the screen, with its legend.';
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
   'drag, Shift + arrows': 'move the view',
   'wheel, pinch, + and −': 'zoom; over an axis that axis alone',
-  0: 'the whole map',
+  '0, Home': 'the whole map',
   'arrows, Control + arrows': 'move the crosshair, by one cell',
   'click, Enter': 'the motion of a cell',
   'Shift + click, Shift + Enter': 'a second cell beside it',
@@ -26,6 +27,9 @@ export function openDialog(title, ...body) {
   if (!dialog.open) dialog.showModal();
   return dialog;
 }
+
+/** The map's canvas as a file. */
+const shot = () => new Promise((done) => byId('picture').toBlob(done, 'image/png'));
 
 /** Ties the buttons to the engine. */
 export function createDialogs(engine, store, explorer, tell) {
@@ -48,26 +52,28 @@ export function createDialogs(engine, store, explorer, tell) {
   };
 
   function copied(title, text) {
+    // A flag is not broken at its dashes.
+    const words = text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
     const button = make('button', { type: 'button', click: async () => {
       const done = await navigator.clipboard.writeText(text).then(() => 'Copied', () => 'Select the text and copy it');
       say(button, done);
       announce(done);
     } }, 'Copy');
-    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, text)];
+    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, ...words)];
   }
 
-  byId('save').disabled = !engine.can.save;
   byId('save').onclick = () => {
     const line = make('p', { role: 'status' });
-    const buttons = Object.entries(KINDS).map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
-    openDialog('Save the map in view', make('p', { class: 'hint' }, 'The map is computed again at the resolution of the screen, with its legend.'), make('div', { class: 'choices' }, ...buttons), line);
+    const kinds = Object.entries(KINDS).filter(([kind]) => engine.can.save || kind === 'png');
+    const buttons = kinds.map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
+    openDialog('Save the map in view', make('p', { class: 'hint' }, engine.can.save ? AGAIN : 'The map as it is shown. Files of data are saved by topple explore.'), make('div', { class: 'choices' }, ...buttons), line);
   };
 
   async function save(kind, line) {
     say(line, 'computing …');
     line.className = '';
     try {
-      download(await engine.save(view(), kind), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
+      download(engine.can.save ? await engine.save(view(), kind) : await shot(), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
       say(line, `map.${kind} is saved`.replace('map.toml', 'scene.toml'));
     } catch (error) {
       line.className = 'problem';

@@ -1,14 +1,15 @@
 // The map and the state: what is asked of the engine, what is shown, and what is said of it.
 import { announce, byId, say } from './dom.js';
 import { createFlow } from './flow.js';
-import { writeLegend } from './legend.js';
+import { clearLegend, writeLegend } from './legend.js';
 import { createMap } from './map.js';
 import { count, read } from './numbers.js';
 import { cellsOf } from './plot.js';
 import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
 
-/** Most cells of a picture on a CPU, and on a GPU: what comes while a hand rests. */
-const CELLS = { cpu: 1 << 18, gpu: 1 << 20 };
+/** Most cells of a picture by what computes: what comes while a hand rests. A browser's GPU may be a slow one. */
+const CELLS = { server: { cpu: 1 << 18, gpu: 1 << 20 }, webgpu: { gpu: 1 << 18 } };
+const FEWEST = 1 << 18;
 /** Columns of every picture, for its crosshair. */
 const ALWAYS = ['outcome', 'impacts', 'zeta'];
 /** Time after which a picture that is not yet the new one says so, ms. */
@@ -20,7 +21,7 @@ export const shownOf = (state) => state.show || (excitationOf(state) === 'suite'
 /** Ties the map to the store; `tell.refuse(key, line)` shows an error at a field, `tell.lost(error)` a lost server. */
 export function createExplorer(engine, store, tell) {
   const { about } = engine;
-  const most = CELLS[about.backend] ?? CELLS.cpu;
+  const most = CELLS[about.engine]?.[about.backend] ?? FEWEST;
   const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map((axis) => parameterOf(about, axis.key).integer)));
   let late = 0;
   let ran = { view: 0, cells: 0, seconds: 0 };
@@ -86,7 +87,10 @@ export function createExplorer(engine, store, tell) {
 
   function shares() {
     const axes = axesOf(store.state);
-    return map.picture && axes ? writeLegend(about, map.picture, axes) : '';
+    const keys = axes?.map((axis) => axis.key).join();
+    if (map.picture && keys === map.picture.keys) return writeLegend(about, map.picture, axes);
+    clearLegend();
+    return '';
   }
 
   /** Says what computed how many cells how fast, all stages of a view together. */
@@ -94,8 +98,9 @@ export function createExplorer(engine, store, tell) {
     if (ran.view !== view) ran = { view, cells: 0, seconds: 0 };
     ran.cells += cells;
     ran.seconds += seconds;
-    const where = `${backend === 'cpu' ? `CPU, ${about.cores} cores` : adapter || 'GPU'}, ${precision}`;
-    const speed = `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${count(ran.cells / Math.max(ran.seconds, 1e-9))} a second`;
+    const on = { cpu: `CPU, ${about.cores} cores`, gpu: adapter || 'GPU' }[backend];
+    const where = [on, precision].filter(Boolean).join(', ');
+    const speed = ran.cells > 0 && `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${count(ran.cells / Math.max(ran.seconds, 1e-9))} a second`;
     say(byId('status'), [where, speed, `${name}, ${shape[0]} × ${shape[1]}`, note].filter(Boolean).join(' · '));
   }
 

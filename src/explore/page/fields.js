@@ -6,7 +6,7 @@ import { excitationOf } from './scene.js';
 
 /** Values of words where none is given. */
 const FIRST = { isolation: 'dual', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
-const NAMES = { object: 'Block', isolation: 'The base moves', shape: 'Shape of the pulse', overturn: 'Overturned when', force: 'Implausible numbers' };
+const NAMES = { object: 'Block', isolation: 'Moves', shape: 'Shape', overturn: 'Overturned', force: 'Implausible numbers' };
 /** Words of a choice that say more than its label, or less. */
 const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
 /** A choice that is the page's own. */

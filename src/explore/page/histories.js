@@ -74,7 +74,7 @@ function drawPlot(context, plot, at) {
   context.strokeStyle = colour('edge');
   context.lineWidth = thin;
   context.strokeRect(left, top, right - left, bottom - top);
-  const step = roundStep(span * 0.75);
+  const step = roundStep(span * 0.4);
   context.fillStyle = ink;
   context.textBaseline = 'middle';
   context.font = font(0.76 * unit);

@@ -78,6 +78,12 @@ export function writeLegend(about, picture, axes) {
   return spoken.slice(0, 4).map(([, text]) => text).join(', ');
 }
 
+/** No legend, for no picture. */
+export function clearLegend() {
+  byId('legend').replaceChildren();
+  byId('scale').hidden = true;
+}
+
 /** The colour bar of a number. */
 function writeScale(picture) {
   const host = byId('scale');

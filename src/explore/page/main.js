@@ -130,6 +130,8 @@ function run(engine) {
     section.redraw();
   });
   writeReadout(null);
+  byId('notice').hidden = !about.notice;
+  say(byId('notice'), about.notice ?? '');
   store.start();
   explorer.start();
 }

@@ -36,6 +36,8 @@ export const largest = (column) => column.reduce((most, value) => Math.max(most,
 export function tellingEnd(cell) {
   const { motion, ground, events } = cell;
   const last = motion.t.at(-1);
+  // What overturns ends the motion: its mark needs room.
+  if (events.at(-1)?.what === 'overturned') return last * 1.04;
   let end = events.at(-1)?.t ?? 0;
   const columns = [[ground.t, ground.a_h, 0.01], [ground.t, ground.a_v, 0.01], [motion.t, motion.u, 0.08], [motion.t, motion.phi, 0.03]];
   for (const [times, column, part] of columns) {

@@ -1,46 +1,29 @@
 // What lies over a map's colours, drawn at the screen's resolution: hatches, crosses, dots, and the outline of a region.
 import { make } from './dom.js';
 
+/** Bits of a frame's marks. */
 const TENSILE = 1;
 const UNDECIDED = 2;
 const DOTTED = 4;
+/** Patterns by their bits in an overlay's codes, the upper one first. */
+const PATTERNS = [[8, 'cross'], [4, 'hatch'], [2, 'dots #ffffff'], [1, 'dots #000000']];
 
-/** The masks of a frame, a pixel a cell, of those marks that it has; dots are of two colours. */
+/** The patterns of a frame's cells, a code each; none where no cell has one. */
 export function createOverlay(frame, about, show) {
   const { kind, marks, feasible } = frame.arrays;
-  const masks = [];
-  const add = (pattern, holds) => {
-    const canvas = mask(frame.shape, holds);
-    if (canvas) masks.push({ pattern, canvas });
-  };
-  if (marks) {
-    if (show === 'outcome' && kind) {
-      for (const colour of new Set(about.kinds.map((entry) => entry.dots))) {
-        const here = about.kinds.map((entry) => entry.dots === colour);
-        add(`dots ${colour}`, (k) => (marks[k] & DOTTED) !== 0 && here[kind[k]]);
-      }
-    }
-    add('hatch', (k) => (marks[k] & TENSILE) !== 0);
-    add('cross', (k) => (marks[k] & UNDECIDED) !== 0);
+  const border = feasible ? outline(frame.shape, feasible) : null;
+  if (!marks) return { codes: null, outline: border };
+  const dots = about.kinds.map((entry) => (entry.dots === '#ffffff' ? 2 : 1));
+  const dotted = show === 'outcome' && kind;
+  const codes = new Uint8Array(marks.length);
+  let any = 0;
+  for (let k = 0; k < marks.length; k += 1) {
+    const mark = marks[k];
+    if (mark === 0) continue;
+    codes[k] = (mark & TENSILE ? 4 : 0) | (mark & UNDECIDED ? 8 : 0) | (mark & DOTTED && dotted ? dots[kind[k]] : 0);
+    any |= codes[k];
   }
-  return { masks, outline: feasible ? outline(frame.shape, feasible) : null };
-}
-
-function mask([nx, ny], holds) {
-  const words = new Uint32Array(nx * ny);
-  let any = false;
-  for (let j = 0; j < ny; j += 1) {
-    for (let i = 0; i < nx; i += 1) {
-      if (holds(j * nx + i)) {
-        words[(ny - 1 - j) * nx + i] = 0xff000000;
-        any = true;
-      }
-    }
-  }
-  if (!any) return null;
-  const canvas = make('canvas', { width: nx, height: ny });
-  canvas.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(words.buffer), nx, ny), 0, 0);
-  return canvas;
+  return { codes: any ? codes : null, outline: border };
 }
 
 /** The border of the cells of a region, in cells from the upper left. */
@@ -66,14 +49,9 @@ function outline([nx, ny], region) {
 
 /** Draws an overlay over its frame's picture, which lies at `at`; `unit` is the size of letters, pixels. */
 export function drawOverlay(context, place, overlay, frame, at, unit) {
-  for (const { pattern, canvas } of overlay.masks) {
-    const layer = make('canvas', { width: place.width, height: place.height });
-    const to = layer.getContext('2d');
-    to.imageSmoothingEnabled = false;
-    to.drawImage(canvas, at.x - place.left, at.y - place.top, at.width, at.height);
-    to.globalCompositeOperation = 'source-in';
-    to.fillStyle = to.createPattern(swatch(pattern, unit), 'repeat');
-    to.fillRect(0, 0, layer.width, layer.height);
+  if (overlay.codes) {
+    const layer = scratch(place.width, place.height);
+    layer.getContext('2d').putImageData(patterned(place, overlay.codes, frame, at, unit), 0, 0);
     context.drawImage(layer, place.left, place.top);
   }
   if (overlay.outline) {
@@ -88,8 +66,56 @@ export function drawOverlay(context, place, overlay, frame, at, unit) {
   }
 }
 
-/** A tile of a pattern. */
-export function swatch(pattern, unit) {
+let layer = null;
+
+/** A canvas of a size, the same one again where it fits. */
+function scratch(width, height) {
+  if (layer?.width !== width || layer.height !== height) layer = make('canvas', { width, height });
+  return layer;
+}
+
+/** The patterns at the screen's resolution, each pixel by the cell that it lies in. */
+function patterned(place, codes, frame, at, unit) {
+  const { width, height } = place;
+  const [nx, ny] = frame.shape;
+  const cells = (length, from, size, many) =>
+    Int32Array.from({ length }, (_, k) => {
+      const cell = Math.floor(((k + 0.5 - from) / size) * many);
+      return cell >= 0 && cell < many ? cell : -1;
+    });
+  const columns = cells(width, at.x - place.left, at.width, nx);
+  const rows = cells(height, at.y - place.top, at.height, ny);
+  const tiles = PATTERNS.map(([bit, name]) => ({ bit, ...tile(name, unit) }));
+  const words = new Uint32Array(width * height);
+  for (let py = 0; py < height; py += 1) {
+    if (rows[py] < 0) continue;
+    const row = (ny - 1 - rows[py]) * nx;
+    for (let px = 0; px < width; px += 1) {
+      const code = columns[px] < 0 ? 0 : codes[row + columns[px]];
+      if (code === 0) continue;
+      for (const { bit, size, words: pattern } of tiles) {
+        if (code & bit) words[py * width + px] ||= pattern[(py % size) * size + (px % size)];
+      }
+    }
+  }
+  return new ImageData(new Uint8ClampedArray(words.buffer), width, height);
+}
+
+const tiles = new Map();
+
+/** The pixels of a pattern. */
+function tile(name, unit) {
+  const key = `${name} ${unit}`;
+  if (!tiles.has(key)) {
+    const canvas = swatch(name, unit);
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    tiles.set(key, { size: canvas.width, words: new Uint32Array(data.buffer) });
+  }
+  return tiles.get(key);
+}
+
+/** A square that a pattern repeats. */
+function swatch(pattern, unit) {
   const [name, shade] = pattern.split(' ');
   const size = Math.max(4, Math.round(unit * (name === 'dots' ? 0.62 : 0.5)));
   const canvas = make('canvas', { width: size, height: size });

@@ -65,7 +65,7 @@ export function createRow(parameter, { change, axis }) {
   const buttons = ['x', 'y'].map((which) =>
     make('button', { type: 'button', class: 'axis', 'aria-pressed': 'false', 'aria-label': `${title}: make it the ${which === 'x' ? 'horizontal' : 'vertical'} axis`, title: `${which} axis`, click: () => axis(which, key) }, which));
   const single = make('div', { class: 'control single' }, slider, number);
-  const range = make('div', { class: 'control range' }, from, make('span', { 'aria-hidden': 'true' }, '–'), to, make('label', { class: 'log' }, log, 'log'));
+  const range = make('div', { class: 'control range' }, from, make('span', { 'aria-hidden': 'true' }, '–'), to, make('span', { class: 'unit' }, unit), make('label', { class: 'log' }, log, 'log'));
   const element = make('div', { class: 'row', 'data-key': key }, name, single, range, make('span', { class: 'unit' }, unit || '\u00a0'), make('span', { class: 'axes', role: 'group', 'aria-label': 'Axis' }, ...buttons), help, problem);
 
   return {

@@ -30,6 +30,7 @@ export function createSection(engine, store, explorer, change, tell) {
 
   /** The key L: the first time the line begins, the second time it ends. */
   section.mark = (values) => {
+    if (store.state.suite) return;
     if (!begun) {
       begun = values;
       announce('The line of the cross-section begins here. Move the crosshair and press L again.');
@@ -53,6 +54,7 @@ export function createSection(engine, store, explorer, change, tell) {
   }
 
   function update(state, before) {
+    button.disabled = Boolean(state.suite);
     const { line } = state;
     map.marks.line = line;
     byId('section').hidden = !line;

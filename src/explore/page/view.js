@@ -157,7 +157,7 @@ export function followHand(host, hand) {
   }
 
   function zoom(factor) {
-    hand.move(zoomed(hand.axes(), factor, middles(hand.axes())));
+    if (hand.axes()) hand.move(zoomed(hand.axes(), factor, middles(hand.axes())));
   }
   return { zoomIn: () => zoom(1 / STEP), zoomOut: () => zoom(STEP) };
 }
