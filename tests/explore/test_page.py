@@ -128,13 +128,14 @@ def test_random_moves_leave_no_error_no_leak_and_no_stale_picture(open_page, ser
     session.send("Performance.enable")
     moves = Moves(page, 22)
     warm = max(20, MOVES // 10)
+    often = max(50, MOVES // 40)
     before = None
     for k in range(MOVES):
         moves.one()
         if k == warm:
             page.settle()
             before = heap(page, session)
-        if k % 50 == 49:
+        if k % often == often - 1:
             # What is shown at rest is what a fresh page shows.
             page.settle()
             assert page.page.locator("#problem").is_hidden(), page.page.inner_text("#problem")

@@ -2,8 +2,11 @@
 import { colour, rem } from './dom.js';
 import { disc, fit, font, line } from './ink.js';
 import { largest, stateAt } from './motion.js';
-import { read } from './numbers.js';
 
+/** A number of the picture, to a tenth of a thousandth. */
+const short = (value) => value.toFixed(4).replace('-', '−');
+/** Least width of a picture with numbers, in letters. */
+const ROOM = 17;
 /** Bends of a spring. */
 const BENDS = 8;
 
@@ -62,11 +65,13 @@ export function drawBlock(canvas, cell, sizes, t, moves) {
     base += thick;
   }
   drawBody(context, place, cell.block, now, [shift, base], unit, ink);
+  // Where there is no room beside the block, the time histories have the numbers.
+  if (width < ROOM * unit) return;
   context.fillStyle = colour('soft');
   context.font = font(0.8 * unit);
   context.textAlign = 'left';
   context.textBaseline = 'alphabetic';
-  const words = [moves.h && `u = ${read(now.u, 2)} m`, moves.v && `v = ${read(now.v, 2)} m`, `φ = ${read(now.phi, 2)} rad`];
+  const words = [moves.h && `u = ${short(now.u)} m`, moves.v && `v = ${short(now.v)} m`, `φ = ${short(now.phi)} rad`];
   words.filter(Boolean).forEach((text, k) => context.fillText(text, 0.2 * unit, (1 + 1.15 * k) * unit));
 }
 

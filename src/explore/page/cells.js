@@ -159,6 +159,7 @@ export function createCells(engine, store, explorer, change, tell) {
     wanted.forEach((slot, k) => {
       if (pair.children[k] !== slot.element) pair.insertBefore(slot.element, pair.children[k] ?? null);
       slot.element.dataset.name = wanted.length > 1 ? 'AB'[k] : '';
+      slot.title.dataset.name = wanted.length > 1 ? `${'AB'[k]}:` : '';
     });
     if (wanted.length === 0) clock.pause();
     draw(clock?.t ?? 0);

@@ -9,8 +9,6 @@ import { read } from './numbers.js';
 const LEFT = 3.6;
 const BELOW = 2.5;
 const RIGHT = 0.6;
-/** Pixels between two impacts that are drawn at least. */
-const APART = 5;
 /** Least span of a plot, in its unit: what is smaller is rest. */
 const LEAST = 1e-3;
 
@@ -64,13 +62,13 @@ function drawPlot(context, plot, at) {
   context.rect(left, top, right - left, bottom - top);
   context.clip();
   for (const level of plot.levels) line(context, [[left, y(level)], [right, y(level)]], colour('curve-2'), thin, [0.3 * unit, 0.25 * unit]);
-  for (const event of apart(cell.events, x)) {
+  for (const event of apart(cell.events, x, 0.3 * unit)) {
     const style = event.what === 'overturned' ? colour('curve-2') : colour('event');
     line(context, [[x(event.t), top], [x(event.t), bottom]], style, thin, event.what === 'impact' ? [] : [0.12 * unit, 0.18 * unit]);
   }
   for (const curve of plot.curves) drawCurve(context, curve, x, y, end, unit);
   line(context, [[x(t), top], [x(t), bottom]], ink, 0.1 * unit);
-  if (plot.events) for (const event of apart(cell.events, x)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
+  if (plot.events) for (const event of apart(cell.events, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
   disc(context, x(t), y(now[plot.key]), 0.22 * unit, colour('curve'), colour('surface'), 0.08 * unit);
   context.restore();
   context.strokeStyle = colour('edge');
@@ -90,12 +88,13 @@ function drawPlot(context, plot, at) {
   context.restore();
 }
 
-/** Events without the impacts that would lie on others: a block that comes to rest has hundreds within a second. */
-function apart(events, x) {
+/** Events that lie apart on the screen: of a chattering block's impacts those that can be told from each other. */
+function apart(events, x, distance) {
   let last = -Infinity;
   return events.filter((event) => {
-    if (event.what === 'impact' && x(event.t) - last < APART) return false;
-    last = x(event.t);
+    const at = x(event.t);
+    if (event.what === 'impact' && at - last < distance) return false;
+    last = at;
     return true;
   });
 }
