@@ -80,12 +80,6 @@ fn dense(map: &RefinedMap, run: &RunSettings) -> Vec<u8> {
 /// What differs from the whole sweep.
 fn compare(map: &RefinedMap, dense: &[u8]) {
     let (columns, rows) = map.report.shape;
-    let mut marked = vec![false; columns * rows];
-    for leaf in map.leaves() {
-        for row in leaf.row..leaf.row + leaf.height {
-            marked[row * columns + leaf.column..][..leaf.width].fill(leaf.is_marked());
-        }
-    }
     let told: Vec<u8> = (0..rows)
         .flat_map(|row| {
             let cells = map.read(row * columns..(row + 1) * columns, &Column::ALL).unwrap();
@@ -93,17 +87,21 @@ fn compare(map: &RefinedMap, dense: &[u8]) {
         })
         .collect();
     let ran = map.cells().iter().filter(|cell| told[**cell] != dense[**cell]).count();
-    let differ: Vec<usize> = (0..told.len()).filter(|cell| told[*cell] != dense[*cell]).collect();
-    let outside = differ.iter().filter(|cell| !marked[**cell]).count();
-    let outcome = |code: u8| class(code);
-    let outcomes: Vec<&usize> =
-        differ.iter().filter(|cell| outcome(told[**cell]) != outcome(dense[**cell])).collect();
-    let outcomes_outside = outcomes.iter().filter(|cell| !marked[***cell]).count();
+    let (mut differ, mut outcomes, mut not_beside, mut outside) = (0, 0, 0, 0);
+    for leaf in map.leaves() {
+        for row in leaf.row..leaf.row + leaf.height {
+            let cells = row * columns + leaf.column..row * columns + leaf.column + leaf.width;
+            for cell in cells.filter(|cell| told[*cell] != dense[*cell]) {
+                differ += 1;
+                outcomes += usize::from(class(told[cell]) != class(dense[cell]));
+                not_beside += usize::from(!leaf.beside);
+                outside += usize::from(!leaf.is_marked());
+            }
+        }
+    }
     println!(
-        "{} cells differ, {outside} of them outside of leaves marked; the outcome of {}, of {outcomes_outside} outside; of \
-         cells that were run {ran}",
-        differ.len(),
-        outcomes.len(),
+        "{differ} cells differ, {outcomes} of them in more than impacts; {outside} outside of leaves marked, {not_beside} \
+         without the mark of impacts; of cells that were run {ran}"
     );
     let share = |cells: usize| 100.0 * cells as f64 / told.len() as f64;
     let RefineReport { beside, impacts_differ, marked, .. } = map.report;

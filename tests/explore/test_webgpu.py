@@ -3,7 +3,6 @@
 `cargo test --test exported` writes what the library has; `python -m pytest tests/explore/test_webgpu.py` compares.
 """
 
-import functools
 import http.server
 import json
 import os
@@ -34,17 +33,19 @@ NAMES = [json.loads(path.read_text())["name"] for path in SCENES]
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """Serves the page's modules as they are now, and what the library wrote beside them."""
+    """Serves the exported page, its modules as they are now, and under /library/ what the library wrote."""
 
-    extensions_map = {".js": "text/javascript", ".html": "text/html", ".json": "application/json"}
+    extensions_map = {".js": "text/javascript", ".html": "text/html", ".json": "application/json", ".css": "text/css", ".svg": "image/svg+xml"}
 
     def translate_path(self, path):
         path = path.split("?")[0].lstrip("/")
-        own = PAGE / path
-        return str(own if own.is_file() and not path.startswith("page/") else EXPORTED / path)
+        if path.startswith("library/"):
+            return str(EXPORTED / path.removeprefix("library/"))
+        now = PAGE / path
+        return str(now if path.endswith(".js") and now.is_file() else EXPORTED / "page" / path)
 
     def do_GET(self):
-        if self.path == "/":
+        if self.path == "/blank":
             self.send_response(200)
             self.send_header("Content-Type", "text/html")
             self.end_headers()
@@ -72,10 +73,18 @@ def browser(driver):
 
 
 @pytest.fixture(scope="module")
+def plain(driver):
+    """A browser that has no GPU to give."""
+    own = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
+    yield own
+    own.close()
+
+
+@pytest.fixture(scope="module")
 def page(browser, address):
     page = browser.new_page()
     page.set_default_timeout(120_000)
-    page.goto(address)
+    page.goto(address + "blank")
     page.evaluate(LIBRARY)
     return page
 
@@ -83,7 +92,7 @@ def page(browser, address):
 LIBRARY = """async () => {
   const of = async (name) => (await fetch(name)).json();
   const { learn } = await import('/gpu/known.js');
-  learn(await of('/model.json'));
+  learn(await of('/library/model.json'));
   const { Device } = await import('/gpu/device.js');
   const device = await Device.open(await (await fetch('/sweep.wgsl')).text());
   window.engine = { of, device };
@@ -160,7 +169,7 @@ def test_the_library_has_written_what_is_compared():
 
 @pytest.mark.parametrize("scene", SCENES, ids=NAMES)
 def test_a_scene_has_the_librarys_words_and_outcomes(page, scene):
-    told = page.evaluate(COMPARE, [f"/{scene.name}", False])
+    told = page.evaluate(COMPARE, [f"/library/{scene.name}", False])
     assert told["parts"][0] == told["parts"][1]
     assert all(count == 0 for count in told["words"].values()), told["words"]
     assert told["differences"] == []
@@ -169,7 +178,7 @@ def test_a_scene_has_the_librarys_words_and_outcomes(page, scene):
 
 
 def test_a_mistake_in_a_number_shows(page):
-    told = page.evaluate(COMPARE, [f"/{SCENES[0].name}", True])
+    told = page.evaluate(COMPARE, [f"/library/{SCENES[0].name}", True])
     assert told["words"]["bodies"] > 0
 
 
@@ -313,9 +322,7 @@ def test_a_motion_is_the_librarys(page):
     assert len(library) > 2
     for own in library:
         cell = page.evaluate(
-            f"async (scene) => {{ {ENGINE} return plain(await engine.cell({{ scene, motion: true }})); }}".replace(
-                "return plain", PLAIN + "return plain"
-            ),
+            f"async (single) => {{ {ENGINE} {PLAIN} return plain(await engine.cell({{ scene: single, motion: true }})); }}",
             own["scene"],
         )
         assert cell["columns"]["outcome"] == own["outcome"]
@@ -371,23 +378,43 @@ def test_the_command_line_is_the_scenes(page):
     assert told[1]["command"].endswith("--x=t_h --y=a_h")
 
 
-def test_without_webgpu_stored_maps_are_shown(address, driver):
-    plain = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--headless=new"])
-    try:
-        page = plain.new_page()
-        page.goto(address + "page/")
-        told = page.evaluate(f"""async () => {{ {ENGINE.replace("/gpu/", "/page/gpu/")}
-          const shown = await frames({{ tab: 'a', scene: engine.about.scene, count: [64, 64] }});
-          const {{ x, y }} = engine.about.scene;
-          const near = {{ ...engine.about.scene, [x]: '5', [y]: '6' }};
-          const other = await failed(engine.map({{ tab: 'a', scene: {{ ...scene, eccentricity: '0.3' }} }}, () => {{}}));
-          const cell = await engine.cell({{ scene: near, motion: false }});
-          return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words];
-        }}""")
-    finally:
-        plain.close()
+def test_without_webgpu_stored_maps_are_shown(plain, address):
+    page = plain.new_page()
+    page.goto(address + "blank")
+    told = page.evaluate(f"""async () => {{ {ENGINE}
+      const shown = await frames({{ tab: 'a', scene: engine.about.scene, count: [64, 64] }});
+      const {{ x, y }} = engine.about.scene;
+      const near = {{ ...engine.about.scene, [x]: '5', [y]: '6' }};
+      const other = await failed(engine.map({{ tab: 'a', scene: {{ ...scene, eccentricity: '0.3' }} }}, () => {{}}));
+      const cell = await engine.cell({{ scene: near, motion: false }});
+      return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words];
+    }}""")
     assert "no WebGPU" in told[0]
     assert len(told[1]) == 1 and "no WebGPU" in told[1][0][1]
     assert told[2] == told[1][0][0][0] * told[1][0][0][1] > 10_000
     assert told[3]["name"] == "EngineError" and "stored" in told[3]["line"]
     assert told[4].startswith("Overturned about the left corner")
+
+
+def test_the_exported_page_computes_by_itself(browser, address):
+    errors = []
+    context = browser.new_context(viewport={"width": 320, "height": 480})
+    page = context.new_page()
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+    page.goto(address)
+    page.wait_for_selector("#map[data-stage=coarse], #map[data-stage=fine], #map[data-stage=refined]", timeout=120_000)
+    assert "f32" in page.inner_text("#status")
+    page.wait_for_selector("#map[data-stage=refined][data-busy=false]", timeout=240_000)
+    legend = page.inner_text("#legend")
+    assert "full contact" in legend and "0 impacts" in legend
+    assert errors == []
+    context.close()
+
+
+def test_the_exported_page_shows_a_stored_map_without_webgpu(plain, address):
+    page = plain.new_page()
+    page.goto(address)
+    page.wait_for_selector("#map[data-stage=stored]")
+    assert "no WebGPU" in page.inner_text("#status")
+    page.close()
