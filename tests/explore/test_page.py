@@ -61,7 +61,7 @@ def test_a_slider_is_answered(open_page):
 class Moves:
     """Random moves of a reader."""
 
-    KEYS = ["+", "-", "0", "ArrowLeft", "ArrowUp", "Shift+ArrowRight", "Shift+ArrowDown"]
+    KEYS = ["+", "-", "0", "ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Control+ArrowLeft"]
     SLIDERS = ["eccentricity", "t_h", "t_v", "psi", "xi_h", "xi_v", "a_v"]
 
     def __init__(self, page, seed):
@@ -340,7 +340,7 @@ def test_by_keyboard_alone(open_page):
     keyboard.press("0")
     page.settle()
     assert page.rested() == start
-    for key in ("ArrowUp", "ArrowRight", "Control+ArrowRight"):
+    for key in ("Shift+ArrowUp", "Shift+ArrowRight", "Control+ArrowRight"):
         keyboard.press(key)
     page.page.wait_for_timeout(400)
     assert "Ω" in page.page.inner_text("#readout")
@@ -350,7 +350,7 @@ def test_by_keyboard_alone(open_page):
     assert "cell=" in page.rested()
     keyboard.press("l")
     for _ in range(8):
-        keyboard.press("ArrowLeft")
+        keyboard.press("Shift+ArrowLeft")
     keyboard.press("l")
     assert "line=" in page.rested()
     keyboard.press("Escape")

@@ -13,10 +13,10 @@ const SHOWN = 'The map as it is shown. Files of data are saved by topple explore
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
-  'drag, Shift + arrows': 'move the view',
+  'drag, arrows': 'move the view',
   'wheel, pinch, + and −': 'zoom; over an axis that axis alone',
   '0, Home': 'the whole map',
-  'arrows, Control + arrows': 'move the crosshair, by one cell',
+  'Shift + arrows, Control + arrows': 'move the crosshair, by one cell',
   'click, Enter': 'the motion of a cell',
   'Shift + click, Shift + Enter': 'a second cell beside it',
   'Section, L': 'draw a line across the map',

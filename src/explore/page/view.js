@@ -5,7 +5,7 @@ import { measure, value } from './axis.js';
 const SLACK = 5;
 /** Zoom of a key or a button. */
 const STEP = 1.5;
-/** Parts of the view by which an arrow moves it with Shift, and the crosshair without. */
+/** Parts of the view by which an arrow moves it, and the crosshair with Shift. */
 const SHIFT = 0.12;
 const CROSS = 0.025;
 
@@ -137,7 +137,7 @@ export function followHand(host, hand) {
   host.addEventListener('keydown', (event) => {
     if (event.altKey || event.metaKey || event.target !== host || !hand.axes()) return;
     const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
-    if (arrow && !event.shiftKey) stepCross(arrow, event.ctrlKey);
+    if (arrow && (event.shiftKey || event.ctrlKey)) stepCross(arrow, event.ctrlKey);
     else if (arrow) hand.move(shifted(hand.axes(), spans(hand.axes()).map((span, k) => span * SHIFT * arrow[k])));
     else if (event.key === '+' || event.key === '=') zoom(1 / STEP);
     else if (event.key === '-' || event.key === '_') zoom(STEP);
