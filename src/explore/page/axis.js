@@ -25,7 +25,7 @@ export function rangeText(axis, integer = false) {
   return ends.join(':') + (log ? ':log' : '');
 }
 
-const logDigits = ({ start, stop }) => Math.min(17, 6 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));
+const logDigits = ({ start, stop }) => Math.min(17, 5 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));
 
 /** The ends of a number that the engine accepts: legal ones, and plausible ones unless those are waived. */
 export function bounds(parameter, forced = false) {

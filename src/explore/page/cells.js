@@ -60,7 +60,7 @@ export function createCells(engine, store, explorer, change, tell) {
     const axes = axesOf(store.state);
     if (!axes || store.state.suite) return;
     const at = values.map((value, k) => {
-      const near = parameterOf(about, axes[k].key).integer ? Math.round(value) : Number(within(value, axes[k].stop - axes[k].start, 1e-4));
+      const near = parameterOf(about, axes[k].key).integer ? Math.round(value) : Number(within(value, axes[k].stop - axes[k].start));
       return near;
     });
     change(second && store.state.cell ? { cell2: at } : { cell: at }, true);

@@ -10,7 +10,7 @@ export function parse(text) {
 export const plain = (value, digits = 12) => String(Number(value.toPrecision(digits)));
 
 /** A value to a part of a span: enough digits to tell places in a view apart. */
-export function within(value, span, part = 1e-5) {
+export function within(value, span, part = 1e-4) {
   const step = Math.abs(span) * part;
   if (!(step > 0) || !Number.isFinite(step)) return plain(value);
   const place = Math.floor(Math.log10(step));

@@ -37,7 +37,9 @@ function field(attributes, onText) {
 }
 
 const put = (input, text) => {
-  if (!input.dataset.typed && input.value !== text) input.value = text;
+  if (input.dataset.typed || input.value === text) return;
+  input.value = text;
+  input.title = text;
 };
 
 /**

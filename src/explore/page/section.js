@@ -50,7 +50,7 @@ export function createSection(engine, store, explorer, change, tell) {
 
   function rounded(points) {
     const axes = axesOf(store.state);
-    return points.map((value, k) => Number(within(value, axes[k % 2].stop - axes[k % 2].start, 1e-4)));
+    return points.map((value, k) => Number(within(value, axes[k % 2].stop - axes[k % 2].start)));
   }
 
   function update(state, before) {
