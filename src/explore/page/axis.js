@@ -20,9 +20,17 @@ export function parseRange(key, text) {
 export function rangeText(axis, integer = false) {
   const { start, stop, log } = axis;
   const ends = integer
-    ? [Math.round(start), Math.round(stop)]
+    ? wholeEnds(axis)
     : [start, stop].map((end) => (log ? plain(end, logDigits(axis)) : within(end, stop - start)));
   return ends.join(':') + (log ? ':log' : '');
+}
+
+/** Gaps between whole numbers, which the engine's coarser pictures halve three times. */
+const WHOLE_GAPS = 8;
+
+function wholeEnds({ start, stop }) {
+  const from = Math.round(start);
+  return [from, from + WHOLE_GAPS * Math.max(1, Math.round((stop - start) / WHOLE_GAPS))];
 }
 
 const logDigits = ({ start, stop }) => Math.min(17, 5 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));

@@ -21,7 +21,7 @@ const HANDY = {
   alpha_y: [0.01, 1, 'log'],
   u_y: [0.001, 0.5, 'log'],
   yield_force: [10, 1e5, 'log'],
-  bouc_wen_n: [1, 10],
+  bouc_wen_n: [1, 9],
   omega: [0.2, 20],
   a_h: [0, 20],
   a_v: [-10, 10],
