@@ -20,7 +20,8 @@ use super::stage::Told;
 use super::view;
 use crate::model::precision::Precision;
 use crate::scene::isolation::{HORIZONTAL, VERTICAL};
-use crate::scene::{Directions, Excitation};
+use crate::scene::record::Pair;
+use crate::scene::{Directions, Excitation, Parameter};
 use crate::sweep::gpu::shader::{self, Switches};
 
 /// Why a page is not exported.
@@ -135,10 +136,7 @@ fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
 /// Those of the stored maps; [`ExportError::NoEngine`].
 fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError> {
     let scene = exported(&session.first);
-    let pair = match session.ready(&session.first, [2, 2], AskedPrecision::F32)?.scene.excitation {
-        Excitation::Record(pair) => Some(pair),
-        Excitation::Pulse(_) => None,
-    };
+    let pair = record(session)?;
     let record = pair.as_ref().zip(scene.get("horizontal")).map(|(pair, id)| (&**id, pair));
     let known = known(record).map_err(Refused::from)?;
     let mut files = Vec::new();
@@ -165,6 +163,21 @@ fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError>
     files.push(("model.json".into(), known.to_string().into_bytes()));
     files.push(("sweep.wgsl".into(), shader().into_bytes()));
     Ok(files)
+}
+
+/// The record of the first scene as it is in its files: the page scales it itself. One whose files tell no units is
+/// scaled to its peak all the same.
+fn record(session: &Session) -> Result<Option<Pair>, Refused> {
+    let mut unscaled = session.first.clone();
+    for parameter in [Parameter::Scale, Parameter::Pga] {
+        unscaled.remove(parameter.key());
+    }
+    let ready = |flat: &Flat| session.ready(flat, [2, 2], AskedPrecision::F32);
+    let ready = ready(&unscaled).or_else(|_| ready(&session.first))?;
+    Ok(match ready.scene.excitation {
+        Excitation::Record(pair) => Some(pair),
+        Excitation::Pulse(_) => None,
+    })
 }
 
 /// The shader's text for a page.

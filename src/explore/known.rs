@@ -175,7 +175,7 @@ fn columns() -> Value {
     TABLE.iter().map(|entry| (entry.name.to_string(), json!(kind(&entry.holds)))).collect()
 }
 
-/// A record as the shader has it: both components of each sample.
+/// A record: both components of each sample.
 fn samples((id, pair): (&str, &Pair)) -> Value {
     let both = pair.horizontal.iter().zip(pair.vertical.iter());
     json!({
@@ -186,6 +186,6 @@ fn samples((id, pair): (&str, &Pair)) -> Value {
         "duration": pair.duration(),
         "factor": pair.factor,
         "pga_h": pair.pga_h,
-        "samples": both.flat_map(|(h, v)| [*h as f32, *v as f32]).collect::<Vec<f32>>(),
+        "samples": both.flat_map(|(h, v)| [*h, *v]).collect::<Vec<f64>>(),
     })
 }

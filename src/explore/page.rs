@@ -84,6 +84,7 @@ pub const FILES: &[File] = files![
     "gpu/plan.js": SCRIPT,
     "gpu/pulse.js": SCRIPT,
     "gpu/range.js": SCRIPT,
+    "gpu/record.js": SCRIPT,
     "gpu/refine.js": SCRIPT,
     "gpu/scene.js": SCRIPT,
     "gpu/stored.js": SCRIPT,

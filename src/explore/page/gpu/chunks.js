@@ -139,6 +139,7 @@ export class LoadedTile {
   }
 }
 
-function unfinished(cells) {
+// The error of cells that the device left running.
+export function unfinished(cells) {
   return new EngineError(null, `the GPU left ${cells} cells unfinished; another browser or driver may do better`);
 }

@@ -7,6 +7,6 @@ export let known = null;
 export function learn(model) {
   known = model;
   known.parameter = new Map(model.parameters.map((entry) => [entry.key, entry]));
-  if (known.record) known.record.samples = Float32Array.from(known.record.samples);
+  if (known.record) known.record.samples = Float64Array.from(known.record.samples);
   known.shape = new Map(model.shapes.map((shape) => [shape.name, shape]));
 }

@@ -1,6 +1,6 @@
 // The motion of one cell: the same kernels, one step a chunk, the state after each kept.
 
-import { LoadedTile } from './chunks.js';
+import { LoadedTile, unfinished } from './chunks.js';
 import { timeOf } from './clock.js';
 import { heed } from './errors.js';
 import { windowAround } from './grid.js';
@@ -12,43 +12,61 @@ import { samplesOf } from './sweep.js';
 import { CellTables } from './tables.js';
 import { tileOf } from './tile.js';
 
-// Instants of a motion at most: of a longer one every so many steps are kept.
+// Instants of a motion, about: of a longer one every so many steps are kept.
 const MOST_ROWS = 8192;
-// Instants of the first submission, and what one may take, ms.
+// Instants of the first submission and of any, and what one may take, ms: a GPU has other work between the steps of a cell.
 const FIRST_ROWS = 64;
-const LONGEST = 50;
+const MOST_BATCH = 2048;
+const LONGEST = 200;
 // Instants of a pulse's ground.
 const PULSE_ROWS = 256;
 
-// Steps a cell while each state is copied to a buffer; all states, from the first on.
+// Steps a cell, and keeps each state; all states, from the first on.
 async function statesOf(device, loaded, steps, signal) {
   const { gpu } = device;
   const size = 4 * known.words_of.state;
-  const work = Math.max(1, Math.ceil(steps / MOST_ROWS));
-  const rows = Math.ceil(steps / work) + 1;
-  const { STORAGE, COPY_SRC } = GPUBufferUsage;
-  const history = device.buffer('history', rows * size, STORAGE | COPY_SRC);
-  loaded.of.history = history;
-  loaded.setWork(work);
-  let encoder = gpu.createCommandEncoder();
-  loaded.encodeBegin(encoder);
-  encoder.copyBufferToBuffer(loaded.of.states, 0, history, 0, size);
-  let row = 1;
+  loaded.setWork(Math.max(1, Math.ceil(steps / MOST_ROWS)));
+  const parts = [];
   let batch = FIRST_ROWS;
-  for (let running = 1; running > 0 && row < rows; ) {
+  let [running, done] = [1, -1];
+  while (running > 0) {
     heed(signal);
-    const began = performance.now();
-    for (const end = Math.min(rows, row + batch); row < end; row += 1) {
+    const first = parts.length === 0;
+    const kept = device.buffer('kept', (batch + 1) * size, GPUBufferUsage.MAP_READ);
+    const encoder = gpu.createCommandEncoder();
+    let rows = 0;
+    const keep = () => {
+      encoder.copyBufferToBuffer(loaded.of.states, 0, kept, rows * size, size);
+      rows += 1;
+    };
+    if (first) {
+      loaded.encodeBegin(encoder);
+      keep();
+    }
+    for (let chunk = 0; chunk < batch; chunk += 1) {
       const pass = encoder.beginComputePass();
       loaded.encodeChunk(pass, 1);
       pass.end();
-      encoder.copyBufferToBuffer(loaded.of.states, 0, history, row * size, size);
+      keep();
     }
-    ({ running } = await loaded.submit(encoder));
-    batch = Math.ceil(batch * Math.min(4, Math.max(0.25, LONGEST / Math.max(performance.now() - began, 1))));
-    encoder = gpu.createCommandEncoder();
+    const began = performance.now();
+    try {
+      const [told, states] = await Promise.all([loaded.submit(encoder), device.read(kept, rows * size)]);
+      if (told.running > 0 && told.steps === done) throw unfinished(told.running);
+      [running, done] = [told.running, told.steps];
+      parts.push(new Uint32Array(states));
+    } finally {
+      kept.destroy();
+    }
+    const ratio = LONGEST / Math.max(performance.now() - began, 1);
+    batch = Math.min(Math.ceil(batch * Math.min(4, Math.max(0.25, ratio))), MOST_BATCH);
   }
-  return loaded.contents('history', row * size);
+  const words = new Uint32Array(parts.reduce((sum, part) => sum + part.length, 0));
+  parts.reduce((at, part) => {
+    words.set(part, at);
+    return at + part.length;
+  }, 0);
+  return words;
 }
 
 // What happens from one state to the next, each with its time.

@@ -8,6 +8,7 @@ import { Grid } from './grid.js';
 import { completeIsolation } from './isolation.js';
 import { known } from './known.js';
 import { Range, number } from './range.js';
+import { scaledRecord } from './record.js';
 
 // Keys of a scene that are no numbers.
 const WORDS = ['object', 'isolation', 'shape', 'overturn', 'force', 'x', 'y', 'horizontal', 'vertical', 'dt', 'units'];
@@ -101,9 +102,9 @@ function completePulse(shape, numbers) {
 }
 
 // The record of a scene that names one: the page has no other than that it was exported with.
-function recordOf(text) {
+function recordOf(text, numbers) {
   if (text.horizontal === undefined) return null;
-  if (known.record?.id === text.horizontal) return known.record;
+  if (known.record?.id === text.horizontal) return scaledRecord(known.record, numbers);
   throw new EngineError('horizontal', 'this page was exported without that record; run `topple explore`');
 }
 
@@ -142,7 +143,7 @@ export function sceneOf(text, count) {
   const force = text.force === 'true';
   const axes = count ? [text.x, text.y] : [];
   const numbers = given(text, axes, count, force);
-  const record = recordOf(text);
+  const record = recordOf(text, numbers);
   const choices = {
     isolation: word(text, 'isolation'),
     overturn: word(text, 'overturn'),

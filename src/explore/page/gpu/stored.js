@@ -40,7 +40,7 @@ export class StoredMaps {
   async map(request, onFrame, signal) {
     const frame = await this.frameOf(request.scene);
     heed(signal);
-    onFrame({ ...frame, note: WITHOUT });
+    onFrame({ ...frame, backend: null, adapter: 'stored map', note: WITHOUT });
   }
 
   // The cell of a stored map that lies nearest.
