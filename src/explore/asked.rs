@@ -9,7 +9,7 @@ use super::refused::Refused;
 use crate::model::precision::Precision;
 use crate::scene::keys;
 use crate::scene::parameters::Section;
-use crate::scene::{FIRST, Grid, Parameter, Scene, SceneBuilder, Values};
+use crate::scene::{FIRST, Grid, Parameter, Range, Scene, SceneBuilder, Values};
 
 /// The keys of a scene with their values as on a command line; the two axes are `start:stop`, or `start:stop:log`.
 pub type Flat = BTreeMap<String, String>;
@@ -48,12 +48,19 @@ impl AskedPrecision {
     }
 }
 
+/// Values along an axis of which neighbours are to be told apart, however many cells are asked for: a view, its
+/// sections and its files are of one number type.
+const VALUES: u32 = 1025;
+
 /// True where f32 hardly tells neighbouring values apart.
 fn is_fine(values: &Values) -> bool {
-    let count = values.count();
-    let pairs = [0, count / 2, count.saturating_sub(2)];
-    pairs.into_iter().filter(|at| at + 1 < count).any(|at| {
-        let (one, next) = (values.value(at), values.value(at + 1));
+    let Values::Range(range) = values else { return false };
+    if range.count < 2 {
+        return false;
+    }
+    let range = Range { count: VALUES, ..*range };
+    [0, VALUES / 2, VALUES - 2].into_iter().any(|at| {
+        let (one, next) = (range.value(at), range.value(at + 1));
         (next - one).abs() < ROUNDINGS * f64::from(f32::EPSILON) * one.abs().max(next.abs())
     })
 }
@@ -66,7 +73,7 @@ pub fn axes(flat: &Flat) -> Result<[Parameter; 2], Refused> {
     let [x, y] = ["x", "y"].map(|key| {
         let name = flat.get(key).ok_or_else(|| Refused::of(key, "missing; give a number's key"))?;
         Parameter::of_key(name)
-            .ok_or_else(|| Refused::of(key, format!("there is no number {name}")))
+            .ok_or_else(|| Refused::of(key, format!("there is no number '{name}'; give a key")))
     });
     let [x, y] = [x?, y?];
     if x == y {
@@ -127,7 +134,10 @@ fn word(key: &str, text: &str) -> Result<Value, Refused> {
     let word = match key {
         "object" => json!(text.parse::<u32>().map_err(|_| refused("the number of a block"))?),
         "force" => json!(text.parse::<bool>().map_err(|_| refused("true or false"))?),
-        "dt" => json!(text.parse::<f64>().map_err(|_| refused("a number of seconds"))?),
+        "dt" => match text.parse::<f64>() {
+            Ok(dt) if dt.is_finite() => json!(dt),
+            _ => return Err(refused("a number of seconds")),
+        },
         _ => json!(text),
     };
     let section = Section::ALL.into_iter().find(|own| keys::words(*own).contains(&key));
@@ -173,7 +183,7 @@ fn ends(values: &Values) -> String {
 /// A range around a single value, for an axis that a scene does not have.
 fn around(value: f64) -> Values {
     let reach = if value == 0.0 { 1.0 } else { 0.5 * value.abs() };
-    Values::Range(crate::scene::Range::even(value - reach, value + reach, 2))
+    Values::Range(Range::even(value - reach, value + reach, 2))
 }
 
 /// A scene in flat keys, with two axes: its own first two, others at their first values. `given` is what the user
@@ -270,11 +280,15 @@ mod tests {
     /// f32 has 24 bits: of values near 4 the spacing is 2^-21.
     #[test]
     fn a_deep_view_is_computed_in_f64() {
-        for (stop, expected) in [("4.1", Precision::F32), ("4.0001", Precision::F64)] {
+        for (stop, expected) in [("4.1", Precision::F32), ("4.01", Precision::F64)] {
             let mut asked = flat(&SCENE);
             asked.insert("omega".into(), format!("4:{stop}"));
-            let grid = Grid::of(&builder(&asked, Some([257, 3])).unwrap().check().unwrap());
-            assert_eq!(AskedPrecision::Auto.of(&grid), expected, "{stop}");
+            let grid =
+                |count| Grid::of(&builder(&asked, Some([count, 3])).unwrap().check().unwrap());
+            for count in [3, 257, 2049] {
+                assert_eq!(AskedPrecision::Auto.of(&grid(count)), expected, "{stop} {count}");
+            }
+            let grid = grid(257);
             assert_eq!(AskedPrecision::F32.of(&grid), Precision::F32);
         }
     }

@@ -1,5 +1,7 @@
 //! A cell of a map: its numbers, and its motion.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use serde::Deserialize;
 use serde_json::{Map as Object, Value, json};
 
@@ -14,7 +16,7 @@ use crate::model::precision::Precision;
 use crate::results::columns::{Holds, TABLE};
 use crate::scene::isolation::KelvinVoigt;
 use crate::stepping::outcome::Outcome;
-use crate::sweep::history::{Row, by_steps};
+use crate::sweep::history::{Row, by_steps_while};
 
 /// A request for a cell.
 #[derive(Debug, Clone, Deserialize)]
@@ -29,6 +31,9 @@ pub struct CellRequest {
     pub motion: bool,
 }
 
+/// Steps of a motion at most: more than a page can hold well.
+const MOST: usize = 200_000;
+
 /// The places of modes in the page's list.
 fn mode(name: &str) -> u8 {
     match name {
@@ -41,8 +46,8 @@ fn mode(name: &str) -> u8 {
 /// Runs a cell: its columns and, where it is wanted, its motion.
 ///
 /// # Errors
-/// The first key at fault.
-pub fn run(session: &Session, request: &CellRequest) -> Result<Value, Refused> {
+/// The first key at fault; the key `t_max` of a motion of too many steps.
+pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Result<Value, Refused> {
     let given = asked::builder(&request.scene, None)?;
     let scene = session.records.check(&given)?;
     let precision = match request.precision {
@@ -53,10 +58,16 @@ pub fn run(session: &Session, request: &CellRequest) -> Result<Value, Refused> {
     // A motion is told to its end, proved or not.
     plan.reductions.certificate = false;
     let case = scene.case();
+    let go_on = |rows: usize| rows <= MOST && !stop.load(Ordering::Relaxed);
     let (rows, outcome) = match precision {
-        Precision::F32 => by_steps::<f32>(&plan.at(precision), &case),
-        Precision::F64 => by_steps::<f64>(&plan.at(precision), &case),
+        Precision::F32 => by_steps_while::<f32>(&plan.at(precision), &case, &go_on),
+        Precision::F64 => by_steps_while::<f64>(&plan.at(precision), &case, &go_on),
     };
+    if rows.len() > MOST {
+        let problem =
+            format!("the motion has more than {MOST} steps; shorten it, or use the command");
+        return Err(Refused::of("t_max", problem));
+    }
     let block = &case.block;
     let mut told = json!({
         "columns": columns(&outcome),

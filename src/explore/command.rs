@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::asked::{self, AskedPrecision, Flat, SYNTHETIC};
 use super::refused::Refused;
 use super::session::Session;
+use super::stages::Stages;
 use crate::model::precision::Precision;
 use crate::scene::keys;
 use crate::scene::parameters::{PARAMETERS, Section};
@@ -30,7 +31,9 @@ pub struct MapRequest {
 /// # Errors
 /// The first key at fault.
 pub fn run(session: &Session, request: &MapRequest) -> Result<Value, Refused> {
-    let given = asked::builder(&request.scene, Some(request.count))?;
+    // The cells of the view at its finest.
+    let count = Stages::of(&request.scene, request.count)?.count(0);
+    let given = asked::builder(&request.scene, Some(count))?;
     let scene = session.records.check(&given)?;
     let precision = request.precision.of(&Grid::of(&scene));
     Ok(json!({

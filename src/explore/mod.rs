@@ -23,6 +23,7 @@ pub mod section;
 pub mod server;
 pub mod session;
 pub mod stage;
+pub mod stages;
 pub mod start;
 pub mod suite;
 pub mod suites;

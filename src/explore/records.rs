@@ -30,13 +30,34 @@ pub struct Records {
     read: Mutex<HashMap<Key, Pair>>,
 }
 
-/// The last part of a name that a browser gave, without what a file's name cannot have.
+/// Bytes of a name at most: the system's limit, less what tells names apart.
+const LONGEST: usize = 200;
+
+/// The last part of a name that a browser gave, without what a file's name cannot have on some system.
 pub fn plain_name(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let kept = |c: &char| c.is_alphanumeric() || matches!(c, '.' | '-' | '_' | ' ');
-    let name: String = last.chars().filter(kept).take(128).collect();
-    let name = name.trim_matches([' ', '.']).to_string();
+    let kept = |c: &char| !c.is_control() && !"<>:\"|?*".contains(*c);
+    let mut plain = String::new();
+    for letter in last.chars().filter(kept) {
+        if plain.len() + letter.len_utf8() > LONGEST {
+            break;
+        }
+        plain.push(letter);
+    }
+    let name = plain.trim_matches([' ', '.']).to_string();
     if name.is_empty() { "record".into() } else { name }
+}
+
+/// The first name, of that given and those with numbers before it, that is free, or whose file `is_it`.
+fn name_for(
+    places: &BTreeMap<String, PathBuf>,
+    plain: &str,
+    is_it: impl Fn(&Path) -> bool,
+) -> String {
+    let numbered = (2_u64..).map(|number| format!("{number}-{plain}"));
+    let is_free = |id: &String| id != SYNTHETIC && places.get(id).is_none_or(|place| is_it(place));
+    // There are more numbers than files.
+    std::iter::once(plain.to_string()).chain(numbered).find(is_free).unwrap_or_default()
 }
 
 impl Records {
@@ -59,32 +80,26 @@ impl Records {
     /// # Errors
     /// Those of the disk.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
-        let plain = plain_name(name);
         // What is stored is whole, whoever panicked.
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
-        for number in 1_u32.. {
-            let id = if number == 1 { plain.clone() } else { format!("{number}-{plain}") };
-            match places.get(&id) {
-                Some(place) if fs::read(place).is_ok_and(|known| known == bytes) => return Ok(id),
-                Some(_) => {}
-                None => {
-                    let place = self.folder.path().join(&id);
-                    fs::write(&place, bytes)?;
-                    places.insert(id.clone(), place);
-                    return Ok(id);
-                }
-            }
+        let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
+        let id = name_for(&places, &plain_name(name), is_it);
+        if !places.contains_key(&id) {
+            let place = self.folder.path().join(&id);
+            fs::write(&place, bytes)?;
+            places.insert(id.clone(), place);
         }
-        Err(Refused::told("too many files of one name"))
+        Ok(id)
     }
 
     /// Knows a file where it lies; its name here.
     pub fn know(&self, path: &Path) -> String {
         let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into());
-        let plain = plain_name(&name);
+        let place = std::path::absolute(path).unwrap_or_else(|_| path.into());
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
-        places.insert(plain.clone(), std::path::absolute(path).unwrap_or_else(|_| path.into()));
-        plain
+        let id = name_for(&places, &plain_name(&name), |known| known == place);
+        places.insert(id.clone(), place);
+        id
     }
 
     /// Where a file lies.
@@ -146,7 +161,18 @@ impl Records {
         };
         let peak =
             pga.map_or_else(Numbers::default, |pga| Numbers::default().with(Parameter::Pga, pga));
-        let pair = check_record(&places, &peak, Path::new(""), force)?;
+        let pair = check_record(&places, &peak, Path::new(""), force).map_err(|error| {
+            // A file is told by its name, not by where it lies.
+            let names =
+                [(&places.horizontal, &text.horizontal), (&places.vertical, &text.vertical)];
+            let problem = names.into_iter().fold(error.problem, |problem, names| match names {
+                (Some(place), Some(id)) => {
+                    problem.replace(&*place.to_string_lossy(), &id.to_string_lossy())
+                }
+                _ => problem,
+            });
+            Refused::of(error.key, problem)
+        })?;
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
         if read.len() >= KEPT {
             read.clear();
@@ -204,6 +230,7 @@ mod tests {
             ("C:\\records\\h.at2", "h.at2"),
             ("..", "record"),
             ("a\0b.txt", "ab.txt"),
+            ("H+90 (1).AT2", "H+90 (1).AT2"),
             ("", "record"),
         ] {
             assert_eq!(plain_name(name), plain);
@@ -216,5 +243,12 @@ mod tests {
         assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
         assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
         assert_eq!(records.add("x/h.at2", b"two").unwrap(), "2-h.at2");
+        // The word of the pair that is made.
+        assert_eq!(records.add("synthetic", b"two").unwrap(), "2-synthetic");
+        let long = "\u{6f22}".repeat(128);
+        assert!(records.add(&long, b"one").unwrap().len() <= 256);
+        assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
+        assert_eq!(records.know("b/rec.txt".as_ref()), "2-rec.txt");
+        assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
     }
 }

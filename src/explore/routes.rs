@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};
 
-use axum::body::{Body, Bytes};
+use axum::body::{Body, Bytes, to_bytes};
 use axum::extract::{FromRequest, Multipart, Request, State};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN, REFERRER_POLICY,
@@ -29,6 +29,8 @@ use super::{about, cell, command, page, save, section, suite, verify, view};
 /// The header of the page's own requests.
 const MARK: HeaderName = HeaderName::from_static("x-topple");
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
+/// Bytes of a request without files at most.
+const LARGEST: usize = 1 << 20;
 /// Frames that wait for a page at most.
 const WAITING: usize = 2;
 
@@ -66,25 +68,36 @@ impl Stream for Frames {
     }
 }
 
-/// Answers a request.
-pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response {
-    let text = |headers: &HeaderMap, name: HeaderName| {
-        headers.get(name).and_then(|value| value.to_str().ok()).map(String::from)
-    };
+/// A header that stands once at most; `Some(None)` where it is not there, none where it stands twice or is no text.
+fn only(headers: &HeaderMap, name: HeaderName) -> Option<Option<&str>> {
+    let mut all = headers.get_all(name).iter();
+    match (all.next(), all.next()) {
+        (None, _) => Some(None),
+        (Some(value), None) => value.to_str().ok().map(Some),
+        _ => None,
+    }
+}
+
+/// The path below the token of a request that is let in.
+fn allowed(shared: &Shared, request: &Request) -> Option<String> {
     let headers = request.headers();
-    let (host, origin, site) = (text(headers, HOST), text(headers, ORIGIN), text(headers, SITE));
-    let path = request.uri().path().to_string();
     let said = Said {
-        path: &path,
-        host: host.as_deref(),
-        origin: origin.as_deref(),
-        site: site.as_deref(),
-        posts: request.method() != Method::GET,
+        path: request.uri().path(),
+        host: only(headers, HOST)?,
+        origin: only(headers, ORIGIN)?,
+        site: only(headers, SITE)?,
+        posts: !matches!(*request.method(), Method::GET | Method::HEAD),
         marked: headers.contains_key(MARK),
     };
-    let mut response = match let_in(&shared.token, shared.at, &said) {
+    let_in(&shared.token, shared.at, &said).map(String::from)
+}
+
+/// Answers a request.
+pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response {
+    let path = allowed(&shared, &request);
+    let mut response = match path {
         None => (StatusCode::FORBIDDEN, "not allowed\n").into_response(),
-        Some(path) => inner(&shared, path, request).await,
+        Some(path) => inner(&shared, &path, request).await,
     };
     for (name, value) in [
         (CONTENT_SECURITY_POLICY, page::POLICY),
@@ -104,10 +117,10 @@ pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Resp
 async fn inner(shared: &Arc<Shared>, path: &str, request: Request) -> Response {
     let session = Arc::clone(&shared.session);
     match (request.method(), path) {
-        (&Method::GET, "about") => {
+        (&Method::GET | &Method::HEAD, "about") => {
             run(move |_| Ok(about::about(&session).to_string())).await.unwrap_or_else(refused)
         }
-        (&Method::GET, path) => {
+        (&Method::GET | &Method::HEAD, path) => {
             let path = if path.is_empty() { page::INDEX } else { path };
             match page::file(path) {
                 Some(file) => ([(CONTENT_TYPE, file.kind)], file.bytes).into_response(),
@@ -125,13 +138,13 @@ async fn inner(shared: &Arc<Shared>, path: &str, request: Request) -> Response {
 
 /// Answers a request with a body in JSON.
 async fn posted(session: Arc<Session>, path: &str, request: Request) -> Result<Response, Refused> {
-    let body = Bytes::from_request(request, &()).await;
-    let body = body.map_err(|error| Refused::told(error.body_text()))?;
+    let body = to_bytes(request.into_body(), LARGEST).await;
+    let body = body.map_err(|error| Refused::told(format!("no request: {error}")))?;
     match path {
         "map" => Ok(map(session, read(&body)?)),
         "cell" => {
             let asked = read(&body)?;
-            run(move |_| Ok(cell::run(&session, &asked)?.to_string())).await
+            run(move |stop| Ok(cell::run(&session, &asked, stop)?.to_string())).await
         }
         "section" => {
             let asked = read(&body)?;

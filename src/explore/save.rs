@@ -9,6 +9,7 @@ use super::asked;
 use super::command::{MapRequest, toml};
 use super::refused::Refused;
 use super::session::Session;
+use super::stages::Stages;
 use super::view::{sweep, whole};
 use crate::drawing::render;
 use crate::map::figure::main;
@@ -40,9 +41,6 @@ pub struct SaveRequest {
     pub kind: Kind,
 }
 
-/// Cells along an axis at most.
-const SIDE: u32 = 2049;
-
 /// The bytes of a file, and what a browser calls it.
 ///
 /// # Errors
@@ -53,7 +51,7 @@ pub fn run(
     stop: &AtomicBool,
 ) -> Result<(Vec<u8>, &'static str), Refused> {
     let MapRequest { scene, count, precision } = &request.map;
-    let count = count.map(|count| count.clamp(2, SIDE));
+    let count = Stages::of(scene, *count)?.count(0);
     if request.kind == Kind::Toml {
         let given = asked::builder(scene, Some(count))?;
         session.records.check(&given)?;

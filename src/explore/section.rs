@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::asked::{AskedPrecision, Flat};
 use super::refused::Refused;
 use super::session::Session;
+use super::stages::at_most;
 use super::view::{kind, marks};
 use crate::drawing::palette::Kind;
 use crate::scene::{Parameter, Scene, Values};
@@ -54,7 +55,7 @@ pub fn run(
 ) -> Result<Value, Refused> {
     let SectionRequest { scene, from, to, precision, .. } = request;
     let count = request.count.clamp(2, MOST);
-    let ready = session.ready(scene, [count, count], *precision)?;
+    let ready = session.ready(scene, at_most(scene, [count, count], count)?, *precision)?;
     let (x, y) = (ready.grid.x(), ready.grid.y());
     let Some(y) = y else { return Err(Refused::of("y", "missing; give a number's key")) };
     for (key, from, to, axis) in [("x", from[0], to[0], x), ("y", from[1], to[1], y)] {
@@ -77,7 +78,9 @@ pub fn run(
     };
     let on = (&ready.opened.backends[..], method.precision);
     let parameters = [x.parameter, y.parameter];
-    let outcomes = sweep_points(&ready.scene, parameters, &points, plan, on, stop)?;
+    // Along one axis the other one has a single value, and is none.
+    let scene = Scene { x: None, y: None, ..ready.scene.clone() };
+    let outcomes = sweep_points(&scene, parameters, &points, plan, on, stop)?;
     let friction = |point: &[f64; 2]| match Parameter::Friction {
         own if own == parameters[0] => Some(point[0]),
         own if own == parameters[1] => Some(point[1]),

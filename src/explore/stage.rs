@@ -29,6 +29,9 @@ pub struct ViewRequest {
     /// Columns that are sent, beside kinds and marks.
     #[serde(default)]
     pub columns: Vec<String>,
+    /// The column that is shown as a shade, or outcome.
+    #[serde(default)]
+    pub show: Option<String>,
     /// The suite, for shares over its motions.
     #[serde(default)]
     pub suite: Option<String>,

@@ -8,6 +8,7 @@ use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{Told, ViewRequest, header};
+use super::stages::at_most;
 use crate::scene::Grid;
 use crate::suites::envelope::{CellEnvelope, Envelope};
 use crate::suites::request::SuiteRequest;
@@ -28,8 +29,12 @@ pub fn run(
 ) -> Result<(), Refused> {
     let suite = session.suites.get(id)?;
     let limits = request.limits.read()?;
+    let mut before = None;
     for (stage, most) in COUNTS {
-        let count = request.count.map(|count| count.clamp(2, most));
+        let count = at_most(&request.scene, request.count, most)?;
+        if before.replace(count) == Some(count) {
+            break;
+        }
         let scene = builder(&request.scene, Some(count))?;
         let mut asked = SuiteRequest::new(scene);
         asked.check_envelope(&limits)?;

@@ -37,8 +37,18 @@ impl Suites {
     pub fn add(&self, folder: &Path, files: &[(String, Vec<u8>)]) -> Result<Value, Refused> {
         let own = tempfile::Builder::new().prefix("suite-").tempdir_in(folder)?.keep();
         let id = own.file_name().map_or_else(String::new, |name| name.to_string_lossy().into());
+        let mut names = HashMap::new();
         for (name, bytes) in files {
-            fs::write(own.join(plain_name(name)), bytes)?;
+            // Files of one name lie in folders of their own.
+            let name = plain_name(name);
+            let before: &mut u32 = names.entry(name.clone()).or_default();
+            let place = match *before {
+                0 => own.clone(),
+                number => own.join(format!("{}", number + 1)),
+            };
+            *before += 1;
+            fs::create_dir_all(&place)?;
+            fs::write(place.join(name), bytes)?;
         }
         let suite = read(&own, files)?;
         let motions = suite.motions().count();

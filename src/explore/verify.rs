@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::asked::{AskedPrecision, Flat};
 use super::refused::Refused;
 use super::session::Session;
+use super::stages::at_most;
 use super::view::sweep;
 use crate::map::verdict;
 use crate::sweep::settings::VerifySettings;
@@ -43,7 +44,7 @@ pub fn run(
     request: &VerifyRequest,
     stop: &AtomicBool,
 ) -> Result<Value, Refused> {
-    let count = request.count.map(|count| count.clamp(2, SIDE));
+    let count = at_most(&request.scene, request.count, SIDE)?;
     let ready = session.ready(&request.scene, count, request.precision)?;
     let map = sweep(&ready, stop)?;
     let settings = VerifySettings { cells: request.cells.clamp(1, MOST), within: WITHIN };
@@ -53,6 +54,7 @@ pub fn run(
         "differ": told.differ,
         "unresolved": told.unresolved,
         "verdict": told.verdict,
+        "precision": ready.settings.method.precision,
         "line": format!("{}: {}", verdict::told(&told), verdict::agreement(&told, WITHIN)),
     }))
 }

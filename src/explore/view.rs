@@ -3,11 +3,12 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use super::asked::{AskedPrecision, axes};
+use super::asked::AskedPrecision;
 use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{Told, ViewRequest, header};
+use super::stages::Stages;
 use crate::drawing::palette::{Kind, is_dotted};
 use crate::map::Map;
 use crate::model::precision::Precision;
@@ -21,10 +22,10 @@ use crate::sweep::error::SweepError;
 use crate::sweep::job::{Job, SweepResult};
 use crate::sweep::map::MapSweep;
 
-/// Gaps along an axis of the coarse picture at most.
-const COARSE: u32 = 64;
-/// Cells along an axis at least and at most.
-const COUNTS: (u32, u32) = (2, 2049);
+/// What a view shows where it shows no column as a shade.
+const OUTCOMES: &str = "outcome";
+/// Share of a column's range by which numbers that are taken over may be off, where they are shown.
+const SMOOTH: f64 = 0.02;
 /// Cells drawn at random a level, to find regions that the fine picture has missed.
 const PROBES: usize = 500;
 
@@ -35,20 +36,9 @@ pub const CROSSED: u8 = 2;
 /// It overturns about the right corner after impacts.
 pub const DOTTED: u8 = 4;
 
-/// The cells along both axes of a stage that has 2^`halved` times fewer gaps than the finest one. All stages have
-/// their cells among those of the finest.
-fn counts(count: [u32; 2], levels: u32, halved: u32) -> [u32; 2] {
-    count.map(|count| {
-        let gaps = (count.clamp(COUNTS.0, COUNTS.1) - 1).next_multiple_of(1 << levels);
-        (gaps >> halved) + 1
-    })
-}
-
-/// How often the gaps of the coarse picture are halved down to the finest.
-fn levels(count: [u32; 2]) -> u32 {
-    let gaps = count.map(|count| count.clamp(COUNTS.0, COUNTS.1) - 1);
-    gaps.into_iter().max().unwrap_or(1).div_ceil(COARSE).next_power_of_two().ilog2()
-}
+/// It was not run: its outcome is that of the cells around it, its other numbers are those of a cell beside it, or
+/// between those of cells around it.
+pub const TAKEN_OVER: u8 = 8;
 
 /// Computes a view; `send` is handed frames, and says whether there is still somebody to take them.
 ///
@@ -61,10 +51,10 @@ pub fn run(
     mut send: impl FnMut(Vec<u8>) -> bool,
 ) -> Result<(), Refused> {
     let ViewRequest { scene, count, precision, columns, .. } = request;
-    axes(scene)?;
+    let grids = Stages::of(scene, *count)?;
+    let levels = grids.levels;
     // All stages are of one number type.
-    let levels = levels(*count);
-    let finest = session.ready(scene, counts(*count, levels, 0), *precision)?;
+    let finest = session.ready(scene, grids.count(0), *precision)?;
     let precision = match finest.settings.method.precision {
         Precision::F32 => AskedPrecision::F32,
         Precision::F64 => AskedPrecision::F64,
@@ -80,8 +70,8 @@ pub fn run(
         stages.push(("fine", 1));
     }
     let mut last: Option<MapSweep> = None;
-    for (stage, halved) in stages {
-        let ready = session.ready(scene, counts(*count, levels, halved), precision)?;
+    for (stage, doubled) in stages {
+        let ready = session.ready(scene, grids.count(doubled), precision)?;
         let began = Instant::now();
         let map = sweep(&ready, stop)?;
         let told =
@@ -94,6 +84,8 @@ pub fn run(
     if let Some(map) = last.filter(|_| levels > 0) {
         let mut settings = RefineSettings::levels(1);
         settings.probes = PROBES;
+        // Of a shade numbers are seen, too.
+        settings.smooth = request.show.as_ref().filter(|show| *show != OUTCOMES).map(|_| SMOOTH);
         let began = Instant::now();
         let refined = refine_on(&map, &finest.opened.backends, &settings, stop)?;
         let told = Told {
@@ -104,7 +96,15 @@ pub fn run(
         };
         let outcomes = refined.read(0..refined.grid.len(), &Column::ALL)?;
         let map_of = Map { scene: &refined.scene, grid: refined.grid.clone(), outcomes };
-        send(framed(&map_of, &finest, &told, columns));
+        let mut arrays = arrays(&map_of, columns);
+        if let Some((_, Array::Bytes(marks))) = arrays.iter_mut().find(|own| own.0 == "marks") {
+            let mut ran = refined.cells().iter().peekable();
+            for (cell, mark) in marks.iter_mut().enumerate() {
+                let is_run = ran.next_if(|own| **own == cell).is_some();
+                *mark |= if is_run { 0 } else { TAKEN_OVER };
+            }
+        }
+        send(frame(header(&refined.grid, &finest, &told), &arrays));
     }
     Ok(())
 }
@@ -173,26 +173,4 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, Array)> {
 pub fn whole(map: &MapSweep) -> Result<Map<'_>, Refused> {
     let outcomes = map.outcomes.read(0..map.grid.len(), &Column::ALL)?;
     Ok(Map { scene: &map.plan.scene, grid: map.grid.clone(), outcomes })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{counts, levels};
-
-    #[test]
-    fn every_stage_has_its_cells_among_those_of_the_finest() {
-        for count in [[2, 2], [33, 70], [512, 512], [513, 300], [2000, 5000]] {
-            let levels = levels(count);
-            let finest = counts(count, levels, 0);
-            assert!(finest.iter().zip(count).all(|(have, asked)| *have >= asked.min(2049)));
-            let coarse = counts(count, levels, levels);
-            assert!(coarse.iter().all(|count| *count <= 66), "{coarse:?}");
-            for halved in 0..=levels {
-                let stage = counts(count, levels, halved);
-                for (fine, coarse) in finest.into_iter().zip(stage) {
-                    assert_eq!(fine - 1, (coarse - 1) << halved);
-                }
-            }
-        }
-    }
 }

@@ -68,13 +68,23 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
 
 /// The motion by fixed steps: a row for each step, and one for each switch.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
+    by_steps_while::<R>(plan, case, &|_| true)
+}
+
+/// The same as long as `go_on` holds, which is asked at each step and told how many rows there are. A motion that was ended
+/// has the outcome of its last state, which means nothing.
+pub fn by_steps_while<R: Real>(
+    plan: &Plan,
+    case: &Case,
+    go_on: &dyn Fn(usize) -> bool,
+) -> (Vec<Row>, Outcome) {
     match R::PRECISION {
-        Precision::F32 => rows::<f32>(plan, case),
-        Precision::F64 => rows::<f64>(plan, case),
+        Precision::F32 => rows::<f32>(plan, case, go_on),
+        Precision::F64 => rows::<f64>(plan, case, go_on),
     }
 }
 
-fn rows<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
+fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Vec<Row>, Outcome) {
     let model = plan.model::<R>(case);
     let clock = plan.clock(case);
     let (cell, mut state) = plan.cell::<R>(case);
@@ -91,7 +101,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
         if goes_on || state.step == cell.steps {
             rows.borrow_mut().push(row(clock.time(state.step, 0.0), deflection, &state));
         }
-        if !goes_on {
+        if !goes_on || !go_on(rows.borrow().len()) {
             break;
         }
     }
