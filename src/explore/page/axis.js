@@ -1,5 +1,5 @@
 // An axis of the map: a range of one number, in its own measure, which is the logarithm on a log axis.
-import { parse, plain, within } from './numbers.js';
+import { parse, plain, superscript, within } from './numbers.js';
 
 /** The measure of a value. */
 export const measure = (axis, value) => (axis.log ? Math.log10(value) : value);
@@ -61,7 +61,10 @@ export function clamped(axis, limits, least) {
   return { ...axis, start: value(axis, from), stop: value(axis, from + span) };
 }
 
-/** Numbers of an axis from one measure to another: round ones, as many as fit. */
+/** Letters of a number of an axis at most. */
+const LONG = 7;
+
+/** Numbers of an axis from one measure to another: round ones, as many as fit. `above` says what they count from. */
 export function ticks(axis, from, to, most) {
   if (!(to > from)) return [];
   if (axis.log && to - from > 0.9) return decades(from, to, most);
@@ -71,11 +74,16 @@ export function ticks(axis, from, to, most) {
   const first = Math.ceil(low / step - 1e-6);
   const last = Math.floor(high / step + 1e-6);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-6));
+  const largest = Math.max(Math.abs(low), Math.abs(high));
+  const far = digits > 2 && (first * step).toFixed(Math.min(digits, 20)).length > LONG;
+  const place = 10 ** -digits;
   const found = [];
   for (let k = first; k <= last && found.length < 60; k += 1) {
-    const at = k * step;
-    found.push({ at: measure(axis, at), text: tickText(at, digits, Math.max(Math.abs(low), Math.abs(high))) });
+    const text = far ? String(Math.round(((k - first) * step) / place)) : tickText(k * step, digits, largest);
+    found.push({ at: measure(axis, k * step), text });
   }
+  // Where a view is deep, numbers count from the first one, in a decimal place.
+  if (far) found.above = `, 10${superscript(-digits)} above ${(first * step).toFixed(Math.min(digits, 20)).replace(/0+$/, '')}`;
   return found;
 }
 
