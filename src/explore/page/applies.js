@@ -50,6 +50,8 @@ export function createKeeper(about) {
     if (was !== is) {
       scenes[was] = { ...state.scene };
       restoreAxes(scene, scenes[is]);
+      // A pulse's time may end before a record does.
+      scene.t_max = scenes[is]?.t_max ?? (is === 'pulse' ? scene.t_max : '');
     }
     for (const [key, text] of Object.entries(patch.scene ?? {})) {
       const group = text ? EITHER.find((keys) => keys.includes(key)) : null;

@@ -46,8 +46,8 @@ function run(engine) {
     refuse(key, line) {
       const seen = [fields.refuse(key, line), files.refuse(key, line)];
       const shown = seen.includes(true);
-      byId('problem').hidden = !line || shown;
-      say(byId('problem'), shown ? '' : (line ?? ''));
+      byId('problem').hidden = !line;
+      say(byId('problem'), line ?? '');
     },
     lost(error) {
       say(byId('banner-text'), error.line);
@@ -101,6 +101,7 @@ function run(engine) {
     home,
     cross,
     rest: () => store.rest(),
+    grip: (held) => (store.held = held),
     open: (values, second) => cells.open(values, second),
     line: (points, done) => section.draw(points, done),
     mark: (values) => section.mark(values),

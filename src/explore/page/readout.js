@@ -17,10 +17,12 @@ export function readCell(about, state, map, at) {
   const { arrays } = picture.frame;
   const kind = arrays.kind ? about.kinds[arrays.kind[cell.index]] : null;
   const marks = arrays.marks?.[cell.index] ?? 0;
+  // A cell that was not run has the outcome of those around it, and its numbers nearly.
+  const nearly = marks & 8 ? '≈ ' : '';
   const names = Object.keys(arrays).filter((name) => !['kind', 'marks', 'outcome', 'feasible'].includes(name));
   for (const name of names) {
     const column = about.columns.find((entry) => entry.name === name);
-    items.push({ name: name === 'zeta' ? 'ζ' : name.replaceAll('_', ' '), text: `${read(arrays[name][cell.index])} ${column?.unit ?? ''}`.trim() });
+    items.push({ name: name === 'zeta' ? 'ζ' : name.replaceAll('_', ' '), text: `${nearly}${read(arrays[name][cell.index])} ${column?.unit ?? ''}`.trim() });
   }
   if (arrays.feasible) items.push({ name: 'limits', text: arrays.feasible[cell.index] ? 'hold' : 'do not hold' });
   if (marks & 1) items.push({ name: 'contact', text: 'the model does not hold' });

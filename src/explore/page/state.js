@@ -52,6 +52,8 @@ export function createStore(about) {
   let timer = 0;
   const store = {
     state: fromHash(location.hash, about),
+    /** True while a hand holds the map. */
+    held: false,
     /** Calls with the state and the one before, now and after each change. */
     listen(call) {
       listeners.push(call);
@@ -67,6 +69,11 @@ export function createStore(about) {
     /** Makes an entry of the history, where anything changed. */
     rest() {
       clearTimeout(timer);
+      // A hand that pauses in the midst of a drag has not ended it.
+      if (store.held) {
+        timer = setTimeout(store.rest, REST);
+        return;
+      }
       timer = 0;
       const hash = toHash(store.state);
       if (hash !== location.hash) history.pushState(null, '', hash);

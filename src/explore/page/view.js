@@ -30,7 +30,7 @@ const middles = (axes) => axes.map((axis) => (measure(axis, axis.stop) + measure
 
 /**
  * Hears pointers, wheel and keys on the map. `hand.axes()` and `hand.plot()` are what is shown; `hand.move(axes)`,
- * `hand.rest()`, `hand.home()`, `hand.cross(values)`, `hand.open(values, second)`, `hand.line(points, done)`,
+ * `hand.rest()`, `hand.grip(held)`, `hand.home()`, `hand.cross(values)`, `hand.open(values, second)`, `hand.line(points, done)`,
  * `hand.mark(values)` and `hand.escape()` act; `hand.tool()` and `hand.crosshair()` tell what is drawn and where.
  */
 export function followHand(host, hand) {
@@ -50,6 +50,7 @@ export function followHand(host, hand) {
     if (!inside(at)) return;
     host.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, at);
+    hand.grip(true);
     hold(event);
   });
   host.addEventListener('pointermove', (event) => {
@@ -69,6 +70,7 @@ export function followHand(host, hand) {
       return;
     }
     held = null;
+    hand.grip(false);
     if (event.type === 'pointercancel' || !done) return;
     if (done.line) hand.line(done.line, true);
     else if (!done.moved) hand.open(done.plot.values(...done.first), event.shiftKey);

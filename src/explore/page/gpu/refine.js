@@ -1,12 +1,15 @@
 // The pictures of a view: coarse, fine, refined along boundaries. All have their cells among those of the finest.
+import { known } from './known.js';
 
 // Gaps along an axis of the coarse picture at most.
 const COARSE = 64;
 // Rounds in which cells beside a boundary are followed at most.
 const ROUNDS = 4;
 
-// How often the gaps of the coarse picture are halved down to the finest.
-export function levelsOf(count) {
+// How often the gaps of the coarse picture are halved down to the finest; along whole numbers never, for between two of
+// them there is no cell.
+export function levelsOf(count, keys) {
+  if (keys.some((key) => known.parameter.get(key)?.legal.kind === 'whole')) return 0;
   const gaps = Math.max(...count) - 1;
   let levels = 0;
   while (COARSE * 2 ** levels < gaps) levels += 1;
@@ -18,6 +21,9 @@ export function countsOf(count, levels, halved) {
   const whole = 2 ** levels;
   return count.map((own) => (Math.ceil((own - 1) / whole) * whole) / 2 ** halved + 1);
 }
+
+// The mark of a cell that was not run: see src/explore/view.rs.
+const TAKEN_OVER = 8;
 
 // A finer picture of twice as many gaps, made of a coarser one: `state` of a cell is 1 where it is known, 2 where it has the
 // values of the known cell beside it.
@@ -83,7 +89,10 @@ export class Refinement {
       for (const cell of wanted) this.state[cell] = 1;
       wanted = this.follow(wanted, fine.arrays.kind);
     }
-    // What is left over has the values beside it, as before.
+    // What is left over has the values beside it, as before, and is marked.
+    for (let cell = 0; cell < this.state.length; cell += 1) {
+      if (this.state[cell] !== 1) fine.arrays.marks[cell] |= TAKEN_OVER;
+    }
     return count;
   }
 }

@@ -54,7 +54,7 @@ function checkAxes({ x, y }) {
 export async function mapOf(device, pace, request, onFrame, signal) {
   checkAxes(request.scene);
   const count = request.count.map((own) => Math.min(Math.max(Math.round(own), 2), MOST));
-  const levels = levelsOf(count);
+  const levels = levelsOf(count, [request.scene.x, request.scene.y]);
   const names = request.columns ?? [];
   const picture = async (stage, halved, work) => {
     const scene = sceneOf(request.scene, countsOf(count, levels, halved));
