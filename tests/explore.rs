@@ -325,6 +325,52 @@ fn a_cell_a_section_and_the_reference_agree_with_the_map() {
     assert_eq!((&verified["sampled"], &verified["differ"]), (&json!(32), &json!(0)), "{verified}");
 }
 
+/// Sections and files are of the number type and of the cells of their view.
+#[test]
+fn a_deep_view_is_of_one_number_type_and_one_grid() {
+    let server = Server::start(&[]);
+    let mut scene = flat();
+    scene["omega"] = "4:4.01".into();
+    scene["t_max"] = "3".into();
+    let request = json!({ "scene": scene, "count": [200, 3] });
+    let frames = server.post("map", &request).frames();
+    let (last, _) = frames.last().unwrap();
+    assert_eq!(last["precision"], "f64");
+    let told = server.post("command", &request).json();
+    let command = told["command"].as_str().unwrap();
+    let [columns, rows] = [0, 1].map(|k| last["shape"][k].as_u64().unwrap());
+    assert!(
+        command.contains(&format!("--omega=4:4.01:{columns} --a-h=0.1:15:{rows}")),
+        "{command}"
+    );
+    assert!(command.ends_with("--precision=f64"), "{command}");
+    let line = json!({ "scene": scene, "from": [4, 1], "to": [4.01, 1], "count": 9 });
+    assert_eq!(server.post("section", &line).json()["precision"], "f64");
+    let line = json!({ "scene": scene, "from": [4, 1], "to": [4, 9], "count": 9 });
+    assert_eq!(server.post("section", &line).json()["precision"], "f64");
+}
+
+/// A section along one of two axes that were named, and a map along whole numbers.
+#[test]
+fn any_two_numbers_are_axes() {
+    let server = Server::start(&[]);
+    let mut scene = flat();
+    for (key, text) in
+        [("omega", "4"), ("a_h", "5"), ("t_h", "0.8:3"), ("t_v", "0.3:1"), ("t_max", "5")]
+    {
+        scene[key] = text.into();
+    }
+    scene["x"] = "t_h".into();
+    scene["y"] = "t_v".into();
+    let line = json!({ "scene": scene, "from": [1, 0.5], "to": [2.5, 0.5], "count": 9 });
+    assert_eq!(server.post("section", &line).json()["outcome"].as_array().unwrap().len(), 9);
+    scene["t_v"] = "0.5".into();
+    scene["bouc_wen_n"] = "1:4".into();
+    scene["y"] = "bouc_wen_n".into();
+    let frames = server.post("map", &json!({ "scene": scene, "count": [130, 4] })).frames();
+    assert_eq!(frames.last().unwrap().0["shape"], json!([130, 4]), "{}", frames[0].0);
+}
+
 #[test]
 fn files_are_those_of_a_map() {
     let server = Server::start(&[]);
