@@ -1,6 +1,6 @@
 //! `topple explore`: who is let in, and that its numbers are those of the library and of the command line.
 
-mod common;
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;

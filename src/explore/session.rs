@@ -23,6 +23,9 @@ pub struct Settings {
     pub adapters: Vec<usize>,
 }
 
+/// The newest view of a tab: its number, and the flag that ends it while it is computed.
+type Newest = (u64, Option<Arc<AtomicBool>>);
+
 /// Tabs whose last views are known; of more, those that rest are forgotten.
 const TABS: usize = 256;
 
@@ -36,8 +39,8 @@ pub struct Session {
     /// The scene that the page begins with, and what it is called.
     pub first: Flat,
     opened: [Mutex<Option<Arc<OpenBackends>>>; 2],
-    /// The newest view of each tab, and the flag that ends it while it is computed.
-    views: Mutex<HashMap<String, (u64, Option<Arc<AtomicBool>>)>>,
+    /// The newest view of each tab.
+    views: Mutex<HashMap<String, Newest>>,
 }
 
 /// A scene that is ready to be swept.
