@@ -96,7 +96,7 @@ class Page:
         """The data attributes of the map."""
         return self.page.locator("#map").evaluate("map => ({ ...map.dataset })")
 
-    def settle(self, timeout=60_000):
+    def settle(self, timeout=300_000):
         """Waits for the last picture of the newest input."""
         # One picture of the screen: what the page still has to ask is asked.
         self.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")

@@ -35,6 +35,9 @@ function wholeEnds({ start, stop }) {
 
 const logDigits = ({ start, stop }) => Math.min(17, 5 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));
 
+/** Eccentricities next to those of a centre of mass at the base's edge, which is refused. */
+const EDGE = 0.999;
+
 /** The ends of a number that the engine accepts: legal ones, and plausible ones unless those are waived. */
 export function bounds(parameter, forced = false) {
   let low = parameter.low ?? -Infinity;
@@ -46,6 +49,7 @@ export function bounds(parameter, forced = false) {
     low = Math.max(low, smallest);
     high = Math.min(high, largest);
   }
+  if (parameter.key === 'eccentricity') [low, high] = [Math.max(low, -EDGE), Math.min(high, EDGE)];
   return { low, high, open: parameter.lowIncluded === false && low === parameter.low };
 }
 
