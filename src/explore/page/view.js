@@ -71,7 +71,10 @@ export function followHand(host, hand) {
     }
     held = null;
     hand.grip(false);
-    if (event.type === 'pointercancel' || !done) return;
+    if (event.type === 'pointercancel' || !done) {
+      hand.rest();
+      return;
+    }
     if (done.line) hand.line(done.line, true);
     else if (!done.moved) hand.open(done.plot.values(...done.first), event.shiftKey);
     else hand.rest();
