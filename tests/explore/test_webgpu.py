@@ -468,9 +468,9 @@ def test_the_exported_page_computes_by_itself(browser, address):
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
     page.goto(address)
-    page.wait_for_selector("#map[data-stage=coarse], #map[data-stage=fine], #map[data-stage=refined]", timeout=120_000)
+    page.wait_for_selector("#map[data-stage=coarse], #map[data-stage=fine], #map[data-stage=refined]", timeout=300_000)
     assert "f32" in page.inner_text("#status")
-    page.wait_for_selector("#map[data-stage=refined][data-busy=false]", timeout=240_000)
+    page.wait_for_selector("#map[data-stage=refined][data-busy=false]", timeout=600_000)
     legend = page.inner_text("#legend")
     assert "full contact" in legend and "0 impacts" in legend
     assert errors == []
