@@ -60,13 +60,10 @@ impl ExploreCommand {
                 (scene, Path::new(""))
             }
         };
-        let checked = given.check_in(folder);
-        let scene = checked.map_err(|error| match &self.scene {
-            Some(path) => {
-                InputError(format!("{}: {}", path.display(), words::with_keys(&error.to_string())))
-            }
-            None => options::flag_error(&error),
-        })?;
+        let scene = match &self.scene {
+            Some(path) => load::check(path, &given)?,
+            None => given.check().map_err(|error| options::flag_error(&error))?,
+        };
         let records = Records::new()?;
         let first = start::first(&records, &scene, &given, folder);
         let backend = self.backend.unwrap_or(BackendRequest::Auto);

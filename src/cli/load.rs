@@ -20,9 +20,16 @@ const LARGEST: u64 = 1 << 20;
 /// # Errors
 /// What is wrong, where, and what to do.
 pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
-    let scene = given(path, force)?;
+    check(path, &given(path, force)?)
+}
+
+/// Checks what a file gives of a scene.
+///
+/// # Errors
+/// What is wrong, where, and what to do.
+pub fn check(path: &Path, given: &SceneBuilder) -> Result<Scene, InputError> {
     let directory = path.parent().unwrap_or(Path::new(""));
-    scene.check_in(directory).map_err(|error| refused(path, with_keys(&error.to_string())))
+    given.check_in(directory).map_err(|error| refused(path, with_keys(&error.to_string())))
 }
 
 /// What a file gives of a scene, unchecked.

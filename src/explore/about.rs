@@ -2,12 +2,14 @@
 
 use serde_json::{Value, json};
 
+use super::frame::type_of;
 use super::session::Session;
+use super::stages::MOST;
 use crate::drawing::colour::Colour;
 use crate::drawing::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
 use crate::model::precision::Precision;
 use crate::model::pulse::Shape;
-use crate::results::columns::{Column, Holds, TABLE};
+use crate::results::columns::{Column, TABLE};
 use crate::scene::parameters::{Legal, PARAMETERS, Section};
 use crate::scene::{Directions, Overturn};
 use crate::sweep::report::threads;
@@ -54,16 +56,7 @@ fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
 
 /// The choices of a scene that are no numbers.
 fn words() -> Vec<Value> {
-    let shapes = [
-        Shape::OneSine,
-        Shape::OneCosine,
-        Shape::HalfSine,
-        Shape::Rectangle,
-        Shape::Ricker,
-        Shape::RickerAntisymmetric,
-        Shape::MavroeidisPapageorgiou,
-    ];
-    let shapes = shapes.map(|shape| (json!(shape), shape.words()));
+    let shapes = Shape::ALL.map(|shape| (json!(shape), shape.words()));
     vec![
         choice(
             Section::Block,
@@ -98,17 +91,12 @@ fn words() -> Vec<Value> {
 
 /// The columns of a map.
 fn columns() -> Vec<Value> {
-    let kind = |holds: Holds| match holds {
-        Holds::Class | Holds::Status => "u8",
-        Holds::Count { .. } => "u32",
-        Holds::Number { .. } | Holds::Time { .. } => "f32",
-    };
     let told = TABLE.iter().map(|entry| {
         json!({
             "name": entry.name,
             "unit": entry.unit,
             "meaning": entry.meaning,
-            "type": kind(entry.holds),
+            "type": type_of(entry.holds),
         })
     });
     told.collect()
@@ -147,7 +135,7 @@ pub fn tables() -> Value {
         "hatched": "contact force tensile, or friction beyond what is given: the model does not hold",
         "quantities": QUANTITIES.map(|column| column.entry().name),
         "shades": { "fallen": hex(FALLEN), "curves": CURVES.map(hex) },
-        "limits": { "cells": 2049 },
+        "limits": { "cells": MOST },
     })
 }
 

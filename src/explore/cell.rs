@@ -59,10 +59,7 @@ pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Resul
     plan.reductions.certificate = false;
     let case = scene.case();
     let go_on = |rows: usize| rows <= MOST && !stop.load(Ordering::Relaxed);
-    let (rows, outcome) = match precision {
-        Precision::F32 => by_steps_while::<f32>(&plan.at(precision), &case, &go_on),
-        Precision::F64 => by_steps_while::<f64>(&plan.at(precision), &case, &go_on),
-    };
+    let (rows, outcome) = by_steps_while(precision, &plan.at(precision), &case, &go_on);
     if rows.len() > MOST {
         let problem =
             format!("the motion has more than {MOST} steps; shorten it, or use the command");

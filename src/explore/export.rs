@@ -19,7 +19,6 @@ use super::session::Session;
 use super::stage::Told;
 use super::view;
 use crate::model::precision::Precision;
-use crate::scene::isolation::{HORIZONTAL, VERTICAL};
 use crate::scene::record::Pair;
 use crate::scene::{Directions, Excitation, Parameter};
 use crate::sweep::gpu::shader::{self, Switches};
@@ -224,9 +223,7 @@ fn scenes(first: &Flat) -> Vec<(String, Flat)> {
         let mut scene = first.clone();
         if word != own {
             scene.insert("isolation".into(), word.into());
-            let locked_h = HORIZONTAL.iter().filter(|_| !directions.moves_h());
-            let locked_v = VERTICAL.iter().filter(|_| !directions.moves_v());
-            for parameter in locked_h.chain(locked_v) {
+            for parameter in directions.locked() {
                 scene.remove(parameter.key());
             }
         }

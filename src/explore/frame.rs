@@ -2,6 +2,13 @@
 
 use serde_json::{Value, json};
 
+use crate::results::columns::Holds;
+
+/// The types of arrays, as a header names them.
+const BYTES: &str = "u8";
+const COUNTS: &str = "u32";
+const SINGLES: &str = "f32";
+
 /// The numbers of an array.
 pub enum Array {
     /// Codes and marks.
@@ -15,9 +22,9 @@ pub enum Array {
 impl Array {
     fn kind(&self) -> &'static str {
         match self {
-            Array::Bytes(_) => "u8",
-            Array::Counts(_) => "u32",
-            Array::Singles(_) => "f32",
+            Array::Bytes(_) => BYTES,
+            Array::Counts(_) => COUNTS,
+            Array::Singles(_) => SINGLES,
         }
     }
 
@@ -38,6 +45,15 @@ impl Array {
                 to.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
             }
         }
+    }
+}
+
+/// The type of a column's array.
+pub fn type_of(holds: Holds) -> &'static str {
+    match holds {
+        Holds::Class | Holds::Status => BYTES,
+        Holds::Count { .. } => COUNTS,
+        Holds::Number { .. } | Holds::Time { .. } => SINGLES,
     }
 }
 

@@ -4,12 +4,13 @@
 use serde_json::{Map, Value, json};
 
 use super::asked::SYNTHETIC;
+use super::frame::type_of;
 use crate::drawing::palette::{Kind, OPEN};
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
 use crate::model::polynomials::SINE_F64;
 use crate::model::pulse::{ANTISYMMETRIC_PEAK, Shape};
-use crate::results::columns::{Holds, STATUS_NAMES, TABLE};
+use crate::results::columns::{STATUS_NAMES, TABLE};
 use crate::scene::block::OBJECTS;
 use crate::scene::isolation::LEAST_PERIOD;
 use crate::scene::parameters::{Legal, PARAMETERS};
@@ -24,17 +25,6 @@ use crate::sweep::gpu::pace::CHUNK;
 use crate::sweep::gpu::pipelines::WORKGROUP;
 use crate::sweep::groups::FLIGHTS_A_STEP;
 use crate::sweep::plan::RIGID_SHARE;
-
-/// The shapes of pulses; the first is the default.
-const SHAPES: [Shape; 7] = [
-    Shape::OneSine,
-    Shape::OneCosine,
-    Shape::HalfSine,
-    Shape::Rectangle,
-    Shape::Ricker,
-    Shape::RickerAntisymmetric,
-    Shape::MavroeidisPapageorgiou,
-];
 
 /// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
 ///
@@ -56,9 +46,9 @@ pub fn known(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
                 Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None,
             ],
             "overturn": [Overturn::CriticalAngle, Overturn::QuarterTurn],
-            "shape": SHAPES,
+            "shape": Shape::ALL,
         },
-        "shapes": SHAPES.map(shape),
+        "shapes": Shape::ALL.map(shape),
         "steps": {
             "largest_step": clock::DEFAULT_STEP,
             "steps_a_period": clock::STEPS_A_PERIOD,
@@ -167,12 +157,7 @@ fn kinds() -> Value {
 
 /// The types of columns in f32, by their names.
 fn columns() -> Value {
-    let kind = |holds: &Holds| match holds {
-        Holds::Class | Holds::Status => "u8",
-        Holds::Count { .. } => "u32",
-        Holds::Number { .. } | Holds::Time { .. } => "f32",
-    };
-    TABLE.iter().map(|entry| (entry.name.to_string(), json!(kind(&entry.holds)))).collect()
+    TABLE.iter().map(|entry| (entry.name.to_string(), json!(type_of(entry.holds)))).collect()
 }
 
 /// A record: both components of each sample.

@@ -8,11 +8,9 @@ pub mod about;
 pub mod asked;
 pub mod cell;
 pub mod command;
-#[cfg(feature = "gpu")]
 pub mod export;
 pub mod frame;
 pub mod guard;
-#[cfg(feature = "gpu")]
 pub mod known;
 pub mod page;
 pub mod records;

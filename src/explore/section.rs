@@ -86,9 +86,8 @@ pub fn run(
         own if own == parameters[1] => Some(point[1]),
         own => ready.grid.value(own, 0),
     };
-    let beyond = |point: &[f64; 2], cell: &Outcome| {
-        cell.min_contact < 0.0 || friction(point).is_some_and(|mu| cell.friction > mu)
-    };
+    let beyond =
+        |point: &[f64; 2], cell: &Outcome| cell.min_contact < 0.0 || cell.slides(friction(point));
     let kinds = Kind::all();
     let told = outcomes.iter().zip(&points);
     let marks: Vec<u8> = told.map(|(cell, at)| marks(cell, beyond(at, cell))).collect();

@@ -7,8 +7,10 @@ use crate::scene::parameters::Legal;
 
 /// Gaps along an axis of the coarse picture at most.
 const COARSE: u32 = 64;
-/// Cells along an axis at least and at most.
-const COUNTS: (u32, u32) = (2, 2049);
+/// Cells along an axis at least.
+const LEAST: u32 = 2;
+/// Cells along an axis at most.
+pub const MOST: u32 = 2049;
 
 /// The grids of a view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +32,7 @@ impl Stages {
     /// The keys `x` and `y`.
     pub fn of(scene: &Flat, count: [u32; 2]) -> Result<Stages, Refused> {
         let whole = axes(scene)?.into_iter().any(is_whole);
-        let count = count.map(|count| count.clamp(COUNTS.0, COUNTS.1));
+        let count = count.map(|count| count.clamp(LEAST, MOST));
         let most = count.into_iter().max().unwrap_or(1) - 1;
         let levels = most.div_ceil(COARSE).next_power_of_two().ilog2();
         Ok(Stages { count, levels: if whole { 0 } else { levels } })
@@ -49,7 +51,7 @@ impl Stages {
 pub fn at_most(scene: &Flat, count: [u32; 2], most: u32) -> Result<[u32; 2], Refused> {
     let axes = axes(scene)?;
     let of = |k: usize| if is_whole(axes[k]) { count[k] } else { count[k].min(most) };
-    Ok([0, 1].map(|k| of(k).clamp(COUNTS.0, COUNTS.1)))
+    Ok([0, 1].map(|k| of(k).clamp(LEAST, MOST)))
 }
 
 #[cfg(test)]

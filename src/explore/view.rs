@@ -53,13 +53,9 @@ pub fn run(
     let ViewRequest { scene, count, precision, columns, .. } = request;
     let grids = Stages::of(scene, *count)?;
     let levels = grids.levels;
-    // All stages are of one number type.
+    // All stages are of one number type: it does not depend on the count.
     let finest = session.ready(scene, grids.count(0), *precision)?;
-    let precision = match finest.settings.method.precision {
-        Precision::F32 => AskedPrecision::F32,
-        Precision::F64 => AskedPrecision::F64,
-    };
-    let note = match (request.precision, AskedPrecision::Auto.of(&finest.grid)) {
+    let note = match (*precision, AskedPrecision::Auto.of(&finest.grid)) {
         (AskedPrecision::F32, Precision::F64) => {
             "f32 hardly tells neighbouring cells apart here; f64 does"
         }
@@ -71,7 +67,7 @@ pub fn run(
     }
     let mut last: Option<MapSweep> = None;
     for (stage, doubled) in stages {
-        let ready = session.ready(scene, grids.count(doubled), precision)?;
+        let ready = session.ready(scene, grids.count(doubled), *precision)?;
         let began = Instant::now();
         let map = sweep(&ready, stop)?;
         let told =

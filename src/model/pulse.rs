@@ -37,6 +37,17 @@ pub enum Shape {
 pub(crate) const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
 
 impl Shape {
+    /// Every shape there is; the first is the default.
+    pub const ALL: [Shape; 7] = [
+        Shape::OneSine,
+        Shape::OneCosine,
+        Shape::HalfSine,
+        Shape::Rectangle,
+        Shape::Ricker,
+        Shape::RickerAntisymmetric,
+        Shape::MavroeidisPapageorgiou,
+    ];
+
     /// What it is called in captions and messages.
     pub fn words(self) -> &'static str {
         match self {

@@ -10,8 +10,7 @@ use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// True where a cell of a grid has a friction coefficient and asks for more.
 pub fn slides(grid: &Grid, cell: usize, outcome: &Outcome) -> bool {
-    let coefficient = grid.value(Parameter::Friction, cell);
-    coefficient.is_some_and(|mu| outcome.friction > mu)
+    outcome.slides(grid.value(Parameter::Friction, cell))
 }
 
 /// Columns that are read to count cells.

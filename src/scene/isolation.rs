@@ -86,6 +86,12 @@ impl Directions {
         matches!(self, Directions::Dual | Directions::Vertical)
     }
 
+    /// The numbers of the directions in which it does not move.
+    pub(crate) fn locked(self) -> impl Iterator<Item = Parameter> {
+        let across = HORIZONTAL.iter().filter(move |_| !self.moves_h());
+        across.chain(VERTICAL.iter().filter(move |_| !self.moves_v())).copied()
+    }
+
     /// The same with the horizontal direction locked.
     pub fn without_horizontal(self) -> Directions {
         if self.moves_v() { Directions::Vertical } else { Directions::None }

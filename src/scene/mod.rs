@@ -30,7 +30,6 @@ pub use case::{Case, Choices, Pulse, Shaking};
 pub use excitation::Excitation;
 pub use grid::Grid;
 pub use isolation::{Directions, Isolation};
-use isolation::{HORIZONTAL, VERTICAL};
 pub use numbers::Numbers;
 pub use parameters::Parameter;
 pub use range::Range;
@@ -133,10 +132,8 @@ impl Scene {
     /// The same with directions locked: what of the base has no say then is taken out.
     pub fn isolated(mut self, isolation: Directions) -> Scene {
         self.isolation = isolation;
-        let locked_h = HORIZONTAL.iter().filter(|_| !isolation.moves_h());
-        let locked_v = VERTICAL.iter().filter(|_| !isolation.moves_v());
-        for parameter in locked_h.chain(locked_v) {
-            self.numbers.remove(*parameter);
+        for parameter in isolation.locked() {
+            self.numbers.remove(parameter);
         }
         self
     }

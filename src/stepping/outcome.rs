@@ -151,6 +151,11 @@ impl Outcome {
         self.impacts > 0 && self.uplifts > 1
     }
 
+    /// True where the contact has a friction coefficient, and the motion asks for more.
+    pub fn slides(&self, coefficient: Option<f64>) -> bool {
+        coefficient.is_some_and(|mu| self.friction > mu)
+    }
+
     /// Of a cell that has not run.
     pub const PENDING: Outcome = Outcome {
         class: Class::Unresolved,

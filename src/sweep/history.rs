@@ -68,17 +68,18 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
 
 /// The motion by fixed steps: a row for each step, and one for each switch.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
-    by_steps_while::<R>(plan, case, &|_| true)
+    by_steps_while(R::PRECISION, plan, case, &|_| true)
 }
 
 /// The same as long as `go_on` holds, which is asked at each step and told how many rows there are. A motion that was ended
 /// has the outcome of its last state, which means nothing.
-pub fn by_steps_while<R: Real>(
+pub fn by_steps_while(
+    precision: Precision,
     plan: &Plan,
     case: &Case,
     go_on: &dyn Fn(usize) -> bool,
 ) -> (Vec<Row>, Outcome) {
-    match R::PRECISION {
+    match precision {
         Precision::F32 => rows::<f32>(plan, case, go_on),
         Precision::F64 => rows::<f64>(plan, case, go_on),
     }
