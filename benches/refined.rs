@@ -3,14 +3,13 @@
 //!
 //! `cargo bench --bench refined -- default 513 4`: the map, the values of each of its axes, the levels. Maps are
 //! `default`, `zoom` (the last panel of Fig. 14), and with the directory of records in TOPPLE_RECORDS `rinaldi` (T_h 0.5
-//! to 4 s, T_v 0.02 to 2 s) and `chaotic` (T_v 0.05 to 0.3 s). A file as fourth argument keeps the codes of the whole
-//! sweep for the next comparison, which then has no time of it.
+//! to 4 s, T_v 0.02 to 2 s) and `chaotic` (T_v 0.05 to 0.3 s). With a fourth argument N only every N-th row of the
+//! finest grid is swept and compared, and the time of these rows is taken N times; N is odd, so that rows of all levels are met.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // a bench
 
 mod common;
 
-use std::path::Path;
 use std::time::Instant;
 
 use common::pulse;
@@ -66,10 +65,17 @@ fn processor(began: Instant) -> f64 {
     told.unwrap_or_else(|| began.elapsed().as_secs_f64())
 }
 
-/// The codes of all cells of the finest grid.
-fn dense(map: &RefinedMap, run: &RunSettings) -> Vec<u8> {
-    let mut codes = Vec::with_capacity(map.grid.len());
-    let all: Vec<usize> = (0..map.grid.len()).collect();
+/// The rows that are swept whole. An odd step meets the rows of all levels.
+fn rows(map: &RefinedMap, every: usize) -> Vec<usize> {
+    (every / 2..map.report.shape.1).step_by(every).collect()
+}
+
+/// The codes of all cells of these rows.
+fn dense(map: &RefinedMap, rows: &[usize], run: &RunSettings) -> Vec<u8> {
+    let columns = map.report.shape.0;
+    let cells = rows.iter().flat_map(|row| row * columns..(row + 1) * columns);
+    let all: Vec<usize> = cells.collect();
+    let mut codes = Vec::with_capacity(all.len());
     for strip in all.chunks(STRIP) {
         let ran = sweep_cells(&map.scene, &[], strip, run, &Unwatched).unwrap();
         codes.extend(ran.outcomes.iter().map(code));
@@ -77,33 +83,42 @@ fn dense(map: &RefinedMap, run: &RunSettings) -> Vec<u8> {
     codes
 }
 
-/// What differs from the whole sweep.
-fn compare(map: &RefinedMap, dense: &[u8]) {
-    let (columns, rows) = map.report.shape;
-    let told: Vec<u8> = (0..rows)
+/// What differs from the whole sweep, in the rows that it has.
+fn compare(map: &RefinedMap, rows: &[usize], dense: &[u8]) {
+    let columns = map.report.shape.0;
+    let mut of_row = vec![None; map.report.shape.1];
+    for (number, &row) in rows.iter().enumerate() {
+        of_row[row] = Some(number * columns);
+    }
+    let told: Vec<u8> = rows
+        .iter()
         .flat_map(|row| {
             let cells = map.read(row * columns..(row + 1) * columns, &Column::ALL).unwrap();
             cells.iter().map(code).collect::<Vec<u8>>()
         })
         .collect();
-    let ran = map.cells().iter().filter(|cell| told[**cell] != dense[**cell]).count();
+    let of = |cell: usize| of_row[cell / columns].map(|first| first + cell % columns);
+    let ran = map.cells().iter().filter_map(|cell| of(*cell));
+    let ran = ran.filter(|at| told[*at] != dense[*at]).count();
     let (mut differ, mut outcomes, mut not_beside, mut outside) = (0, 0, 0, 0);
     for leaf in map.leaves() {
-        for row in leaf.row..leaf.row + leaf.height {
-            let cells = row * columns + leaf.column..row * columns + leaf.column + leaf.width;
-            for cell in cells.filter(|cell| told[*cell] != dense[*cell]) {
+        for first in of_row[leaf.row..leaf.row + leaf.height].iter().flatten() {
+            let cells = first + leaf.column..first + leaf.column + leaf.width;
+            for at in cells.filter(|at| told[*at] != dense[*at]) {
                 differ += 1;
-                outcomes += usize::from(class(told[cell]) != class(dense[cell]));
+                outcomes += usize::from(class(told[at]) != class(dense[at]));
                 not_beside += usize::from(!leaf.beside);
                 outside += usize::from(!leaf.is_marked());
             }
         }
     }
     println!(
-        "{differ} cells differ, {outcomes} of them in more than impacts; {outside} outside of leaves marked, {not_beside} \
-         without the mark of impacts; of cells that were run {ran}"
+        "{} rows of the finest grid: {differ} of {} cells differ, {outcomes} of them in more than impacts; {outside} outside of leaves marked, {not_beside} \
+         without the mark of impacts; of cells that were run {ran}",
+        rows.len(),
+        told.len(),
     );
-    let share = |cells: usize| 100.0 * cells as f64 / told.len() as f64;
+    let share = |cells: usize| 100.0 * cells as f64 / map.grid.len() as f64;
     let RefineReport { beside, impacts_differ, marked, .. } = map.report;
     println!(
         "marked and not run: {:.2} % of the cells, beside smaller leaves {:.2} %, between different numbers of impacts {:.2} %",
@@ -115,7 +130,7 @@ fn compare(map: &RefinedMap, dense: &[u8]) {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| a != "--bench").collect();
-    let [name, side, levels, kept @ ..] = &arguments[..] else {
+    let [name, side, levels, every @ ..] = &arguments[..] else {
         println!("a map, the values of its axes and the levels are asked for");
         return;
     };
@@ -157,19 +172,11 @@ fn main() {
         last.probes,
         last.share_missed_at_most * last.left_alone as f64
     );
-    let kept = kept.first().map(Path::new);
-    let codes = match kept.filter(|path| path.exists()) {
-        Some(path) => std::fs::read(path).unwrap(),
-        None => {
-            let start = processor(began);
-            let codes = dense(&refined, &run);
-            let whole = processor(began) - start;
-            println!("the whole sweep: {whole:.2} s, {:.1} times as long", whole / time);
-            if let Some(path) = kept {
-                std::fs::write(path, &codes).unwrap();
-            }
-            codes
-        }
-    };
-    compare(&refined, &codes);
+    let every = every.first().map_or(1, |every| every.parse().unwrap());
+    let rows = rows(&refined, every);
+    let start = processor(began);
+    let codes = dense(&refined, &rows, &run);
+    let whole = (processor(began) - start) * (report.shape.1 as f64 / rows.len() as f64);
+    println!("the whole sweep: {whole:.2} s, {:.1} times as long", whole / time);
+    compare(&refined, &rows, &codes);
 }

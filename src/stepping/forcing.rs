@@ -30,6 +30,12 @@ pub struct Forcing<V> {
     rise: Ground<V>,
     /// Lanes under excitation, a bit each.
     pub forced: u64,
+    /// The next gap of the record, fetched while the one before runs: lanes change to it without waiting for
+    /// single numbers on their way into a vector. A thread of the shader reads a gap when it begins.
+    next_base: Ground<V>,
+    next_rise: Ground<V>,
+    /// Lanes that have a next gap, a bit each.
+    pub fetched: u64,
 }
 
 impl<V: Vector> Forcing<V> {
@@ -46,6 +52,9 @@ impl<V: Vector> Forcing<V> {
             base: ground,
             rise: ground,
             forced: 0,
+            next_base: ground,
+            next_rise: ground,
+            fetched: 0,
         }
     }
 
@@ -68,6 +77,32 @@ impl<V: Vector> Forcing<V> {
         Ground { h: self.base.h * wave, v: self.base.v * wave }
     }
 
+    /// Puts lanes, which have a next gap, on it.
+    #[inline(always)]
+    pub fn follow(&mut self, lanes: V::Mask) {
+        let select = |yes: Ground<V>, no: Ground<V>| Ground {
+            h: V::select(lanes, yes.h, no.h),
+            v: V::select(lanes, yes.v, no.v),
+        };
+        self.base = select(self.next_base, self.base);
+        self.rise = select(self.next_rise, self.rise);
+        self.done = V::select(lanes, self.done.like(0.0), self.done);
+    }
+
+    /// Fetches a lane's next gap, from `sample` on, if its record has one there.
+    #[inline(always)]
+    pub fn fetch(&mut self, lane: usize, set: &CellEquations<V::Element>, sample: u32) {
+        let cell = set.cell;
+        if sample * cell.substeps >= cell.steps_forced.min(cell.steps) {
+            self.fetched &= !(1 << lane);
+            return;
+        }
+        let (base, rise) = gap(set, sample);
+        put(&mut self.next_base, lane, base);
+        put(&mut self.next_rise, lane, rise);
+        self.fetched |= 1 << lane;
+    }
+
     /// Puts a lane on the segment that its cell is in after `step` steps, fewer than it has in all;
     /// the segment's first step. `follows`: the segment before was of the same cell.
     #[inline(always)]
@@ -81,6 +116,7 @@ impl<V: Vector> Forcing<V> {
         let cell = set.cell;
         let zero = V::Element::of(0.0);
         let bit = 1 << lane;
+        self.fetched &= !bit;
         if step >= cell.steps_forced {
             self.forced &= !bit;
             self.step.put(lane, cell.step_free);
@@ -99,15 +135,12 @@ impl<V: Vector> Forcing<V> {
         let steps;
         if set.variant.recorded {
             let sample = step / cell.substeps;
-            let before = set.record[sample as usize];
-            let after = set.record[sample as usize + 1];
-            let (h, v) = (cell.amplitude_h, cell.amplitude_v);
-            self.base.h.put(lane, h * before.h);
-            self.base.v.put(lane, v * before.v);
-            self.rise.h.put(lane, h * (after.h - before.h));
-            self.rise.v.put(lane, v * (after.v - before.v));
+            let (base, rise) = gap(set, sample);
+            put(&mut self.base, lane, base);
+            put(&mut self.rise, lane, rise);
             first = sample * cell.substeps;
             steps = cell.substeps;
+            self.fetch(lane, set, sample + 1);
             // A gap after another of the same cell has the same steps.
             if follows {
                 self.done.put(lane, V::Element::of(f64::from(step - first)));
@@ -127,6 +160,21 @@ impl<V: Vector> Forcing<V> {
         self.steps.put(lane, V::Element::of(f64::from(steps)));
         first
     }
+}
+
+#[inline(always)]
+fn put<V: Vector>(ground: &mut Ground<V>, lane: usize, value: Ground<V::Element>) {
+    ground.h.put(lane, value.h);
+    ground.v.put(lane, value.v);
+}
+
+/// A gap of the record: the ground at its first sample, and the rise to the next.
+#[inline(always)]
+fn gap<R: Real>(set: &CellEquations<R>, sample: u32) -> (Ground<R>, Ground<R>) {
+    let (before, after) = (set.record[sample as usize], set.record[sample as usize + 1]);
+    let (h, v) = (set.cell.amplitude_h, set.cell.amplitude_v);
+    let base = Ground { h: h * before.h, v: v * before.v };
+    (base, Ground { h: h * (after.h - before.h), v: v * (after.v - before.v) })
 }
 
 /// The ground at a fraction of a cell's step.

@@ -48,6 +48,8 @@ pub(super) struct Lane<R> {
     pub job: Job<R>,
     /// First step of its forcing segment.
     pub first_step: u32,
+    /// First sample of the next gap of its record.
+    pub next_sample: u32,
 }
 
 /// What all cells of a sweep share.
@@ -129,6 +131,7 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         let idle = || Lane {
             job: Job { number: 0, cell: Cell::zeroed(), state: State::zeroed() },
             first_step: 0,
+            next_sample: 0,
         };
         let none = zero.mask(0);
         Lanes {
@@ -358,7 +361,23 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
     #[inline(always)]
     pub(super) fn begin_segment(&mut self, lane: usize, step: u32, follows: bool) {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
-        self.lanes[lane].first_step = self.forcing.begin(lane, &set, step, follows);
+        let first = self.forcing.begin(lane, &set, step, follows);
         self.untried.put(lane, V::Element::of(0.0));
+        let lane = &mut self.lanes[lane];
+        lane.next_sample = first / lane.job.cell.substeps.max(1) + 1;
+        lane.first_step = first;
+    }
+
+    /// Puts lanes on the next gap of their record, and fetches the one after.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, lanes: V::Mask) {
+        self.forcing.follow(lanes);
+        for number in each(V::bits(lanes)) {
+            let lane = &mut self.lanes[number];
+            lane.first_step += lane.job.cell.substeps;
+            lane.next_sample += 1;
+            let set = self.shared.equations(&lane.job.cell);
+            self.forcing.fetch(number, &set, lane.next_sample);
+        }
     }
 }

@@ -173,7 +173,12 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             }
         }
         let lost = through & !is_sound(&self.y);
-        let left = through & self.forcing.done.ge(self.forcing.steps);
+        let mut left = through & self.forcing.done.ge(self.forcing.steps);
+        if self.forcing.fetched != 0 {
+            let follows = left & zero.mask(self.forcing.fetched & self.running);
+            left = left & !follows;
+            self.follow(follows);
+        }
         attend = (attend | V::bits(lost | left)) & self.running & !ended;
         if attend != 0 {
             ended |= self.attend(attend, V::bits(lost), V::bits(endless), V::bits(proved));
