@@ -120,6 +120,14 @@ impl Engine {
         }
     }
 
+    /// What it reads before it asks for the first picture.
+    fn data(self) -> &'static [&'static str] {
+        match self {
+            Engine::Server => &["about"],
+            Engine::WebGpu => &["about.json", "model.json", "sweep.wgsl"],
+        }
+    }
+
     /// True of a module that a page with this engine runs.
     fn needs(self, path: &str) -> bool {
         match self {
@@ -129,13 +137,18 @@ impl Engine {
     }
 }
 
-/// The page with its engine, and with `more` lines in its head. It names the modules that it runs, so that a browser asks
-/// for all of them at once instead of one after another as imports are read.
+/// The page with its engine, and with `more` lines in its head. It names the modules that it runs and what they read, so
+/// that a browser asks for all of them at once instead of one after another as imports are read.
 pub fn index(engine: Engine, more: &str) -> String {
     let modules = FILES.iter().filter(|file| file.kind == SCRIPT && engine.needs(file.path));
-    let links =
+    let modules =
         modules.map(|file| format!("<link rel=\"modulepreload\" href=\"{}\">\n", file.path));
-    let head = format!("{}\n{more}{}", engine.line(), links.collect::<String>());
+    // A fetch takes what was loaded ahead where both are of one kind, for which there is `crossorigin`.
+    let data = engine.data().iter().map(|path| {
+        format!("<link rel=\"preload\" as=\"fetch\" href=\"{path}\" crossorigin=\"anonymous\">\n")
+    });
+    let links: String = modules.chain(data).collect();
+    let head = format!("{}\n{more}{links}", engine.line());
     let bytes = file(INDEX).map_or(&b""[..], |file| file.bytes);
     String::from_utf8_lossy(bytes).replacen(&format!("{NAMED}\n"), &head, 1)
 }

@@ -32,7 +32,7 @@ def first(stages, name, since=0.0):
     return next((at - since for at, stage in stages if stage == name and at >= since), None)
 
 
-def test_the_first_picture_comes_after_the_load(open_page):
+def test_the_first_picture_comes_after_the_load(open_page, server):
     """From the moment at which the page asks for it; the time from the address on is told beside it."""
     times = {"coarse": [], "fine": []}
     whole = {"coarse": [], "fine": []}
@@ -40,6 +40,8 @@ def test_the_first_picture_comes_after_the_load(open_page):
         page = open_page(**LARGE)
         page.settle()
         assert CELLS in page.page.inner_text("#status"), "the window gives a map of another size"
+        asked = [url.removeprefix(server.url) for url in page.requests]
+        assert len(asked) == len(set(asked)), "something is asked for twice"
         stages = page.page.evaluate("() => window.stages")
         begun = stages[0][0]
         assert [stage for _, stage in stages] == ["stale", "coarse", "fine", "refined"], "each picture comes once"
