@@ -64,6 +64,12 @@ fn remedy(problem: &str) -> String {
     let expected = match expected {
         "u32" | "u64" | "usize" => "a whole number, 0 or more",
         "f64" => "a number",
+        "a string" => "a text",
+        "a sequence" => "an array",
+        "a boolean" => "true or false",
+        "a map" => "an object",
+        "string or map" | "map with a single key" => "one of its words",
+        "fewer elements in array" => "fewer of them",
         other => other,
     };
     format!("{wrong}; give {expected}")
@@ -82,12 +88,8 @@ mod tests {
         let good = json!({ "scene": { "t_h": "1" }, "count": [9, 9], "kind": "csv" });
         assert!(read::<SaveRequest>(good.to_string().as_bytes()).is_ok());
         for (key, value, line) in [
-            ("scene", json!(1), "scene: invalid type: integer 1; give a map"),
-            (
-                "scene",
-                json!({ "t_h": 1.5 }),
-                "t_h: invalid type: floating point 1.5; give a string",
-            ),
+            ("scene", json!(1), "scene: invalid type: integer 1; give an object"),
+            ("scene", json!({ "t_h": 1.5 }), "t_h: invalid type: floating point 1.5; give a text"),
             ("count", json!([9]), "count: invalid length 1; give an array of length 2"),
             (
                 "count",
@@ -99,7 +101,7 @@ mod tests {
                 json!("f16"),
                 "precision: unknown variant f16; give one of auto, f32, f64",
             ),
-            ("kind", json!(null), "kind: invalid type: null; give "),
+            ("kind", json!(null), "kind: invalid type: null; give one of its words"),
         ] {
             let mut wrong = good.clone();
             wrong[key] = value;
@@ -112,7 +114,7 @@ mod tests {
             (r#"{"count": [9, 9]}"#, "scene: missing; give it"),
             (
                 r#"{"scene": {}, "count": [9, 9], "limits": {"u": 1}}"#,
-                "u: invalid type: integer 1; give a string",
+                "u: invalid type: integer 1; give a text",
             ),
         ] {
             let told = read::<ViewRequest>(body.as_bytes()).unwrap_err();
