@@ -190,6 +190,43 @@ fn nobody_is_let_in_but_the_page() {
     assert_eq!(server.send(&own, body.as_bytes()).status, 200);
 }
 
+#[test]
+fn a_request_by_another_method_is_told_by_which() {
+    let server = Server::start(&[]);
+    let Server { host, token, .. } = &server;
+    let ask = |method: &str, path: &str, more: &str| {
+        let head = format!("{method} /{token}/{path} HTTP/1.1\r\nHost: {host}\r\n{more}");
+        server.send(&head, b"")
+    };
+    let mark = "X-Topple: page\r\n";
+    for (method, path, more, allow) in [
+        ("OPTIONS", "", "", "get, head"),
+        ("OPTIONS", "main.js", "", "get, head"),
+        ("OPTIONS", "about", "", "get, head"),
+        ("OPTIONS", "map", "", "post"),
+        ("GET", "map", "", "post"),
+        ("HEAD", "suite", "", "post"),
+        ("POST", "style.css", mark, "get, head"),
+        ("PUT", "about", mark, "get, head"),
+        ("DELETE", "record", mark, "post"),
+    ] {
+        let answer = ask(method, path, more);
+        assert_eq!(answer.status, 405, "{method} {path}");
+        assert!(answer.headers.contains(&format!("\r\nallow: {allow}\r\n")), "{}", answer.headers);
+    }
+    for (method, path, more) in
+        [("GET", "nothing", ""), ("OPTIONS", "nothing", ""), ("POST", "nothing", mark)]
+    {
+        assert_eq!(ask(method, path, more).status, 404, "{method}");
+    }
+    let head = ask("HEAD", "", "");
+    assert!(head.status == 200 && head.body.is_empty() && head.headers.contains("text/html"));
+    // A page from elsewhere that asks first whether it may.
+    let foreign = "Origin: http://evil.example\r\nAccess-Control-Request-Method: POST\r\n";
+    let refused = ask("OPTIONS", "map", foreign);
+    assert!(refused.status == 403 && !refused.headers.contains("allow"), "{}", refused.headers);
+}
+
 /// The coarse and the fine picture are sweeps of their grids, to the last bit; the refined one has the dense sweep's
 /// outcomes but in leaves, of which one in a thousand at most is missed.
 #[test]
@@ -242,7 +279,11 @@ fn an_older_view_ends_when_a_newer_one_begins() {
         let new = json!({ "tab": "t", "view": 2, "scene": flat(), "count": [33, 33] });
         assert_eq!(server.post("map", &new).frames().len(), 1);
         let frames = ended.join().unwrap().frames();
-        assert!(frames.iter().all(|(header, _)| header["stage"] == "coarse"), "{}", frames.len());
+        // Words of how far it was, and the coarse picture at most.
+        let is_early =
+            |header: &Value| header["stage"] == "coarse" || header["progress"]["stage"] == "coarse";
+        let told = frames.iter().map(|(header, _)| header);
+        assert!(told.clone().all(is_early), "{:?}", told.collect::<Vec<_>>());
     });
     // A view that comes late is not computed.
     assert!(server.post("map", &old).frames().is_empty());

@@ -6,6 +6,7 @@
 
 mod common;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -175,7 +176,7 @@ fn what_the_browser_is_compared_with_is_written() {
     let backend = opened.as_ref().map(|opened| &opened.backends[0]);
     let folder = folder();
     fs::create_dir_all(&folder).unwrap();
-    let (records, pair) = (Records::new().unwrap(), synthetic_pair());
+    let (records, pair) = (Records::default(), synthetic_pair());
     let write = |name: &str, text: String| fs::write(folder.join(name), text).unwrap();
     write("model.json", known(Some((SYNTHETIC, &pair))).unwrap().to_string());
     for (number, (name, text, count)) in SCENES.iter().enumerate() {
@@ -197,7 +198,8 @@ fn one_of<'a>(rng: &mut Pcg64Mcg, texts: &[&'a str]) -> &'a str {
 /// Two numbers in a row between two, as a range's ends or one of them alone.
 fn between(rng: &mut Pcg64Mcg, least: f64, most: f64, range: bool) -> String {
     let mut number = || least + (most - least) * (f64::from(rng.next_u32()) / f64::from(u32::MAX));
-    let (start, stop) = (number(), number());
+    let (one, other) = (number(), number());
+    let (start, stop) = (one.min(other), one.max(other));
     match (range, rng.next_u32() % 3) {
         (false, _) => start.to_string(),
         (true, 0) if start * stop > 0.0 => format!("{start}:{stop}:log"),
@@ -280,7 +282,7 @@ impl<T, const N: usize> Choose<T> for [T; N] {
 /// Random scenes: the numbers of their cells, or the key at fault.
 #[test]
 fn random_scenes_for_the_browser_are_written() {
-    let (mut rng, records) = (Pcg64Mcg::new(0x1601), Records::new().unwrap());
+    let (mut rng, records) = (Pcg64Mcg::new(0x1601), Records::default());
     let count = [7, 5];
     let (mut told, mut refused) = (Vec::new(), 0);
     for _ in 0..300 {
@@ -317,22 +319,38 @@ fn the_command_exports_a_page() {
     assert!(told.contains("--export") && told.contains("holds other files"), "{told}");
 }
 
-/// The page of a scene, as it is exported; a second export takes the place of the first.
+/// The files of a folder, but for those in folders in it, by their names.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
+    let files = entries.filter(|entry| entry.file_type().unwrap().is_file());
+    let read = |entry: fs::DirEntry| {
+        (entry.file_name().to_string_lossy().into_owned(), fs::read(entry.path()).unwrap())
+    };
+    files.map(read).collect()
+}
+
+/// The page of a scene, as it is exported; a second export of the same bytes takes the place of the first.
 #[test]
 fn a_page_is_exported_whole_and_again() {
     let folder = folder().join("page");
     let first =
         flat("object=1 eccentricity=0.2 isolation=dual t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15");
     let settings = Settings { backend: BackendRequest::Cpu, adapters: Vec::new() };
-    let session = Session::open(settings, Records::new().unwrap(), first).unwrap();
+    let session = Session::open(settings, Records::default(), first).unwrap();
     let stop = AtomicBool::new(false);
     export(&folder, &session, &stop).unwrap();
     fs::write(folder.join("gone.bin"), "of an earlier version").unwrap();
     let list = fs::read_to_string(folder.join("export.json")).unwrap();
     let listed = list.replacen("about.json", "gone.bin\", \"about.json", 1);
     fs::write(folder.join("export.json"), listed).unwrap();
+    let before = contents(&folder);
     let bytes = export(&folder, &session, &stop).unwrap();
     assert!(!folder.join("gone.bin").exists());
+    let after = contents(&folder);
+    for (name, bytes) in &after {
+        assert!(name == "export.json" || before.get(name) == Some(bytes), "{name} is another one");
+    }
+    assert!(after.keys().any(|name| name.starts_with("stored-")));
     let list = fs::read_to_string(folder.join("export.json")).unwrap();
     let list: Value = serde_json::from_str(&list).unwrap();
     let sizes = list["files"]

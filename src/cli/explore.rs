@@ -64,7 +64,7 @@ impl ExploreCommand {
             Some(path) => load::check(path, &given)?,
             None => given.check().map_err(|error| options::flag_error(&error))?,
         };
-        let records = Records::new()?;
+        let records = Records::default();
         let first = start::first(&records, &scene, &given, folder);
         let backend = self.backend.unwrap_or(BackendRequest::Auto);
         let settings = Settings { backend, adapters: self.adapter.clone() };

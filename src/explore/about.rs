@@ -27,7 +27,7 @@ fn end(value: f64) -> Option<f64> {
 /// The parameters of a scene.
 fn parameters() -> Vec<Value> {
     let told = PARAMETERS.iter().map(|entry| {
-        let ((low, high), included) = entry.legal.ends();
+        let ((low, high), (has_low, has_high)) = entry.legal.ends();
         json!({
             "key": entry.key,
             "symbol": entry.symbol,
@@ -39,7 +39,8 @@ fn parameters() -> Vec<Value> {
             "default": entry.default,
             "low": end(low),
             "high": end(high),
-            "lowIncluded": included,
+            "lowIncluded": has_low,
+            "highIncluded": has_high,
             "integer": matches!(entry.legal, Legal::Whole(..)),
             "plausible": [entry.plausible.0, end(entry.plausible.1)],
             "range": entry.range(),

@@ -72,8 +72,9 @@ fn is_fine(values: &Values) -> bool {
 pub fn axes(flat: &Flat) -> Result<[Parameter; 2], Refused> {
     let [x, y] = ["x", "y"].map(|key| {
         let name = flat.get(key).ok_or_else(|| Refused::of(key, "missing; give a number's key"))?;
-        Parameter::of_key(name)
-            .ok_or_else(|| Refused::of(key, format!("there is no number '{name}'; give a key")))
+        Parameter::of_key(name).ok_or_else(|| {
+            Refused::of(key, format!("there is no number {}; give a key", quoted(name)))
+        })
     });
     let [x, y] = [x?, y?];
     if x == y {
@@ -106,7 +107,8 @@ pub fn builder(flat: &Flat, count: Option<[u32; 2]>) -> Result<SceneBuilder, Ref
             words.insert(key.clone(), json!(text));
         } else {
             let section = Section::ALL.into_iter().find(|own| keys::words(*own).contains(&&**key));
-            let section = section.ok_or_else(|| Refused::of(key, "a scene has no such key"))?;
+            let section =
+                section.ok_or_else(|| Refused::of(key, "a scene has no such key; leave it out"))?;
             add(&mut words, section, key, word(key, text)?);
         }
     }
@@ -130,7 +132,8 @@ fn add(words: &mut serde_json::Map<String, Value>, section: Section, key: &str, 
 
 /// The value of a key that is no number of the table.
 fn word(key: &str, text: &str) -> Result<Value, Refused> {
-    let refused = |expected: &str| Refused::of(key, format!("{text} is not {expected}"));
+    let refused =
+        |expected: &str| Refused::of(key, format!("{} is not {expected}; give one", quoted(text)));
     let word = match key {
         "object" => json!(text.parse::<u32>().map_err(|_| refused("the number of a block"))?),
         "force" => json!(text.parse::<bool>().map_err(|_| refused("true or false"))?),
@@ -146,38 +149,49 @@ fn word(key: &str, text: &str) -> Result<Value, Refused> {
     serde_json::from_value::<SceneBuilder>(alone).map_err(|error| {
         let told = error.to_string().replace('`', "");
         let known = told.split_once(", expected ").map_or(&*told, |(_, known)| known).to_string();
-        Refused::of(key, format!("{text} is not known; give {known}"))
+        Refused::of(key, format!("{} is not known; give {known}", quoted(text)))
     })?;
     Ok(word)
 }
 
 /// The values of a number: of an axis so many of a range, else a single one.
 fn values(key: &str, text: &str, count: Option<u32>) -> Result<Values, Refused> {
-    let text = text.trim();
-    let Some(count) = count else {
-        return match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number.into()),
-            _ => Err(Refused::of(key, format!("{text} is not a finite number; give one"))),
-        };
+    let finite = |text: &str| match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(Refused::of(key, format!("{} is not a finite number; give one", quoted(text)))),
     };
-    let parts: Vec<&str> = text.split(':').collect();
-    let whole = match parts[..] {
-        [start, stop] => format!("{start}:{stop}:{count}"),
-        [start, stop, "log"] => format!("{start}:{stop}:{count}:log"),
-        _ => {
-            let problem = format!("{text} is no range; give start:stop, for it is an axis");
-            return Err(Refused::of(key, problem));
-        }
+    let Some(count) = count else { return finite(text).map(Values::from) };
+    let no_range =
+        |remedy: &str| Refused::of(key, format!("{} is no range; {remedy}", quoted(text)));
+    let parts: Vec<&str> = text.trim().split(':').collect();
+    let (start, stop, log) = match parts[..] {
+        [start, stop] => (start, stop, ""),
+        [start, stop, "log"] => (start, stop, ":log"),
+        _ => return Err(no_range("give start:stop, for it is an axis")),
     };
-    whole.parse().map_err(|error| Refused::of(key, error))
+    if finite(start)? >= finite(stop)? {
+        return Err(no_range("give two values, the smaller one first"));
+    }
+    format!("{start}:{stop}:{count}{log}").parse().map_err(|error| Refused::of(key, error))
 }
 
-/// A text of a range's ends, as the page has them.
-fn ends(values: &Values) -> String {
-    match values {
-        Values::Range(range) if range.log => format!("{}:{}:log", range.start, range.stop),
-        values => format!("{}:{}", values.first(), values.last()),
+/// Letters of a text that a message repeats at most.
+const REPEATED: usize = 40;
+
+/// A text as a message repeats it.
+fn quoted(text: &str) -> String {
+    let text = text.trim();
+    match text.char_indices().nth(REPEATED) {
+        Some((end, _)) => format!("'{}…'", &text[..end]),
+        None => format!("'{text}'"),
     }
+}
+
+/// A text of a range's ends, as the page has them: the smaller one first.
+fn ends(values: &Values) -> String {
+    let (first, last) = (values.first(), values.last());
+    let log = matches!(values, Values::Range(range) if range.log);
+    format!("{}:{}{}", first.min(last), first.max(last), if log { ":log" } else { "" })
 }
 
 /// A range around a single value, for an axis that a scene does not have.
@@ -260,6 +274,13 @@ mod tests {
         for (key, text, said) in [
             ("omega", "3", "start:stop"),
             ("omega", "3:1:9", "start:stop"),
+            ("omega", "3:1", "smaller one first"),
+            ("omega", "1:1", "smaller one first"),
+            ("omega", ":1", "finite number"),
+            ("omega", "NaN:1", "finite number"),
+            ("omega", "1:1e999", "finite number"),
+            ("t_h", "", "'' is not"),
+            ("t_h", "0x10", "finite number"),
             ("t_h", "1:2", "finite number"),
             ("t_h", "x", "finite number"),
             ("object", "-1", "number of a block"),
@@ -274,6 +295,9 @@ mod tests {
             let refused = builder(&asked, Some([5, 3])).unwrap_err();
             assert_eq!(refused.key.as_deref(), Some(key), "{refused}");
             assert!(refused.line.contains(said), "{refused}");
+            asked.insert(key.into(), format!("{text}{}", "\u{660}\n9".repeat(900)));
+            let refused = builder(&asked, Some([5, 3])).unwrap_err();
+            assert!(!refused.line.contains('\n') && refused.line.len() < 300, "{refused}");
         }
     }
 

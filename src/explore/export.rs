@@ -6,14 +6,13 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use serde_json::{Value, json};
 
 use super::about;
 use super::asked::{AskedPrecision, Flat};
 use super::known::known;
-use super::page::{FILES, INDEX, POLICY};
+use super::page::{self, Engine, FILES, INDEX, POLICY};
 use super::refused::Refused;
 use super::session::Session;
 use super::stage::Told;
@@ -40,18 +39,10 @@ pub enum ExportError {
     /// The scene, or its sweep.
     #[error(transparent)]
     Refused(#[from] Refused),
-    /// The page has no place for what computes.
-    #[error("the page does not name its engine, so that it cannot be told to compute by itself")]
-    NoEngine,
 }
 
 /// What lists the files of an export: a folder that has it may be written again.
 const LIST: &str = "export.json";
-/// The line of the page that names its engine, as served and as exported.
-const ENGINES: [&str; 2] = [
-    r#"<meta name="topple-engine" content="server">"#,
-    r#"<meta name="topple-engine" content="webgpu">"#,
-];
 /// Cells along each axis of a stored map.
 const STORED: u32 = 129;
 /// What a browser without WebGPU is shown of stored maps, beside kinds and marks.
@@ -132,7 +123,7 @@ fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
 /// All files of an export.
 ///
 /// # Errors
-/// Those of the stored maps; [`ExportError::NoEngine`].
+/// Those of the stored maps.
 fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError> {
     let scene = exported(&session.first);
     let pair = record(session)?;
@@ -140,7 +131,7 @@ fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError>
     let known = known(record).map_err(Refused::from)?;
     let mut files = Vec::new();
     for file in FILES {
-        let bytes = if file.path == INDEX { index(file.bytes)? } else { file.bytes.to_vec() };
+        let bytes = if file.path == INDEX { index().into_bytes() } else { file.bytes.to_vec() };
         files.push((file.path.into(), bytes));
     }
     let (listed, maps) = stored(session, stop)?;
@@ -185,17 +176,12 @@ pub fn shader() -> String {
 }
 
 /// The page with the engine that computes in the browser, and with what a server would tell a browser of it.
-fn index(page: &[u8]) -> Result<Vec<u8>, ExportError> {
-    let text = std::str::from_utf8(page).map_err(|_| ExportError::NoEngine)?;
-    if text.matches(ENGINES[0]).count() != 1 {
-        return Err(ExportError::NoEngine);
-    }
+fn index() -> String {
     // A page cannot say itself who may frame it.
-    let policy: Vec<&str> =
-        POLICY.split("; ").filter(|rule| !rule.starts_with("frame-ancestors")).collect();
-    let policy = policy.join("; ");
-    let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">");
-    Ok(text.replace(ENGINES[0], &format!("{}\n{policy}", ENGINES[1])).into_bytes())
+    let rules = POLICY.split("; ").filter(|rule| !rule.starts_with("frame-ancestors"));
+    let policy = rules.collect::<Vec<&str>>().join("; ");
+    let line = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n");
+    page::index(Engine::WebGpu, &line)
 }
 
 /// A scene as the exported page has it: its record is known by its name alone, with both components in it.
@@ -244,10 +230,8 @@ fn stored(session: &Session, stop: &AtomicBool) -> Result<(Vec<Value>, Vec<File>
             Err(refused) if number == 0 => return Err(refused),
             Err(_) => continue,
         };
-        let began = Instant::now();
         let map = view::sweep(&ready, stop)?;
-        let seconds = began.elapsed().as_secs_f64();
-        let told = Told { stage: "stored", cells: map.grid.len(), seconds, note: "" };
+        let told = Told { stage: "stored", cells: map.grid.len(), seconds: None, note: "" };
         let file = format!("stored-{number}.bin");
         files.push((file.clone(), view::framed(&view::whole(&map)?, &ready, &told, &columns)));
         listed.push(json!({ "title": title, "scene": exported(&scene), "file": file }));
@@ -261,12 +245,9 @@ mod tests {
     use crate::results::columns::{Holds, TABLE};
 
     #[test]
-    fn the_page_names_the_engine_that_computes_in_the_browser() {
-        let page = FILES.iter().find(|file| file.path == INDEX).unwrap();
-        let text = String::from_utf8(index(page.bytes).unwrap()).unwrap();
-        assert!(text.contains(ENGINES[1]) && !text.contains(ENGINES[0]));
+    fn the_page_says_what_it_may_load() {
+        let text = index();
         assert!(text.contains("default-src 'self'") && !text.contains("frame-ancestors"));
-        assert!(matches!(index(b"<!doctype html>"), Err(ExportError::NoEngine)));
     }
 
     #[test]

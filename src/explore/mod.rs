@@ -6,8 +6,11 @@
 
 pub mod about;
 pub mod asked;
+pub mod body;
 pub mod cell;
 pub mod command;
+pub mod dropped;
+pub mod ending;
 pub mod export;
 pub mod frame;
 pub mod guard;
@@ -27,3 +30,4 @@ pub mod suite;
 pub mod suites;
 pub mod verify;
 pub mod view;
+pub mod watched;

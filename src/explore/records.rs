@@ -24,8 +24,10 @@ type RecordTextKey = (Option<PathBuf>, Option<PathBuf>, Option<u64>, Option<Stri
 const KEPT: usize = 8;
 
 /// Files of records by names, and the motions that were read from them.
+#[derive(Default)]
 pub struct Records {
-    folder: TempDir,
+    /// Where dropped files lie: made for the first one, and taken away with the session.
+    folder: Mutex<Option<TempDir>>,
     places: Mutex<BTreeMap<String, PathBuf>>,
     read: Mutex<HashMap<Key, Pair>>,
 }
@@ -61,18 +63,29 @@ fn name_for(
 }
 
 impl Records {
-    /// None yet.
+    /// The folder that goes with the session.
     ///
     /// # Errors
-    /// Those of the disk: dropped files lie in a folder that goes with the session.
-    pub fn new() -> io::Result<Records> {
-        let folder = tempfile::Builder::new().prefix("topple-explore-").tempdir()?;
-        Ok(Records { folder, places: Mutex::default(), read: Mutex::default() })
+    /// Those of the disk.
+    pub fn folder(&self) -> io::Result<PathBuf> {
+        // What is stored is whole, whoever panicked.
+        let mut folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(folder) = &*folder {
+            return Ok(folder.path().into());
+        }
+        let made = tempfile::Builder::new().prefix("topple-explore-").tempdir()?;
+        Ok(folder.insert(made).path().into())
     }
 
-    /// The folder that goes with the session.
-    pub fn folder(&self) -> &Path {
-        self.folder.path()
+    /// True of a file that was dropped.
+    fn is_dropped(&self, place: &Path) -> bool {
+        let folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        folder.as_ref().is_some_and(|folder| place.starts_with(folder.path()))
+    }
+
+    /// Takes the folder away, whoever still computes with what was in it.
+    pub fn forget(&self) {
+        drop(self.folder.lock().unwrap_or_else(PoisonError::into_inner).take());
     }
 
     /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
@@ -80,12 +93,11 @@ impl Records {
     /// # Errors
     /// Those of the disk.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
-        // What is stored is whole, whoever panicked.
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
         let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
         let id = name_for(&places, &plain_name(name), is_it);
         if !places.contains_key(&id) {
-            let place = self.folder.path().join(&id);
+            let place = self.folder()?.join(&id);
             fs::write(&place, bytes)?;
             places.insert(id.clone(), place);
         }
@@ -120,7 +132,7 @@ impl Records {
     /// The file as a command line names it: where it lay before it was dropped is not known.
     pub fn written(&self, id: &Path) -> PathBuf {
         match self.place("", id) {
-            Ok(place) if !place.starts_with(self.folder.path()) => place,
+            Ok(place) if !self.is_dropped(&place) => place,
             _ => id.into(),
         }
     }
@@ -221,6 +233,8 @@ impl Records {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::{Records, plain_name};
 
     #[test]
@@ -239,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_file_is_kept_once_and_another_of_its_name_beside_it() {
-        let records = Records::new().unwrap();
+        let records = Records::default();
         assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
         assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
         assert_eq!(records.add("x/h.at2", b"two").unwrap(), "2-h.at2");
@@ -250,5 +264,18 @@ mod tests {
         assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
         assert_eq!(records.know("b/rec.txt".as_ref()), "2-rec.txt");
         assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
+    }
+
+    #[test]
+    fn the_folder_comes_with_the_first_file_and_goes() {
+        let records = Records::default();
+        records.know("a/rec.txt".as_ref());
+        assert!(records.folder.lock().unwrap().is_none());
+        let id = records.add("h.at2", b"one").unwrap();
+        assert_eq!(records.written(id.as_ref()), id.as_ref() as &Path);
+        let folder = records.folder().unwrap();
+        assert!(folder.join("h.at2").exists());
+        records.forget();
+        assert!(!folder.exists());
     }
 }

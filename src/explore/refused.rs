@@ -24,16 +24,30 @@ pub struct Refused {
     pub cancelled: bool,
 }
 
-/// A message without the marks of keys.
+/// Letters of a word of a message at most: what is longer is none that anybody reads.
+const WORD: usize = 200;
+/// Digits of a number from which on it is written with an exponent.
+const DIGITS: usize = 30;
+
+/// A message in one line, without the marks of keys, and without words that have no end.
 fn plain(text: &str) -> String {
-    text.replace('`', "")
+    let short = |word: &str| {
+        let number = if word.len() > DIGITS { word.parse::<f64>().ok() } else { None };
+        match (number, word.char_indices().nth(WORD)) {
+            (Some(number), _) => format!("{number:e}"),
+            (None, Some((end, _))) => format!("{}…", &word[..end]),
+            (None, None) => word.into(),
+        }
+    };
+    let line = text.replace('`', "").replace(char::is_control, " ");
+    line.split(' ').map(short).collect::<Vec<String>>().join(" ")
 }
 
 impl Refused {
     /// With the key at fault.
     pub fn of(key: &str, problem: impl ToString) -> Refused {
         let problem = plain(&problem.to_string());
-        let line = format!("{key}: {problem}");
+        let line = format!("{}: {problem}", plain(key));
         Refused { key: Some(key.into()), problem, line, cancelled: false }
     }
 
@@ -75,5 +89,22 @@ impl From<FigureError> for Refused {
 impl From<io::Error> for Refused {
     fn from(error: io::Error) -> Refused {
         Refused::told(error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Refused;
+
+    #[test]
+    fn a_message_is_one_short_line() {
+        let told =
+            Refused::of("t_h", format!("{} must be `1`\r\nor {}", 1.0e-300, "x".repeat(999)));
+        assert!(told.line.starts_with("t_h: 1e-300 must be 1  or xx"), "{told}");
+        assert!(told.line.ends_with('…') && told.line.len() < 300, "{told}");
+        assert_eq!(
+            Refused::told("/a/long/path is 12345.678 m").line,
+            "/a/long/path is 12345.678 m"
+        );
     }
 }

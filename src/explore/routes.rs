@@ -7,24 +7,24 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};
 
 use axum::body::{Body, Bytes, to_bytes};
-use axum::extract::{FromRequest, Multipart, Request, State};
+use axum::extract::{Request, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN, REFERRER_POLICY,
+    ALLOW, CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{HeaderMap, HeaderName, Method, StatusCode};
 use axum::response::{IntoResponse, Response};
 use futures_core::Stream;
-use serde::de::DeserializeOwned;
 use serde_json::json;
 use tokio::sync::mpsc;
 
+use super::body::read;
 use super::frame::frame;
 use super::guard::{Said, Token, let_in};
 use super::refused::Refused;
 use super::session::Session;
 use super::stage::ViewRequest;
-use super::{about, cell, command, page, save, section, suite, verify, view};
+use super::{about, cell, command, dropped, page, save, section, suite, verify, view};
 
 /// The header of the page's own requests.
 const MARK: HeaderName = HeaderName::from_static("x-topple");
@@ -33,6 +33,10 @@ const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const LARGEST: usize = 1 << 20;
 /// Frames that wait for a page at most.
 const WAITING: usize = 2;
+
+/// Paths that are asked by POST.
+const POSTED: [&str; 8] =
+    ["map", "cell", "section", "verify", "command", "save", "record", "suite"];
 
 /// What every request is answered from.
 pub struct Shared {
@@ -86,7 +90,7 @@ fn allowed(shared: &Shared, request: &Request) -> Option<String> {
         host: only(headers, HOST)?,
         origin: only(headers, ORIGIN)?,
         site: only(headers, SITE)?,
-        posts: !matches!(*request.method(), Method::GET | Method::HEAD),
+        posts: !matches!(*request.method(), Method::GET | Method::HEAD | Method::OPTIONS),
         marked: headers.contains_key(MARK),
     };
     let_in(&shared.token, shared.at, &said).map(String::from)
@@ -120,26 +124,38 @@ async fn inner(shared: &Arc<Shared>, path: &str, request: Request) -> Response {
         (&Method::GET | &Method::HEAD, "about") => {
             run(move |_| Ok(about::about(&session).to_string())).await.unwrap_or_else(refused)
         }
-        (&Method::GET | &Method::HEAD, path) => {
-            let path = if path.is_empty() { page::INDEX } else { path };
-            match page::file(path) {
-                Some(file) => ([(CONTENT_TYPE, file.kind)], file.bytes).into_response(),
-                None => (StatusCode::NOT_FOUND, "there is no such file\n").into_response(),
+        (&Method::POST, path) if POSTED.contains(&path) => {
+            posted(session, path, request).await.unwrap_or_else(refused)
+        }
+        (method, path) => match page::served(path) {
+            Some((kind, bytes)) if matches!(*method, Method::GET | Method::HEAD) => {
+                ([(CONTENT_TYPE, kind)], bytes).into_response()
             }
-        }
-        (&Method::POST, "record" | "suite") => {
-            let suite = path == "suite";
-            dropped(session, suite, request).await.unwrap_or_else(refused)
-        }
-        (&Method::POST, _) => posted(session, path, request).await.unwrap_or_else(refused),
-        _ => (StatusCode::METHOD_NOT_ALLOWED, "give GET or POST\n").into_response(),
+            Some(_) => only_by("GET, HEAD"),
+            None if path == "about" => only_by("GET, HEAD"),
+            None if POSTED.contains(&path) => only_by("POST"),
+            None => (StatusCode::NOT_FOUND, "there is no such file or request\n").into_response(),
+        },
     }
 }
 
-/// Answers a request with a body in JSON.
+/// What a path is asked by, to a request by another method.
+fn only_by(methods: &'static str) -> Response {
+    let line = format!("ask by {}\n", methods.replace(", ", " or "));
+    (StatusCode::METHOD_NOT_ALLOWED, [(ALLOW, methods)], line).into_response()
+}
+
+/// Answers a request that has a body: files, or JSON.
 async fn posted(session: Arc<Session>, path: &str, request: Request) -> Result<Response, Refused> {
+    if matches!(path, "record" | "suite") {
+        let act = if path == "suite" { dropped::suite } else { dropped::records };
+        let files = dropped::files(request).await?;
+        return run(move |_| act(&session, &files)).await;
+    }
     let body = to_bytes(request.into_body(), LARGEST).await;
-    let body = body.map_err(|error| Refused::told(format!("no request: {error}")))?;
+    let body = body.map_err(|_| {
+        Refused::told(format!("the request did not arrive whole; send {LARGEST} bytes at most"))
+    })?;
     match path {
         "map" => Ok(map(session, read(&body)?)),
         "cell" => {
@@ -165,11 +181,6 @@ async fn posted(session: Arc<Session>, path: &str, request: Request) -> Result<R
         }
         _ => Ok((StatusCode::NOT_FOUND, "there is no such request\n").into_response()),
     }
-}
-
-/// Reads a request.
-fn read<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refused> {
-    serde_json::from_slice(body).map_err(|error| Refused::told(format!("no request: {error}")))
 }
 
 /// Does work on a thread of its own; it is ended where the page goes.
@@ -207,9 +218,11 @@ fn map(session: Arc<Session>, asked: ViewRequest) -> Response {
     let frames = Frames { receive, _asker: Asker(Arc::clone(&stop)) };
     tokio::task::spawn_blocking(move || {
         let take = |frame| send.blocking_send(frame).is_ok();
+        // A word that finds no room is followed by a newer one.
+        let tell = |frame| drop(send.try_send(frame));
         let ran = match &asked.suite {
-            Some(id) => suite::run(&session, &asked, id, &stop, take),
-            None => view::run(&session, &asked, &stop, take),
+            Some(id) => suite::run(&session, &asked, id, &stop, take, &tell),
+            None => view::run(&session, &asked, &stop, take, &tell),
         };
         session.end(&asked.tab, asked.view);
         if let Err(error) = ran
@@ -220,36 +233,4 @@ fn map(session: Arc<Session>, asked: ViewRequest) -> Response {
         }
     });
     ([(CONTENT_TYPE, "application/octet-stream")], Body::from_stream(frames)).into_response()
-}
-
-/// Takes files that were dropped on the page.
-async fn dropped(
-    session: Arc<Session>,
-    suite: bool,
-    request: Request,
-) -> Result<Response, Refused> {
-    let unread = |error: String| Refused::told(format!("the files did not arrive: {error}"));
-    let mut parts =
-        Multipart::from_request(request, &()).await.map_err(|error| unread(error.body_text()))?;
-    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-    while let Some(part) = parts.next_field().await.map_err(|error| unread(error.body_text()))? {
-        let name = part.file_name().unwrap_or("record").to_string();
-        let bytes = part.bytes().await.map_err(|error| unread(error.body_text()))?;
-        files.push((name, bytes.to_vec()));
-    }
-    if files.is_empty() {
-        return Err(Refused::told("no file arrived; drop a record's file"));
-    }
-    run(move |_| {
-        let records = &session.records;
-        if suite {
-            return Ok(session.suites.add(records.folder(), &files)?.to_string());
-        }
-        let told = files.iter().map(|(name, bytes)| records.told(&records.add(name, bytes)?));
-        let told = told.collect::<Result<Vec<_>, Refused>>()?;
-        let mut first = told[0].clone();
-        first["files"] = told.into();
-        Ok(first.to_string())
-    })
-    .await
 }

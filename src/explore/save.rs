@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 
 use serde::Deserialize;
 
-use super::asked;
-use super::command::{MapRequest, toml};
+use super::asked::{self, AskedPrecision, Flat};
+use super::command::toml;
 use super::refused::Refused;
 use super::session::Session;
 use super::stages::Stages;
@@ -34,9 +34,13 @@ pub enum Kind {
 /// A request for a file.
 #[derive(Debug, Clone, Deserialize)]
 pub struct SaveRequest {
-    /// Of what.
-    #[serde(flatten)]
-    pub map: MapRequest,
+    /// The scene.
+    pub scene: Flat,
+    /// Cells along each axis.
+    pub count: [u32; 2],
+    /// Number type.
+    #[serde(default)]
+    pub precision: AskedPrecision,
     /// Which one.
     pub kind: Kind,
 }
@@ -50,7 +54,7 @@ pub fn run(
     request: &SaveRequest,
     stop: &AtomicBool,
 ) -> Result<(Vec<u8>, &'static str), Refused> {
-    let MapRequest { scene, count, precision } = &request.map;
+    let SaveRequest { scene, count, precision, .. } = request;
     let count = Stages::of(scene, *count)?.count(0);
     if request.kind == Kind::Toml {
         let given = asked::builder(scene, Some(count))?;

@@ -2,11 +2,13 @@
 
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
 
+use super::ending;
 use super::guard::{NoToken, Token};
 use super::routes::{Shared, answer};
 use super::session::Session;
@@ -61,7 +63,7 @@ impl Server {
         format!("http://{}/{}/", self.at, self.token.text())
     }
 
-    /// Serves the page of a session until `ended`.
+    /// Serves the page of a session until `ended`, or until the system tells the process to end.
     ///
     /// # Errors
     /// Those of the system.
@@ -79,7 +81,8 @@ impl Server {
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
             let served = tokio::spawn(async move { axum::serve(listener, router).await });
-            while !ended() && !served.is_finished() {
+            let told = ending::listen()?;
+            while !ended() && !told.load(Ordering::Relaxed) && !served.is_finished() {
                 tokio::time::sleep(ASKED).await;
             }
             match served.is_finished() {
@@ -92,6 +95,7 @@ impl Server {
         });
         session.stop();
         runtime.shutdown_timeout(LAST);
+        session.records.forget();
         Ok(served?)
     }
 }

@@ -59,10 +59,11 @@ impl AskedLimits {
     pub fn read(&self) -> Result<Limits, Refused> {
         let number = |key: &str, text: &Option<String>| {
             let given = text.as_deref().map(str::trim).filter(|text| !text.is_empty());
-            let parsed = given.map(|text| text.parse::<f64>().map_err(|_| text));
-            parsed
-                .transpose()
-                .map_err(|text| Refused::of(key, format!("{text} is no number; give one")))
+            let finite = |text: &str| text.parse::<f64>().ok().filter(|number| number.is_finite());
+            let parsed = given.map(|text| finite(text).ok_or(text));
+            parsed.transpose().map_err(|text| {
+                Refused::of(key, format!("{text} is not a finite number; give one"))
+            })
         };
         let standing = number("standing", &self.standing)?.unwrap_or(1.0);
         Ok(Limits { standing, u: number("limit_u", &self.u)?, v: number("limit_v", &self.v)? })
@@ -75,8 +76,8 @@ pub struct Told<'a> {
     pub stage: &'a str,
     /// Cells that were run for it.
     pub cells: usize,
-    /// Seconds that they took.
-    pub seconds: f64,
+    /// Seconds that they took; none of a stored map, whose file is the same whenever it is made.
+    pub seconds: Option<f64>,
     /// What is to be known besides.
     pub note: &'a str,
 }
@@ -101,7 +102,6 @@ pub fn header(grid: &Grid, ready: &Ready, told: &Told) -> Value {
         "adapter": backend.adapter().map(|adapter| &adapter.name),
         "cells": told.cells,
         "seconds": told.seconds,
-        "rate": told.cells as f64 / told.seconds.max(1.0e-9),
         "note": told.note,
     })
 }

@@ -9,6 +9,7 @@ use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{Told, ViewRequest, header};
 use super::stages::at_most;
+use super::watched::Watched;
 use crate::scene::Grid;
 use crate::suites::envelope::{CellEnvelope, Envelope};
 use crate::suites::request::SuiteRequest;
@@ -16,7 +17,7 @@ use crate::suites::request::SuiteRequest;
 /// Cells along an axis of the coarse and of the fine picture of a suite.
 const COUNTS: [(&str, u32); 2] = [("coarse", 13), ("fine", 49)];
 
-/// Computes a view of a scene under a suite.
+/// Computes a view of a scene under a suite: `send` and `tell` are handed frames as those of [`super::view::run`] are.
 ///
 /// # Errors
 /// The first key at fault; those of a sweep; that it was ended.
@@ -25,7 +26,8 @@ pub fn run(
     request: &ViewRequest,
     id: &str,
     stop: &AtomicBool,
-    mut send: impl FnMut(Vec<u8>) -> bool,
+    send: impl Fn(Vec<u8>) -> bool,
+    tell: &(dyn Fn(Vec<u8>) + Sync),
 ) -> Result<(), Refused> {
     let suite = session.suites.get(id)?;
     let limits = request.limits.read()?;
@@ -53,8 +55,8 @@ pub fn run(
             settings: asked.settings.run.clone(),
             opened: session.opened(method.precision)?,
         };
-        let envelope = Envelope::of(job.run(stop)?, limits);
-        let seconds = began.elapsed().as_secs_f64();
+        let envelope = Envelope::of(job.run(&Watched::new(stage, stop, tell))?, limits);
+        let seconds = Some(began.elapsed().as_secs_f64());
         let told = Told { stage, cells, seconds, note: "" };
         if !send(frame(header(&envelope.sweep.grid, &ready, &told), &arrays(&envelope))) {
             return Ok(());

@@ -3,12 +3,15 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use serde_json::json;
+
 use super::asked::AskedPrecision;
 use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{Told, ViewRequest, header};
 use super::stages::Stages;
+use super::watched::Watched;
 use crate::drawing::palette::{Kind, is_dotted};
 use crate::map::Map;
 use crate::model::precision::Precision;
@@ -21,6 +24,7 @@ use crate::stepping::outcome::{Class, Outcome};
 use crate::sweep::error::SweepError;
 use crate::sweep::job::{Job, SweepResult};
 use crate::sweep::map::MapSweep;
+use crate::sweep::observer::Observer;
 
 /// What a view shows where it shows no column as a shade.
 const OUTCOMES: &str = "outcome";
@@ -40,7 +44,8 @@ pub const DOTTED: u8 = 4;
 /// between those of cells around it.
 pub const TAKEN_OVER: u8 = 8;
 
-/// Computes a view; `send` is handed frames, and says whether there is still somebody to take them.
+/// Computes a view; `send` is handed its pictures as frames, and says whether there is still somebody to take them; `tell` is
+/// handed frames that say how far a picture is.
 ///
 /// # Errors
 /// The first key at fault; those of a sweep; that it was ended.
@@ -48,7 +53,8 @@ pub fn run(
     session: &Session,
     request: &ViewRequest,
     stop: &AtomicBool,
-    mut send: impl FnMut(Vec<u8>) -> bool,
+    send: impl Fn(Vec<u8>) -> bool,
+    tell: &(dyn Fn(Vec<u8>) + Sync),
 ) -> Result<(), Refused> {
     let ViewRequest { scene, count, precision, columns, .. } = request;
     let grids = Stages::of(scene, *count)?;
@@ -69,9 +75,9 @@ pub fn run(
     for (stage, doubled) in stages {
         let ready = session.ready(scene, grids.count(doubled), *precision)?;
         let began = Instant::now();
-        let map = sweep(&ready, stop)?;
-        let told =
-            Told { stage, cells: map.grid.len(), seconds: began.elapsed().as_secs_f64(), note };
+        let map = sweep(&ready, &Watched::new(stage, stop, tell))?;
+        let seconds = Some(began.elapsed().as_secs_f64());
+        let told = Told { stage, cells: map.grid.len(), seconds, note };
         if !send(framed(&whole(&map)?, &ready, &told, columns)) {
             return Ok(());
         }
@@ -82,12 +88,13 @@ pub fn run(
         settings.probes = PROBES;
         // Of a shade numbers are seen, too.
         settings.smooth = request.show.as_ref().filter(|show| *show != OUTCOMES).map(|_| SMOOTH);
-        let began = Instant::now();
-        let refined = refine_on(&map, &finest.opened.backends, &settings, stop)?;
+        let (stage, began) = ("refined", Instant::now());
+        let watched = Watched::new(stage, stop, tell);
+        let refined = refine_on(&map, &finest.opened.backends, &settings, &watched)?;
         let told = Told {
-            stage: "refined",
+            stage,
             cells: refined.report.cells - map.grid.len(),
-            seconds: began.elapsed().as_secs_f64(),
+            seconds: Some(began.elapsed().as_secs_f64()),
             note,
         };
         let outcomes = refined.read(0..refined.grid.len(), &Column::ALL)?;
@@ -100,7 +107,9 @@ pub fn run(
                 *mark |= if is_run { 0 } else { TAKEN_OVER };
             }
         }
-        send(frame(header(&refined.grid, &finest, &told), &arrays));
+        let mut header = header(&refined.grid, &finest, &told);
+        header["probes"] = json!(refined.report.last_round());
+        send(frame(header, &arrays));
     }
     Ok(())
 }
@@ -109,9 +118,9 @@ pub fn run(
 ///
 /// # Errors
 /// Those of a sweep; that it was ended.
-pub fn sweep(ready: &Ready, stop: &AtomicBool) -> Result<MapSweep, SweepError> {
+pub fn sweep(ready: &Ready, observer: &dyn Observer) -> Result<MapSweep, SweepError> {
     let job = Job::on(&ready.opened, &ready.scene, &[], &ready.settings)?;
-    match job.run(None, stop)? {
+    match job.run(None, observer)? {
         SweepResult::Map(map) => Ok(*map),
         // A part is run where one is asked for, which the page does not.
         SweepResult::Part(_) => Err(StoreError::Incomplete.into()),

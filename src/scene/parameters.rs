@@ -154,17 +154,17 @@ impl Legal {
             }
     }
 
-    /// The least and the largest value, and whether the least is one of them.
-    pub fn ends(self) -> ((f64, f64), bool) {
+    /// The least and the largest value, and whether each of them is one itself.
+    pub fn ends(self) -> ((f64, f64), (bool, bool)) {
         let any = (f64::NEG_INFINITY, f64::INFINITY);
         match self {
-            Finite | NotZero => (any, true),
-            Positive => ((0.0, any.1), false),
-            NotNegative => ((0.0, any.1), true),
-            Within(low, high) => ((low, high), true),
-            InBase => ((-1.0, 1.0), true),
-            AboveUpTo(low, high) => ((low, high), false),
-            Whole(low, high) => ((f64::from(low), f64::from(high)), true),
+            Finite | NotZero => (any, (true, true)),
+            Positive => ((0.0, any.1), (false, true)),
+            NotNegative => ((0.0, any.1), (true, true)),
+            Within(low, high) => ((low, high), (true, true)),
+            InBase => ((-1.0, 1.0), (false, false)),
+            AboveUpTo(low, high) => ((low, high), (false, true)),
+            Whole(low, high) => ((f64::from(low), f64::from(high)), (true, true)),
         }
     }
 }
@@ -427,18 +427,20 @@ impl Entry {
     /// From where to where its values may lie, in words: what makes sense at all and is plausible; empty where
     /// there are no ends.
     pub fn range(&self) -> String {
-        let ((low, high), included) = self.legal.ends();
+        let ((low, high), (has_low, has_high)) = self.legal.ends();
         let (least, most) = self.plausible;
-        let high = high.min(most);
-        let (low, included) = match low {
-            low if low < 0.0 => (low.max(-most), included),
-            low if least > low => (least, true),
-            low => (low, included),
+        let (high, has_high) = if most < high { (most, true) } else { (high, has_high) };
+        let (low, has_low) = match low {
+            low if low < -most => (-most, true),
+            low if low >= 0.0 && least > low => (least, true),
+            low => (low, has_low),
         };
-        match (low.is_finite() && high.is_finite(), included) {
-            (false, _) => String::new(),
-            (true, true) => format!("{low} to {high}"),
-            (true, false) => format!("above {low}, up to {high}"),
+        match (low.is_finite() && high.is_finite(), has_low, has_high) {
+            (false, ..) => String::new(),
+            (true, true, true) => format!("{low} to {high}"),
+            (true, false, true) => format!("above {low}, up to {high}"),
+            (true, true, false) => format!("{low} or more, below {high}"),
+            (true, false, false) => format!("above {low}, below {high}"),
         }
     }
 }
@@ -446,6 +448,20 @@ impl Entry {
 #[cfg(test)]
 mod tests {
     use super::{PARAMETERS, Parameter};
+
+    /// An end that is included makes sense itself, another one does not; all beyond them makes none.
+    #[test]
+    fn ends_are_where_sense_ends() {
+        for entry in PARAMETERS {
+            let ((low, high), (has_low, has_high)) = entry.legal.ends();
+            for (end, has, beyond) in [(low, has_low, -1.0), (high, has_high, 1.0)] {
+                if end.is_finite() {
+                    assert_eq!(entry.legal.holds(end), has, "{} {end}", entry.key);
+                    assert!(!entry.legal.holds(end + beyond), "{} {end}", entry.key);
+                }
+            }
+        }
+    }
 
     #[test]
     fn the_table_is_in_the_order_of_its_numbers_and_no_key_stands_twice() {

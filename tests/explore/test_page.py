@@ -10,6 +10,9 @@ MOVES = int(os.environ.get("TOPPLE_MOVES", "300"))
 # The aims, in milliseconds, and what a loaded machine of two cores may take.
 AIMS = {"coarse": 100, "fine": 400}
 GENEROUS = 40
+# A window whose map has 513 x 513 cells: those that the times are of.
+LARGE = {"viewport": {"width": 1400, "height": 963}}
+CELLS = "513 × 513"
 # A view of few cells, so that many views are quick.
 SMALL = {"viewport": {"width": 360, "height": 640}}
 
@@ -29,22 +32,32 @@ def first(stages, name, since=0.0):
     return next((at - since for at, stage in stages if stage == name and at >= since), None)
 
 
-def test_the_first_picture_comes_after_the_load(open_page):
+def test_the_first_picture_comes_after_the_load(open_page, server):
+    """From the moment at which the page asks for it; the time from the address on is told beside it."""
     times = {"coarse": [], "fine": []}
-    for _ in range(7):
-        page = open_page()
+    whole = {"coarse": [], "fine": []}
+    for _ in range(9):
+        page = open_page(**LARGE)
         page.settle()
+        assert CELLS in page.page.inner_text("#status"), "the window gives a map of another size"
+        asked = [url.removeprefix(server.url) for url in page.requests]
+        assert len(asked) == len(set(asked)), "something is asked for twice"
         stages = page.page.evaluate("() => window.stages")
         begun = stages[0][0]
+        assert [stage for _, stage in stages] == ["stale", "coarse", "fine", "refined"], "each picture comes once"
         for stage, found in times.items():
             found.append(first(stages, stage) - begun)
+            whole[stage].append(first(stages, stage))
+        page.page.close()
     for stage, found in times.items():
-        told(f"load, {stage}", found, GENEROUS * AIMS[stage])
+        told(f"load, {stage}, {CELLS} cells", found, GENEROUS * AIMS[stage])
+        told(f"the same from the address on, {stage}", whole[stage], GENEROUS * AIMS[stage])
 
 
 def test_a_slider_is_answered(open_page):
-    page = open_page()
+    page = open_page(**LARGE)
     page.settle()
+    assert CELLS in page.page.inner_text("#status"), "the window gives a map of another size"
     times = {"coarse": [], "fine": []}
     for k in range(12):
         since = page.page.evaluate("() => { window.stages.length = 0; return performance.now(); }")
@@ -55,7 +68,7 @@ def test_a_slider_is_answered(open_page):
             found.append(first(stages, stage, since))
     assert page.page.input_value("#field-eccentricity") == "0.36"
     for stage, found in times.items():
-        told(f"slider, {stage}", found, GENEROUS * AIMS[stage])
+        told(f"slider, {stage}, {CELLS} cells", found, GENEROUS * AIMS[stage])
 
 
 class Moves:
@@ -325,6 +338,70 @@ def test_a_line_is_drawn_and_told(open_page):
     assert "stretches" in page.page.get_attribute("#section-picture", "aria-label")
     page.page.click("#section-close")
     assert "line=" not in page.rested()
+
+
+def test_a_line_of_earlier_numbers_is_marked(open_page):
+    page = open_page("#object=1&eccentricity=0.2&t_h=1.75&t_v=0.75&omega=0.2:15&a_h=0.1:15&x=omega&y=a_h&line=1,1,14,14")
+    page.settle()
+    strip = page.page.locator("#section")
+    page.page.locator("#section-ends >> text=from").wait_for()
+    page.page.wait_for_selector("#section:not(.old)")
+    held = []
+    page.page.route("**/section", lambda route: held.append(route))
+    page.slide("t_h", 150)
+    page.page.wait_for_selector("#section.old")
+    page.settle()
+    assert "old" in strip.get_attribute("class")
+    while held:
+        held.pop().continue_()
+        page.page.wait_for_timeout(300)
+    page.page.wait_for_selector("#section:not(.old)")
+
+
+def test_how_far_a_slow_picture_is(open_page):
+    """A stiff base needs many steps: the status line tells how many cells are done."""
+    page = open_page("#object=1&eccentricity=0.2&t_h=1.75&t_v=0.02&t_max=60&omega=0.2:15&a_h=0.1:15&x=omega&y=a_h&precision=f64")
+    page.page.wait_for_function(
+        "() => /(coarse|fine|refined) picture: \\d+ % of [\\d\u202f]+ cells/.test(document.getElementById('status').textContent)",
+        timeout=120_000,
+    )
+
+
+def test_whole_numbers_are_shown_one_by_one(open_page):
+    """An axis of whole numbers has its own ends, not those of a coarser picture; the other axis has as many cells as ever."""
+    page = open_page("#object=1&t_h=1.75&t_v=0.75&omega=4&a_h=0.1:9&bouc_wen_n=1:4&x=bouc_wen_n&y=a_h&t_max=3", **SMALL)
+    page.settle()
+    assert "refined" not in page.data()["stage"]
+    shape = page.page.inner_text("#status")
+    assert "coarse, 4 ×" in shape
+    page.page.click("#zoom-in")
+    page.settle()
+    assert "bouc_wen_n=2:3" in page.rested() or "bouc_wen_n=1:3" in page.page.url or "bouc_wen_n=2:4" in page.page.url
+    page.errors.clear()
+
+
+ODD = ["nonsense", "NaN", "1e999", "1:2", "0x10", "٣", "5\u200b", "9" * 2000, "<b>1</b>", "1,5", "1 2", "--"]
+
+
+def test_odd_texts_are_told_in_one_short_line(open_page):
+    page = open_page(**SMALL)
+    page.settle()
+    for text in ODD:
+        expect_refused(page, "t_h", "#field-t_h", text)
+        line = page.page.locator("#problem-t_h").inner_text()
+        assert line.startswith("t_h: ") and ("; give" in line or "must" in line) and len(line) < 250, line
+    page.give("#field-t_h", "1.75")
+    page.settle()
+    # Of the address only what a scene has is taken, and a range that is none is told.
+    for state, key in [("omega=15:0.1", "omega"), ("omega=1:1", "omega"), ("omega=", ""), ("x=nothing", "x"), ("psi=1e999", "psi")]:
+        base = "object=1&t_h=1.75&t_v=0.75&omega=0.2:15&a_h=0.1:15&x=omega&y=a_h"
+        name = state.split("=")[0]
+        pairs = [pair for pair in base.split("&") if not pair.startswith(f"{name}=")]
+        other = open_page("#" + "&".join([*pairs, state, "cell=NaN,1", "line=1,2", "foo=1", "show=nothing", "%zz=1"]), **SMALL)
+        other.page.wait_for_selector("#map[data-stage=error]")
+        line = other.page.inner_text("#problem")
+        assert line.strip() and "\n" not in line.strip() and len(line) < 250, (state, line)
+        assert not key or key in line, (state, line)
 
 
 def test_by_keyboard_alone(open_page):

@@ -258,9 +258,11 @@ ENGINE = """
     try { await promise; } catch (error) { return { name: error.name, key: error.key, line: error.line, lost: error.lost }; }
     return null;
   };
+  // Frames without words of how far a picture is.
+  const pictured = (heard) => (frame) => { if (frame.stage) heard(frame); };
   const frames = async (request) => {
     const all = [];
-    await engine.map(request, (frame) => all.push(frame));
+    await engine.map(request, pictured((frame) => all.push(frame)));
     return all;
   };
 """
@@ -284,7 +286,7 @@ def test_a_view_comes_coarse_then_refined_with_the_cells_of_the_whole(page):
       }}));
       return {{
         differ, beside, more: more.length, stages: [coarse.stage, refined.stage], shapes: [coarse.shape, refined.shape],
-        cells: refined.cells, x: refined.x, log: refined.log, adapter: refined.adapter, note: refined.note,
+        cells: refined.cells, probes: refined.probes, x: refined.x, log: refined.log, adapter: refined.adapter, note: refined.note,
         types: Object.fromEntries(Object.entries(refined.arrays).map(([name, array]) => [name, array.constructor.name])),
       }};
     }}""")
@@ -302,6 +304,52 @@ def test_a_view_comes_coarse_then_refined_with_the_cells_of_the_whole(page):
     # Fewer than a half ran, and what did not differs where a region is smaller than a coarse cell.
     assert told["cells"] < 121 * 121 // 2
     assert told["differ"] <= 121 * 121 // 200
+    assert told["probes"]["probes"] == 500 and told["probes"]["share_missed_at_most"] < 0.03
+
+
+def test_probes_find_what_the_coarser_picture_has_missed(page):
+    """A stripe of one cell's width lies between the cells of the coarser picture."""
+    told = page.evaluate("""async () => {
+      const { Refinement, drawn, shareAtMost } = await import('/gpu/refine.js');
+      const side = 121;
+      const refined = async (kindOf) => {
+        const columns = (many, every) => ({
+          arrays: {
+            kind: Uint8Array.from({ length: many * many }, (_, k) => kindOf((k % many) * every, Math.floor(k / many) * every)),
+            marks: new Uint8Array(many * many),
+          },
+        });
+        const fine = { arrays: { kind: new Uint8Array(side * side), marks: new Uint8Array(side * side) } };
+        fine.copy = (to, from, at) => { for (const name of ['kind', 'marks']) fine.arrays[name][to] = from.arrays[name][at]; };
+        const ran = new Set();
+        const run = async (cells) => {
+          for (const cell of cells) {
+            if (ran.has(cell)) throw Error('a cell runs twice');
+            ran.add(cell);
+            fine.arrays.kind[cell] = kindOf(cell % side, Math.floor(cell / side));
+          }
+        };
+        const half = (side + 1) / 2;
+        const { cells, probes } = await new Refinement(columns(half, 2), [half, half], [side, side]).fill(fine, run);
+        const alone = fine.arrays.marks.filter((mark) => mark & 8).length;
+        const found = fine.arrays.kind.filter((kind) => kind === 1).length;
+        return { cells, ran: ran.size, probes, alone, found };
+      };
+      const strata = drawn(Array.from({ length: 1000 }, (_, k) => k), 100, Math.random).every((cell, k) => cell >= 10 * k && cell < 10 * k + 10);
+      return {
+        stripe: await refined((x) => Number(x === 61)),
+        plain: await refined(() => 0),
+        strata,
+        shares: [shareAtMost(0, 500), shareAtMost(3, 500), shareAtMost(5, 5)],
+      };
+    }""")
+    plain, stripe = told["plain"], told["stripe"]
+    assert told["strata"]
+    assert plain["probes"]["probes"] == plain["cells"] == 500 and plain["probes"]["missed"] == 0
+    assert plain["cells"] == plain["ran"] and plain["alone"] == 121 * 121 - 61 * 61 - 500
+    assert stripe["cells"] == stripe["ran"] > 500 and stripe["found"] > 60
+    # Clopper and Pearson's one-sided limit at 95 %.
+    assert told["shares"] == pytest.approx([0.0059736, 0.0154337, 1.0], rel=1e-3)
 
 
 def test_a_newer_view_and_an_aborted_one_end(page):
@@ -311,7 +359,7 @@ def test_a_newer_view_and_an_aborted_one_end(page):
       const newer = frames({{ ...request, view: 2, count: [20, 20] }});
       const stop = new AbortController();
       let seen = 0;
-      const ended = failed(engine.map({{ ...request, tab: 'b' }}, () => {{ seen += 1; stop.abort(); }}, stop.signal));
+      const ended = failed(engine.map({{ ...request, tab: 'b' }}, pictured(() => {{ seen += 1; stop.abort(); }}), stop.signal));
       return [await older, (await newer).length, await ended, seen];
     }}""")
     assert told[0]["name"] == "AbortError" and told[1] == 1
@@ -322,7 +370,7 @@ def test_a_lost_device_is_told_and_opened_again(page):
     told = page.evaluate(f"""async () => {{ {ENGINE}
       const request = {{ tab: 'a', view: 1, scene, count: [200, 200], columns: [] }};
       const first = engine.device;
-      const lost = failed(engine.map(request, () => first.gpu.destroy()));
+      const lost = failed(engine.map(request, pictured(() => first.gpu.destroy())));
       const error = await lost;
       const again = await frames({{ ...request, count: [20, 20] }});
       return [error, again.length, first !== engine.device];
@@ -452,27 +500,35 @@ def test_without_webgpu_stored_maps_are_shown(plain, address):
       const near = {{ ...engine.about.scene, [x]: '5', [y]: '6' }};
       const other = await failed(engine.map({{ tab: 'a', scene: {{ ...scene, eccentricity: '0.3' }} }}, () => {{}}));
       const cell = await engine.cell({{ scene: near, motion: false }});
-      return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words];
+      const motion = await failed(engine.cell({{ scene: near, motion: true }}));
+      const line = await failed(engine.section({{ scene: engine.about.scene, from: [1, 1], to: [2, 2], count: 9 }}));
+      const lines = [motion, line].map((error) => error.line);
+      return [engine.about.notice, shown.map(({{ shape, note }}) => [shape, note]), shown[0].arrays.kind.length, other, cell.words, lines];
     }}""")
     assert "no WebGPU" in told[0]
     assert len(told[1]) == 1 and "no WebGPU" in told[1][0][1]
     assert told[2] == told[1][0][0][0] * told[1][0][0][1] > 10_000
     assert told[3]["name"] == "EngineError" and "stored" in told[3]["line"]
     assert told[4].startswith("Overturned about the left corner")
+    for line, what in zip(told[5], ["the motion of a cell", "a cross-section"]):
+        assert "no WebGPU" in line and what in line and "run topple explore" in line
 
 
 def test_the_exported_page_computes_by_itself(browser, address):
     errors = []
-    context = browser.new_context(viewport={"width": 320, "height": 480})
+    # A cell is a pixel of the screen: of so few there are still a coarse, a fine and a refined picture.
+    context = browser.new_context(viewport={"width": 320, "height": 480}, device_scale_factor=0.62)
     page = context.new_page()
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
     page.goto(address)
     page.wait_for_selector("#map[data-stage=coarse], #map[data-stage=fine], #map[data-stage=refined]", timeout=300_000)
     assert "f32" in page.inner_text("#status")
+    page.wait_for_selector("#map[data-stage=fine], #map[data-stage=refined]", timeout=300_000)
     page.wait_for_selector("#map[data-stage=refined][data-busy=false]", timeout=600_000)
     legend = page.inner_text("#legend")
     assert "full contact" in legend and "0 impacts" in legend
+    assert "of 500 probes differed" in page.inner_text("#status")
     assert errors == []
     context.close()
 
@@ -481,5 +537,9 @@ def test_the_exported_page_shows_a_stored_map_without_webgpu(plain, address):
     page = plain.new_page()
     page.goto(address)
     page.wait_for_selector("#map[data-stage=stored]")
-    assert "no WebGPU" in page.inner_text("#status")
+    status = page.inner_text("#status")
+    assert "no WebGPU" in status and "stored map, computed by topple" in status and "CPU" in status
+    assert "null" not in status and " a second" not in status
+    page.click("#suggest")
+    page.wait_for_function("() => document.querySelector('.cell header p')?.textContent.includes('the motion of a cell needs it')")
     page.close()

@@ -19,26 +19,13 @@ export function parseRange(key, text) {
 /** The text of an axis; its ends have the digits that its span needs. */
 export function rangeText(axis, integer = false) {
   const { start, stop, log } = axis;
-  const ends = integer
-    ? wholeEnds(axis)
-    : [start, stop].map((end) => (log ? plain(end, logDigits(axis)) : within(end, stop - start)));
+  const ends = [start, stop].map((end) => (integer ? Math.round(end) : log ? plain(end, logDigits(axis)) : within(end, stop - start)));
   return ends.join(':') + (log ? ':log' : '');
-}
-
-/** Gaps between whole numbers, which the engine's coarser pictures halve three times. */
-const WHOLE_GAPS = 8;
-
-function wholeEnds({ start, stop }) {
-  const from = Math.round(start);
-  return [from, from + WHOLE_GAPS * Math.max(1, Math.round((stop - start) / WHOLE_GAPS))];
 }
 
 const logDigits = ({ start, stop }) => Math.min(17, 5 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));
 
-/** Eccentricities next to those of a centre of mass at the base's edge, which is refused. */
-const EDGE = 0.999;
-
-/** The ends of a number that the engine accepts: legal ones, and plausible ones unless those are waived. */
+/** The ends of a number that the engine accepts: legal ones, and plausible ones unless those are waived; `open` says which of them it may not have itself. */
 export function bounds(parameter, forced = false) {
   let low = parameter.low ?? -Infinity;
   let high = parameter.high ?? Infinity;
@@ -49,14 +36,15 @@ export function bounds(parameter, forced = false) {
     low = Math.max(low, smallest);
     high = Math.min(high, largest);
   }
-  if (parameter.key === 'eccentricity') [low, high] = [Math.max(low, -EDGE), Math.min(high, EDGE)];
-  return { low, high, open: parameter.lowIncluded === false && low === parameter.low };
+  const open = [!parameter.lowIncluded && low === parameter.low, !parameter.highIncluded && high === parameter.high];
+  return { low, high, open };
 }
 
-/** An axis moved and narrowed into the ends that its number may have. */
-export function clamped(axis, limits, least) {
-  const { low, high } = limits;
-  const floor = limits.open || axis.log ? Math.max(low, least) : low;
+/** An axis moved and narrowed into the ends that its number may have, and by a margin beside those that it may not. */
+export function clamped(axis, { low, high: most, open }, margin) {
+  const high = open[1] ? most - margin : most;
+  const least = open[0] ? low + margin : low;
+  const floor = axis.log ? Math.max(least, margin) : least;
   const ends = [measure(axis, axis.start), measure(axis, axis.stop)];
   const lowest = Number.isFinite(floor) && (!axis.log || floor > 0) ? measure(axis, floor) : -Infinity;
   const highest = Number.isFinite(high) ? measure(axis, high) : Infinity;

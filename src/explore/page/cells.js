@@ -194,7 +194,7 @@ export function createCells(engine, store, explorer, change, tell) {
       const name = shown.length > 1 ? `${'AB'[k]}: ` : '';
       return cell.events.filter((event) => Math.abs(event.t - t) < NEAR).map((event) => {
         const impacts = cell.events.filter((other) => other.what === 'impact' && other.t <= event.t).length;
-        return `${name}${WORDS[event.what] ?? event.what}${event.what === 'impact' ? ` ${impacts}` : ''}, t = ${event.t.toFixed(3)} s`;
+        return `${name}${WORDS[event.what] ?? event.what}${event.what === 'impact' ? ` ${impacts}` : ''}, t ${event.about ? '≈' : '='} ${event.t.toFixed(3)} s`;
       });
     });
     return found.join('; ');

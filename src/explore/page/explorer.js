@@ -3,7 +3,7 @@ import { announce, byId, say } from './dom.js';
 import { createFlow } from './flow.js';
 import { clearLegend, writeLegend } from './legend.js';
 import { createMap } from './map.js';
-import { count, read } from './numbers.js';
+import { count, percent, read } from './numbers.js';
 import { cellsOf } from './plot.js';
 import { axesOf, excitationOf, parameterOf, pictureKey } from './scene.js';
 
@@ -18,6 +18,10 @@ const LATE = 400;
 /** The column that a state shows. */
 export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
 
+/** What cells drawn at random say of those that were not run. */
+const probed = ({ probes, missed, share_missed_at_most: share }) =>
+  `${missed || 'none'} of ${count(probes)} probes differed, at most ${percent(share)} of the cells not run do (95 %)`;
+
 /** Ties the map to the store; `tell.refuse(key, line)` shows an error at a field, `tell.lost(error)` a lost server. */
 export function createExplorer(engine, store, tell) {
   const { about } = engine;
@@ -26,8 +30,9 @@ export function createExplorer(engine, store, tell) {
   const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map(isWhole)));
   let late = 0;
   let resized = 0;
-  let ran = { view: 0, cells: 0, seconds: 0 };
+  let ran = { cells: 0, seconds: 0, told: '' };
   let lastCount = [256, 256];
+  let askedCount = '';
 
   const stage = (name) => (map.host.dataset.stage = name);
   const flow = createFlow(engine, {
@@ -35,6 +40,7 @@ export function createExplorer(engine, store, tell) {
       map.host.dataset.busy = String(busy);
       map.host.dataset.view = String(view);
       map.host.setAttribute('aria-busy', String(busy));
+      if (busy) ran = { cells: 0, seconds: 0, told: '' };
       if (!busy && map.picture && map.host.dataset.stage !== 'stale') finish();
     },
     frame(frame, request, current) {
@@ -44,10 +50,14 @@ export function createExplorer(engine, store, tell) {
       if (current) {
         fresh(frame.stage);
         shares();
-        describe(frame, request.view);
+        describe(frame);
       } else {
         stage('stale');
       }
+    },
+    progress({ stage: name, done, of }) {
+      const now = `${name} picture: ${Math.floor((100 * done) / of)} % of ${count(of)} cells`;
+      say(byId('status'), [ran.told, now].filter(Boolean).join(' · '));
     },
     error(error) {
       if (error.lost) tell.lost(error);
@@ -96,15 +106,16 @@ export function createExplorer(engine, store, tell) {
   }
 
   /** Says what computed how many cells how fast, all stages of a view together. */
-  function describe({ backend, adapter, precision, shape, seconds, cells, note, stage: name }, view) {
-    if (ran.view !== view) ran = { view, cells: 0, seconds: 0 };
+  function describe({ backend, adapter, precision, shape, seconds, cells, probes, note, stored, stage: name }) {
+    const on = { cpu: about.cores ? `CPU, ${about.cores} cores` : 'CPU', gpu: adapter || 'GPU' }[backend];
+    const where = [stored && `stored map, computed by topple ${about.version} on`, on].filter(Boolean).join(' ');
     ran.cells += cells;
-    ran.seconds += seconds;
-    const on = { cpu: `CPU, ${about.cores} cores`, gpu: adapter || 'GPU' }[backend];
-    const where = [on, precision].filter(Boolean).join(', ');
+    ran.seconds += seconds ?? 0;
     const rate = count(ran.cells / Math.max(ran.seconds, 1e-9));
-    const speed = ran.cells > 0 && `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${rate} a second`;
-    say(byId('status'), [where, speed, `${name}, ${shape[0]} × ${shape[1]}`, note].filter(Boolean).join(' · '));
+    const speed = seconds !== null && ran.cells > 0 && `${count(ran.cells)} cells in ${read(ran.seconds, 2)} s, ${rate} a second`;
+    const picture = `${name}, ${shape[0]} × ${shape[1]}${probes?.probes ? `: ${probed(probes)}` : ''}`;
+    ran.told = [[where, precision].filter(Boolean).join(', '), speed, picture, note].filter(Boolean).join(' · ');
+    say(byId('status'), ran.told);
   }
 
   /** The request of what the state shows. */
@@ -138,14 +149,17 @@ export function createExplorer(engine, store, tell) {
     if (!changed && shownOf(before) === show) return;
     stale();
     shares();
-    flow.ask(request(state));
+    const asked = request(state);
+    askedCount = String(asked.count);
+    flow.ask(asked);
   }
 
   store.listen((state, before) => update(state, before));
   map.onResize = () => {
     clearTimeout(resized);
     resized = setTimeout(() => {
-      if (map.picture || map.plot) update(store.state, store.state, true);
+      // A change that leaves the number of cells needs no other picture.
+      if (map.plot && String(map.plot.count) !== askedCount) update(store.state, store.state, true);
     }, 150);
   };
   /** True where the picture is that of the newest input. */

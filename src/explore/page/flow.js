@@ -5,7 +5,7 @@ const PATIENCE = 500;
 
 /**
  * Asks for pictures. `on.frame(frame, request, current)` has each frame of the newest request that was sent, with whether
- * nothing newer is asked; `on.busy(busy)` and `on.error(error, request)` tell the rest.
+ * nothing newer is asked; `on.progress(progress)`, `on.busy(busy)` and `on.error(error, request)` tell the rest.
  */
 export function createFlow(engine, on) {
   const tab = crypto.randomUUID?.() ?? String(Math.random()).slice(2);
@@ -32,6 +32,10 @@ export function createFlow(engine, on) {
     on.busy(true, run.view);
     const onFrame = (frame) => {
       if (running !== run) return;
+      if (frame.progress) {
+        if (!waiting) on.progress(frame.progress);
+        return;
+      }
       run.frames += 1;
       on.frame(frame, request, waiting === null);
       if (waiting && running === run) replace();

@@ -57,7 +57,8 @@ export function writeLegend(about, picture, axes) {
       list.push(entry(filled(kind.colour, crossed ? 'cross' : ''), kind.label, part(shares.counts[k])));
       spoken.push([shares.counts[k], `${kind.label} ${part(shares.counts[k])}`]);
     });
-    if (shares.dotted) list.push(entry(filled('#bdb0aa', 'dots'), about.dotted, part(shares.dotted)));
+    // Without a share, as in a figure: it says how to read colours whose shares stand above.
+    if (shares.dotted) list.push(entry(filled('#bdb0aa', 'dots'), about.dotted));
   } else {
     const { arrays } = picture.frame;
     const outcomes = about.kinds.reduce((sum, _, k) => sum + (k >= 2 && k < about.kinds.length - 1 ? shares.counts[k] : 0), 0);

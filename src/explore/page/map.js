@@ -16,8 +16,23 @@ const ROOM = { left: 3.7, right: 1.1, top: 0.7, bottom: 3.1 };
 export function createMap(about, cellsFor) {
   const host = byId('map');
   const [below, above] = [byId('picture'), byId('marks')];
-  const map = { plot: null, picture: null, overlay: null, marks: { crosshair: null, cells: [], line: null }, names: ['', ''], onResize: null };
+  const map = {
+    picture: null,
+    overlay: null,
+    marks: { crosshair: null, cells: [], line: null },
+    names: ['', ''],
+    onResize: null,
+    /** Where the map lies; null without axes. It is laid out when it is first asked for, once for all changes before. */
+    get plot() {
+      if (!plot && axes) {
+        const at = place();
+        plot = createPlot(at, axes, cellsFor(at, axes));
+      }
+      return plot;
+    },
+  };
   let axes = null;
+  let plot = null;
   let rested = 0;
   let asked = 0;
 
@@ -27,12 +42,6 @@ export function createMap(about, cellsFor) {
     const top = Math.round(ROOM.top * unit);
     const within = (length) => Math.max(8, Math.round(length));
     return { left, top, width: within(width - left - ROOM.right * unit), height: within(height - top - ROOM.bottom * unit) };
-  }
-
-  function lay() {
-    if (!axes) return;
-    const at = place();
-    map.plot = createPlot(at, axes, cellsFor(at, axes));
   }
 
   function draw(complete) {
@@ -88,7 +97,7 @@ export function createMap(about, cellsFor) {
   map.view = (next, names) => {
     axes = next;
     map.names = names;
-    lay();
+    plot = null;
     map.redraw();
   };
   map.show = (frame, show, keys) => {
@@ -106,7 +115,9 @@ export function createMap(about, cellsFor) {
   };
   map.host = host;
   new ResizeObserver(() => {
-    lay();
+    // The first layout is heard of, too, and has been drawn.
+    if (plot && String(Object.values(place())) === String(Object.values(plot.place))) return;
+    plot = null;
     draw(false);
     map.onResize?.();
   }).observe(below);

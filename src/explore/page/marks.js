@@ -12,7 +12,9 @@ export function drawMarks(context, plot, marks, unit) {
   context.clip();
   if (marks.crosshair) drawCrosshair(context, plot, marks.crosshair, unit);
   if (marks.line) drawLine(context, plot, marks.line, marks.along, unit);
-  marks.cells.forEach((cell, k) => cell && drawCell(context, plot.at(cell), marks.cells[1] ? 'AB'[k] : '', unit));
+  const places = marks.cells.map((cell) => cell && plot.at(cell));
+  places.forEach((at, k) => at && drawCell(context, at, unit));
+  if (places[0] && places[1]) drawNames(context, plot, places, unit);
   context.restore();
 }
 
@@ -25,18 +27,29 @@ function drawCrosshair(context, plot, at, unit) {
   for (const points of lines) line(context, points, BLACK, 0.06 * unit);
 }
 
-function drawCell(context, [x, y], name, unit) {
+function drawCell(context, [x, y], unit) {
   disc(context, x, y, 0.5 * unit, null, WHITE, 0.3 * unit);
   disc(context, x, y, 0.5 * unit, null, BLACK, 0.13 * unit);
-  if (!name) return;
+}
+
+/** The names of two cells: beside them, and above and below them where they are near each other. */
+function drawNames(context, plot, [a, b], unit) {
+  const { left, width } = plot.place;
+  const near = Math.abs(a[0] - b[0]) < 2.4 * unit && Math.abs(a[1] - b[1]) < 1.6 * unit;
+  const lower = near ? Number(a[1] <= b[1]) : -1;
   context.font = font(0.9 * unit, '700');
-  context.textAlign = 'left';
   context.lineJoin = 'round';
-  context.strokeStyle = WHITE;
   context.lineWidth = 0.25 * unit;
-  context.strokeText(name, x + 0.75 * unit, y - 0.4 * unit);
-  context.fillStyle = BLACK;
-  context.fillText(name, x + 0.75 * unit, y - 0.4 * unit);
+  [a, b].forEach(([x, y], k) => {
+    // Beside the right edge it lies to the left.
+    const side = x + 1.8 * unit > left + width ? -1 : 1;
+    context.textAlign = side > 0 ? 'left' : 'right';
+    const [tx, ty] = [x + 0.75 * side * unit, y + (k === lower ? 1.1 : -0.4) * unit];
+    context.strokeStyle = WHITE;
+    context.strokeText('AB'[k], tx, ty);
+    context.fillStyle = BLACK;
+    context.fillText('AB'[k], tx, ty);
+  });
 }
 
 function drawLine(context, plot, [x0, y0, x1, y1], along, unit) {

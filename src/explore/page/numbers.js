@@ -40,5 +40,5 @@ export function percent(share) {
   return `${(100 * share).toFixed(1)} %`;
 }
 
-/** A count with thousands apart. */
-export const count = (value) => Math.round(value).toLocaleString('en-GB').replaceAll(',', '\u202f');
+/** A count with thousands apart. The browser's own formatter takes 70 ms to begin with. */
+export const count = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, '\u202f');

@@ -3,8 +3,6 @@ import { measure, value } from './axis.js';
 
 /** Fewest cells along an axis. */
 const LEAST = 2;
-/** Most cells of the other axis beside one of whole numbers. */
-const BESIDE_WHOLE = 512;
 
 /**
  * A plot in device pixels over two axes. Cells lie at the ends of the ranges, so that the plot reaches half a cell beyond.
@@ -47,9 +45,7 @@ export function cellsOf(place, most, side, axes, integer) {
   const share = Math.min(1, Math.sqrt(most / (place.width * place.height)));
   return [place.width, place.height].map((length, k) => {
     const whole = integer[k] ? Math.round(axes[k].stop - axes[k].start) + 1 : Infinity;
-    // Beside whole numbers there are no more cells than the halves of their gaps allow.
-    const beside = integer.includes(true) ? BESIDE_WHOLE : Infinity;
-    return Math.max(LEAST, Math.min(whole, side, beside, Math.floor(length * share)));
+    return Math.max(LEAST, Math.min(whole, side, Math.floor(length * share)));
   });
 }
 

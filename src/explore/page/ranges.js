@@ -35,6 +35,8 @@ const HANDY = {
   friction: [0.05, 2, 'log'],
   restitution: [0.3, 1],
 };
+/** The nearest place to an end that a number may not have, where nothing else says it. */
+const EDGE = 1e-3;
 /** Range of what has none: about its legal ends. */
 const WIDE = 100;
 
@@ -53,5 +55,5 @@ export function middle({ low, high, log }) {
   return Number(at.toPrecision(3));
 }
 
-/** The least value of an axis whose number must be above zero. */
-export const least = (parameter) => handy(parameter).low / 20 || 1e-3;
+/** How near an axis comes to an end that its number may not have; the least value of a logarithmic one. */
+export const margin = (parameter) => (parameter.low < 0 ? EDGE : handy(parameter).low / 20 || EDGE);

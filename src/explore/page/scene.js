@@ -1,6 +1,6 @@
 // What a state's scene says: its axes, its excitation, what its picture depends on.
 import { bounds, clamped, parseRange, rangeText } from './axis.js';
-import { handy, least, middle } from './ranges.js';
+import { handy, margin, middle } from './ranges.js';
 import { parse } from './numbers.js';
 
 /** The deepest view: part of a value that a span must be, above the rounding of f64. */
@@ -23,7 +23,7 @@ export function axesPatch(about, scene, axes) {
   const patch = {};
   for (const axis of axes) {
     const parameter = parameterOf(about, axis.key);
-    const inside = clamped(axis, bounds(parameter, isForced(scene)), least(parameter));
+    const inside = clamped(axis, bounds(parameter, isForced(scene)), margin(parameter));
     const span = inside.stop - inside.start;
     const size = Math.max(Math.abs(inside.start), Math.abs(inside.stop));
     if (!(span > DEEPEST * size) || (parameter.integer && span < 1)) continue;

@@ -64,6 +64,7 @@ export function createSection(engine, store, explorer, change, tell) {
       running?.abort();
       running = null;
       wanted = null;
+      setOld(false);
     } else if (String(line) !== String(before.line) || pictureKey(state) !== pictureKey(before) || !answer) {
       if (!state.suite) ask(state);
     }
@@ -73,8 +74,15 @@ export function createSection(engine, store, explorer, change, tell) {
   function ask(state) {
     const [x0, y0, x1, y1] = state.line;
     if (x0 === x1 && y0 === y1) return;
+    setOld(answer !== null);
     wanted = { scene: state.scene, from: [x0, y0], to: [x1, y1], count: CELLS, precision: state.precision || 'auto' };
     if (!running) send();
+  }
+
+  /** Marks the picture as that of an earlier line or scene. */
+  function setOld(old) {
+    byId('section').classList.toggle('old', old);
+    canvas.setAttribute('aria-busy', String(old));
   }
 
   /** One request at a time, the newest wins. */
@@ -92,6 +100,7 @@ export function createSection(engine, store, explorer, change, tell) {
     engine.section(request, controller.signal).then(
       over((told) => {
         answer = { ...told, from: request.from, to: request.to };
+        setOld(wanted !== null);
         describe(request);
         section.redraw();
       }),

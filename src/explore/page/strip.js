@@ -5,7 +5,7 @@ import { fit, font, line, writeName } from './ink.js';
 /** Room left and right of the strip, in letters. */
 const LEFT = 3.2;
 const RIGHT = 0.8;
-/** Impacts beyond which the scale of their steps does not grow. */
+/** Impacts at which the scale of their steps ends. */
 const MOST = 12;
 
 /** The share of the way along the line of a place on the page. */
@@ -35,9 +35,11 @@ export function drawStrip(canvas, about, answer, along) {
   const each = (height - strip.bottom - 0.9 * unit) / 2;
   const steps = { top: strip.bottom + 0.55 * unit, bottom: strip.bottom + each };
   const curve = { top: strip.bottom + each + 0.55 * unit, bottom: strip.bottom + 2 * each };
-  const most = Math.min(MOST, Math.max(2, ...answer.impacts));
-  plot(context, answer.impacts, { ...steps, left, right, x, most, name: 'impacts', step: true, unit });
-  plot(context, answer.zeta, { ...curve, left, right, x, most: 1, name: 'ζ', step: false, unit });
+  const largest = Math.max(2, ...answer.impacts);
+  const most = Math.min(MOST, largest);
+  const end = largest > most ? `≥ ${most}` : String(most);
+  plot(context, answer.impacts.map((many) => Math.min(most, many)), { ...steps, left, right, x, most, end, name: 'impacts', step: true, unit });
+  plot(context, answer.zeta, { ...curve, left, right, x, most: 1, end: '1', name: 'ζ', step: false, unit });
   context.fillStyle = colour('soft');
   context.font = font(0.72 * unit);
   context.textBaseline = 'alphabetic';
@@ -65,7 +67,7 @@ function frame(context, left, right, { top, bottom }, unit) {
   context.strokeRect(left, top, right - left, bottom - top);
 }
 
-function plot(context, values, { top, bottom, left, right, x, most, name, step, unit }) {
+function plot(context, values, { top, bottom, left, right, x, most, end, name, step, unit }) {
   const y = (value) => bottom - ((bottom - top) * Math.min(1.08 * most, value)) / (1.08 * most);
   context.fillStyle = colour('surface');
   context.fillRect(left, top, right - left, bottom - top);
@@ -81,7 +83,7 @@ function plot(context, values, { top, bottom, left, right, x, most, name, step, 
   context.textBaseline = 'middle';
   context.textAlign = 'right';
   context.font = font(0.72 * unit);
-  for (const value of [0, most]) context.fillText(String(value), left - 0.3 * unit, y(value) + (value ? 0.1 : -0.2) * unit);
+  for (const [value, text] of [[0, '0'], [most, end]]) context.fillText(text, left - 0.3 * unit, y(value) + (value ? 0.1 : -0.2) * unit);
   context.save();
   context.translate(0.9 * unit, (top + bottom) / 2);
   context.rotate(-Math.PI / 2);

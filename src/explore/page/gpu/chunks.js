@@ -109,8 +109,8 @@ export class LoadedTile {
     }
   }
 
-  // Makes the cells and runs them to their ends; their last states.
-  async run(pace, signal) {
+  // Makes the cells and runs them to their ends; their last states. `heard` hears now and then how many are done.
+  async run(pace, signal, heard) {
     const { gpu } = this.device;
     let running = this.count;
     let steps = 0;
@@ -128,6 +128,7 @@ export class LoadedTile {
       pace.learn(chunks * work, running, performance.now() - began);
       if (told.running > 0 && told.steps === steps) throw unfinished(told.running);
       ({ running, steps } = told);
+      heard(this.count - running);
     }
     const states = await this.contents('states', 4 * known.words_of.state * this.count);
     const last = known.words_of.state - 1;

@@ -101,7 +101,7 @@ export class Engine {
 
   async section(request, signal) {
     const device = await this.openDevice();
-    if (!device) throw new EngineError(null, WITHOUT);
+    if (!device) return this.stored.section();
     return sectionOf(device, this.pace, request, signal);
   }
 

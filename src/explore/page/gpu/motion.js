@@ -69,7 +69,8 @@ async function statesOf(device, loaded, steps, signal) {
   return words;
 }
 
-// What happens from one state to the next, each with its time.
+// What happens from one state to the next, each with its time. The states tell the time of the first uplift alone: others are
+// known to a step, and say so.
 function eventsBetween(reals, words, before, after, [t0, t1], clock) {
   const events = [];
   const of = (at, name) => words[at + PLACE[name]];
@@ -80,14 +81,14 @@ function eventsBetween(reals, words, before, after, [t0, t1], clock) {
   if (uplifts > 0) {
     const first = of(before, 'uplifts') === 0;
     const t = first ? timeOf(clock, of(after, 'upliftStep'), reals[after + PLACE.upliftFraction]) : 0.5 * (t0 + t1);
-    events.push({ t: within(t), what: 'uplift', mode });
+    events.push({ t: within(t), what: 'uplift', mode, about: !first });
   }
   if (impacts > 0) {
     // phi is nearly linear over what is left of the way to the impact.
     const t = t0 - reals[before + PLACE.phi] / reals[before + PLACE.dphi];
     for (let k = 1; k <= impacts; k += 1) {
       const rests = k === impacts && mode === 0;
-      events.push({ t: within(Number.isFinite(t) ? t : t1), what: rests ? 'rest' : 'impact', mode });
+      events.push({ t: within(Number.isFinite(t) ? t : t1), what: rests ? 'rest' : 'impact', mode, about: true });
     }
   }
   const ended = of(after, 'status');

@@ -1,10 +1,11 @@
 // The values of a parameter: a single number, a range of a count, or a list. Twin: src/scene/range.rs.
 
+import { parse } from '../numbers.js';
 import { EngineError } from './errors.js';
 
 // A text as a finite number; `key` is the scene's key that has it.
 export function number(key, text) {
-  const value = text.trim() === '' ? NaN : Number(text);
+  const value = parse(text);
   if (!Number.isFinite(value)) throw new EngineError(key, `'${text.trim()}' is not a finite number`);
   return value;
 }
@@ -26,7 +27,7 @@ export class Range {
       throw new EngineError(key, `'${text}' is no range: give start:stop, or start:stop:log`);
     }
     const [start, stop] = parts.slice(0, 2).map((part) => number(key, part));
-    if (start === stop) throw new EngineError(key, `a range from ${start} to ${stop} has no extent; give a single number`);
+    if (start >= stop) throw new EngineError(key, `'${text}' is no range; give two values, the smaller one first`);
     if (log && start * stop <= 0) {
       throw new EngineError(key, `logarithmic steps from ${start} to ${stop} would cross zero; give two ends of one sign`);
     }

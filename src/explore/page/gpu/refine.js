@@ -5,6 +5,10 @@ import { known } from './known.js';
 const COARSE = 64;
 // Rounds in which cells beside a boundary are followed at most.
 const ROUNDS = 4;
+// Cells drawn at random among those that were left alone, to find regions that the coarser picture has missed, and rounds of
+// them at most.
+const PROBES = 500;
+const PROBE_ROUNDS = 4;
 
 // How often the gaps of the coarse picture are halved down to the finest; along whole numbers never, for between two of
 // them there is no cell.
@@ -24,6 +28,49 @@ export function countsOf(count, levels, halved) {
 
 // The mark of a cell that was not run: see src/explore/view.rs.
 const TAKEN_OVER = 8;
+
+// Numbers from 0 to 1 that look random, the same ones each time: Mulberry32.
+function randomNumbers() {
+  let state = 1;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+// So many of some cells, one from each stratum of them in their order; all where there are no more. Twin: src/refine/probes.rs.
+export function drawn(cells, wanted, random) {
+  const count = Math.min(wanted, cells.length);
+  return Array.from({ length: count }, (_, k) => {
+    const [from, to] = [k, k + 1].map((end) => Math.floor((end * cells.length) / count));
+    return cells[from + Math.floor(random() * (to - from))];
+  });
+}
+
+// The chance that a binomial variable of `many` and `share` is `found` at most.
+function atMost(found, many, share) {
+  let term = many * Math.log1p(-share);
+  let sum = Math.exp(term);
+  for (let k = 1; k <= found; k += 1) {
+    term += Math.log(((many - k + 1) / k) * (share / (1 - share)));
+    sum += Math.exp(term);
+  }
+  return sum;
+}
+
+// The largest share of which a sample of `many` has `found` or fewer with a chance of 5 %. Twin: src/refine/bound.rs.
+export function shareAtMost(found, many) {
+  if (found >= many) return 1;
+  let [low, high] = [found / many, 1];
+  for (let round = 0; round < 60; round += 1) {
+    const middle = 0.5 * (low + high);
+    if (atMost(found, many, middle) > 0.05) low = middle;
+    else high = middle;
+  }
+  return high;
+}
 
 // A finer picture of twice as many gaps, made of a coarser one: `state` of a cell is 1 where it is known, 2 where it has the
 // values of the known cell beside it.
@@ -76,12 +123,8 @@ export class Refinement {
     return wanted.sort((a, b) => a - b);
   }
 
-  // Runs what the finer picture needs: `run(cells)` computes a list of its cells into `fine`. The cells that ran.
-  async fill(fine, run) {
-    let wanted = this.begin();
-    for (let cell = 0; cell < this.state.length; cell += 1) {
-      if (this.state[cell] !== 0) fine.copy(cell, this.coarse, this.from[cell]);
-    }
+  // Runs cells, and those beside that differ from them, some rounds long; how many ran.
+  async grow(fine, wanted, run) {
     let count = 0;
     for (let round = 0; round < ROUNDS && wanted.length > 0; round += 1) {
       await run(wanted);
@@ -89,10 +132,46 @@ export class Refinement {
       for (const cell of wanted) this.state[cell] = 1;
       wanted = this.follow(wanted, fine.arrays.kind);
     }
-    // What is left over has the values beside it, as before, and is marked.
+    // What is left over has the values beside it, as before.
+    for (const cell of wanted) this.state[cell] = 2;
+    return count;
+  }
+
+  // Runs cells drawn at random among those left alone; what they say, and those that differ from what was taken.
+  async probe(fine, random, run) {
+    const alone = [];
+    this.state.forEach((state, cell) => state === 2 && alone.push(cell));
+    const probes = drawn(alone, PROBES, random);
+    const taken = probes.map((cell) => fine.arrays.kind[cell]);
+    if (probes.length > 0) await run(probes);
+    for (const cell of probes) this.state[cell] = 1;
+    const missed = probes.filter((cell, k) => fine.arrays.kind[cell] !== taken[k]);
+    const [of, found] = [probes.length, missed.length];
+    // What was run is known.
+    const share = of === alone.length ? found / Math.max(of, 1) : shareAtMost(found, of);
+    return { told: { probes: of, missed: found, share_missed_at_most: share }, missed };
+  }
+
+  // Runs what the finer picture needs: `run(cells)` computes a list of its cells into `fine`. How many cells ran, and what the last
+  // probes said.
+  async fill(fine, run) {
+    const begun = this.begin();
+    for (let cell = 0; cell < this.state.length; cell += 1) {
+      if (this.state[cell] !== 0) fine.copy(cell, this.coarse, this.from[cell]);
+    }
+    let cells = await this.grow(fine, begun, run);
+    let probes = null;
+    const random = randomNumbers();
+    for (let round = 0; round < PROBE_ROUNDS; round += 1) {
+      const { told, missed } = await this.probe(fine, random, run);
+      probes = told;
+      cells += told.probes;
+      if (missed.length === 0) break;
+      cells += await this.grow(fine, this.follow(missed, fine.arrays.kind), run);
+    }
     for (let cell = 0; cell < this.state.length; cell += 1) {
       if (this.state[cell] !== 1) fine.arrays.marks[cell] |= TAKEN_OVER;
     }
-    return count;
+    return { cells, probes };
   }
 }

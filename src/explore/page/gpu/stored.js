@@ -9,6 +9,9 @@ import { Range } from './range.js';
 // Browsers give WebGPU to pages that come over https, or from the reader's own machine.
 const WHY = globalThis.isSecureContext ? 'This browser has no WebGPU' : 'WebGPU needs a page that comes over https';
 
+// What is not stored, in words.
+const needs = (what) => `${WHY}: ${what} needs it; open this page in another browser, or run topple explore.`;
+
 export const WITHOUT = `${WHY}: the page shows stored maps and computes none.`;
 
 // The keys and values of a scene but for the ranges of its axes, in one text.
@@ -40,14 +43,14 @@ export class StoredMaps {
   async map(request, onFrame, signal) {
     const frame = await this.frameOf(request.scene);
     heed(signal);
-    onFrame({ ...frame, backend: null, adapter: 'stored map', note: WITHOUT });
+    onFrame({ ...frame, stored: true, note: WITHOUT });
   }
 
   // The cell of a stored map that lies nearest.
   async cell(request) {
+    if (request.motion) throw new EngineError(null, needs('the motion of a cell'));
     const { x, y } = request.scene;
     const frame = await this.frameOf(request.scene);
-    if (request.motion) throw new EngineError(null, `${WITHOUT} There is no motion of a cell.`);
     const at = [x, y].map((key, k) => {
       const [start, stop] = frame[k === 0 ? 'x' : 'y'];
       const last = frame.shape[k] - 1;
@@ -61,5 +64,9 @@ export class StoredMaps {
       columns[name] = known.codes[name]?.[value] ?? value;
     }
     return { columns, kind: frame.arrays.kind[cell], words: wordsOf(columns) };
+  }
+
+  async section() {
+    throw new EngineError(null, needs('a cross-section'));
   }
 }

@@ -34,9 +34,10 @@ function frictionOf(grid) {
 }
 
 // Runs a grid's cells, a list of their numbers or null for all; `put(place, outcome, friction)` hears of each by its place in
-// the list.
-export async function sweepCells(device, pace, scene, grid, cells, put, signal) {
+// the list, `heard(done)` now and then of how many are done.
+export async function sweepCells(device, pace, scene, grid, cells, put, signal, heard = () => {}) {
   const friction = frictionOf(grid);
+  let done = 0;
   for (const part of partsOf(scene, grid, cells)) {
     const { plan, places } = part;
     const pipelines = await device.pipelines(plan.constants);
@@ -45,11 +46,12 @@ export async function sweepCells(device, pace, scene, grid, cells, put, signal) 
       const loaded = await device.checked(() => new LoadedTile(device, pipelines, tile, samplesOf(plan.record), count));
       let words;
       try {
-        words = await loaded.run(pace, signal);
+        words = await loaded.run(pace, signal, (here) => heard(done + here));
       } finally {
         loaded.free();
       }
       heed(signal);
+      done += count;
       const reals = new Float32Array(words.buffer);
       for (let k = 0; k < count; k += 1) {
         const place = grid.place(tile.cellAt(k));

@@ -14,6 +14,8 @@ const MOST_SECTION = 4096;
 // cell at most.
 const ROUNDINGS = 32;
 const EPSILON = 2 ** -23;
+// Time between two words of how far a picture is, ms.
+const BETWEEN = 300;
 const COARSE_NUMBERS = 'f32 hardly tells neighbouring cells apart here, and a browser has no f64: topple explore has';
 
 // True where f32 hardly tells neighbouring values apart.
@@ -26,7 +28,7 @@ function isFine(range) {
 }
 
 // What a frame says of a picture.
-function headerOf(scene, device, { stage, cells, seconds }) {
+function headerOf(scene, device, { stage, cells, probes, seconds }) {
   const ranges = [scene.text.x, scene.text.y].map((key) => scene.numbers.get(key));
   return {
     stage,
@@ -39,7 +41,7 @@ function headerOf(scene, device, { stage, cells, seconds }) {
     adapter: device.adapter,
     cells,
     seconds,
-    rate: cells / Math.max(seconds, 1e-9),
+    probes,
     note: ranges.some(isFine) ? COARSE_NUMBERS : '',
   };
 }
@@ -50,7 +52,17 @@ function checkAxes({ x, y }) {
   if (x === y) throw new EngineError('y', `${x} is the other axis, too; give another`);
 }
 
-// Computes a view; `onFrame` is handed its pictures one by one.
+// Says how far a stage is, now and then: `tell` is handed a frame without a picture.
+function progressOf(stage, tell) {
+  let last = performance.now();
+  return (done, of) => {
+    if (performance.now() - last < BETWEEN) return;
+    last = performance.now();
+    tell({ progress: { stage, done, of } });
+  };
+}
+
+// Computes a view; `onFrame` is handed its pictures one by one, and words of how far they are.
 export async function mapOf(device, pace, request, onFrame, signal) {
   checkAxes(request.scene);
   const count = request.count.map((own) => Math.min(Math.max(Math.round(own), 2), MOST));
@@ -60,26 +72,27 @@ export async function mapOf(device, pace, request, onFrame, signal) {
     const scene = sceneOf(request.scene, countsOf(count, levels, halved));
     const columns = new Columns(scene.grid.length, names);
     const began = performance.now();
-    const cells = await work(scene, columns);
+    const ran = await work(scene, columns, progressOf(stage, onFrame));
     heed(signal);
     const seconds = (performance.now() - began) / 1000;
-    onFrame({ ...headerOf(scene, device, { stage, cells, seconds }), arrays: columns.arrays });
+    onFrame({ ...headerOf(scene, device, { stage, ...ran, seconds }), arrays: columns.arrays });
     return { columns, shape: [scene.grid.columns, scene.grid.rows] };
   };
-  const whole = async (scene, columns) => {
+  const whole = async (scene, columns, progress) => {
     const put = (place, outcome, friction) => columns.put(place, outcome, friction);
-    await sweepCells(device, pace, scene, scene.grid, null, put, signal);
-    return scene.grid.length;
+    const cells = scene.grid.length;
+    await sweepCells(device, pace, scene, scene.grid, null, put, signal, (done) => progress(done, cells));
+    return { cells, probes: null };
   };
   let last = await picture('coarse', levels, whole);
   if (levels > 1) last = await picture('fine', 1, whole);
   if (levels === 0) return;
-  await picture('refined', 0, async (scene, columns) => {
+  await picture('refined', 0, async (scene, columns, progress) => {
     const { grid } = scene;
     const refinement = new Refinement(last.columns, last.shape, [grid.columns, grid.rows]);
     return refinement.fill(columns, (cells) => {
       const put = (place, outcome, friction) => columns.put(cells[place], outcome, friction);
-      return sweepCells(device, pace, scene, grid, cells, put, signal);
+      return sweepCells(device, pace, scene, grid, cells, put, signal, (done) => progress(done, cells.length));
     });
   });
 }

@@ -1,0 +1,47 @@
+//! Files that are dropped on the page: records, or a suite of them.
+
+use axum::extract::{FromRequest, Multipart, Request};
+
+use super::refused::Refused;
+use super::session::Session;
+
+/// The files of a request: names with contents.
+///
+/// # Errors
+/// That none arrived, or not whole.
+pub async fn files(request: Request) -> Result<Vec<(String, Vec<u8>)>, Refused> {
+    let unread = |error: String| Refused::told(format!("the files did not arrive: {error}"));
+    let mut parts =
+        Multipart::from_request(request, &()).await.map_err(|error| unread(error.body_text()))?;
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    while let Some(part) = parts.next_field().await.map_err(|error| unread(error.body_text()))? {
+        let name = part.file_name().unwrap_or("record").to_string();
+        let bytes = part.bytes().await.map_err(|error| unread(error.body_text()))?;
+        files.push((name, bytes.to_vec()));
+    }
+    if files.is_empty() {
+        return Err(Refused::told("no file arrived; drop a record's file"));
+    }
+    Ok(files)
+}
+
+/// Keeps files as a suite; what it is, in JSON.
+///
+/// # Errors
+/// Those of a suite's files, and of the disk.
+pub fn suite(session: &Session, files: &[(String, Vec<u8>)]) -> Result<String, Refused> {
+    Ok(session.suites.add(&session.records.folder()?, files)?.to_string())
+}
+
+/// Keeps files as records; what the first one is, and each of them, in JSON.
+///
+/// # Errors
+/// Those of a record's file, and of the disk.
+pub fn records(session: &Session, files: &[(String, Vec<u8>)]) -> Result<String, Refused> {
+    let records = &session.records;
+    let told = files.iter().map(|(name, bytes)| records.told(&records.add(name, bytes)?));
+    let told = told.collect::<Result<Vec<_>, Refused>>()?;
+    let mut first = told[0].clone();
+    first["files"] = told.into();
+    Ok(first.to_string())
+}
