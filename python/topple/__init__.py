@@ -302,7 +302,7 @@ def open(path: str | os.PathLike[str]) -> Any:
     Parameters
     ----------
     path : path
-        A directory of results, or one of these files; leaves.npz for the leaves.
+        A directory of results, or one of these files; leaves.zarr, lazily, or leaves.npz for the leaves.
 
     Returns
     -------
@@ -326,7 +326,7 @@ def open(path: str | os.PathLike[str]) -> Any:
         lazy.attrs = attributes(lazy.attrs)
         return lazy
     if place.suffix != ".npz":
-        raise ValueError(f"{place}: give a directory of results, a map.zarr or a map.npz")
+        raise ValueError(f"{place}: give a directory of results, or a map or leaves as .zarr or .npz")
     with np.load(place) as arrays:
         if "about" not in arrays:
             raise ValueError(f"{place}: no map of topple")
