@@ -1,9 +1,10 @@
 """How long a call goes on after Ctrl-C: the time from the signal to KeyboardInterrupt, at random times of each call.
 
-    python benches/python/interrupt.py [RUNS]
+    python benches/python/interrupt.py [RUNS [CALL ...]]
 
 in an environment with the package, xarray, zarr, dask. The first line is a sleep, which ends as soon as Python hears the
-signal: what the machine itself takes. A call that was done before the signal came is not counted.
+signal: what the machine itself takes. A call that was done before the signal came is not counted. CALL is the beginning of a
+line's name.
 """
 
 import os
@@ -95,12 +96,15 @@ def once(call, after):
 
 def main():
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 20
+    wanted = tuple(sys.argv[2:])
     rng = random.Random(1)
     print("| call | whole call, s | stopped | median, ms | 95th percentile, ms | longest, ms |")
     print("|---|--:|--:|--:|--:|--:|")
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         suite = records(Path(folder))
         for name, call in calls(suite, Path(folder, "out")).items():
+            if wanted and not name.startswith(wanted):
+                continue
             began = time.perf_counter()
             call()
             whole = time.perf_counter() - began

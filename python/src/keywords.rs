@@ -316,5 +316,6 @@ fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<
 }
 
 fn saving(settings: &mut RunSettings) -> &mut Saving {
-    settings.saving.get_or_insert_with(|| Saving::to(""))
+    // Who presses Ctrl-C in a notebook waits for nothing.
+    settings.saving.get_or_insert_with(|| Saving { ends_at_once: true, ..Saving::to("") })
 }

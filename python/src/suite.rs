@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use topple::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple::fragility::tables as fragility_tables;
 use topple::results::about;
@@ -13,9 +13,9 @@ use topple::suites::columns::{ColumnUnit, TableColumn};
 use topple::suites::{envelope as envelope_tables, saved, table};
 use topple::sweep::threads::Threads;
 use topple::{
-    CellEnvelope, Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve,
-    Intensity, Limits, Saving, SceneError, StoreError, Suite, SuiteJob, SuiteRequest, SuiteSweep,
-    SweepError, Values,
+    Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve, Intensity,
+    Limits, Saving, SceneError, StoreError, Suite, SuiteJob, SuiteRequest, SuiteSweep, SweepError,
+    Values,
 };
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
@@ -92,29 +92,9 @@ pub fn envelope<'py>(
     let mut about = told(&envelope.sweep);
     let columns = [&envelope_tables::COLUMNS[..], &envelope_tables::ZETA_COLUMNS].concat();
     about["columns"] = described(&columns, "");
-    about["best"] = best(&envelope);
+    about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
     discard(&request)?;
     Ok((Some(tables), Some(about.to_string())))
-}
-
-/// The best feasible cells, each its axes and strokes by names with their units.
-fn best(envelope: &Envelope) -> Value {
-    let grid = &envelope.sweep.grid;
-    let one = |cell: &usize| {
-        let axes = grid.axes().iter().zip(grid.coordinates(*cell)).map(|(axis, value)| {
-            let entry = axis.entry();
-            let name = match entry.unit {
-                "" => entry.key.to_string(),
-                unit => format!("{} [{unit}]", entry.key),
-            };
-            (name, json!(value))
-        });
-        let CellEnvelope { max_u, stroke_v, .. } = envelope.cells[*cell];
-        let strokes = [("max_u_100 [m]", max_u[2]), ("stroke_v_100 [m]", stroke_v[2])];
-        let strokes = strokes.map(|(name, value)| (name.to_string(), json!(value)));
-        axes.chain(strokes).collect::<Map<String, Value>>()
-    };
-    json!(envelope.best().iter().take(BEST).map(one).collect::<Vec<_>>())
 }
 
 /// Feasible cells that are told.

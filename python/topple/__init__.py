@@ -282,7 +282,7 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     >>> import json, pathlib, tempfile
     >>> import numpy as np
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     np.savetxt(pathlib.Path(folder, "quake.txt"), 2.0 * np.sin(np.arange(0.0, 8.0, 0.02)))
+    ...     np.savetxt(pathlib.Path(folder, "quake.txt"), np.sin(6.0 * np.arange(0.0, 8.0, 0.02)))
     ...     lines = "id,horizontal,vertical,dt,units\\nmade-up,quake.txt,,0.02,m/s2\\n"
     ...     _ = pathlib.Path(folder, "list.csv").write_text(lines)
     ...     ds = envelope(folder, object=1, u_y=0.02, t_h=[1.0, 3.0], t_v=0.4, verify=0)

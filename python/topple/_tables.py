@@ -57,7 +57,23 @@ def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
         for name, values in columns(text).items():
             if name not in about["coordinates"]:
                 data_vars[name] = (index, values.reshape(shape), _attrs(name, about))
-    return dataset(data_vars, axes(about), attributes(about))
+    best = [_told(np.unravel_index(cell, shape), data_vars, about) for cell in about["best"]]
+    return dataset(data_vars, axes(about), attributes({**about, "best": best}))
+
+
+#: Strokes that are told of the best cells.
+STROKES = ("max_u_100", "stroke_v_100")
+
+
+def _told(place: tuple[Any, ...], data_vars: Mapping[str, Any], about: Mapping[str, Any]) -> dict[str, float]:
+    """A cell in words: its axes, the first one first, and its strokes, by names with their units."""
+    told = {}
+    for key, at in reversed(list(zip(about["index"], place))):
+        unit = about["axes"][key]["unit"]
+        told[f"{key} [{unit}]" if unit else key] = float(about["coordinates"][key][at])
+    for name in STROKES:
+        told[f"{name} [{about['columns'][name]['unit']}]"] = float(data_vars[name][1][place])
+    return told
 
 
 def _pivoted(
