@@ -206,7 +206,8 @@ fn outcomes_are_read_across_tiles() {
     let out = TempDir::new().unwrap();
     for holds in [true, false] {
         let (store, found) = open(out.path(), &scene, Precision::F32, true).unwrap();
-        let saver = Saver { store: &store, patience: Duration::from_secs(3600), holds };
+        let saver =
+            Saver { store: &store, patience: Duration::from_secs(3600), holds, go_on: &|| true };
         let mut collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
         // The last piece comes first, and one lies across the tiles.
         for piece in [66_000..70_000, 0..10, 10..64_999, 64_999..66_000] {

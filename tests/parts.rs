@@ -214,7 +214,12 @@ fn after_a_lost_device_the_run_goes_on() {
             let (store, found) = open();
             let left = missing(&found.done(), &(0..grid.len()));
             assert_eq!(left.iter().map(Range::len).sum::<usize>(), if fails { 576 } else { 376 });
-            let saver = Saver { store: &store, patience: Duration::ZERO, holds: in_memory };
+            let saver = Saver {
+                store: &store,
+                patience: Duration::ZERO,
+                holds: in_memory,
+                go_on: &|| true,
+            };
             let mut collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
             let done = AtomicUsize::new(0);
             let worker: Worker = Box::new(|cells, _| {

@@ -282,6 +282,34 @@ fn the_command_writes_pictures_and_leaves() {
     assert!(!out.join("leaves.csv").exists() && !out.join("refined.svg").exists());
 }
 
+/// Chunks of the leaves' arrays, and what is left of an earlier run's.
+#[test]
+fn leaves_in_the_store_go_with_their_map() {
+    let dir = TempDir::new().unwrap();
+    let (out, leaves) = (dir.path(), dir.path().join("leaves.zarr"));
+    pulse(out, &["--refine", "2", "--files", "csv,zarr"]).assert().success();
+    let cells = std::fs::read(leaves.join("cell/c/0")).unwrap();
+    // What no run writes, and so what only an earlier one's folder has.
+    std::fs::write(leaves.join("of-the-first-run"), "").unwrap();
+    pulse(out, &["--refine", "3", "--files", "csv,zarr"]).assert().success();
+    assert!(!leaves.join("of-the-first-run").exists());
+    assert_ne!(std::fs::read(leaves.join("cell/c/0")).unwrap(), cells);
+    let left: Vec<String> = std::fs::read_dir(out)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.starts_with('.') || name.ends_with(".old"))
+        .collect();
+    assert!(left.is_empty(), "{left:?}");
+    // A map without leaves, and leaves without the store.
+    for more in [&["--files", "csv,zarr"][..], &["--refine", "2", "--files", "csv"]] {
+        pulse(out, &["--refine", "2", "--files", "zarr"]).assert().success();
+        assert!(leaves.join("zarr.json").exists());
+        let done = pulse(out, more).assert().success();
+        let said = String::from_utf8(done.get_output().stdout.clone()).unwrap();
+        assert!(said.contains("leaves.zarr") && !leaves.exists(), "{said}");
+    }
+}
+
 #[test]
 fn what_cannot_be_refined_is_refused() {
     let map = ["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75"];

@@ -237,3 +237,30 @@ fn errors_name_keys() {
     saving.saving = Some(Saving { part: Some("1/2".parse().unwrap()), ..Saving::to(out.path()) });
     assert_eq!(key(&scene(), &saving).0, Some("tile"));
 }
+
+/// Of a run that its observer ends, what was done since the last saving is saved, unless it is to end at once.
+#[test]
+fn a_run_that_is_to_end_at_once_saves_nothing_more() {
+    let _alone = alone();
+    for at_once in [false, true] {
+        let out = TempDir::new().unwrap();
+        let mut saving = settings();
+        saving.backend = BackendRequest::Reference;
+        let hour = Duration::from_secs(3600);
+        // Of a map that memory does not hold all is saved at the end, however short the run was.
+        saving.saving = Some(Saving {
+            every: hour,
+            memory: 0,
+            ends_at_once: at_once,
+            ..Saving::to(out.path())
+        });
+        let error = sweep(&scene(), &[], &saving, &Ear::ending_at(300)).unwrap_err();
+        assert!(error.is_cancelled(), "{error}");
+        let saved = out.path().join("unfinished/identity.json").exists();
+        assert_eq!(saved, !at_once, "{error}");
+        let whole = Saving { resume: true, memory: 0, ends_at_once: at_once, ..Saving::to(out.path()) };
+        saving.saving = Some(whole);
+        let map = sweep(&scene(), &[], &saving, &Unwatched).unwrap();
+        assert_eq!(map.parts[0].1.resumed_cells > 0, !at_once);
+    }
+}

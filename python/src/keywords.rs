@@ -1,5 +1,6 @@
 //! From keywords to a scene and to how it is run.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
@@ -11,6 +12,7 @@ use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
+use topple::sweep::threads::Threads;
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
 
 use crate::errors::{of_keyword, of_scene};
@@ -25,10 +27,12 @@ pub struct Request {
     pub motion: Option<Pair>,
     /// The folder from which record files are looked for.
     pub folder: PathBuf,
+    /// What computes on the CPU.
+    pub threads: Threads,
 }
 
 /// The keywords that say how a scene is run.
-pub const SETTINGS: [&str; 11] = [
+pub const SETTINGS: [&str; 12] = [
     "backend",
     "adapter",
     "precision",
@@ -40,7 +44,10 @@ pub const SETTINGS: [&str; 11] = [
     "out",
     "resume",
     "tile",
+    THREADS,
 ];
+/// The keyword of how many threads compute.
+const THREADS: &str = "threads";
 
 /// The keywords that say how a map is refined.
 pub const REFINING: [&str; 2] = ["refine", "smooth"];
@@ -65,7 +72,7 @@ impl Request {
         let mut words: Map<String, Value> = Map::new();
         let mut numbers: Vec<(Parameter, Values)> = Vec::new();
         let (mut settings, mut motion, mut title) = (RunSettings::default(), None, None);
-        let (mut start, mut folder) = (Start::Words, PathBuf::new());
+        let (mut start, mut folder, mut threads) = (Start::Words, PathBuf::new(), None);
         for (key, value) in keywords {
             let key: String = key.extract()?;
             if value.is_none() || others.contains(&key.as_str()) {
@@ -88,6 +95,8 @@ impl Request {
             } else if key == RESULT {
                 let (scene, record) = value.extract()?;
                 start = Start::Result(scene, record);
+            } else if key == THREADS {
+                threads = Some(taken::<NonZeroUsize>(&key, &value, "a number of threads")?);
             } else if SETTINGS.contains(&key.as_str()) {
                 set(&mut settings, &key, &value)?;
             } else {
@@ -111,7 +120,8 @@ impl Request {
         for (parameter, values) in numbers {
             scene.numbers.set(parameter, values);
         }
-        Ok(Request { scene, settings, motion, folder })
+        let threads = Threads::new(threads).map_err(|error| of_keyword(THREADS, error))?;
+        Ok(Request { scene, settings, motion, folder, threads })
     }
 
     /// The checked scene; `recorded`: a record shakes it, the synthetic pair where none is given.
@@ -306,5 +316,6 @@ fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<
 }
 
 fn saving(settings: &mut RunSettings) -> &mut Saving {
-    settings.saving.get_or_insert_with(|| Saving::to(""))
+    // Who presses Ctrl-C in a notebook waits for nothing.
+    settings.saving.get_or_insert_with(|| Saving { ends_at_once: true, ..Saving::to("") })
 }

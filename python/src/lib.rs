@@ -7,6 +7,7 @@ mod map;
 mod picture;
 mod suite;
 mod tables;
+mod uncertain;
 mod watch;
 
 use pyo3::prelude::*;
@@ -17,6 +18,7 @@ fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_function(wrap_pyfunction!(map::sweep, module)?)?;
     module.add_function(wrap_pyfunction!(map::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(uncertain::probabilities, module)?)?;
     module.add_function(wrap_pyfunction!(map::check, module)?)?;
     module.add_function(wrap_pyfunction!(history::history, module)?)?;
     module.add_function(wrap_pyfunction!(suite::suite, module)?)?;

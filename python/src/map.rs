@@ -11,6 +11,7 @@ use topple::refine::run as refine;
 use topple::results::block::Block;
 use topple::results::columns::status_code;
 use topple::results::listed::{CELL, CountColumn};
+use topple::results::sharpness::Sharpness;
 use topple::sweep::parts::Parts;
 use topple::{
     Axis, Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings,
@@ -19,7 +20,13 @@ use topple::{
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
 use crate::keywords::{REFINING, Request, refining};
+use crate::uncertain::{UNCERTAIN, sharpness};
 use crate::watch::{self, Watch};
+
+/// The keywords of a map that say nothing of its scene or of its run.
+fn own() -> Vec<&'static str> {
+    [&REFINING[..], &UNCERTAIN].concat()
+}
 
 /// A map: its columns, unless they are on disk, and what is said of it.
 struct Arrays {
@@ -44,11 +51,12 @@ pub fn sweep<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Returned<'py>> {
-    let request = Request::of(keywords, &REFINING)?;
+    let request = Request::of(keywords, &own())?;
     let scene = request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)?;
     let settings = &request.settings;
     let refining = refining(keywords, settings)?;
+    let sharpness = sharpness(keywords, settings)?;
     if let Some(refining) = &refining {
         refine::check(&scene, refining.levels).map_err(of_scene)?;
     }
@@ -60,14 +68,15 @@ pub fn sweep<'py>(
         fs::create_dir_all(&saving.directory)?;
     }
     let saved = settings.saving.as_ref().map(|saving| saving.directory.clone());
-    let ran = watch::run(py, progress, |watch| {
+    let ran = watch::run(py, progress, &request.threads, |watch| {
         let job = Job::open(&scene, &[], settings)?;
         let estimate = job.estimate_if_long(watch)?;
         match job.run(estimate.as_ref(), watch)? {
             SweepResult::Part(_) => Ok(None),
             SweepResult::Map(map) => {
-                let to = (saved.as_deref(), refining.as_ref());
-                finish(*map, settings, to, watch).map(Some)
+                let refining = refining.as_ref();
+                let to = Finish { settings, saved: saved.as_deref(), refining, sharpness };
+                finish(*map, &to, watch).map(Some)
             }
         }
     })?;
@@ -81,14 +90,14 @@ pub fn sweep<'py>(
 /// Refuses keywords that make no scene, without running it.
 #[pyfunction]
 pub fn check(recorded: bool, keywords: &Bound<'_, PyDict>) -> PyResult<()> {
-    let request = Request::of(keywords, &REFINING)?;
+    let request = Request::of(keywords, &own())?;
     request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)
 }
 
 /// Joins the parts in directories that `tile` left: `(columns, about)` as of `sweep`.
 ///
-/// Of the keywords there are `out` and `verify`.
+/// Of the keywords there are `out`, `verify`, `threads` and `sharpness`.
 #[pyfunction]
 pub fn merge<'py>(
     py: Python<'py>,
@@ -96,13 +105,15 @@ pub fn merge<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Returned<'py>> {
-    let settings = Request::of(keywords, &[])?.settings;
+    let Request { settings, threads, .. } = Request::of(keywords, &own())?;
+    let sharpness = sharpness(keywords, &settings)?;
     let out = settings.saving.as_ref().map(|saving| saving.directory.as_path());
     out.map(fs::create_dir_all).transpose()?;
-    let joined = watch::run(py, progress, |watch| {
+    let joined = watch::run(py, progress, &threads, |watch| {
         let parts = Parts::join(&parts, watch)?;
         let store = out.map(|out| parts.store(out)).transpose()?;
-        finish(MapSweep::of_parts(parts, store)?, &settings, (out, None), watch)
+        let to = Finish { settings: &settings, saved: out, refining: None, sharpness };
+        finish(MapSweep::of_parts(parts, store)?, &to, watch)
     })?;
     returned(py, joined.map_err(of_sweep)?)
 }
@@ -146,22 +157,34 @@ fn returned(py: Python<'_>, map: Arrays) -> PyResult<Returned<'_>> {
     Ok((Some(arrays), Some(about)))
 }
 
+/// How a map is finished.
+struct Finish<'a> {
+    settings: &'a RunSettings,
+    /// The directory in which it is saved.
+    saved: Option<&'a Path>,
+    refining: Option<&'a RefineSettings>,
+    /// How sharp its boundaries are is asked for.
+    sharpness: bool,
+}
+
 /// The reference's word on a map, and its columns, or its group on disk.
-fn finish(
-    mut map: MapSweep,
-    settings: &RunSettings,
-    (saved, refining): (Option<&Path>, Option<&RefineSettings>),
-    watch: &Watch,
-) -> Result<Arrays, SweepError> {
+fn finish(mut map: MapSweep, to: &Finish, watch: &Watch) -> Result<Arrays, SweepError> {
+    let settings = to.settings;
     if settings.verify.cells > 0 && !map.by_reference() {
         let verified = map.verify(&settings.verify, watch);
         map.verification = Some(verified.map_err(|error| map.stopped(error))?);
     }
-    if let Some(refining) = refining {
-        return leaves(&map, &topple::refine(&map, refining, settings, watch)?);
+    let sharpness = match to.sharpness {
+        true => Some(map.sharpness(watch).map_err(|error| map.stopped(error))?),
+        false => None,
+    };
+    if let Some(refining) = to.refining {
+        return leaves(&map, &topple::refine(&map, refining, settings, watch)?, &sharpness);
     }
-    let about = Value::Object(about(&map, map.source().about(&map.grid), &map.grid)).to_string();
-    let columns = match saved {
+    let mut about = about(&map, map.source().about(&map.grid), &map.grid);
+    about.insert("sharpness".into(), json!(sharpness));
+    let about = Value::Object(about).to_string();
+    let columns = match to.saved {
         Some(folder) => {
             map.publish(&folder.join("map.zarr"), watch)?;
             None
@@ -172,13 +195,18 @@ fn finish(
 }
 
 /// The leaves of a map that was refined.
-fn leaves(map: &MapSweep, refined: &RefinedMap) -> Result<Arrays, SweepError> {
+fn leaves(
+    map: &MapSweep,
+    refined: &RefinedMap,
+    sharpness: &Option<Sharpness>,
+) -> Result<Arrays, SweepError> {
     refined.listed(|listed| {
         let (count, source) = (listed.cells.len(), refined.source());
         let mut block = Block::pending(count, source.precision);
         block.put(0, &listed.outcomes.read(0..count, &Column::ALL)?);
         let mut about = about(map, listed.about(source), &refined.grid);
         about.insert("refined".into(), json!(refined.report));
+        about.insert("sharpness".into(), json!(sharpness));
         let cells = listed.cells.iter().map(|cell| *cell as u64).collect();
         Ok(Arrays {
             columns: Some(block.into_columns()),
@@ -195,6 +223,15 @@ pub fn coordinates(grid: &Grid) -> Value {
     Value::Object(axes.collect())
 }
 
+/// Units and meanings of a grid's axes by their keys.
+pub fn axes(grid: &Grid) -> Value {
+    let one = |axis: &Axis| {
+        let entry = axis.entry();
+        (entry.key.to_string(), json!({ "unit": entry.unit, "meaning": entry.meaning }))
+    };
+    Value::Object(grid.axes().iter().map(one).collect())
+}
+
 /// What arrays of a grid are, and how the map was made.
 fn about(map: &MapSweep, mut about: Map<String, Value>, grid: &Grid) -> Map<String, Value> {
     let (_, first) = &map.parts[0];
@@ -206,6 +243,7 @@ fn about(map: &MapSweep, mut about: Map<String, Value>, grid: &Grid) -> Map<Stri
         ("coordinates", coordinates(grid)),
         ("backend", json!(first.backend)),
         ("adapter", json!(first.adapter)),
+        ("threads", json!(first.threads)),
         ("method", json!(map.method)),
         ("sweep_seconds", json!(map.sweep_seconds())),
         ("repaired", json!(map.repair)),

@@ -6,33 +6,43 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
+use topple::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple::fragility::tables as fragility_tables;
 use topple::results::about;
+use topple::suites::columns::{ColumnUnit, TableColumn};
 use topple::suites::{envelope as envelope_tables, saved, table};
-use topple::uncertain::Varied;
+use topple::sweep::threads::Threads;
 use topple::{
-    Envelope, Estimator, FragilityRequest, HazardCurve, Intensity, Limits, Suite, SuiteRequest,
-    SuiteSweep, SweepError,
+    Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve, Intensity,
+    Limits, Saving, SceneError, StoreError, Suite, SuiteJob, SuiteRequest, SuiteSweep, SweepError,
+    Values,
 };
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
 use crate::keywords::{Request, taken, values};
-use crate::map::coordinates;
+use crate::map::{axes, coordinates};
+use crate::uncertain::varied;
 use crate::watch;
 
-/// Reads a suite: its table as CSV.
+/// Reads a suite: `(table, about)`, CSV and JSON.
 #[pyfunction]
-pub fn suite(py: Python<'_>, path: &str, strict: bool) -> PyResult<String> {
+pub fn suite(py: Python<'_>, path: &str, strict: bool) -> PyResult<(String, String)> {
     let path = PathBuf::from(path);
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
-    text(|w| table::write(&suite.map_err(of_suite)?, w).map_err(PyErr::from))
+    let table = text(|w| table::write(&suite.map_err(of_suite)?, w).map_err(PyErr::from))?;
+    let about = json!({
+        "program": "topple",
+        "version": env!("CARGO_PKG_VERSION"),
+        "columns": described(&table::COLUMNS, ""),
+    });
+    Ok((table, about.to_string()))
 }
 
 /// The keywords of an envelope that are not those of a scene.
 const ENVELOPE: [&str; 6] =
     ["suite", "strict", "both_directions", "standing", "limit_u", "limit_v"];
 /// Those of a fragility.
-const FRAGILITY: [&str; 15] = [
+const FRAGILITY: [&str; 16] = [
     "suite",
     "strict",
     "both_directions",
@@ -41,6 +51,7 @@ const FRAGILITY: [&str; 15] = [
     "limit_v",
     "im",
     "levels",
+    "units",
     "estimator",
     "bootstrap",
     "seed",
@@ -50,14 +61,17 @@ const FRAGILITY: [&str; 15] = [
     "target",
 ];
 
-/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON.
+/// Tables, CSV by name, and JSON; of a part of the motions there are none.
+type Tables<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
+
+/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON, None of a part.
 #[pyfunction]
 pub fn envelope<'py>(
     py: Python<'py>,
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Bound<'py, PyDict>, String)> {
-    let (suite, request) = asked(py, keywords, &ENVELOPE)?;
+) -> PyResult<Tables<'py>> {
+    let Asked { suite, request, threads, resume } = asked(py, keywords, &ENVELOPE)?;
     let limits = Limits {
         standing: given(keywords, "standing", "a number")?.unwrap_or(1.0),
         u: given(keywords, "limit_u", "a number of metres")?,
@@ -65,33 +79,41 @@ pub fn envelope<'py>(
     };
     request.check().map_err(of_scene)?;
     request.check_envelope(&limits).map_err(of_scene)?;
-    let run = |watch: &watch::Watch| -> Result<Envelope, SweepError> {
-        Ok(Envelope::of(request.open(&suite)?.run(watch)?, limits))
+    let run = |watch: &watch::Watch| -> Result<Option<Envelope>, SweepError> {
+        let job = of_this_run(request.open(&suite)?, resume)?;
+        let swept = job.run(watch)?;
+        Ok(request.settings.part.is_none().then(|| Envelope::of(swept, limits)))
     };
-    let envelope = watch::run(py, progress, run)?.map_err(of_sweep)?;
+    let envelope = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
+    let Some(envelope) = envelope else { return Ok((None, None)) };
     let tables = PyDict::new(py);
     tables.set_item("envelope", text(|w| Ok(envelope_tables::write(&envelope, w)?))?)?;
     tables.set_item("zeta", text(|w| Ok(envelope_tables::write_zeta(&envelope, w)?))?)?;
     let mut about = told(&envelope.sweep);
-    about["best"] = json!(envelope.best());
+    let columns = [&envelope_tables::COLUMNS[..], &envelope_tables::ZETA_COLUMNS].concat();
+    about["columns"] = described(&columns, "");
+    about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
     discard(&request)?;
-    Ok((tables, about.to_string()))
+    Ok((Some(tables), Some(about.to_string())))
 }
 
-/// How likely a block falls under a suite: `(tables, about)`, CSV by name and JSON.
+/// Feasible cells that are told.
+const BEST: usize = 20;
+
+/// How likely a block falls under a suite: `(tables, about)`, CSV by name and JSON, None of a part.
 #[pyfunction]
 pub fn fragility<'py>(
     py: Python<'py>,
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
-) -> PyResult<(Bound<'py, PyDict>, String)> {
-    let (suite, request) = asked(py, keywords, &FRAGILITY)?;
+) -> PyResult<Tables<'py>> {
+    let Asked { suite, request, threads, resume } = asked(py, keywords, &FRAGILITY)?;
     let mut request = FragilityRequest::new(request);
     if let Some(im) = given::<String>(keywords, "im", "a text")? {
         request.im = im.parse::<Intensity>().map_err(|error| of_keyword("im", error))?;
     }
     if let Some(levels) = keywords.get_item("levels")?.filter(|levels| !levels.is_none()) {
-        request.levels = Some(values("levels", &levels)?);
+        request.levels = Some(in_si(values("levels", &levels)?, keywords, request.im)?);
     }
     request.limit_zeta = several(keywords, "limit_zeta")?;
     request.limit_u = several(keywords, "limit_u")?;
@@ -101,10 +123,7 @@ pub fn fragility<'py>(
         let known = known.ok_or_else(|| of_keyword("estimator", format!("{name} is not known")))?;
         request.estimators.push(known);
     }
-    for varied in several::<String>(keywords, "vary")? {
-        let varied = varied.parse::<Varied>().map_err(|error| of_keyword("vary", error))?;
-        request.vary.push(varied);
-    }
+    request.vary = varied(keywords)?;
     request.bootstrap = given(keywords, "bootstrap", "a number of sets")?;
     request.seed = given(keywords, "seed", "a whole number")?.unwrap_or(request.seed);
     request.samples = given(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
@@ -117,8 +136,16 @@ pub fn fragility<'py>(
         None => None,
     };
     request.check().map_err(of_scene)?;
-    let run = |watch: &watch::Watch| request.open(&suite)?.run(watch);
-    let study = watch::run(py, progress, run)?.map_err(of_sweep)?;
+    let run = |watch: &watch::Watch| -> Result<Option<FragilityStudy>, SweepError> {
+        let FragilityJob { sweep, asked } = request.open(&suite)?;
+        let sweep = of_this_run(sweep, resume)?;
+        if request.suite.settings.part.is_some() {
+            return sweep.run(watch).map(|_| None);
+        }
+        FragilityJob { sweep, asked }.run(watch).map(Some)
+    };
+    let study = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
+    let Some(study) = study else { return Ok((None, None)) };
     let tables = PyDict::new(py);
     let add = |name: &str, written: PyResult<String>| tables.set_item(name, written?);
 
@@ -142,33 +169,85 @@ pub fn fragility<'py>(
     }
     let mut about = told(&study.sweep);
     about["im"] = json!(request.im);
+    about["im_units"] = json!(request.im.unit());
+    let all = [COUNTS.as_slice(), &FITS, &CAPACITIES, &SENSITIVITY, &RATES].concat();
+    about["columns"] = described(&all, request.im.unit());
     discard(&request.suite)?;
-    Ok((tables, about.to_string()))
+    Ok((Some(tables), Some(about.to_string())))
+}
+
+/// What keywords ask for.
+struct Asked {
+    suite: Suite,
+    request: SuiteRequest,
+    threads: Threads,
+    resume: bool,
 }
 
 /// The suite and the request of keywords.
-fn asked(
-    py: Python<'_>,
-    keywords: &Bound<'_, PyDict>,
-    others: &[&str],
-) -> PyResult<(Suite, SuiteRequest)> {
+fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Asked> {
     let path: String = keywords
         .get_item("suite")?
         .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?
         .str()?
         .to_string();
     let strict = given(keywords, "strict", "True or False")?.unwrap_or(false);
-    let Request { scene, settings, .. } = Request::of(keywords, others)?;
+    let Request { scene, settings, threads, .. } = Request::of(keywords, others)?;
     settings.method.check_step(scene.force).map_err(of_scene)?;
     let mut request = SuiteRequest::new(scene);
     request.both_directions = given(keywords, "both_directions", "True or False")?.unwrap_or(false);
     let saving = settings.saving.as_ref();
+    if saving.is_some_and(|saving| saving.directory.as_os_str().is_empty()) {
+        return Err(of_keyword("out", "missing; resume and tile need a directory"));
+    }
+    let resume = saving.is_some_and(|saving| saving.resume);
+    if let Some(Saving { directory, part: None, .. }) = saving
+        && saved::is_begun(directory)
+        && !resume
+    {
+        return Err(of_sweep(SweepError::Folder(StoreError::Unfinished(directory.clone()))));
+    }
     request.settings.saving = saving.map(|saving| saved::folder(&saving.directory));
     request.settings.part = saving.and_then(|saving| saving.part);
     request.settings.run = settings;
     let path = PathBuf::from(path);
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
-    Ok((suite.map_err(of_suite)?, request))
+    Ok(Asked { suite: suite.map_err(of_suite)?, request, threads, resume })
+}
+
+/// A job whose directory holds motions of its own, or none, where it is to go on with them.
+fn of_this_run(job: SuiteJob, resume: bool) -> Result<SuiteJob, SweepError> {
+    if resume && job.finds_others()? {
+        let problem = "the directory holds motions of another run; give the keywords of that run, or another directory";
+        return Err(SceneError { key: "resume", problem: problem.into() }.into());
+    }
+    Ok(job)
+}
+
+/// Levels in SI units; `units` is the factor that makes m/s^2 of an acceleration.
+fn in_si(levels: Values, keywords: &Bound<'_, PyDict>, im: Intensity) -> PyResult<Values> {
+    let Some(factor) = given::<f64>(keywords, "units", "a unit of acceleration")? else {
+        return Ok(levels);
+    };
+    if im.unit() != "m/s²" {
+        let problem = format!("{im} is no acceleration; its levels are in {}", im.unit());
+        return Err(of_keyword("units", problem));
+    }
+    let levels = levels.iter().map(|level| factor * level).collect();
+    Values::list(levels).map_err(|error| of_keyword("levels", error))
+}
+
+/// Units and meanings of columns by their names, for `about`; `of_measure` is the unit of the intensity measure.
+fn described(columns: &[TableColumn], of_measure: &str) -> Value {
+    let one = |column: &TableColumn| {
+        let unit = match column.unit {
+            ColumnUnit::Name => "",
+            ColumnUnit::Of(unit) => unit,
+            ColumnUnit::OfMeasure => of_measure,
+        };
+        (column.name.to_string(), json!({ "unit": unit, "meaning": column.meaning }))
+    };
+    Value::Object(columns.iter().map(one).collect())
 }
 
 /// Takes away what was saved while it ran, when all of it is at hand.
@@ -186,6 +265,7 @@ fn told(sweep: &SuiteSweep) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "scene": sweep.scene,
         "index": about::index(&sweep.grid),
+        "axes": axes(&sweep.grid),
         "coordinates": coordinates(&sweep.grid),
         "motions": sweep.motions.iter().map(|motion| &motion.id).collect::<Vec<_>>(),
         "sweep_seconds": sweep.seconds,
@@ -203,7 +283,7 @@ where
 }
 
 /// The values of a keyword: one, or several in a sequence.
-fn several<'py, T>(keywords: &Bound<'py, PyDict>, key: &str) -> PyResult<Vec<T>>
+pub fn several<'py, T>(keywords: &Bound<'py, PyDict>, key: &str) -> PyResult<Vec<T>>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {

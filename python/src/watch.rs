@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use topple::sweep::threads::Threads;
 use topple::{Observer, Phase, Progress};
 
 /// Time between two questions whether Ctrl-C was pressed.
@@ -60,13 +61,14 @@ impl Watch {
 }
 
 /// Does work without the interpreter's lock. `progress(phase, done, total)` is called some times a second where it is
-/// not None; Ctrl-C, and an exception of `progress`, end the work.
+/// not None; Ctrl-C, and an exception of `progress`, end the work. What it computes it does on these threads.
 ///
 /// # Errors
 /// `KeyboardInterrupt`, the exception of `progress`; what `work` fails with is in its result.
 pub fn run<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
+    threads: &Threads,
     work: impl FnOnce(&Watch) -> T + Send,
 ) -> PyResult<T> {
     not_forked()?;
@@ -77,7 +79,7 @@ pub fn run<T: Send>(
         let receiver = Mutex::new(receiver);
         let watch = &watch;
         scope.spawn(move || {
-            let result = catch_unwind(AssertUnwindSafe(|| work(watch)));
+            let result = catch_unwind(AssertUnwindSafe(|| threads.scope(|| work(watch))));
             // The receiver waits for it.
             let _ = sender.send(result);
         });

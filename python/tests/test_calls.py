@@ -28,7 +28,7 @@ LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0
         ({"object": "caryatid"}, "^object: 'caryatid' is not the number of a block"),
         ({"x": "T_h"}, "^x: "),
         ({"T_h": 2}, "^T_h: no keyword of this name; did you mean t_h"),
-        ({"sharpness": True}, "^sharpness: no keyword of this name; the command alone has it"),
+        ({"keep_every": 2.0}, "^keep_every: no keyword of this name; the command alone has it"),
         ({"units": "g"}, "^units: a pulse shakes the base here; topple.seismic has records"),
         ({"horizontal": [1.0, 2.0]}, "^horizontal: a pulse shakes the base here"),
         ({"step": 5.0}, "^step: 5 s is not plausible"),
@@ -38,6 +38,14 @@ LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0
         ({"object": 9}, "^object: "),
         ({"verify": -1}, "verify"),
         ({"tile": "3/2", "out": "x"}, "^tile: "),
+        ({"threads": 0}, "^threads: 0 is not a number of threads"),
+        ({"samples": 8}, "^samples: means nothing where all is known"),
+        ({"vary": "eccentricity"}, "^vary: 'eccentricity' is no KEY=DISTRIBUTION"),
+        ({"vary": {"eccentricity": "normal(0.1)"}}, "^vary: eccentricity: "),
+        ({"vary": {"t_h": "normal(0.2,0.1)"}}, "^vary: .*2.275 %"),
+        ({"pixel": True, "omega": "1:9:5", "samples": 1}, "^samples: 1 is not in 2 to"),
+        ({"pixel": True, "omega": "1:9:5", "repair": True}, "^repair: probabilities have none"),
+        ({"sharpness": True, "out": "x", "tile": "1/2"}, "^sharpness: a part has no boundaries"),
     ],
 )
 def test_bad_input_is_a_line_with_its_keyword(keywords, line):

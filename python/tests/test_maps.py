@@ -165,6 +165,25 @@ def test_leaves_of_a_refined_map(command, tmp_path):
         assert np.array_equal(leaves[name].values, whole[name].values.ravel()[leaves.cell.values]), name
 
 
+def test_leaves_in_the_store_are_those_of_the_archive(command, tmp_path):
+    needs_the_store()
+    # More leaves than a chunk has.
+    scene = PULSE | {"omega": "0.2:15:257", "a_h": "0.1:15:257", "t_max": 3}
+    command("pulse", *flags(scene), "--refine", 1, "--files", "npz,zarr", "--verify", "none", "--out", tmp_path)
+    lazy, whole = topple.open(tmp_path / "leaves.zarr"), topple.open(tmp_path / "leaves.npz")
+    assert lazy["zeta"].chunks == ((65536, lazy.sizes["leaf"] - 65536),)
+    assert lazy.sizes == whole.sizes and set(lazy.variables) == set(whole.variables)
+    assert lazy.attrs == whole.attrs
+    for name in whole.variables:
+        ours, theirs = lazy[name], whole[name]
+        assert ours.dims == theirs.dims and ours.dtype == theirs.dtype, name
+        assert np.array_equal(ours.values, theirs.values, equal_nan=ours.dtype.kind == "f"), name
+        # The archive does not say what it means.
+        assert ours.attrs == theirs.attrs or name == "proved", name
+    zarr = pytest.importorskip("zarr")
+    assert zarr.open_group(tmp_path / "leaves.zarr", mode="r")["cell"][-1] == whole["cell"].values[-1]
+
+
 def test_refine_gives_the_leaves_that_the_command_writes(command, tmp_path):
     scene = PULSE | {"omega": "0.2:15:9", "a_h": "0.1:15:9"}
     command("pulse", *flags(scene), "--refine", 2, "--backend", "cpu", "--verify", "none", "--out", tmp_path)

@@ -80,6 +80,17 @@ def test_what_a_picture_refuses(map):
         map.topple.animate({"omega": 9.0, "a_h": 8.0}, speed=0.0)
 
 
+def test_what_has_no_value_is_in_the_legend(map):
+    texts = [text.get_text() for text in map.topple.plot("t_uplift").get_legend().get_texts()]
+    assert texts == ["overturned", "does not lift"]
+    # All that stand have a rocking index.
+    assert [text.get_text() for text in map.topple.plot("zeta").get_legend().get_texts()] == ["overturned"]
+    unresolved = map.copy(deep=True)
+    unresolved.outcome[3, 4] = map.outcome.flag_meanings.split().index("unresolved")
+    texts = [text.get_text() for text in unresolved.topple.plot("t_uplift").get_legend().get_texts()]
+    assert texts[-1] == "unresolved"
+
+
 def test_cells_beyond_the_model_are_hatched():
     scene = SCENE | {"friction": 0.3}
     found = topple.pulse(**scene, backend="cpu", verify=0)

@@ -1,6 +1,7 @@
 """Suites of the package and of the command have the same tables."""
 
 import csv
+import json
 
 import numpy as np
 import pytest
@@ -63,6 +64,76 @@ def test_fragility(command, records, tmp_path):
         at = {key: float(row[key]) for key in ("t_h", "t_v", "level")} | {"limit_state": row["limit_state"]}
         assert failed.sel(at).item() == float(row["failed"])
     assert fits["theta"].notnull().any()
+
+
+def units(dataset):
+    """The units of the numbers of a Dataset; each has one."""
+    numbers = {name: of for name, of in dataset.variables.items() if of.dtype.kind in "fiu" and name != "row"}
+    assert all(of.attrs["long_name"] for of in numbers.values()), numbers
+    return {name: of.attrs.get("units") for name, of in numbers.items()}
+
+
+def test_every_number_has_a_unit(records):
+    suite = units(topple.suite(records / "list.csv"))
+    assert suite["pga_h"] == "m/s²" and suite["arias"] == "m/s" and None not in suite.values()
+    found = topple.envelope(records / "list.csv", **SCENE, standing=0.3, verify=0, backend="cpu")
+    envelope = units(found)
+    assert envelope["max_u_84"] == "m" and envelope["zeta_50"] == "1" and envelope["t_h"] == "s" and None not in envelope.values()
+    best = json.loads(found.attrs["best"])
+    cell = found.sel(t_h=best[0]["t_h [s]"], t_v=best[0]["t_v [s]"])
+    assert cell["feasible"] == 1.0
+    assert best[0]["max_u_100 [m]"] == cell["max_u_100"].item() == found["max_u_100"].where(found["feasible"] > 0).min().item()
+    (records / "site.csv").write_text("level,rate\n0.5,0.05\n20,0.0001\n")
+    asked = {"backend": "cpu", "verify": 0, "bootstrap": 50, "hazard": records / "site.csv"}
+    vary = {"eccentricity": "normal(0.1,0.02)"}
+    for more, unit in (
+        ({"levels": "2:14:7"}, "m/s²"),
+        ({"im": "pgv", "levels": "0.2:3:7"}, "m/s"),
+        ({"im": "pga*", "levels": "0.5:9:5"}, "1"),
+        ({"levels": "2:14:7", "vary": vary, "samples": 4}, "m/s²"),
+    ):
+        study = topple.fragility(records / "list.csv", **(SCENE | {"t_h": 2.0, "t_v": 0.4}), **asked, **more)
+        told = {name: units(table) for name, table in study.items()}
+        assert all(None not in of.values() for of in told.values()), told
+        assert told["fragility"]["level"] == told["fits"]["theta"] == unit
+        assert told["rates"]["rate"] == "1/year"
+        assert ("capacities" in told) != ("points" in told)
+    assert told["points"]["drawn_eccentricity"] == "1" and "sensitivity" in told
+
+
+def test_levels_in_g(records):
+    scene = SCENE | {"t_h": 2.0, "t_v": 0.4}
+    asked = {"bootstrap": 50, "backend": "cpu", "verify": 0}
+    in_g = topple.fragility(records / "list.csv", **scene, **asked, levels=[0.3, 0.6, 1.2], units="g")
+    in_si = topple.fragility(records / "list.csv", **scene, **asked, levels=[0.3 * 9.81, 0.6 * 9.81, 1.2 * 9.81])
+    given = in_g["fragility"]["level_given"]
+    assert given.values.tolist() == [0.3, 0.6, 1.2] and given.attrs["units"] == "g"
+    assert in_g["fragility"]["level"].attrs["units"] == "m/s²"
+    for name, table in in_si.items():
+        assert in_g[name].drop_vars("level_given", errors="ignore").equals(table), name
+    with pytest.raises(ValueError, match="^units: pgv is no acceleration; its levels are in m/s$"):
+        topple.fragility(records / "list.csv", **scene, **asked, im="pgv", levels=[1.0, 2.0], units="g")
+
+
+@pytest.mark.parametrize("call", [topple.envelope, topple.fragility])
+def test_parts_are_joined(records, tmp_path, call):
+    asked = SCENE | {"backend": "cpu", "verify": 0}
+    if call is topple.fragility:
+        asked |= {"levels": "2:14:4", "bootstrap": 50}
+    whole = call(records / "list.csv", **asked)
+    for k in (1, 2):
+        assert call(records / "list.csv", **asked, out=tmp_path, tile=f"{k}/2") is None
+    assert len(list((tmp_path / "motions").iterdir())) >= 2
+    with pytest.raises(OSError, match="holds an unfinished run"):
+        call(records / "list.csv", **asked, out=tmp_path)
+    with pytest.raises(ValueError, match="^resume: the directory holds motions of another run"):
+        call(records / "list.csv", **(asked | {"xi_h": 0.1}), out=tmp_path, resume=True)
+    joined = call(records / "list.csv", **asked, out=tmp_path, resume=True, threads=1)
+    for name in whole:
+        assert joined[name].equals(whole[name]), name
+    assert not (tmp_path / "motions").exists()
+    with pytest.raises(ValueError, match="^out: missing"):
+        call(records / "list.csv", **asked, resume=True)
 
 
 def test_names_of_records_stay_names(records):

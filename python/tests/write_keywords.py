@@ -15,7 +15,7 @@ HEAD = '''"""Types of the keywords. Written by write_keywords.py from the librar
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Sequence, TypedDict, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, TypedDict, Union
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,12 +33,15 @@ SECTIONS = {
     "run": "Duration and criteria.",
     "settings": "How a scene is run.",
     "refining": "How its map is refined.",
+    "uncertain": "What is not known of it.",
 }
 CALLS = {
-    "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings", "refining"]),
-    "RecordCall": ("under a record", ["block", "base", "record", "run", "settings", "refining"]),
+    "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings", "refining", "uncertain"]),
+    "RecordCall": ("under a record", ["block", "base", "record", "run", "settings", "refining", "uncertain"]),
     "SuiteCall": ("under a suite of records", ["block", "base", "run", "settings"]),
-    "AnyCall": ("under anything", ["block", "base", "pulse", "record", "run", "settings", "refining"]),
+    "AnyCall": (
+        "under anything", ["block", "base", "pulse", "record", "run", "settings", "refining", "uncertain"]
+    ),
 }
 
 

@@ -23,7 +23,7 @@ from ._dataset import attributes, dataset, described, of_leaves, of_map
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
 from ._progress import Progress, heard
-from ._records import scene_file, taken
+from ._records import factor, scene_file, taken, uncertain
 from ._tables import of_cells, of_fragility, of_suite
 
 if TYPE_CHECKING:
@@ -52,6 +52,10 @@ _MOTION = {
 
 def _map(recorded: bool, keywords: Mapping[str, Any], progress: bool | Progress | None) -> Any:
     keywords = taken(keywords)
+    if uncertain(keywords):
+        with heard(progress) as hears:
+            shares, told = _topple.probabilities(recorded, keywords, hears)
+        return of_map(shares, json.loads(told))
     with heard(progress) as hears:
         columns, about = _topple.sweep(recorded, keywords, hears)
     return _returned(columns, about, keywords.get("out"))
@@ -84,7 +88,8 @@ def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCa
     -------
     xarray.Dataset
         A variable a column, a dimension an axis, the first axis last: ``[a_h, omega]``. Outcomes and statuses are
-        codes with ``flag_meanings``. Without xarray a `topple.Arrays`.
+        codes with ``flag_meanings``. Without xarray a `topple.Arrays`. With ``vary`` or ``pixel`` the variables are
+        the outcomes, each with the share of the samples that has it.
 
     Raises
     ------
@@ -97,6 +102,13 @@ def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCa
     --------
     >>> ds = pulse(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h="2:12:6", verify=0)
     >>> ds["zeta"].shape
+    (6, 1)
+
+    The probability of each outcome where a number is not known:
+
+    >>> unknown = {"eccentricity": "normal(0.1,0.02)"}
+    >>> p = pulse(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h="2:12:6", verify=0, vary=unknown, samples=8)
+    >>> p["overturned_left"].shape
     (6, 1)
     """
     known("pulse", keywords, SECTIONS["pulse"])
@@ -155,6 +167,8 @@ def merge(
     *,
     out: str | os.PathLike[str] | None = None,
     verify: int | None = None,
+    sharpness: bool = False,
+    threads: int | None = None,
     progress: bool | Progress | None = None,
 ) -> Any:
     """Join the parts of a map that calls with ``tile`` left.
@@ -167,6 +181,10 @@ def merge(
         A directory: the map is written there as map.zarr, and opened lazily.
     verify : int, optional
         Cells that the reference runs again; 0 for none.
+    sharpness : bool, optional
+        Tell in ``attrs`` how sharp the boundaries are, as of `pulse`.
+    threads : int, optional
+        Threads of the CPU; by default as many as it has cores.
 
     Returns
     -------
@@ -175,7 +193,8 @@ def merge(
     """
     if isinstance(parts, (str, os.PathLike)) or not all(isinstance(part, (str, os.PathLike)) for part in parts):
         raise ValueError("parts: give a sequence of the parts' directories")
-    keywords = {"out": None if out is None else os.fspath(out), "verify": verify}
+    place = None if out is None else os.fspath(out)
+    keywords = {"out": place, "verify": verify, "sharpness": sharpness, "threads": threads}
     with heard(progress) as hears:
         columns, about = _topple.merge([os.fspath(part) for part in parts], keywords, hears)
     return _returned(columns, about, out)
@@ -224,9 +243,10 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
     Returns
     -------
     xarray.Dataset
-        The table of ``topple suite`` over the dimension ``id``: measures, and notes on what was decided.
+        The table of ``topple suite`` over the dimension ``id``: measures, with ``units``, and notes on what was decided.
     """
-    return of_suite(_topple.suite(_suite_path(path), strict))
+    text, about = _topple.suite(_suite_path(path), strict)
+    return of_suite(text, json.loads(about))
 
 
 def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
@@ -241,17 +261,41 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     limit_u, limit_v : float, optional
         Room for max |u| and the stroke of v, m.
     both_directions, strict : bool, optional
+    out : path, optional
+        A directory in which each motion is saved when it is done, until the call returns.
+    resume : bool, optional
+        Go on from what an interrupted call, or calls with ``tile``, left in ``out``.
+    tile : str, optional
+        Run the part ``k/n`` of the motions, and leave it in ``out``; the call returns None. The same call with
+        ``resume=True`` in the place of ``tile`` joins the parts.
     **keywords
-        The scene, as of `pulse`; ``u_y`` or ``yield_force`` in the place of ``alpha_y``.
+        The scene and how it is run, as of `pulse`; ``u_y`` or ``yield_force`` in the place of ``alpha_y``.
 
     Returns
     -------
     xarray.Dataset
-        The columns of envelope.csv and zeta.csv; a dimension an axis.
+        The columns of envelope.csv and zeta.csv, with ``units`` and ``long_name``; a dimension an axis. ``attrs["best"]``
+        is JSON: the first 20 feasible cells in the order of the command, each its axes and strokes by name and unit.
+
+    Examples
+    --------
+    >>> import json, pathlib, tempfile
+    >>> import numpy as np
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     np.savetxt(pathlib.Path(folder, "quake.txt"), np.sin(6.0 * np.arange(0.0, 8.0, 0.02)))
+    ...     lines = "id,horizontal,vertical,dt,units\\nmade-up,quake.txt,,0.02,m/s2\\n"
+    ...     _ = pathlib.Path(folder, "list.csv").write_text(lines)
+    ...     ds = envelope(folder, object=1, u_y=0.02, t_h=[1.0, 3.0], t_v=0.4, verify=0)
+    >>> ds["max_u_100"].attrs["units"]
+    'm'
+    >>> list(json.loads(ds.attrs["best"])[0])
+    ['t_h [s]', 't_v [s]', 'max_u_100 [m]', 'stroke_v_100 [m]']
     """
     keywords = {**keywords, "suite": _suite_path(suite)}
     with heard(progress) as hears:
         tables, about = _topple.envelope(keywords, hears)
+    if tables is None or about is None:
+        return None
     return of_cells([tables["envelope"], tables["zeta"]], json.loads(about))
 
 
@@ -265,28 +309,42 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     im : str, optional
         Intensity measure: pga, pgv, arias, cav, sa:T, avg-sa:T, pga*, pgv*.
     levels : sequence of float or str, optional
-        Levels of it that each motion is scaled to, SI units.
+        Levels of it that each motion is scaled to, in SI units: m/s² of an acceleration, m/s of a velocity.
+    units : str, optional
+        Unit of the levels of an acceleration in the place of m/s²: g, m/s2 or cm/s2. The coordinate ``level`` is in m/s²
+        all the same; ``level_given`` has the levels as they were given.
     limit_zeta, limit_u, limit_v : float or sequence of float, optional
         Further limit states.
     estimator : str or sequence of str, optional
         stripes, ida, cloud.
-    vary : str or sequence of str, optional
-        Numbers that are not known: ``"eccentricity=normal(0.1,0.02)"``.
+    vary : mapping, str or sequence of str, optional
+        Numbers that are not known: ``{"eccentricity": "normal(0.1,0.02)"}`` or ``"eccentricity=normal(0.1,0.02)"``.
     hazard : path, optional
         A CSV ``level,rate``.
     bootstrap, seed, samples, target, both_directions, strict : optional
+        As of the command.
+    out, resume, tile : optional
+        As of `envelope`.
     **keywords
         The scene, as of `envelope`.
 
     Returns
     -------
     dict of xarray.Dataset
-        The tables of the command by their names: ``fragility``, ``fits``, ``capacities``, ``rates``, ``sensitivity``.
+        The tables of the command by their names: ``fragility``, ``fits``, ``capacities``, ``rates``, ``sensitivity``,
+        ``points``. Variables and coordinates have ``units`` and ``long_name``: levels and medians are in the SI unit of
+        the measure.
     """
     keywords = {**keywords, "suite": _suite_path(suite)}
+    units = keywords.get("units")
+    given = None if units is None else (str(units), factor(units))
+    if given is not None:
+        keywords["units"] = given[1]
     with heard(progress) as hears:
         tables, about = _topple.fragility(keywords, hears)
-    return of_fragility(tables, json.loads(about))
+    if tables is None or about is None:
+        return None
+    return of_fragility(tables, json.loads(about), given)
 
 
 def _suite_path(path: Any) -> str:
@@ -302,7 +360,7 @@ def open(path: str | os.PathLike[str]) -> Any:
     Parameters
     ----------
     path : path
-        A directory of results, or one of these files; leaves.npz for the leaves.
+        A directory of results, or one of these files; leaves.zarr, lazily, or leaves.npz for the leaves.
 
     Returns
     -------
@@ -326,7 +384,7 @@ def open(path: str | os.PathLike[str]) -> Any:
         lazy.attrs = attributes(lazy.attrs)
         return lazy
     if place.suffix != ".npz":
-        raise ValueError(f"{place}: give a directory of results, a map.zarr or a map.npz")
+        raise ValueError(f"{place}: give a directory of results, or a map or leaves as .zarr or .npz")
     with np.load(place) as arrays:
         if "about" not in arrays:
             raise ValueError(f"{place}: no map of topple")

@@ -17,7 +17,10 @@ WORDS = {
     "object": ("int", "a block of the paper's Table 1: 1 caryatid, 2 server cabinet, 3 hospital cabinet"),
     "isolation": ("str", "directions in which the base moves: dual, horizontal, vertical, none"),
     "shape": ("str", "one-sine, one-cosine, half-sine, rectangle, ricker, mavroeidis-papageorgiou, ..."),
-    "horizontal": ("Any", "horizontal record: a path, an array, or a trace as obspy's"),
+    "horizontal": (
+        "Any",
+        "horizontal record: a path, an array, or a trace or a stream as obspy's; a stream may hold the vertical, too",
+    ),
     "vertical": ("Any", "vertical record, positive up: as horizontal"),
     "dt": ("float", "time between samples, s, where the record does not tell"),
     "units": ("str", "g, m/s2 or cm/s2, where the record does not tell"),
@@ -38,6 +41,17 @@ WORDS = {
     "refine": ("int", "halve the cells beside boundaries so many times; the result is the leaves, as `open` gives them"),
     "smooth": ("float", "with ``refine``: share of its range by which a number between cells that ran may be off"),
     "tile": ("str", "part ``k/n`` of the grid, left in ``out`` for `merge`"),
+    "threads": ("int", "threads of the CPU; by default as many as it has cores"),
+    "vary": (
+        "str | Sequence[str] | Mapping[str, str]",
+        'numbers that are not known: ``{"eccentricity": "normal(0.1,0.02)"}``, or texts ``"eccentricity=normal(0.1,0.02)"``; '
+        "normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off at two more numbers LOW,HIGH; the "
+        "result is probabilities",
+    ),
+    "pixel": ("bool", "each cell's axes have any value in its pixel; the result is probabilities"),
+    "samples": ("int", "with ``vary`` or ``pixel``: sweeps that tell the probabilities, best a power of two; by default 64"),
+    "seed": ("int", "with ``vary`` or ``pixel``: seed of the sweeps' points; by default 0"),
+    "sharpness": ("bool", "tell in ``attrs`` how sharp the boundaries are: basin entropy, uncertainty exponent, dimension"),
 }
 
 
@@ -49,7 +63,7 @@ def parameters() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def sections() -> dict[str, list[tuple[str, str, str]]]:
-    """The keywords of each section of a scene, of ``settings`` and of ``refining``: key, type, meaning."""
+    """The keywords of each section of a scene, of ``settings``, ``refining`` and ``uncertain``: key, type, meaning."""
     found = {
         section: [(key, *WORDS[key]) for key in words] for section, words in json.loads(_topple.words()).items()
     }
@@ -79,13 +93,13 @@ def listed(*names: str) -> Callable[[Call], Call]:
 
 #: The sections of keywords that calls take.
 SECTIONS = {
-    "pulse": ("block", "base", "pulse", "run", "settings", "refining"),
-    "seismic": ("block", "base", "record", "run", "settings", "refining"),
-    "run": ("block", "base", "pulse", "record", "run", "settings", "refining"),
+    "pulse": ("block", "base", "pulse", "run", "settings", "refining", "uncertain"),
+    "seismic": ("block", "base", "record", "run", "settings", "refining", "uncertain"),
+    "run": ("block", "base", "pulse", "record", "run", "settings", "refining", "uncertain"),
     "history": ("block", "base", "pulse", "record", "run", "settings"),
 }
 #: Flags of the command that no call has.
-COMMAND = ("files", "pixel", "samples", "sharpness", "threads", "vary")
+COMMAND = ("dry_run", "files", "keep_every", "save_scene")
 #: What a keyword of a section says where it has none.
 ELSEWHERE = {
     "pulse": "a record shakes the base here; topple.pulse has pulses",

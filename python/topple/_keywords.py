@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Sequence, TypedDict, Union
+from typing import TYPE_CHECKING, Any, Mapping, Sequence, TypedDict, Union
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -88,7 +88,8 @@ class Pulse(TypedDict, total=False):
 class Record(TypedDict, total=False):
     """The record."""
 
-    # horizontal record: a path, an array, or a trace as obspy's
+    # horizontal record: a path, an array, or a trace or a stream as obspy's; a stream may hold the vertical,
+    # too
     horizontal: Any
     # vertical record, positive up: as horizontal
     vertical: Any
@@ -150,6 +151,8 @@ class Settings(TypedDict, total=False):
     resume: bool
     # part ``k/n`` of the grid, left in ``out`` for `merge`
     tile: str
+    # threads of the CPU; by default as many as it has cores
+    threads: int
 
 
 class Refining(TypedDict, total=False):
@@ -161,13 +164,30 @@ class Refining(TypedDict, total=False):
     smooth: float
 
 
-class PulseCall(Block, Base, Pulse, Run, Settings, Refining, total=False):
+class Uncertain(TypedDict, total=False):
+    """What is not known of it."""
+
+    # numbers that are not known: ``{"eccentricity": "normal(0.1,0.02)"}``, or texts
+    # ``"eccentricity=normal(0.1,0.02)"``; normal(MEAN,DEVIATION), uniform(LOW,HIGH) or
+    # lognormal(MEDIAN,BETA), cut off at two more numbers LOW,HIGH; the result is probabilities
+    vary: str | Sequence[str] | Mapping[str, str]
+    # each cell's axes have any value in its pixel; the result is probabilities
+    pixel: bool
+    # with ``vary`` or ``pixel``: sweeps that tell the probabilities, best a power of two; by default 64
+    samples: int
+    # with ``vary`` or ``pixel``: seed of the sweeps' points; by default 0
+    seed: int
+    # tell in ``attrs`` how sharp the boundaries are: basin entropy, uncertainty exponent, dimension
+    sharpness: bool
+
+
+class PulseCall(Block, Base, Pulse, Run, Settings, Refining, Uncertain, total=False):
     """Keywords of a call under pulses."""
 
     title: str
 
 
-class RecordCall(Block, Base, Record, Run, Settings, Refining, total=False):
+class RecordCall(Block, Base, Record, Run, Settings, Refining, Uncertain, total=False):
     """Keywords of a call under a record."""
 
     title: str
@@ -179,7 +199,7 @@ class SuiteCall(Block, Base, Run, Settings, total=False):
     title: str
 
 
-class AnyCall(Block, Base, Pulse, Record, Run, Settings, Refining, total=False):
+class AnyCall(Block, Base, Pulse, Record, Run, Settings, Refining, Uncertain, total=False):
     """Keywords of a call under anything."""
 
     title: str

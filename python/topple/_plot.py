@@ -21,6 +21,8 @@ LETTERS, SMALL, NARROW = 8.5, 7.0, 5.0
 BELOW = 38.0
 #: Width of a letter over its size, about.
 LETTER = 0.52
+#: What a cell does that stands and has no value of a column.
+WITHOUT = {"t_uplift": "does not lift"}
 #: Columns that are drawn over one axis.
 CURVES = {"zeta": "ζ, on the left", "max_u": "max |u|", "stroke_v": "stroke of v"}
 
@@ -256,7 +258,14 @@ def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) ->
     figure = ax.get_figure()
     assert figure is not None
     figure.colorbar(mesh, ax=ax, label=meaning(dataset[column]), shrink=0.8)
-    _legend(ax, [Patch(facecolor=_rgb(palette["fallen"]), label="overturned")] if fallen.count() else [], dataset)
+    handles = [Patch(facecolor=_rgb(palette["fallen"]), label="overturned")] if fallen.count() else []
+    # White is also the least value.
+    without = stands & np.isnan(np.ma.getdata(values))
+    for where, hatch, text in ((without, "///", WITHOUT.get(column, "no value")), (unresolved, "xxx", "unresolved")):
+        _hatched(ax, x, y, where, hatch)
+        if where.any():
+            handles.append(Patch(facecolor="white", hatch=hatch, edgecolor="black", label=text))
+    _legend(ax, handles, dataset)
 
 
 def _curves(dataset: Any, ax: Axes | None) -> Axes:

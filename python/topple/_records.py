@@ -13,7 +13,7 @@ from ._help import parameters
 _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
 
-def _factor(units: Any) -> float:
+def factor(units: Any) -> float:
     """What makes m/s^2 of values in these units."""
     name = str(units).strip().lower().replace("^", "").replace("²", "2")
     if name not in _UNITS:
@@ -58,8 +58,49 @@ def _samples(key: str, record: Any) -> tuple[np.ndarray, float | None, str]:
     stats = getattr(record, "stats", None)
     if stats is None:
         return _checked(key, record), None, key
+    if np.ma.is_masked(record.data):
+        raise ValueError(f"{key}: the trace has gaps; fill them, as merge(fill_value=0) does, or cut it")
     title = getattr(record, "id", None) or key
     return _checked(key, record.data), float(stats.delta), str(title)
+
+
+def _traces(record: Any) -> list[Any] | None:
+    """The traces of a stream as obspy's; None of anything else."""
+    traces = getattr(record, "traces", None)
+    return traces if isinstance(traces, list) and not hasattr(record, "stats") else None
+
+
+def _one(key: str, traces: list[Any]) -> Any:
+    """The only trace of a component."""
+    if len(traces) != 1:
+        names = ", ".join(str(trace.id) for trace in traces) or "none"
+        raise ValueError(f"{key}: a stream must have one {key} trace, here are {names}; select one, or merge them")
+    return traces[0]
+
+
+def _of_streams(horizontal: Any, vertical: Any) -> tuple[Any, Any]:
+    """Traces in the place of streams; that of the horizontal component may hold the vertical one, too."""
+    first, second = _traces(horizontal), _traces(vertical)
+    if first is not None and vertical is None:
+        second = [trace for trace in first if _is_vertical(trace)] or None
+        first = [trace for trace in first if not _is_vertical(trace)]
+    return (
+        horizontal if first is None else _one("horizontal", first),
+        vertical if second is None else _one("vertical", second),
+    )
+
+
+def _is_vertical(trace: Any) -> bool:
+    """True of a channel whose code ends with Z, as the codes of SEED do."""
+    return str(getattr(trace.stats, "channel", "")).upper().endswith("Z")
+
+
+def _together(horizontal: Any, vertical: Any, dt: float) -> None:
+    """Refuses traces that do not begin together."""
+    begin = [getattr(getattr(record, "stats", None), "starttime", None) for record in (horizontal, vertical)]
+    if begin[0] is not None and begin[1] is not None and abs(begin[1] - begin[0]) > 0.5 * dt:
+        apart = f"{abs(begin[1] - begin[0]):.4g} s"
+        raise ValueError(f"vertical: it begins {apart} away from the horizontal trace; trim both to the same time")
 
 
 def scene_file(scene: str | os.PathLike[str]) -> tuple[str, str]:
@@ -71,7 +112,7 @@ def scene_file(scene: str | os.PathLike[str]) -> tuple[str, str]:
 def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     """Keywords in which a record of arrays has become a `motion`; files must be there."""
     keywords = dict(keywords)
-    horizontal, vertical = keywords.get("horizontal"), keywords.get("vertical")
+    horizontal, vertical = _of_streams(keywords.get("horizontal"), keywords.get("vertical"))
     given = [record for record in (horizontal, vertical) if record is not None]
     if not given:
         return keywords
@@ -85,7 +126,7 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     dt, units = keywords.pop("dt", None), keywords.pop("units", None)
     if units is None:
         raise ValueError("units: missing; give g, m/s2 or cm/s2 of the arrays")
-    factor = _factor(units)
+    scale = factor(units)
     h, own, title = _samples("horizontal", horizontal)
     own_steps = [own]
     v, v_title = None, ""
@@ -98,13 +139,27 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     if len(steps) != 1:
         problem = "the components differ in it; resample one" if steps else "missing; give the time between samples, s"
         raise ValueError(f"dt: {problem}")
-    _plausible(keywords, factor * float(np.abs(h).max(initial=0.0)), units)
+    _together(horizontal, vertical, next(iter(steps)))
+    _plausible(keywords, scale * float(np.abs(h).max(initial=0.0)), units)
     keywords["motion"] = (
         steps.pop(),
-        (factor * h).tolist(),
-        None if v is None else (factor * v).tolist(),
+        (scale * h).tolist(),
+        None if v is None else (scale * v).tolist(),
         (title, v_title),
     )
     del keywords["horizontal"]
     keywords.pop("vertical", None)
     return keywords
+
+
+def uncertain(keywords: dict[str, Any]) -> bool:
+    """True where keywords leave something of the scene open; a mapping in them becomes a dict."""
+    if isinstance(keywords.get("vary"), Mapping):
+        keywords["vary"] = dict(keywords["vary"])
+    vary = keywords.get("vary")
+    if keywords.get("pixel") or (vary is not None and len(vary) > 0):
+        return True
+    for key in ("samples", "seed"):
+        if keywords.get(key) is not None:
+            raise ValueError(f"{key}: means nothing where all is known; give vary or pixel, too")
+    return False

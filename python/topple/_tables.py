@@ -8,7 +8,8 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ._dataset import attributes, axes, dataset
+from ._dataset import attributes, axes, dataset, described
+from ._help import parameters
 
 
 #: Columns of names, which may look like numbers.
@@ -31,11 +32,20 @@ def columns(text: str) -> dict[str, np.ndarray]:
     return {name: _column(name, [row[k] for row in rows]) for k, name in enumerate(names)}
 
 
-def of_suite(text: str) -> Any:
+def _attrs(name: str, about: Mapping[str, Any]) -> dict[str, Any]:
+    """What is known of a column: its meaning, and of a number its unit."""
+    if name in about["columns"]:
+        return described(about["columns"][name])
+    # Of a number that is not known the value that is drawn.
+    entry = parameters().get(name.removeprefix("drawn_"))
+    return described({"meaning": f"{entry['meaning']}, as drawn", "unit": entry["unit"] or "1"}) if entry else {}
+
+
+def of_suite(text: str, about: Mapping[str, Any]) -> Any:
     """A suite: a dimension `id`, a variable a column."""
-    table = columns(text)
-    ids = table.pop("id")
-    return dataset({name: (("id",), values, {}) for name, values in table.items()}, {"id": (("id",), ids, {})}, {})
+    of = {name: (("id",), values, _attrs(name, about)) for name, values in columns(text).items()}
+    ids = of.pop("id")
+    return dataset(of, {"id": ids}, attributes(about))
 
 
 def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
@@ -46,12 +56,31 @@ def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
     for text in tables:
         for name, values in columns(text).items():
             if name not in about["coordinates"]:
-                data_vars[name] = (index, values.reshape(shape), {})
-    return dataset(data_vars, axes(about), attributes(about))
+                data_vars[name] = (index, values.reshape(shape), _attrs(name, about))
+    best = [_told(np.unravel_index(cell, shape), data_vars, about) for cell in about["best"]]
+    return dataset(data_vars, axes(about), attributes({**about, "best": best}))
 
 
-def _pivoted(text: str, keys: tuple[str, ...], about: Mapping[str, Any]) -> Any:
-    """A table whose rows, in each cell, are the combinations of some keys."""
+#: Strokes that are told of the best cells.
+STROKES = ("max_u_100", "stroke_v_100")
+
+
+def _told(place: tuple[Any, ...], data_vars: Mapping[str, Any], about: Mapping[str, Any]) -> dict[str, float]:
+    """A cell in words: its axes, the first one first, and its strokes, by names with their units."""
+    told = {}
+    for key, at in reversed(list(zip(about["index"], place))):
+        unit = about["axes"][key]["unit"]
+        told[f"{key} [{unit}]" if unit else key] = float(about["coordinates"][key][at])
+    for name in STROKES:
+        told[f"{name} [{about['columns'][name]['unit']}]"] = float(data_vars[name][1][place])
+    return told
+
+
+def _pivoted(
+    text: str, keys: tuple[str, ...], about: Mapping[str, Any], factor: tuple[str, float] | None
+) -> Any:
+    """A table whose rows, in each cell, are the combinations of some keys; `factor` is the unit of levels as they were
+    given, and what makes SI units of it."""
     table = columns(text)
     index = tuple(about["index"])
     sides = [len(about["coordinates"][key]) for key in index]
@@ -70,8 +99,12 @@ def _pivoted(text: str, keys: tuple[str, ...], about: Mapping[str, Any]) -> Any:
             continue
         full = np.full(shape, np.nan) if values.dtype.kind == "f" else np.full(shape, "", dtype=values.dtype)
         full.flat[flat] = values
-        data_vars[name] = (index + keys, full, {})
-    coords = axes(about) | {key: ((key,), np.array(known[key]), {}) for key in keys}
+        data_vars[name] = (index + keys, full, _attrs(name, about))
+    coords = axes(about) | {key: ((key,), np.array(known[key]), _attrs(key, about)) for key in keys}
+    if "level" in keys and factor is not None:
+        # In the digits that were given.
+        given = [float(f"{level / factor[1]:.12g}") for level in known["level"]]
+        coords["level_given"] = (("level",), np.array(given), {"long_name": "level as it was given", "units": factor[0]})
     return dataset(data_vars, coords, attributes(about))
 
 
@@ -85,8 +118,21 @@ KEYS = {
 }
 
 
-def of_fragility(tables: Mapping[str, str], about: Mapping[str, Any]) -> dict[str, Any]:
-    """The tables of a fragility by their names; of points that are drawn the columns as they are."""
+def _rows(text: str, about: Mapping[str, Any]) -> Any:
+    """A table as it is, over the dimension `row`."""
+    units = about["axes"]
+    data_vars = {
+        name: (("row",), values, described(units[name]) if name in units else _attrs(name, about))
+        for name, values in columns(text).items()
+    }
+    return dataset(data_vars, {}, attributes(about))
+
+
+def of_fragility(
+    tables: Mapping[str, str], about: Mapping[str, Any], factor: tuple[str, float] | None = None
+) -> dict[str, Any]:
+    """The tables of a fragility by their names; of points that are drawn a row each."""
     return {
-        name: _pivoted(text, KEYS[name], about) if name in KEYS else columns(text) for name, text in tables.items()
+        name: _pivoted(text, KEYS[name], about, factor) if name in KEYS else _rows(text, about)
+        for name, text in tables.items()
     }

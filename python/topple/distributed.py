@@ -62,10 +62,9 @@ def run(scene: str | os.PathLike[str], client: Client | None = None, **keywords:
 
 def _tile(recorded: bool, keywords: dict[str, Any], part: str, threads: int) -> dict[str, bytes]:
     """Runs a tile on a worker: its files by their names."""
-    # As many threads as the worker was given; it counts until the first sweep of its process.
-    os.environ.setdefault("RAYON_NUM_THREADS", str(threads))
     with tempfile.TemporaryDirectory(prefix="topple-") as folder:
-        _topple.sweep(recorded, {**keywords, "out": folder, "tile": part}, None)
+        # As many threads as the worker was given.
+        _topple.sweep(recorded, {"threads": threads, **keywords, "out": folder, "tile": part}, None)
         files = [path for path in Path(folder).rglob("*") if path.is_file()]
         return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
@@ -77,10 +76,13 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
     keywords = dict(keywords)
     progress: bool | Progress | None = keywords.pop("progress", None)
     out, tiles = keywords.pop("out", None), keywords.pop("tiles", None)
-    verify = keywords.pop("verify", None)
+    verify, sharpness = keywords.pop("verify", None), bool(keywords.pop("sharpness", None))
     for key in ("tile", "resume"):
         if key in keywords:
             raise ValueError(f"{key}: the tiles are the cluster's here; leave it out")
+    for key in ("refine", "smooth", "vary", "pixel", "samples", "seed"):
+        if keywords.get(key):
+            raise ValueError(f"{key}: not on a cluster; leave it out, or call topple.{call}")
     # What is wrong with the scene is said here, before anything is sent.
     known(call, keywords, SECTIONS[call], "scene")
     keywords = taken(keywords)
@@ -108,7 +110,7 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
                     future.release()
                     if hears is not None:
                         hears("tiles", done, count)
-            return topple.merge([folder], out=out, verify=verify, progress=progress)
+            return topple.merge([folder], out=out, verify=verify, sharpness=sharpness, progress=progress)
         finally:
             client.cancel(futures)  # type: ignore[no-untyped-call, unused-ignore]
 

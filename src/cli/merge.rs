@@ -39,7 +39,7 @@ pub struct MergeCommand {
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
-    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv, .npz and .zarr
     #[arg(long, value_name = "K")]
     refine: Option<u32>,
     /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this

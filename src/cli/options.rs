@@ -93,7 +93,7 @@ pub struct MapOptions {
     /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
     #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
     pub repair: bool,
-    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv and .npz
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv, .npz and .zarr
     #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
     pub refine: Option<u32>,
     /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this

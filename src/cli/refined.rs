@@ -3,24 +3,25 @@
 use topple::map::refined::{write_png, write_svg};
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
-use topple::results::{csv, npz};
+use topple::results::{csv, group, npz};
 
 use super::options::MapFile;
 
 /// The picture of a pixel a cell, and the outlines.
 const PICTURES: [&str; 2] = ["refined.png", "refined.svg"];
 
-/// The name of the file that holds the leaves, beside one that holds the map.
-fn leaves(file: MapFile) -> &'static str {
+/// The names of the files that hold the leaves, beside one that holds the map.
+fn leaves(file: MapFile) -> &'static [&'static str] {
     match file {
-        MapFile::Csv => "leaves.csv",
-        MapFile::Npz | MapFile::Zarr => "leaves.npz",
+        MapFile::Csv => &["leaves.csv"],
+        MapFile::Npz => &["leaves.npz"],
+        MapFile::Zarr => &["leaves.npz", "leaves.zarr"],
     }
 }
 
 /// The names of a refined map's files, beside these of the map.
 pub fn names(files: &[MapFile]) -> Vec<String> {
-    let mut names: Vec<&str> = files.iter().map(|file| leaves(*file)).collect();
+    let mut names: Vec<&str> = files.iter().flat_map(|file| leaves(*file)).copied().collect();
     names.sort_unstable();
     names.dedup();
     names.into_iter().chain(PICTURES).map(String::from).collect()
@@ -34,6 +35,7 @@ pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Re
             match name.as_str() {
                 "leaves.csv" => out.write(name, |w| csv::write_list(listed, w))?,
                 "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
+                "leaves.zarr" => group::write_list(out, name, listed, map.source())?,
                 "refined.png" => out.write(name, |w| write_png(map, w))?,
                 _ => out.write(name, |w| write_svg(map, w))?,
             };

@@ -33,6 +33,7 @@ pub mod shades;
 pub mod shaken;
 pub mod stripes;
 pub mod study;
+pub mod table_columns;
 pub mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};

@@ -11,6 +11,7 @@ use super::sensitivity::{Sensitivity, Unknown};
 use super::shaken::Shaken;
 use crate::suites::swept::SuiteSweep;
 use crate::sweep::observer::{Observer, Phase};
+use crate::sweep::threads::on;
 
 /// What is asked of a study.
 #[derive(Debug, Clone)]
@@ -93,7 +94,8 @@ impl Study {
                 unresolved: shaken.unresolved(cell),
             })
         };
-        let cells = (0..sweep.grid.len()).into_par_iter().map(cell).collect::<Option<Vec<_>>>()?;
+        let all = (0..sweep.grid.len()).into_par_iter().map(cell);
+        let cells = on(|| all.collect::<Option<Vec<_>>>())?;
         Some(Study { sweep, asked, cells })
     }
 

@@ -9,8 +9,9 @@ use super::fit::Lognormal;
 use super::hazard::{AnnualRate, HazardCurve, in_50_years};
 use super::limit_state::LimitState;
 use super::study::{CellStudy, StateStudy, Study};
+use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
 use crate::results::csv::Number;
-use crate::suites::columns;
+use crate::suites::columns::{self, TableColumn};
 
 /// A number that may be missing.
 fn known(value: Option<f64>) -> Option<Number> {
@@ -24,11 +25,20 @@ struct Table<'a, W: Write> {
 }
 
 impl<'a, W: Write> Table<'a, W> {
-    /// Begins a table with its header: the axes, then `names`.
-    fn begin(study: &'a Study, writer: W, names: &[&str]) -> csv::Result<Table<'a, W>> {
+    /// Begins a table with its header: the axes, then its columns.
+    fn begin(study: &'a Study, writer: W, own: &[TableColumn]) -> csv::Result<Table<'a, W>> {
+        Table::named(study, writer, columns::names(own))
+    }
+
+    /// The same with the names of its columns.
+    fn named<'b>(
+        study: &'a Study,
+        writer: W,
+        names: impl Iterator<Item = &'b str>,
+    ) -> csv::Result<Table<'a, W>> {
         let mut csv = csv::Writer::from_writer(writer);
-        let keys: Vec<&str> = columns::keys(&study.sweep.grid).collect();
-        csv.write_record(keys.iter().chain(names))?;
+        let keys = columns::keys(&study.sweep.grid).map(|key| -> &'b str { key });
+        csv.write_record(keys.chain(names))?;
         Ok(Table { study, csv })
     }
 
@@ -66,7 +76,7 @@ fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'stati
 /// # Errors
 /// Those of the writer.
 pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &["limit_state", "level", "records", "failed"])?;
+    let mut table = Table::begin(study, writer, &COUNTS)?;
     for (cell, state, of) in states(study) {
         for (level, records, failed) in &of.counts {
             table.row(cell, (state, Number(*level), records, failed))?;
@@ -80,18 +90,7 @@ pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let names = [
-        "limit_state",
-        "estimator",
-        "theta",
-        "theta_low",
-        "theta_high",
-        "beta",
-        "beta_low",
-        "beta_high",
-        "separable",
-    ];
-    let mut table = Table::begin(study, writer, &names)?;
+    let mut table = Table::begin(study, writer, &FITS)?;
     for (cell, state, name, fit) in estimates(study) {
         let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
         let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
@@ -105,8 +104,7 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let names = ["record", "level", "outcome", "max_u", "stroke_v", "zeta"];
-    let mut table = Table::begin(study, writer, &names)?;
+    let mut table = Table::begin(study, writer, &RUNS)?;
     let cells = study.sweep.grid.len();
     for cell in 0..cells {
         for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
@@ -128,7 +126,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &["record", "lowest", "highest", "stands_again"])?;
+    let mut table = Table::begin(study, writer, &CAPACITIES)?;
     for (number, cell) in study.cells.iter().enumerate() {
         for (record, capacity) in study.records().zip(&cell.capacities) {
             let lowest = known(capacity.map(|capacity| capacity.lowest));
@@ -146,17 +144,7 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// Those of the writer.
 pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
     let Some(unknown) = &study.asked.unknown else { return Ok(()) };
-    let names = [
-        "limit_state",
-        "parameter",
-        "first",
-        "first_low",
-        "first_high",
-        "total",
-        "total_low",
-        "total_high",
-    ];
-    let mut table = Table::begin(study, writer, &names)?;
+    let mut table = Table::begin(study, writer, &SENSITIVITY)?;
     for (cell, state, of) in states(study) {
         let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
         for (varied, one) in unknown.varied.iter().zip(indices) {
@@ -176,10 +164,9 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
     let Some(unknown) = &study.asked.unknown else { return Ok(()) };
     let drawn = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
     let drawn: Vec<String> = drawn.collect();
-    let mut names = vec!["limit_state"];
-    names.extend(drawn.iter().map(String::as_str));
-    names.extend(["theta", "beta"]);
-    let mut table = Table::begin(study, writer, &names)?;
+    let [state, curve @ ..] = POINTS.map(|column| column.name);
+    let names = [state].into_iter().chain(drawn.iter().map(String::as_str)).chain(curve);
+    let mut table = Table::named(study, writer, names)?;
     for (cell, state, of) in states(study) {
         let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
         for (point, curve) in unknown.design.rows().zip(curves) {
@@ -214,9 +201,7 @@ pub fn write_rates(
     target: Option<f64>,
     writer: impl Write,
 ) -> csv::Result<()> {
-    let names =
-        ["limit_state", "estimator", "rate", "in_50_years", "missing_above", "below_target"];
-    let mut table = Table::begin(study, writer, &names)?;
+    let mut table = Table::begin(study, writer, &RATES)?;
     for (cell, state, name, fit) in estimates(study) {
         let rate = rate(fit, hazard);
         let numbers = [

@@ -66,8 +66,8 @@ struct Written {
 
 /// Kinds of files that a run writes and the next may remove.
 const ENDINGS: [&str; 4] = ["csv", "npz", "png", "svg"];
-/// The one folder among them, and a file of it.
-const FOLDER: (&str, &str) = ("map.zarr", "zarr.json");
+/// The folders among them, and a file of each.
+const FOLDERS: ([&str; 2], &str) = (["map.zarr", "leaves.zarr"], "zarr.json");
 
 impl Earlier {
     /// That of a directory; nothing where no run.json of topple is there.
@@ -105,14 +105,15 @@ impl Earlier {
     }
 }
 
-/// True of a file, or the folder of a map, that a run of topple may have written into its directory: whatever
+/// True of a file, or the folder of a map or of leaves, that a run of topple may have written into its directory: whatever
 /// somebody wrote into run.json, nothing else is removed.
 fn is_results(name: &str, path: &Path) -> bool {
     let plain = Path::new(name);
     let is_name = plain.file_name().is_some_and(|only| only == name);
     let Ok(there) = path.symlink_metadata() else { return false };
-    let (folder, inside) = FOLDER;
+    let (folders, inside) = FOLDERS;
     let ending = plain.extension().and_then(|ending| ending.to_str());
     let is_file = there.is_file() && ending.is_some_and(|ending| ENDINGS.contains(&ending));
-    is_name && (is_file || (name == folder && there.is_dir() && path.join(inside).exists()))
+    is_name
+        && (is_file || (folders.contains(&name) && there.is_dir() && path.join(inside).exists()))
 }

@@ -34,6 +34,8 @@ pub struct Saver<'a> {
     pub patience: Duration,
     /// All outcomes stay in memory, too.
     pub holds: bool,
+    /// Asked before each file: a saving ends early where it is false, and the tile is as it was on disk.
+    pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Collects the outcomes of a run.
@@ -152,40 +154,47 @@ impl<'a> OutcomeCollector<'a> {
             open.left -= open.block.pending_in(places.clone()).min(open.left);
             open.block.put(places.start, &outcomes[some.start - first..some.end - first]);
             open.unsaved = true;
-            if open.left == 0 && !self.holds() {
-                self.save(tile)?;
+            if open.left == 0 && !self.holds() && self.save(tile)? {
                 self.open.remove(&tile);
             }
         }
         Ok(())
     }
 
-    /// Saves what is only in memory, if the run has been long at all: it is about to end.
+    /// Saves what is only in memory, if the run has been long at all: it is about to end. False where that ended early.
     ///
     /// # Errors
     /// Those of the store.
-    pub fn rescue(&mut self) -> Result<(), StoreError> {
+    pub fn rescue(&mut self) -> Result<bool, StoreError> {
         let long = |saver: &Saver| !saver.holds || self.began.elapsed() >= saver.patience;
-        if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(()) }
+        if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(true) }
     }
 
-    fn save(&mut self, tile: usize) -> Result<(), StoreError> {
+    /// Saves a tile; false where it ended early.
+    fn save(&mut self, tile: usize) -> Result<bool, StoreError> {
         let wanted = self.wanted_of(tile).len();
         if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&tile))
             && open.unsaved
         {
-            saver.store.save(tile, &open.block)?;
+            if !saver.store.save_while(tile, &open.block, saver.go_on)? {
+                return Ok(false);
+            }
             open.unsaved = false;
             self.on_disk.insert(tile, wanted - open.left);
         }
-        Ok(())
+        Ok(true)
     }
 
-    fn save_all(&mut self) -> Result<(), StoreError> {
+    /// Saves all tiles; false where it ended early.
+    fn save_all(&mut self) -> Result<bool, StoreError> {
         let tiles: Vec<usize> = self.open.keys().copied().collect();
-        tiles.into_iter().try_for_each(|tile| self.save(tile))?;
+        for tile in tiles {
+            if !self.save(tile)? {
+                return Ok(false);
+            }
+        }
         self.saved = Instant::now();
-        Ok(())
+        Ok(true)
     }
 
     /// Ends the collection of a part: all of its cells are on disk.
@@ -205,8 +214,11 @@ impl<'a> OutcomeCollector<'a> {
     /// # Errors
     /// Those of the store.
     pub fn finish(mut self) -> Result<Box<dyn Outcomes>, StoreError> {
-        self.rescue()?;
+        let saved = self.rescue()?;
         let (holds, precision) = (self.holds(), self.precision);
+        if !holds && !saved {
+            return Err(StoreError::Incomplete);
+        }
         let OutcomeCollector { tiling, wanted, saver, open, .. } = self;
         if holds {
             if open.len() != tiling.count() || open.values().any(|open| open.left > 0) {

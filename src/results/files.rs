@@ -35,6 +35,30 @@ pub fn temporary(name: &str) -> String {
     format!("{TEMPORARY}{name}.old")
 }
 
+/// The same of a folder while it is written.
+fn begun(name: &str) -> String {
+    format!("{TEMPORARY}{name}.new")
+}
+
+/// Renames a folder, in the place of one that is there: the path under which that one still lies, to be removed.
+///
+/// # Errors
+/// Those of the disk; what was there is there still, or the new folder is.
+pub fn put(from: &Path, place: &Path) -> io::Result<PathBuf> {
+    let name = place.file_name().unwrap_or_default().to_string_lossy();
+    let aside = place.with_file_name(temporary(&name));
+    if place.symlink_metadata().is_ok() {
+        remove(&aside)?;
+        fs::rename(place, &aside)?;
+    }
+    if let Err(error) = fs::rename(from, place) {
+        // What was there, if anything was.
+        let _ = fs::rename(&aside, place);
+        return Err(error);
+    }
+    Ok(aside)
+}
+
 /// Removes a file or a folder, if it is there.
 ///
 /// # Errors
@@ -129,6 +153,33 @@ impl Directory {
         share(file.path()).map_err(|e| failed(e.to_string()))?;
         file.persist(&path).map_err(|e| failed(e.to_string()))?;
         settle(&folder).map_err(|e| failed(e.to_string()))?;
+        Ok(path)
+    }
+
+    /// Writes the files of a folder under a temporary name and renames it once all are whole and on disk.
+    ///
+    /// # Errors
+    /// [`WriteError`], with nothing left behind, and a folder that was there still there.
+    pub fn write_folder(
+        &self,
+        name: &str,
+        contents: impl FnOnce(&Directory) -> Result<(), WriteError>,
+    ) -> Result<PathBuf, WriteError> {
+        let (path, begun) = (self.file(name), self.file(&begun(name)));
+        let failed =
+            |reason: io::Error| WriteError::File { path: path.clone(), reason: reason.to_string() };
+        let written = || -> Result<(), WriteError> {
+            remove(&begun).map_err(failed)?;
+            contents(&Directory::open(&begun)?)?;
+            let aside = put(&begun, &path).map_err(failed)?;
+            settle(&self.path).map_err(failed)?;
+            remove(&aside).map_err(failed)
+        };
+        if let Err(error) = written() {
+            // What cannot be removed goes when the next run begins.
+            let _ = remove(&begun);
+            return Err(error);
+        }
         Ok(path)
     }
 

@@ -9,6 +9,8 @@ use crate::scene::Grid;
 
 /// Name of the array of the cells' numbers.
 pub const CELL: &str = "cell";
+/// What they mean.
+pub const CELL_MEANING: &str = "its first cell's number in the grid";
 
 /// A count that each of the cells has, such as the width of what it stands for.
 #[derive(Debug, Clone)]
@@ -39,7 +41,7 @@ impl ListedCells<'_> {
     /// What their arrays are, as [`Source::about`] tells it of a grid's, and under `counts` what is beside the columns.
     pub fn about(&self, source: Source) -> Map<String, Value> {
         let entry = |meaning: &str| json!({ "unit": "", "meaning": meaning });
-        let cells = (CELL.to_string(), entry("its first cell's number in the grid"));
+        let cells = (CELL.to_string(), entry(CELL_MEANING));
         let own = self.counts.iter().map(|count| (count.name.to_string(), entry(count.meaning)));
         let counts: Map<String, Value> = [cells].into_iter().chain(own).collect();
         let mut about = source.about(self.grid);

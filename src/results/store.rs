@@ -9,12 +9,11 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use super::about::Source;
 use super::block::Block;
 use super::columns::Column;
 use super::files::{self, Directory};
+use super::group::{self, TileFiles};
 use super::identity::Identity;
 use super::lock::{self, lock};
 use super::rounds::Rounds;
@@ -80,11 +79,12 @@ impl Store {
         if place != path {
             Directory::open(&place)?.remove_leftovers()?;
         }
+        let documents = zarr::documents(contents.grid, &contents.source);
         let store = Store {
             folder,
             path,
             lock: Some(lock),
-            frame: frame(&contents, identity.tag()),
+            frame: group::frame(contents.grid, documents, identity.tag()),
             identity,
             tiling: Tiling::of(contents.grid),
             precision: contents.source.precision,
@@ -184,24 +184,8 @@ impl Store {
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<bool, StoreError> {
         self.begin()?;
-        let (cells, tag) = (self.tiling.tile_cells(), self.identity.tag());
-        let write = |(array, column): (&str, Column)| -> Result<bool, StoreError> {
-            if !go_on() {
-                return Ok(false);
-            }
-            let path = zarr::chunk_path(array, &self.tiling, tile);
-            let bytes = tile::pack(&tile::encode(array, column, block, cells), tag, &path);
-            self.folder.write(&path, |w| w.write_all(&bytes))?;
-            Ok(true)
-        };
-        let mut arrays: Vec<(&str, Column)> = zarr::columns().collect();
-        let status = arrays.pop();
-        let written = arrays.into_par_iter().map(write).collect::<Result<Vec<bool>, _>>()?;
-        let whole = written.into_iter().all(|written| written);
-        match status {
-            Some(status) if whole => write(status),
-            _ => Ok(whole),
-        }
+        let to = TileFiles { folder: &self.folder, tiling: &self.tiling, tag: self.identity.tag() };
+        Ok(to.write(tile, block, go_on)?)
     }
 
     /// Writes the files of the group, but the chunks of its columns.
@@ -257,11 +241,7 @@ impl Store {
         // An open file keeps a folder's name on some systems.
         drop(self.lock.take());
         let path = &self.path;
-        let aside = place.with_file_name(files::temporary("map.zarr"));
-        if place.symlink_metadata().is_ok() {
-            fs::rename(place, &aside).map_err(StoreError::file(place))?;
-        }
-        fs::rename(path, place).map_err(StoreError::file(path))?;
+        let aside = files::put(path, place).map_err(StoreError::file(path))?;
         for name in [lock::NAME, IDENTITY] {
             remove(&place.join(name))?;
         }
@@ -301,19 +281,4 @@ impl Drop for Store {
             let _ = fs::remove_dir_all(&self.path);
         }
     }
-}
-
-/// The files of a group, but the chunks of its columns: its documents, and the axes' values.
-fn frame(contents: &Contents, tag: u32) -> Vec<(String, Vec<u8>)> {
-    let documents = zarr::documents(contents.grid, &contents.source);
-    let documents = documents.into_iter().map(|(path, document)| {
-        // A JSON value with text keys always has a text.
-        (path, format!("{document:#}").into_bytes())
-    });
-    let axes = contents.grid.axes().iter().map(|axis| {
-        let (path, bytes) = zarr::axis_chunk(axis);
-        let packed = tile::pack(&bytes, tag, &path);
-        (path, packed)
-    });
-    documents.chain(axes).collect()
 }

@@ -27,8 +27,17 @@ pub struct Tiling {
 impl Tiling {
     /// The tiling of a grid.
     pub fn of(grid: &Grid) -> Tiling {
-        let most = (grid.len() / TILES).clamp(CELLS[0], CELLS[1]);
-        Tiling::with(grid.axes().iter().rev().map(Axis::count).collect(), most)
+        Tiling::large_enough(grid.axes().iter().rev().map(Axis::count).collect(), grid.len())
+    }
+
+    /// The tiling of a list of so many cells.
+    pub fn of_list(cells: usize) -> Tiling {
+        Tiling::large_enough(vec![cells], cells)
+    }
+
+    /// The tiling of an array of a shape and so many cells, in about as many tiles as a large one is to have.
+    fn large_enough(shape: Vec<usize>, cells: usize) -> Tiling {
+        Tiling::with(shape, (cells / TILES).clamp(CELLS[0], CELLS[1]))
     }
 
     /// The grid as one tile.

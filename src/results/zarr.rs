@@ -1,5 +1,5 @@
-//! A map as a Zarr group (version 3): one array a column and one an axis, which xarray and dask open by
-//! themselves. Here are its documents; [`tile`](super::tile) has the chunks.
+//! A map, or a list of cells, as a Zarr group (version 3): one array a column and one an axis, which xarray and dask
+//! open by themselves. Here are its documents; [`tile`](super::tile) has the chunks.
 //!
 //! Written after the specification, <https://zarr-specs.readthedocs.io/en/latest/v3/core/index.html>, with
 //! its codecs `bytes`, `gzip` and `crc32c`. docs/columns.md says why no library writes them.
@@ -9,6 +9,7 @@ use serde_json::{Map, Value, json};
 use super::about::{Source, index};
 use super::block::PENDING;
 use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE};
+use super::listed::{CELL, CELL_MEANING, ListedCells};
 use super::tiling::Tiling;
 use crate::model::precision::Precision;
 use crate::scene::Grid;
@@ -85,39 +86,77 @@ fn data_type(holds: Holds, precision: Precision) -> (&'static str, Value) {
     }
 }
 
-/// The documents of a map's arrays, by their names.
-fn arrays(grid: &Grid, source: &Source) -> Vec<(String, Value)> {
-    let tiling = Tiling::of(grid);
-    let (shape, chunk, index) = (tiling.shape(), &tiling.tile_shape()[..], &index(grid)[..]);
-    let of = |name: &str, (data_type, fill): (&str, Value), attributes: Value| {
-        let array = Array { data_type, fill, shape, chunk, index };
-        (name.to_string(), array.document(attributes))
-    };
-    let mut arrays: Vec<(String, Value)> = TABLE
-        .iter()
-        .map(|entry| of(entry.name, data_type(entry.holds, source.precision), attributes(entry)))
-        .collect();
-    let meaning = "ended early, because energy proved all that it tells final: impacts and uplifts are counted \
-                   up to t_simulated";
-    arrays.push(of(PROVED, ("bool", json!(false)), json!({ "long_name": meaning })));
-    for axis in grid.axes() {
+/// The documents of arrays, by their names.
+type Documents = Vec<(String, Value)>;
+
+/// How the arrays of cells lie: in which chunks, and over which indices.
+struct Layout<'a> {
+    tiling: Tiling,
+    index: &'a [&'a str],
+}
+
+impl Layout<'_> {
+    /// The document of an array with a value a cell.
+    fn array(&self, (data_type, fill): (&str, Value), attributes: Value) -> Value {
+        let (shape, chunk) = (self.tiling.shape(), &self.tiling.tile_shape()[..]);
+        Array { data_type, fill, shape, chunk, index: self.index }.document(attributes)
+    }
+
+    /// Those of all columns.
+    fn columns(&self, precision: Precision) -> Documents {
+        let of = |entry: &Entry| {
+            let array = self.array(data_type(entry.holds, precision), attributes(entry));
+            (entry.name.to_string(), array)
+        };
+        let mut arrays: Documents = TABLE.iter().map(of).collect();
+        let meaning = "ended early, because energy proved all that it tells final: impacts and uplifts are counted \
+                       up to t_simulated";
+        let proved = self.array(("bool", json!(false)), json!({ "long_name": meaning }));
+        arrays.push((PROVED.to_string(), proved));
+        arrays
+    }
+}
+
+/// The documents of a grid's axes.
+fn axes(grid: &Grid) -> Documents {
+    let of = |axis: &Axis| {
         let (entry, count) = (axis.entry(), [axis.count()]);
         let (data_type, fill) = ("float64", json!("NaN"));
         let array = Array { data_type, fill, shape: &count, chunk: &count, index: &[entry.key] };
         let attributes = json!({ "long_name": entry.meaning, "units": entry.unit });
-        arrays.push((entry.key.to_string(), array.document(attributes)));
-    }
-    arrays
+        (entry.key.to_string(), array.document(attributes))
+    };
+    grid.axes().iter().map(of).collect()
 }
 
 /// The documents of a map, each with its path: the arrays', and last the group's, which holds them all.
-pub fn documents(grid: &Grid, source: &Source) -> Vec<(String, Value)> {
-    let arrays = arrays(grid, source);
+pub fn documents(grid: &Grid, source: &Source) -> Documents {
+    let layout = Layout { tiling: Tiling::of(grid), index: &index(grid) };
+    let mut arrays = layout.columns(source.precision);
+    arrays.extend(axes(grid));
+    group(arrays, source.about(grid))
+}
+
+/// The same of some cells: arrays of one index, with the numbers of the cells and their counts, beside the axes.
+pub fn list_documents(listed: &ListedCells, source: &Source) -> Documents {
+    let layout = Layout { tiling: Tiling::of_list(listed.cells.len()), index: &[listed.index] };
+    let mut arrays = layout.columns(source.precision);
+    let whole =
+        |data_type, meaning| layout.array((data_type, json!(0)), json!({ "long_name": meaning }));
+    arrays.push((CELL.to_string(), whole("uint64", CELL_MEANING)));
+    let counts = listed.counts.iter();
+    arrays.extend(counts.map(|count| (count.name.to_string(), whole("uint32", count.meaning))));
+    arrays.extend(axes(listed.grid));
+    group(arrays, listed.about(*source))
+}
+
+/// The documents of a group of arrays, each with its path: the arrays', and last its own.
+fn group(arrays: Documents, about: Map<String, Value>) -> Documents {
     let consolidated: Map<String, Value> = arrays.iter().cloned().collect();
     let group = json!({
         "zarr_format": 3,
         "node_type": "group",
-        "attributes": source.about(grid),
+        "attributes": about,
         "consolidated_metadata": {
             "kind": "inline",
             "must_understand": false,

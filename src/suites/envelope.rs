@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::columns;
+use super::columns::{self, TableColumn, number};
 use super::swept::{SuiteSweep, SweptMotion, Values};
 use crate::results::csv::Number;
 use crate::stepping::outcome::Class;
@@ -163,6 +163,36 @@ fn percentiles(mut values: Vec<(f64, f64)>) -> [f64; 3] {
     })
 }
 
+/// The columns of envelope.csv after the axes.
+pub const COLUMNS: [TableColumn; 11] = [
+    number("records", "1", "motions"),
+    number("standing", "1", "share of the motions under which the block stands"),
+    number("overturned", "1", "share of the motions under which it overturns"),
+    number("rocked", "1", "share of the motions under which it rocks and stands"),
+    number("max_u_50", "m", "median of max |u| over the motions under which it stands"),
+    number("max_u_84", "m", "84th percentile of max |u| over the motions under which it stands"),
+    number("max_u_100", "m", "largest max |u| over the motions under which it stands"),
+    number("stroke_v_50", "m", "median of the stroke of v over the motions under which it stands"),
+    number(
+        "stroke_v_84",
+        "m",
+        "84th percentile of the stroke of v over the motions under which it stands",
+    ),
+    number("stroke_v_100", "m", "largest stroke of v over the motions under which it stands"),
+    number("feasible", "1", "1 where all limits are kept"),
+];
+
+/// Those of zeta.csv.
+pub const ZETA_COLUMNS: [TableColumn; 3] = [
+    number("zeta_50", "1", "median of the rocking index over the motions under which it stands"),
+    number(
+        "zeta_84",
+        "1",
+        "84th percentile of the rocking index over the motions under which it stands",
+    ),
+    number("zeta_100", "1", "largest rocking index over the motions under which it stands"),
+];
+
 /// Writes envelope.csv: the axes, and what there is of each cell.
 ///
 /// # Errors
@@ -170,20 +200,7 @@ fn percentiles(mut values: Vec<(f64, f64)>) -> [f64; 3] {
 pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
     let grid = &envelope.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
-    let names = [
-        "records",
-        "standing",
-        "overturned",
-        "rocked",
-        "max_u_50",
-        "max_u_84",
-        "max_u_100",
-        "stroke_v_50",
-        "stroke_v_84",
-        "stroke_v_100",
-        "feasible",
-    ];
-    table.write_record(columns::keys(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(columns::names(&COLUMNS)))?;
     let records = envelope.sweep.motions.len();
     let known = |value: f64| (!value.is_nan()).then_some(Number(value));
     for (index, cell) in envelope.cells.iter().enumerate() {
@@ -202,8 +219,7 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
 pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
     let grid = &envelope.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
-    let names = ["zeta_50", "zeta_84", "zeta_100"];
-    table.write_record(columns::keys(grid).chain(names))?;
+    table.write_record(columns::keys(grid).chain(columns::names(&ZETA_COLUMNS)))?;
     for (index, cell) in envelope.cells.iter().enumerate() {
         let axes = columns::values(grid, index);
         table

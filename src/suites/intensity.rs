@@ -74,17 +74,34 @@ impl Intensity {
         }
     }
 
-    /// Symbol and unit, for axes.
-    pub fn label(self) -> String {
+    /// Its unit; 1 of those that are relative to the block.
+    pub fn unit(self) -> &'static str {
         match self {
-            Intensity::Pga => "PGA [m/s²]".into(),
-            Intensity::Pgv => "PGV [m/s]".into(),
-            Intensity::Arias => "Arias intensity [m/s]".into(),
-            Intensity::Cav => "CAV [m/s]".into(),
-            Intensity::Sa(period) => format!("Sa({period} s) [m/s²]"),
-            Intensity::AverageSa(period) => format!("average Sa({period} s) [m/s²]"),
+            Intensity::Pga | Intensity::Sa(_) | Intensity::AverageSa(_) => "m/s²",
+            Intensity::Pgv | Intensity::Arias | Intensity::Cav => "m/s",
+            Intensity::RelativePga | Intensity::RelativePgv => "1",
+        }
+    }
+
+    /// Its symbol.
+    pub fn symbol(self) -> String {
+        match self {
+            Intensity::Pga => "PGA".into(),
+            Intensity::Pgv => "PGV".into(),
+            Intensity::Arias => "Arias intensity".into(),
+            Intensity::Cav => "CAV".into(),
+            Intensity::Sa(period) => format!("Sa({period} s)"),
+            Intensity::AverageSa(period) => format!("average Sa({period} s)"),
             Intensity::RelativePga => "PGA/(g tan α)".into(),
             Intensity::RelativePgv => "p PGV/(g tan α)".into(),
+        }
+    }
+
+    /// Symbol and unit, for axes.
+    pub fn label(self) -> String {
+        match self.unit() {
+            "1" => self.symbol(),
+            unit => format!("{} [{unit}]", self.symbol()),
         }
     }
 }

@@ -19,6 +19,7 @@ use crate::sweep::observer::Observer;
 use crate::sweep::run::sweep_outcomes;
 use crate::sweep::settings::{RunSettings, VerifySettings};
 use crate::sweep::several::OneOfSeveral;
+use crate::sweep::threads::Threads;
 use crate::sweep::verification;
 
 /// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
@@ -80,26 +81,28 @@ impl<'a> Runner<'a> {
         let workers = self.workers();
         let count = self.range.len();
         let done: Vec<Mutex<Option<Done>>> = (0..count).map(|_| Mutex::new(None)).collect();
-        let first_error = Mutex::new(None);
+        let (first_error, threads) = (Mutex::new(None), Threads::current());
         thread::scope(|scope| {
             for _ in 0..workers {
                 scope.spawn(|| {
-                    while let Some(number) = self.take() {
-                        match self.motion(number) {
-                            Ok(motion) => {
-                                let place = &done[number - self.range.start];
-                                // What is stored is whole, whoever panicked.
-                                *place.lock().unwrap_or_else(PoisonError::into_inner) =
-                                    Some(motion);
-                            }
-                            Err(error) => {
-                                self.stopped.store(true, Ordering::Relaxed);
-                                let mut first =
-                                    first_error.lock().unwrap_or_else(PoisonError::into_inner);
-                                first.get_or_insert(error);
+                    threads.scope(|| {
+                        while let Some(number) = self.take() {
+                            match self.motion(number) {
+                                Ok(motion) => {
+                                    let place = &done[number - self.range.start];
+                                    // What is stored is whole, whoever panicked.
+                                    *place.lock().unwrap_or_else(PoisonError::into_inner) =
+                                        Some(motion);
+                                }
+                                Err(error) => {
+                                    self.stopped.store(true, Ordering::Relaxed);
+                                    let mut first =
+                                        first_error.lock().unwrap_or_else(PoisonError::into_inner);
+                                    first.get_or_insert(error);
+                                }
                             }
                         }
-                    }
+                    })
                 });
             }
         });

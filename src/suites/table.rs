@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::columns::{TableColumn, name, names, number};
 use super::read::Suite;
 use crate::scene::record::rounded;
 
@@ -9,22 +10,22 @@ use crate::scene::record::rounded;
 const DIGITS: usize = 7;
 
 /// The columns.
-pub const COLUMNS: [&str; 15] = [
-    "id",
-    "event",
-    "station",
-    "horizontal",
-    "vertical",
-    "dt",
-    "duration",
-    "pga_h",
-    "pga_v",
-    "pgv",
-    "arias",
-    "cav",
-    "d5_75",
-    "d5_95",
-    "notes",
+pub const COLUMNS: [TableColumn; 15] = [
+    name("id", "name of the motion"),
+    name("event", "earthquake"),
+    name("station", "station"),
+    name("horizontal", "file of the horizontal component"),
+    name("vertical", "file of the vertical component"),
+    number("dt", "s", "time between samples"),
+    number("duration", "s", "time of the last sample"),
+    number("pga_h", "m/s²", "largest horizontal acceleration"),
+    number("pga_v", "m/s²", "largest vertical acceleration"),
+    number("pgv", "m/s", "largest horizontal velocity"),
+    number("arias", "m/s", "Arias intensity of the horizontal component"),
+    number("cav", "m/s", "cumulative absolute velocity of the horizontal component"),
+    number("d5_75", "s", "time between 5 % and 75 % of the Arias intensity"),
+    number("d5_95", "s", "time between 5 % and 95 % of the Arias intensity"),
+    name("notes", "what was decided, or why there is no motion"),
 ];
 
 /// Writes the table; of a line without a motion the numbers are empty, and the notes say why.
@@ -33,7 +34,7 @@ pub const COLUMNS: [&str; 15] = [
 /// Those of the writer.
 pub fn write(suite: &Suite, writer: impl Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(COLUMNS)?;
+    table.write_record(names(&COLUMNS))?;
     for (entry, motion) in &suite.rows {
         let vertical = entry.vertical.clone().unwrap_or_default();
         let named = [&entry.id, &entry.event, &entry.station, &entry.horizontal, &vertical];

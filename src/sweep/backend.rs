@@ -13,6 +13,7 @@ use super::gpu::{opened::Gpu, run::Sweeper};
 use super::plan::{Part, Plan};
 use super::progress::Progress;
 use super::snapshots::{PassedOn, resolve};
+use super::threads::on;
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
@@ -289,5 +290,5 @@ fn by_reference(
         // That of a sweep which is cancelled is not used.
         outcome.unwrap_or(Outcome::PENDING)
     };
-    cells.par_iter().map(run).collect()
+    on(|| cells.par_iter().map(run).collect())
 }

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use super::backend::BackendOutcomes;
 use super::backend_error::BackendError;
+use super::threads::Threads;
 use crate::stepping::outcome::Outcome;
 
 /// What sweeps the cells of a batch: a backend with its plan, or in a test its double. It may hand over what
@@ -125,7 +126,8 @@ pub fn sweep<E: Send>(
         for (number, worker) in workers.iter().enumerate() {
             let (order, ordered) = mpsc::channel();
             let (report, done) = (report.clone(), done.clone());
-            scope.spawn(move || work(number, worker, ordered, (report, done)));
+            let threads = Threads::current();
+            scope.spawn(move || threads.scope(|| work(number, worker, ordered, (report, done))));
             orders.push(order);
         }
         let mut cancelled = false;

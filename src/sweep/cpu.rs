@@ -8,6 +8,7 @@ use super::cells::Cells;
 use super::lanes;
 use super::plan::Plan;
 use super::progress::{Progress, Unwatched};
+use super::threads::on;
 use crate::model::CellEquations;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -80,18 +81,15 @@ fn each<R: Real, L: Log<R> + Send>(
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, progress);
     let mut outcomes = Vec::with_capacity(cells.len());
-    cells
-        .par_iter()
-        .with_max_len(BLOCK)
-        .map(|&index| {
-            let (cell, state) = all.begin(index);
-            let model = &all.bodies()[cell.body as usize];
-            let set = CellEquations { variant, model, cell: &cell, record: &record };
-            let mut log = log();
-            let state = single::run(&set, &state, &mut log);
-            progress.advance(1);
-            (all.outcome(index, &state), log)
-        })
-        .collect_into_vec(&mut outcomes);
+    let all_cells = cells.par_iter().with_max_len(BLOCK).map(|&index| {
+        let (cell, state) = all.begin(index);
+        let model = &all.bodies()[cell.body as usize];
+        let set = CellEquations { variant, model, cell: &cell, record: &record };
+        let mut log = log();
+        let state = single::run(&set, &state, &mut log);
+        progress.advance(1);
+        (all.outcome(index, &state), log)
+    });
+    on(|| all_cells.collect_into_vec(&mut outcomes));
     outcomes
 }

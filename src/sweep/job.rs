@@ -255,7 +255,9 @@ impl Job {
         estimate: Option<&Estimate>,
         observer: &dyn Observer,
     ) -> Result<(Option<Box<dyn Outcomes>>, WorkReport), SweepError> {
-        let mut collector = self.collector()?;
+        let at_once = self.settings.saving.as_ref().is_some_and(|saving| saving.ends_at_once);
+        let go_on = || !(at_once && observer.cancelled());
+        let mut collector = self.collector(&go_on)?;
         let work = self.work(estimate, observer, |first, some| collector.take(first, some));
         self.plan.forget();
         let work = match work {
@@ -273,21 +275,34 @@ impl Job {
             }
         };
         let part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+        let saved = collector.cells_on_disk();
+        let ended = |error| match (&self.saved, error) {
+            // It was ended while the last tiles were saved.
+            (Some((store, _)), StoreError::Incomplete) if !go_on() => {
+                let cancelled = SweepError::from(BackendError::Cancelled);
+                cancelled.stopped(saved, self.wanted.len(), store.path())
+            }
+            (_, error) => SweepError::from(error),
+        };
         if part {
-            collector.finish_part()?;
+            collector.finish_part().map_err(ended)?;
             return Ok((None, work));
         }
-        Ok((Some(collector.finish()?), work))
+        Ok((Some(collector.finish().map_err(ended)?), work))
     }
 
-    fn collector(&self) -> Result<OutcomeCollector<'_>, SweepError> {
+    /// What collects the outcomes; a saving goes on while it is to `go_on`.
+    fn collector<'a>(
+        &'a self,
+        go_on: &'a (dyn Fn() -> bool + Sync),
+    ) -> Result<OutcomeCollector<'a>, SweepError> {
         let wanted = self.wanted.clone();
         let (Some((store, found)), Some(saving)) = (&self.saved, &self.settings.saving) else {
             // In one piece, which is handed on as it is.
             let tiling = Tiling::whole(&self.grid);
             return Ok(OutcomeCollector::in_memory(tiling, self.columns(), wanted));
         };
-        let saver = Saver { store, patience: saving.every, holds: self.holds() };
+        let saver = Saver { store, patience: saving.every, holds: self.holds(), go_on };
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
     }
 

@@ -9,6 +9,7 @@ use fearless_simd::{Level, Simd};
 use super::cells::Cells;
 use super::plan::Plan;
 use super::progress::Progress;
+use super::threads::on;
 use super::vectors::vectorized;
 use crate::model::real::Real;
 use crate::scene::Grid;
@@ -108,18 +109,20 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
-    rayon::broadcast(|_| {
-        let mut feed = ThreadFeed {
-            sweep,
-            all: &all,
-            queue: &queue,
-            outcomes: &outcomes,
-            batch: 0..0,
-            ended: Vec::with_capacity(BATCH),
-        };
-        let zero = R::of(0.0);
-        vectorized!(level, simd => Lanes::new(shared, zero.lanes(simd), ()).run(&mut feed));
-        feed.deliver();
+    on(|| {
+        rayon::broadcast(|_| {
+            let mut feed = ThreadFeed {
+                sweep,
+                all: &all,
+                queue: &queue,
+                outcomes: &outcomes,
+                batch: 0..0,
+                ended: Vec::with_capacity(BATCH),
+            };
+            let zero = R::of(0.0);
+            vectorized!(level, simd => Lanes::new(shared, zero.lanes(simd), ()).run(&mut feed));
+            feed.deliver();
+        })
     });
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
     if sweep.progress.cancelled() {

@@ -58,5 +58,6 @@ mod shared_motion;
 pub mod shortcuts;
 mod snapshots;
 pub mod table;
+pub mod threads;
 mod vectors;
 pub mod verification;

@@ -143,6 +143,8 @@ pub struct Saving {
     pub memory: u64,
     /// Run this part of the grid only, and leave it there.
     pub part: Option<Part>,
+    /// A run that its observer ends does not save what it has done since the last saving: it ends at once.
+    pub ends_at_once: bool,
 }
 
 /// Bytes that the columns of a map may take in memory unless told otherwise.
@@ -157,6 +159,7 @@ impl Saving {
             every: Duration::from_secs(2),
             memory: MEMORY,
             part: None,
+            ends_at_once: false,
         }
     }
 }

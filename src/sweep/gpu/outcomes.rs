@@ -12,6 +12,7 @@ use crate::model::real::Real;
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
+use crate::sweep::threads::on;
 
 /// Cells that a thread reads at once.
 const CHUNK: usize = 1 << 12;
@@ -61,7 +62,8 @@ pub fn read<R: Real>(
             None => all.outcome(cell, state),
         }
     };
-    outcomes.par_extend(states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK));
+    let all = states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK);
+    on(|| outcomes.par_extend(all));
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

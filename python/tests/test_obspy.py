@@ -1,0 +1,65 @@
+"""Traces and streams of obspy are records."""
+
+import numpy as np
+import pytest
+
+import topple
+
+obspy = pytest.importorskip("obspy", reason="obspy is not installed: its traces are not tried")
+
+SCENE = {"object": 2, "t_h": "1:3:5", "t_v": "0.2:1:4", "backend": "cpu", "verify": 0}
+DT = 0.01
+
+
+def trace(channel, samples, start=0.0):
+    header = {"network": "XX", "station": "ABC", "channel": channel, "delta": DT, "starttime": obspy.UTCDateTime(start)}
+    return obspy.Trace(np.array(samples), header)
+
+
+@pytest.fixture(scope="module")
+def pair():
+    t = np.arange(0.0, 6.0, DT)
+    horizontal = 300.0 * np.sin(7.0 * t) * np.exp(-(((t - 3.0) / 1.5) ** 2))
+    return trace("HNE", horizontal), trace("HNZ", 0.5 * np.roll(horizontal, 20))
+
+
+@pytest.fixture(scope="module")
+def by_arrays(pair):
+    h, v = pair
+    return topple.seismic(**SCENE, horizontal=h.data, vertical=v.data, dt=DT, units="cm/s2")
+
+
+def test_traces_and_streams_are_their_samples(pair, by_arrays):
+    h, v = pair
+    for given in (
+        {"horizontal": h, "vertical": v},
+        {"horizontal": obspy.Stream([v, h])},
+        {"horizontal": obspy.Stream([h]), "vertical": obspy.Stream([v])},
+        {"horizontal": h, "vertical": obspy.Stream([v])},
+    ):
+        assert topple.seismic(**SCENE, **given, units="cm/s2").equals(by_arrays), given
+    alone = topple.seismic(**SCENE, horizontal=obspy.Stream([h]), units="cm/s2")
+    assert not alone.equals(by_arrays)
+
+
+def test_a_file_that_obspy_wrote(pair, by_arrays, tmp_path):
+    obspy.Stream(list(pair)).write(str(tmp_path / "record.mseed"), format="MSEED", encoding="FLOAT64")
+    read = obspy.read(str(tmp_path / "record.mseed"))
+    assert topple.seismic(**SCENE, horizontal=read, units="cm/s2").equals(by_arrays)
+
+
+def test_what_is_ambiguous_is_refused(pair):
+    h, v = pair
+    north = trace("HNN", h.data)
+    gaps = h.copy()
+    gaps.data = np.ma.masked_array(h.data, mask=np.arange(len(h.data)) == 7)
+    for given, line in (
+        ({"horizontal": obspy.Stream([h, north, v])}, "^horizontal: a stream must have one .*XX.ABC..HNE, XX.ABC..HNN"),
+        ({"horizontal": obspy.Stream([v])}, "^horizontal: a stream must have one .*none"),
+        ({"horizontal": gaps, "vertical": v}, "^horizontal: the trace has gaps"),
+        ({"horizontal": h, "vertical": trace("HNZ", v.data, start=2.0)}, "^vertical: it begins 2 s away"),
+    ):
+        with pytest.raises(ValueError, match=line):
+            topple.seismic(**SCENE, **given, units="cm/s2")
+    with pytest.raises(ValueError, match="^units: missing"):
+        topple.seismic(**SCENE, horizontal=h)
