@@ -37,7 +37,7 @@ async function upload(path, files, signal) {
 
 /** A response that is well; else the engine's error, or the loss of the server. */
 async function ask(path, options) {
-  const response = await followed(fetch(path, { cache: 'no-store', ...options }));
+  const response = await followed(fetch(path, options));
   if (response.ok) return response;
   const refused = response.status === 403 ? REFUSED : `the server answers with status ${response.status}`;
   const problem = await response.json().catch(() => ({ key: null, problem: refused, line: refused }));
