@@ -254,7 +254,8 @@ fn a_run_that_is_to_end_at_once_saves_nothing_more() {
             ends_at_once: at_once,
             ..Saving::to(out.path())
         });
-        let error = sweep(&scene(), &[], &saving, &Ear::ending_at(300)).err().unwrap();
+        let swept = sweep(&scene(), &[], &saving, &Ear::ending_at(300));
+        let Err(error) = swept else { panic!("it was not ended") };
         assert!(error.is_cancelled(), "{error}");
         let saved = out.path().join("unfinished/identity.json").exists();
         assert_eq!(saved, !at_once, "{error}");
