@@ -173,7 +173,7 @@ impl Store {
     }
 
     /// The same while it is to `go_on`, which is asked before each file; false where it ended early, and the tile
-    /// is as it was.
+    /// is as it was. Of a run that had saved nothing, and is not to go on, nothing is left.
     ///
     /// # Errors
     /// Those of [`Store::save`].
@@ -183,6 +183,9 @@ impl Store {
         block: &Block,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<bool, StoreError> {
+        if !go_on() {
+            return Ok(false);
+        }
         self.begin()?;
         let to = TileFiles { folder: &self.folder, tiling: &self.tiling, tag: self.identity.tag() };
         Ok(to.write(tile, block, go_on)?)
