@@ -210,7 +210,8 @@ fn help_has_ranges_defaults_and_examples() {
         "[default: auto]",
         "[range: 0.002 to 20]",
         "[range: -100 to 100]",
-        "[range: -1 to 1]",
+        "[range: above -1, below 1]",
+        "[range: above 0, up to 30]",
         "Examples:",
     ] {
         assert!(help.contains(said), "{said}: {help}");
