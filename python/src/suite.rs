@@ -128,7 +128,7 @@ pub fn fragility<'py>(
     request.seed = given(keywords, "seed", "a whole number")?.unwrap_or(request.seed);
     request.samples = given(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
     let target: Option<f64> = given(keywords, "target", "a number")?;
-    let hazard = match given::<String>(keywords, "hazard", "a path")? {
+    let hazard = match given::<PathBuf>(keywords, "hazard", "a path")? {
         Some(path) => {
             let text = fs::read_to_string(path)?;
             Some(HazardCurve::parse(&text).map_err(|error| of_keyword("hazard", error))?)
