@@ -14,9 +14,9 @@ use common::pulse;
 use rayon::prelude::*;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
+use topple::results::block::Block;
 use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
-use topple::stepping::outcome::Outcome;
 use topple::stepping::state::{FINISHED, State};
 use topple::sweep::cell_tables::CellTables;
 use topple::sweep::cells::Cells;
@@ -115,20 +115,18 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let size_of_state = size_of::<State<R>>();
     let clocks: Vec<Option<OwnClocks<R>>> =
         all.chunks(TILE).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
-    let read_into = |outcomes: &mut Vec<Outcome>| {
+    let read_into = |block: &mut Block| {
         let tiles = all.chunks(TILE).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
-        for ((tile, bytes), own) in tiles {
-            outcomes::read(&cells, tile, own.as_ref(), bytes, outcomes).unwrap();
+        for (number, ((tile, bytes), own)) in tiles.enumerate() {
+            let place = (&mut *block, number * TILE);
+            outcomes::read(&cells, tile, own.as_ref(), bytes, place).unwrap();
         }
-        black_box(outcomes.len());
+        black_box(block.len());
     };
-    let read = each(all.len(), || read_into(&mut Vec::with_capacity(all.len())));
+    let read = each(all.len(), || read_into(&mut Block::pending(all.len(), precision)));
     // In memory that has been written to before: the system hands out no new pages.
-    let mut used = Vec::with_capacity(all.len());
-    let again = each(all.len(), || {
-        used.clear();
-        read_into(&mut used);
-    });
+    let mut used = Block::pending(all.len(), precision);
+    let again = each(all.len(), || read_into(&mut used));
     let total = tables + tiles + read + if upload.is_nan() { 0.0 } else { upload };
     println!(
         "{name:<18} {:<4} tables {tables:5.2}  tiles {tiles:5.2}  handed over {upload:5.2} ({:.1} B)  \

@@ -69,7 +69,8 @@ fn dip(start: real, mid: real, end: real) -> Dip {
 
 // The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
 // over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them, and
-// where Y is least. How small Y is there is known; the parabolas tell when.
+// where Y is least. How small Y is there is known; the parabolas tell when. A motion grows until the block
+// lifts: from the last gap backwards, few exceed the largest so far.
 fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before: real) -> real {
     let zero: real = 0.0;
     let early: real = 0.25;
@@ -78,7 +79,8 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
     let all_h = tile.across.more;
     let all_v = tile.up.more;
     var friction = friction_before;
-    for (var gap = 0u; gap < sample; gap++) {
+    for (var before = sample; before > 0u; before--) {
+        let gap = before - 1u;
         let at = h + gap;
         let at_v = v + min(gap, last_v - 1u);
         let most_x = motions[at + CREST * all_h];

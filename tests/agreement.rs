@@ -97,7 +97,7 @@ fn hold_gpu<R: Real>(precision: Precision, allowed: usize) {
     let Some(gpu) = gpu("agreement of the shader with the reference", precision) else { return };
     hold(&format!("gpu {precision:?}"), allowed, |plan, grid| {
         let sweeper = Sweeper::new(&gpu, precision, plan.variant()).unwrap();
-        sweeper.sweep::<R>(plan, grid, &all(grid), &Unwatched).unwrap().outcomes
+        sweeper.sweep::<R>(plan, grid, &all(grid), &Unwatched).unwrap().block.to_outcomes()
     });
 }
 
@@ -123,7 +123,11 @@ fn a_wrong_sign_in_the_shader_shows() {
     let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
-        let cells = sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
+        let cells = sweeper
+            .sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes();
         let report = compare(
             &grid,
             judged.iter().map(|&(index, reference)| both(index, cells[index], reference)),
@@ -177,8 +181,11 @@ fn locked_directions_agree_with_the_reference() {
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
-            let shader =
-                sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
+            let shader = sweeper
+                .sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+                .unwrap()
+                .block
+                .to_outcomes();
             let report = compare(
                 &grid,
                 judged.iter().map(|&(index, reference)| both(index, shader[index], reference)),
@@ -204,7 +211,9 @@ fn a_shader_that_does_nothing_is_an_error() {
         assert_eq!(source.matches(from).count(), 1, "{from}");
         let sweeper =
             Sweeper::from_source(&gpu, &source.replace(from, to), plan.variant(), 0).unwrap();
-        sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).map(|ran| ran.outcomes)
+        sweeper
+            .sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+            .map(|ran| ran.block.to_outcomes())
     };
     let idle =
         sweep("turn(cell, &state, &turns);", "if cell.steps == 0u { turn(cell, &state, &turns); }");

@@ -159,7 +159,7 @@ fn alone(scene: &Scene, grid: &Grid, cell: usize) -> Scene {
 
 fn sweep(backend: &Backend, scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    backend.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().outcomes
+    backend.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().block.to_outcomes()
 }
 
 /// Two numbers within a share of each other, and of one.
@@ -267,7 +267,7 @@ fn by_text(gpu: &Gpu, source: &str, scene: &Scene) -> Vec<Outcome> {
     let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
     let cells: Vec<usize> = (0..grid.len()).collect();
     let sweeper = Sweeper::from_source(gpu, source, plan.variant(), 0).unwrap();
-    sweeper.sweep::<f32>(&plan, &grid, &cells, &Unwatched).unwrap().outcomes
+    sweeper.sweep::<f32>(&plan, &grid, &cells, &Unwatched).unwrap().block.to_outcomes()
 }
 
 /// The negative control: a mistake in where the device looks up a cell's body or its tables shows.

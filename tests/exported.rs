@@ -159,7 +159,8 @@ fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
     let how = (Precision::F32, false);
     let swept =
         backend.map(|backend| backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap());
-    let outcomes = swept.map(|swept| swept.outcomes.iter().map(outcome).collect::<Vec<_>>());
+    let outcomes =
+        swept.map(|swept| swept.block.to_outcomes().iter().map(outcome).collect::<Vec<_>>());
     json!({ "parts": parts.collect::<Vec<_>>(), "outcomes": outcomes })
 }
 

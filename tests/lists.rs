@@ -45,10 +45,10 @@ fn a_list_has_the_outcomes_of_the_whole_sweep_to_the_last_bit() {
             let (precision, resolve) = how;
             let all = 0..grid.len();
             let dense = Backend::Cpu.sweep_range(&plan, &grid, all, precision, resolve, &Unwatched);
-            let dense = dense.unwrap().outcomes;
+            let dense = dense.unwrap().block.to_outcomes();
             let listed = Backend::Cpu.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap();
             let expected: Vec<Outcome> = cells.iter().map(|cell| dense[*cell]).collect();
-            assert!(listed.outcomes == expected, "{}, {how:?}", scene.title);
+            assert!(listed.block.to_outcomes() == expected, "{}, {how:?}", scene.title);
         }
     }
 }
@@ -60,9 +60,11 @@ fn a_list_on_the_shader_has_the_outcomes_of_the_whole_sweep() {
     for scene in [pulse(), record()] {
         let grid = Grid::of(&scene);
         let (plan, cells) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), some(&grid));
-        let dense = backend.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().outcomes;
+        let dense =
+            backend.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().block.to_outcomes();
         let how = (Precision::F32, false);
-        let listed = backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap().outcomes;
+        let listed =
+            backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap().block.to_outcomes();
         let classes = listed.iter().map(|cell| (cell.class, cell.impacts));
         assert!(classes.eq(cells.iter().map(|cell| (dense[*cell].class, dense[*cell].impacts))));
     }

@@ -167,7 +167,7 @@ fn any_scene_is_refused_or_runs() {
         if steps < MOST_STEPS {
             ran.update(|count| count + 1);
             let swept = Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap();
-            prop_assert_eq!(swept.outcomes.len(), grid.len());
+            prop_assert_eq!(swept.block.len(), grid.len());
         }
         Ok(())
     });

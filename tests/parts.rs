@@ -112,7 +112,7 @@ fn sweep(
     let workers: Vec<Worker> = (0..workers).map(double).collect();
     let all = 0..grid.len();
     let took = batches::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
-        outcomes[first..first + some.len()].copy_from_slice(some);
+        some.read(0, &Column::ALL, &mut outcomes[first..first + some.len()]);
         Ok(())
     });
     (outcomes, took)
@@ -150,9 +150,9 @@ fn tiles_are_sized_by_time() {
     // A second a cell up to the hundredth, then a millisecond.
     let double = |cells: Range<usize>, _: &HandOver| {
         let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
-        let outcomes = vec![Outcome::PENDING; cells.len()];
+        let block = Block::pending(cells.len(), Precision::F32);
         let elapsed = Duration::from_secs_f64(elapsed);
-        Ok(BackendOutcomes { outcomes, elapsed, compile: Duration::ZERO, device: None })
+        Ok(BackendOutcomes { block, elapsed, compile: Duration::ZERO, device: None })
     };
     let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
     let workers: Vec<Worker> = vec![Box::new(double)];
@@ -175,9 +175,9 @@ fn tiles_are_sized_by_time() {
 #[test]
 fn what_cannot_be_kept_ends_the_sweep() {
     let double = |cells: Range<usize>, _: &HandOver| {
-        let outcomes = vec![Outcome::PENDING; cells.len()];
+        let block = Block::pending(cells.len(), Precision::F32);
         Ok(BackendOutcomes {
-            outcomes,
+            block,
             elapsed: Duration::ZERO,
             compile: Duration::ZERO,
             device: None,
@@ -201,7 +201,7 @@ fn after_a_lost_device_the_run_goes_on() {
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
     let run =
         |cells| Backend::Cpu.sweep_range(&plan, &grid, cells, Precision::F32, false, &Unwatched);
-    let alone = run(0..grid.len()).unwrap().outcomes;
+    let alone = run(0..grid.len()).unwrap().block.to_outcomes();
     for in_memory in [true, false] {
         let out = TempDir::new().unwrap();
         let open = || {
@@ -234,12 +234,7 @@ fn after_a_lost_device_the_run_goes_on() {
             assert_eq!(swept.is_err(), fails);
             if !fails {
                 let outcomes = collector.finish().unwrap();
-                // Columns have the sweep's numbers.
-                let mut columns = Block::pending(grid.len(), Precision::F32);
-                columns.put(0, &alone);
-                let mut rounded = alone.clone();
-                columns.read(0, &Column::ALL, &mut rounded);
-                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), rounded);
+                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), alone);
             }
         }
     }

@@ -247,7 +247,7 @@ fn in_the_shader() {
             let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
             let began = Instant::now();
             let ran = sweeper.sweep::<f32>(plan, &grid, &all(&grid), &Unwatched).unwrap();
-            (ran.outcomes, began.elapsed().as_secs_f64())
+            (ran.block.to_outcomes(), began.elapsed().as_secs_f64())
         };
         let (full, slow) = run(&plan.full_model());
         let (cells, fast) = run(&plan);

@@ -90,7 +90,7 @@ fn a_call_gives_columns_and_tells_its_phases() {
     assert_eq!(map.grid.shape(), (7, 25));
     let alone = {
         let (plan, grid) = (Plan::new(&expected, 1.0 / 128.0).unwrap(), Grid::of(&expected));
-        Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().outcomes
+        Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().block.to_outcomes()
     };
     let (zeta, outcome) = (map.column(Column::Zeta).unwrap(), map.column(Column::Outcome).unwrap());
     for (cell, expected) in alone.iter().enumerate() {

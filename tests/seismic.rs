@@ -38,7 +38,7 @@ fn rinaldi_scene(files: &(String, String), object: u32, e: f64, base: &str) -> S
 
 fn sweep(scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    Backend::Cpu.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().outcomes
+    Backend::Cpu.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().block.to_outcomes()
 }
 
 /// Counts of a comparison over several maps.
@@ -118,8 +118,11 @@ fn rinaldi_maps_agree_with_the_reference() {
             if let Some(gpu) = &gpu {
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
                 let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
-                let cells =
-                    sweeper.sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
+                let cells = sweeper
+                    .sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+                    .unwrap()
+                    .block
+                    .to_outcomes();
                 shader.add(&grid, &cells, &judged);
             }
         }

@@ -57,7 +57,7 @@ fn swept<R: Real>(
     };
     let heard = Heard(AtomicUsize::new(0));
     let ran = sweeper.in_tiles_of(tile).sweep::<R>(&plan, &grid, &cells, &heard).unwrap();
-    assert_eq!(ran.outcomes.len(), cells.len());
+    assert_eq!(ran.block.len(), cells.len());
     assert_eq!(heard.0.into_inner(), cells.len(), "progress counts every cell once");
     ran
 }
@@ -67,15 +67,16 @@ fn swept<R: Real>(
 fn many_tiles_make_the_map_of_one() {
     let Some(gpu) = gpu("many tiles", Precision::F32) else { return };
     for scene in [pulse(), record()] {
-        let one = swept::<f32>(&gpu, Precision::F32, &scene, (1 << 15, 0), all).outcomes;
+        let one = swept::<f32>(&gpu, Precision::F32, &scene, (1 << 15, 0), all).block.to_outcomes();
         for tile in [1, 37, 64] {
             // Tiles of a cell are as many as cells: some will do.
             let few = |grid: &Grid| if tile == 1 { (0..40).collect() } else { all(grid) };
-            let many = swept::<f32>(&gpu, Precision::F32, &scene, (tile, 0), few).outcomes;
+            let many =
+                swept::<f32>(&gpu, Precision::F32, &scene, (tile, 0), few).block.to_outcomes();
             assert_eq!(many, one[..many.len()], "tiles of {tile}");
         }
         let odd = |grid: &Grid| all(grid).into_iter().rev().filter(|cell| cell % 3 != 0).collect();
-        let chosen = swept::<f32>(&gpu, Precision::F32, &scene, (50, 0), odd).outcomes;
+        let chosen = swept::<f32>(&gpu, Precision::F32, &scene, (50, 0), odd).block.to_outcomes();
         for (outcome, cell) in chosen.iter().zip(odd(&Grid::of(&scene))) {
             assert_eq!(*outcome, one[cell], "cell {cell} among others");
         }
@@ -87,8 +88,8 @@ fn many_tiles_make_the_map_of_one() {
 fn many_tiles_make_the_map_of_one_in_f64() {
     let Some(gpu) = gpu("many tiles", Precision::F64) else { return };
     for scene in [pulse(), record()] {
-        let one = swept::<f64>(&gpu, Precision::F64, &scene, (1 << 15, 0), all).outcomes;
-        let many = swept::<f64>(&gpu, Precision::F64, &scene, (64, 0), all).outcomes;
+        let one = swept::<f64>(&gpu, Precision::F64, &scene, (1 << 15, 0), all).block.to_outcomes();
+        let many = swept::<f64>(&gpu, Precision::F64, &scene, (64, 0), all).block.to_outcomes();
         assert_eq!(many, one);
     }
 }
@@ -99,7 +100,7 @@ fn switches_stay_with_their_cells() {
     let Some(gpu) = gpu("switches of many tiles", Precision::F32) else { return };
     let one = swept::<f32>(&gpu, Precision::F32, &pulse(), (1 << 15, 4), all);
     let many = swept::<f32>(&gpu, Precision::F32, &pulse(), (64, 4), all);
-    assert_eq!(one.events.len(), 4 * one.outcomes.len());
+    assert_eq!(one.events.len(), 4 * one.block.len());
     assert!(one.events.iter().filter(|event| event.kind != 0).count() > 400, "too few to tell");
     assert_eq!(one.events, many.events);
 }

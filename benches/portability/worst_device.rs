@@ -60,7 +60,9 @@ fn sweep(gpu: &Gpu, source: &str) -> Vec<Outcome> {
         let (_, sweeper) = compiled.iter().find(|(known, _)| *known == variant).unwrap();
         let grid = Grid::of(&scene);
         let all: Vec<usize> = (0..grid.len()).collect();
-        outcomes.extend(sweeper.sweep::<f32>(&plan, &grid, &all, &Unwatched).unwrap().outcomes);
+        outcomes.extend(
+            sweeper.sweep::<f32>(&plan, &grid, &all, &Unwatched).unwrap().block.to_outcomes(),
+        );
     }
     outcomes
 }

@@ -167,7 +167,7 @@ impl Trial {
                     let results: DeviceOutcomes<R> =
                         sweeper.sweep(plan, grid, &cells, &Unwatched)?;
                     device = results.device.map(|time| time + device.unwrap_or_default());
-                    outcomes.push(results.outcomes);
+                    outcomes.push(results.block.to_outcomes());
                 } else if self.method == Method::Naive {
                     outcomes.push(naive::sweep(plan, grid, &cells, 0).0);
                 } else {

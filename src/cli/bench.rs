@@ -262,7 +262,7 @@ fn by_shader<R: Real>(
 ) -> anyhow::Result<Vec<Outcome>> {
     let Course { plan, grid, cells } = course;
     let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-    Ok(sweeper.sweep::<R>(plan, grid, cells, &Unwatched)?.outcomes)
+    Ok(sweeper.sweep::<R>(plan, grid, cells, &Unwatched)?.block.to_outcomes())
 }
 
 /// Steps that all cells of a course take.

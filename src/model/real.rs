@@ -59,6 +59,9 @@ pub trait Vector: Number + Debug {
     /// Changes the number in a lane.
     fn put(&mut self, lane: usize, value: Self::Element);
 
+    /// The first numbers of a slice, one in each lane; `self` where the slice has fewer.
+    fn first_of(self, numbers: &[Self::Element]) -> Self;
+
     /// A mask as one bit for each lane, the first lane lowest.
     fn bits(mask: Self::Mask) -> u64;
 
@@ -176,6 +179,11 @@ macro_rules! single {
             #[inline(always)]
             fn put(&mut self, _: usize, value: $element) {
                 *self = value;
+            }
+
+            #[inline(always)]
+            fn first_of(self, numbers: &[$element]) -> $element {
+                numbers.first().copied().unwrap_or(self)
             }
 
             #[inline(always)]

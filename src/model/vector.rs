@@ -80,6 +80,14 @@ macro_rules! vector {
             }
 
             #[inline(always)]
+            fn first_of(self, numbers: &[$element]) -> Self {
+                match numbers.first_chunk::<$lanes>() {
+                    Some(numbers) => Self::from_slice(self.token(), numbers),
+                    None => self,
+                }
+            }
+
+            #[inline(always)]
             fn bits(mask: Self::Mask) -> u64 {
                 mask.to_bitmask()
             }

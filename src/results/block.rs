@@ -9,8 +9,8 @@ use crate::stepping::outcome::{Class, Outcome, Status};
 /// The status of a cell that has not run, in memory; no status has this code.
 pub const PENDING: u8 = u8::MAX;
 
-/// Cells that go from outcomes to columns at once: as many as a fast cache holds.
-const AT_ONCE: usize = 1 << 8;
+/// Cells that go from outcomes to columns at once, or back: as many as a fast cache holds.
+pub(super) const AT_ONCE: usize = 1 << 8;
 
 /// The values of a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +28,7 @@ pub enum Values {
 /// The columns of cells that lie one after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
-    values: Vec<Values>,
+    pub(super) values: Vec<Values>,
     count: usize,
 }
 
@@ -103,6 +103,44 @@ impl Block {
         &self.values[column as usize]
     }
 
+    /// The class of a cell, and how its integration ended; none of one that has not run.
+    fn class_and_status(&self, cell: usize) -> Option<(Class, Status)> {
+        match (self.column(Column::Outcome), self.column(Column::Status)) {
+            (Values::Codes(classes), Values::Codes(statuses)) if statuses[cell] != PENDING => {
+                let class = Class::ALL[usize::from(classes[cell])];
+                Some((class, Status::ALL[usize::from(statuses[cell])]))
+            }
+            _ => None,
+        }
+    }
+
+    /// The class of a cell; unresolved where it has not run.
+    pub fn class(&self, cell: usize) -> Class {
+        self.class_and_status(cell).map_or(Class::Unresolved, |(class, _)| class)
+    }
+
+    /// Changes the classes and statuses of cells that have run; `change` is handed a cell's number and both.
+    pub fn recode(&mut self, change: impl Fn(usize, Class, Status) -> (Class, Status)) {
+        for cell in 0..self.count {
+            let Some((class, status)) = self.class_and_status(cell) else { continue };
+            let changed = change(cell, class, status);
+            if let Values::Codes(classes) = &mut self.values[Column::Outcome as usize] {
+                classes[cell] = changed.0 as u8;
+            }
+            if let Values::Codes(statuses) = &mut self.values[Column::Status as usize] {
+                statuses[cell] = changed.1 as u8;
+            }
+        }
+    }
+
+    /// The number type of its columns.
+    pub fn precision(&self) -> Precision {
+        match self.column(Column::Zeta) {
+            Values::Doubles(_) => Precision::F64,
+            _ => Precision::F32,
+        }
+    }
+
     /// Its columns, in the table's order.
     pub fn into_columns(self) -> Vec<Values> {
         self.values
@@ -116,15 +154,6 @@ impl Block {
         }
     }
 
-    /// Takes the outcomes of cells from a place on.
-    pub fn put(&mut self, first: usize, outcomes: &[Outcome]) {
-        for (number, some) in outcomes.chunks(AT_ONCE).enumerate() {
-            for (entry, values) in TABLE.iter().zip(&mut self.values) {
-                values.put(entry.holds, first + number * AT_ONCE, some);
-            }
-        }
-    }
-
     /// Fills some columns of the outcomes of cells from a place on.
     pub fn read(&self, first: usize, columns: &[Column], outcomes: &mut [Outcome]) {
         for (number, some) in outcomes.chunks_mut(AT_ONCE).enumerate() {
@@ -133,6 +162,18 @@ impl Block {
                 values.read(column.entry().holds, first + number * AT_ONCE, some);
             }
         }
+    }
+
+    /// The outcomes of all cells; of those that have not run [`Outcome::PENDING`].
+    pub fn to_outcomes(&self) -> Vec<Outcome> {
+        let mut outcomes = vec![Outcome::PENDING; self.count];
+        self.read(0, &Column::ALL, &mut outcomes);
+        outcomes
+    }
+
+    /// The runs of cells that have run.
+    pub fn done(&self) -> Vec<Range<usize>> {
+        self.column(Column::Status).done().unwrap_or_default()
     }
 }
 
@@ -207,41 +248,6 @@ impl Values {
                 Values::Singles(_) | Values::Doubles(_),
             ) => true,
             _ => false,
-        }
-    }
-
-    fn put(&mut self, holds: Holds, first: usize, outcomes: &[Outcome]) {
-        fn each<T>(values: &mut [T], outcomes: &[Outcome], value: impl Fn(&Outcome) -> T) {
-            for (place, cell) in values.iter_mut().zip(outcomes) {
-                *place = value(cell);
-            }
-        }
-        let cells = first..first + outcomes.len();
-        match (holds, self) {
-            (Holds::Class, Values::Codes(all)) => {
-                each(&mut all[cells], outcomes, |cell| cell.class as u8);
-            }
-            (Holds::Status, Values::Codes(all)) => {
-                each(&mut all[cells], outcomes, |cell| cell.status as u8);
-            }
-            (Holds::Count { get, .. }, Values::Counts(all)) => {
-                each(&mut all[cells], outcomes, get);
-            }
-            (Holds::Number { get, .. }, Values::Singles(all)) => {
-                each(&mut all[cells], outcomes, |cell| get(cell) as f32);
-            }
-            (Holds::Number { get, .. }, Values::Doubles(all)) => {
-                each(&mut all[cells], outcomes, get);
-            }
-            // What has no time is not a number.
-            (Holds::Time { get, .. }, Values::Singles(all)) => {
-                each(&mut all[cells], outcomes, |cell| get(cell).map_or(f32::NAN, |t| t as f32));
-            }
-            (Holds::Time { get, .. }, Values::Doubles(all)) => {
-                each(&mut all[cells], outcomes, |cell| get(cell).unwrap_or(f64::NAN));
-            }
-            // A block is made of values that suit their columns.
-            _ => {}
         }
     }
 

@@ -15,7 +15,6 @@ use super::store::Store;
 use super::store_error::StoreError;
 use super::tiling::Tiling;
 use crate::model::precision::Precision;
-use crate::stepping::outcome::Outcome;
 
 /// A tile that is not finished, or is held for the map.
 struct OpenTile {
@@ -115,18 +114,21 @@ impl<'a> OutcomeCollector<'a> {
         self.on_disk.values().sum()
     }
 
-    /// Takes the outcomes of cells from `first` on; those that are [`Outcome::PENDING`] have not run.
+    /// Takes the cells of a block, those that have run, from the grid's cell `first` on.
     ///
     /// # Errors
     /// Those of the store.
-    pub fn take(&mut self, first: usize, outcomes: &[Outcome]) -> Result<(), StoreError> {
-        let pending = |outcome: &Outcome| *outcome == Outcome::PENDING;
-        let mut from = first;
-        for run in outcomes.chunk_by(|one, next| pending(one) == pending(next)) {
-            if !pending(&run[0]) {
-                self.take_run(from, run)?;
+    pub fn take(&mut self, first: usize, block: Block) -> Result<(), StoreError> {
+        let whole = block.pending_in(0..block.len()) == 0;
+        if let (true, Some(tile)) = (whole, self.new_tile_of(first, &block)) {
+            // In one piece, which is kept as it is.
+            let left = self.wanted_of(tile).len() - block.len();
+            self.open.insert(tile, OpenTile { block, left, unsaved: true });
+            self.ended(tile)?;
+        } else {
+            for cells in block.done() {
+                self.take_run(first, &block, cells)?;
             }
-            from += run.len();
         }
         if self.saver.as_ref().is_some_and(|saver| self.saved.elapsed() >= saver.patience) {
             self.save_all()?;
@@ -134,9 +136,23 @@ impl<'a> OutcomeCollector<'a> {
         Ok(())
     }
 
-    /// Takes the outcomes of cells that have all run.
-    fn take_run(&mut self, first: usize, outcomes: &[Outcome]) -> Result<(), StoreError> {
-        let cells = first..first + outcomes.len();
+    /// The tile that a block from a cell on is the whole of, if nothing is there of it yet.
+    fn new_tile_of(&self, first: usize, block: &Block) -> Option<usize> {
+        let cells = first..first + block.len();
+        let tile = self.tiling.tiles(&cells).next()?;
+        let whole = self.tiling.cells(tile) == cells && self.wanted_of(tile) == cells;
+        let new = !self.open.contains_key(&tile) && !self.on_disk.contains_key(&tile);
+        (whole && new && block.precision() == self.precision).then_some(tile)
+    }
+
+    /// Takes cells of a block that have all run; `first` is the grid's cell of the block's first.
+    fn take_run(
+        &mut self,
+        first: usize,
+        run: &Block,
+        cells: Range<usize>,
+    ) -> Result<(), StoreError> {
+        let cells = first + cells.start..first + cells.end;
         for tile in self.tiling.tiles(&cells) {
             let held = self.tiling.cells(tile);
             let some = cells.start.max(held.start)..cells.end.min(held.end);
@@ -152,11 +168,18 @@ impl<'a> OutcomeCollector<'a> {
             let places = some.start - held.start..some.end - held.start;
             // Cells may come twice: alone, and with their batch.
             open.left -= open.block.pending_in(places.clone()).min(open.left);
-            open.block.put(places.start, &outcomes[some.start - first..some.end - first]);
+            open.block.take(places.start, run, some.start - first..some.end - first);
             open.unsaved = true;
-            if open.left == 0 && !self.holds() && self.save(tile)? {
-                self.open.remove(&tile);
-            }
+            self.ended(tile)?;
+        }
+        Ok(())
+    }
+
+    /// Saves a tile that is whole and is not held in memory.
+    fn ended(&mut self, tile: usize) -> Result<(), StoreError> {
+        let whole = self.open.get(&tile).is_some_and(|open| open.left == 0);
+        if whole && !self.holds() && self.save(tile)? {
+            self.open.remove(&tile);
         }
         Ok(())
     }

@@ -51,6 +51,8 @@ pub enum Holds {
         get: fn(&Outcome) -> u32,
         /// Its place.
         place: fn(&mut Outcome) -> &mut u32,
+        /// Of as many cells as there is room for.
+        counts: fn(&[Outcome], &mut [u32]),
     },
     /// A number.
     Number {
@@ -58,6 +60,10 @@ pub enum Holds {
         get: fn(&Outcome) -> f64,
         /// Its place.
         place: fn(&mut Outcome) -> &mut f64,
+        /// Of as many cells as there is room for.
+        singles: fn(&[Outcome], &mut [f32]),
+        /// The same in f64.
+        doubles: fn(&[Outcome], &mut [f64]),
     },
     /// A time that not every cell has.
     Time {
@@ -65,6 +71,10 @@ pub enum Holds {
         get: fn(&Outcome) -> Option<f64>,
         /// Its place.
         place: fn(&mut Outcome) -> &mut Option<f64>,
+        /// Of as many cells as there is room for; what has no time is not a number.
+        singles: fn(&[Outcome], &mut [f32]),
+        /// The same in f64.
+        doubles: fn(&[Outcome], &mut [f64]),
     },
 }
 
@@ -99,15 +109,32 @@ pub struct Entry {
 pub const STATUS_NAMES: [&str; 6] =
     ["ok", "event_limit", "diverged", "step_limit", "vertical_locked", "undecided"];
 
+/// Of each cell a value. A call of a pointer for each cell would take most of the time of making columns: the
+/// pointers of [`Holds`] are to loops.
+pub(super) fn each<T>(cells: &[Outcome], values: &mut [T], value: impl Fn(&Outcome) -> T) {
+    for (place, cell) in values.iter_mut().zip(cells) {
+        *place = value(cell);
+    }
+}
+
 macro_rules! number {
     ($field:ident) => {
-        Holds::Number { get: |cell| cell.$field, place: |cell| &mut cell.$field }
+        Holds::Number {
+            get: |cell| cell.$field,
+            place: |cell| &mut cell.$field,
+            singles: |cells, values| each(cells, values, |cell| cell.$field as f32),
+            doubles: |cells, values| each(cells, values, |cell| cell.$field),
+        }
     };
 }
 
 macro_rules! count {
     ($field:ident) => {
-        Holds::Count { get: |cell| cell.$field, place: |cell| &mut cell.$field }
+        Holds::Count {
+            get: |cell| cell.$field,
+            place: |cell| &mut cell.$field,
+            counts: |cells, values| each(cells, values, |cell| cell.$field),
+        }
     };
 }
 
@@ -139,7 +166,16 @@ pub const TABLE: [Entry; 15] = [
     entry(
         Column::TUplift,
         ("t_uplift", "s"),
-        Holds::Time { get: |cell| cell.t_uplift, place: |cell| &mut cell.t_uplift },
+        Holds::Time {
+            get: |cell| cell.t_uplift,
+            place: |cell| &mut cell.t_uplift,
+            singles: |cells, values| {
+                each(cells, values, |cell| cell.t_uplift.map_or(f32::NAN, |t| t as f32));
+            },
+            doubles: |cells, values| {
+                each(cells, values, |cell| cell.t_uplift.unwrap_or(f64::NAN));
+            },
+        },
         "time of the first uplift; empty, or not a number, where there is none",
     ),
     entry(

@@ -1,7 +1,7 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! columns (the table) -> block (in memory) -> tiling, tile, zarr, group, store (on disk) -> csv, npz
+//! columns (the table) -> block, filling (in memory) -> tiling, tile, zarr, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
@@ -10,6 +10,7 @@ pub mod collector;
 pub mod columns;
 pub mod csv;
 pub mod files;
+pub mod filling;
 pub mod group;
 pub mod identity;
 pub mod listed;

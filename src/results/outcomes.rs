@@ -40,6 +40,14 @@ pub trait Outcomes: Sync {
     }
 }
 
+impl Outcomes for Block {
+    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        let mut outcomes = vec![Outcome::PENDING; cells.len()];
+        Block::read(self, cells.start, columns, &mut outcomes);
+        Ok(Cow::Owned(outcomes))
+    }
+}
+
 impl Outcomes for [Outcome] {
     fn read(&self, cells: Range<usize>, _: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
         Ok(Cow::Borrowed(&self[cells]))

@@ -52,6 +52,33 @@ fn most_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N
     phi * (arm - half * phi * height)
 }
 
+/// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|. Like
+/// all that is called from a turn it is a function: a closure that is called twice is compiled by itself, without the
+/// instructions of the vectors.
+#[inline(always)]
+fn within<V: Vector>(
+    set: &CellEquations<V>,
+    extremes: &Extremes<V>,
+    tried: V::Mask,
+    left_h: V,
+    left_v: V,
+) -> V::Mask {
+    let (variant, cell) = (set.variant, set.cell);
+    let two = left_h.like(2.0);
+    let mut within = tried;
+    if variant.isolated_h {
+        within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
+    }
+    if variant.isolated_v {
+        // A base at rest moves by the rounding error of the weight that it carries. With the deflection
+        // |v| is largest below, or, of a swing of twice the deflection and more, above.
+        let tremble = left_v.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
+        let way = (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + tremble;
+        within = within & (cell.stiffness_v * way * way).ge(left_v);
+    }
+    within
+}
+
 /// The lanes of `tried` of which everything that a map tells is final, the excitation being over.
 /// `lifted` are those that have lifted from full contact, whose time of first uplift is known.
 #[inline(always)]
@@ -80,26 +107,11 @@ pub fn is_final<V: Vector>(
     if variant.isolated_v {
         base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
     }
-    // Energies that do not reach beyond the largest |u| and |v|.
-    let within = |left_h: V, left_v: V| {
-        let mut within = tried;
-        if variant.isolated_h {
-            within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
-        }
-        if variant.isolated_v {
-            // A base at rest moves by the rounding error of the weight that it carries. With the deflection
-            // |v| is largest below, or, of a swing of twice the deflection and more, above.
-            let tremble = y.u.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-            let way = (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + tremble;
-            within = within & (cell.stiffness_v * way * way).ge(left_v);
-        }
-        within
-    };
     // What is left of them at most. A block in full contact may yet lift, and the base's energies
     // are then the least that each can be.
     let mut left_h = more * base_h;
     let mut left_v = more * base_v;
-    let mut last = tried & (rocking | within(left_h, left_v));
+    let mut last = tried & (rocking | within(set, extremes, tried, left_h, left_v));
     if !V::any(last) {
         return last;
     }
@@ -128,7 +140,7 @@ pub fn is_final<V: Vector>(
         left_h = V::select(stays, left_h, two * model.mu_h * energy);
         left_v = V::select(stays, left_v, two * model.mu_v * energy);
         let small = lifted & model.topple_energy.gt(energy);
-        last = last & (stays | small) & within(left_h, left_v);
+        last = last & (stays | small) & within(set, extremes, tried, left_h, left_v);
         if !V::any(last) {
             return last;
         }

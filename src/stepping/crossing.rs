@@ -48,8 +48,8 @@ fn highest_moment<N: Number>(
     let arm = set.model.left.arm.max(set.model.right.arm);
     let shear = (start.shear - two * mid.shear + end.shear).abs();
     let normal = (start.normal - two * mid.normal + end.normal).abs();
-    let largest = |contact| largest_uplift_moment(set, contact);
-    let values = largest(start).max(largest(mid)).max(largest(end));
+    let (first, second) = (largest_uplift_moment(set, start), largest_uplift_moment(set, mid));
+    let values = first.max(second).max(largest_uplift_moment(set, end));
     share.mul_add(set.model.height.mul_add(shear, arm * normal), values)
 }
 
@@ -160,9 +160,16 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             return;
         }
         let (left, right) = (&self.model.left, &self.model.right);
-        let at = |corner, contact| uplift_moment(&set, corner, contact);
-        let (by_left, at_left) = moment_rises(at(left, start), at(left, mid), at(left, end));
-        let (by_right, at_right) = moment_rises(at(right, start), at(right, mid), at(right, end));
+        let (by_left, at_left) = moment_rises(
+            uplift_moment(&set, left, start),
+            uplift_moment(&set, left, mid),
+            uplift_moment(&set, left, end),
+        );
+        let (by_right, at_right) = moment_rises(
+            uplift_moment(&set, right, start),
+            uplift_moment(&set, right, mid),
+            uplift_moment(&set, right, end),
+        );
         let (lefts, rights) = (at_left.gt(zero), at_right.gt(zero));
         let lifts = looked & (lefts | rights);
         crossing.found.uplift = lifts;
@@ -171,7 +178,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         }
         // The first guess is of the one that is positive earlier; the search itself is for the larger
         // moment of the two, whose zero is the first uplift whichever it is.
-        let larger = at(left, end).ge(at(right, end));
+        let larger = uplift_moment(&set, left, end).ge(uplift_moment(&set, right, end));
         let earlier = at_right.gt(at_left) | (at_right.ge(at_left) & larger);
         let by_its_left = lefts & (!rights | earlier);
         let upper = V::select(by_its_left, at_left, at_right);

@@ -105,6 +105,12 @@ fn bend<N: Number>(start: N, mid: N, end: N) -> N {
     mid.like(0.125) * (start - mid.like(2.0) * mid + end).abs()
 }
 
+#[inline(always)]
+fn share<N: Number>(shear: N, normal: N) -> N {
+    let zero = shear.like(0.0);
+    N::select(normal.gt(zero), shear / normal, zero)
+}
+
 impl<N: Number> Extremes<N> {
     /// Updates the extremes of some lanes by their motion over spans of `h` seconds about corners of
     /// this side.
@@ -143,10 +149,6 @@ impl<N: Number> Extremes<N> {
         let most = shears.0.max(shears.1).max(shears.2) + bend(shears.0, shears.1, shears.2);
         let higher = lanes & most.gt(self.friction * lowest);
         if N::any(higher) {
-            let share = |shear: N, normal: N| {
-                let pressed = normal.gt(zero);
-                N::select(pressed, shear / normal, zero)
-            };
             let start = share(shears.0, start.normal);
             let mid = share(shears.1, mid.normal);
             let end = share(shears.2, end.normal);

@@ -80,12 +80,10 @@ impl<V: Vector> Forcing<V> {
     /// Puts lanes, which have a next gap, on it.
     #[inline(always)]
     pub fn follow(&mut self, lanes: V::Mask) {
-        let select = |yes: Ground<V>, no: Ground<V>| Ground {
-            h: V::select(lanes, yes.h, no.h),
-            v: V::select(lanes, yes.v, no.v),
-        };
-        self.base = select(self.next_base, self.base);
-        self.rise = select(self.next_rise, self.rise);
+        self.base.h = V::select(lanes, self.next_base.h, self.base.h);
+        self.base.v = V::select(lanes, self.next_base.v, self.base.v);
+        self.rise.h = V::select(lanes, self.next_rise.h, self.rise.h);
+        self.rise.v = V::select(lanes, self.next_rise.v, self.rise.v);
         self.done = V::select(lanes, self.done.like(0.0), self.done);
     }
 

@@ -75,10 +75,11 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             k_end.normal = V::select(rocking, k_end.normal, base.f_v);
         }
 
-        // The distance to the guard that a lane searches for; without a search, to the impact.
+        // The distance to the guard that a lane searches for; without a search, to an impact before the end.
         let mut end = GuardSample { value: zero, slope: zero, bend: zero, rounding: zero };
         let mut reach = Reach::none(zero);
-        if V::any(seeking | rocking) {
+        let beyond = rocking & zero.gt(corner.side * y1.phi);
+        if V::any(seeking | beyond) {
             let whole_h = self.span * self.forcing.step;
             end = self.sample(&y1, &k_end);
             reach = self.search.reach(&end, whole_h * whole_h * k1.ddphi);
@@ -104,6 +105,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             self.cut = self.cut | kinked | arrived;
             looked = looked | kinked;
         }
+        // Read here, not below: a mask is stored in two bytes, and a processor waits for them where it reads four soon after.
+        let cut = self.cut;
         let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         let mut landed = none;
@@ -151,7 +154,7 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             }
             proved = switched;
         }
-        let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
+        let through = ((plain & !cut) | (moved & self.start.ge(one))) & !overturned;
         let between = moved & !through;
         if L::HEARS {
             self.tell_cuts(V::bits(between & !switched));

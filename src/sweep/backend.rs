@@ -15,6 +15,7 @@ use super::progress::Progress;
 use super::snapshots::{PassedOn, resolve};
 use super::threads::on;
 use crate::model::precision::Precision;
+use crate::results::block::Block;
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference;
@@ -30,10 +31,10 @@ pub enum Backend {
     Reference,
 }
 
-/// Outcomes with what they took.
+/// Cells that have run, with what they took.
 pub struct BackendOutcomes {
-    /// One a cell, in the grid's order.
-    pub outcomes: Vec<Outcome>,
+    /// Their columns, in the order of the cells.
+    pub block: Block,
     /// From the first cell prepared to the last outcome in memory.
     pub elapsed: Duration,
     /// Compilation of the shader.
@@ -154,17 +155,16 @@ impl Backend {
         let parts = plan.at(precision).parts(grid, cells);
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let of_batch = |outcomes| part.among(cells.len(), part.all_told(outcomes));
+            let of_batch = |block| part.among(cells.len(), part.told(block));
             let progress = PassedOn { progress, change: Some(&of_batch) };
-            let outcomes = self.part(part, grid, precision, &progress, &mut times)?;
-            ran.push(part.all_told(outcomes));
+            ran.push(part.told(self.part(part, grid, precision, &progress, &mut times)?));
         }
         if progress.cancelled() {
             return Err(BackendError::Cancelled);
         }
-        let outcomes = in_order(cells.len(), &parts, ran);
+        let block = in_order(cells.len(), self.columns(precision), &parts, ran);
         let Times { compile, device } = times;
-        Ok(BackendOutcomes { outcomes, elapsed: began.elapsed() - compile, compile, device })
+        Ok(BackendOutcomes { block, elapsed: began.elapsed() - compile, compile, device })
     }
 
     /// Runs a list of a grid's cells twice, the second time with steps half as long and, where the backend has it,
@@ -185,13 +185,13 @@ impl Backend {
         let first = PassedOn { progress, change: None };
         let coarse = self.sweep_cells(plan, grid, cells, precision, &first)?;
         let finer = self.finest(precision);
-        let resolved = |mut outcomes: Vec<Outcome>| {
-            resolve(&mut outcomes, &coarse.outcomes);
-            outcomes
+        let resolved = |mut block: Block| {
+            resolve(&mut block, &coarse.block);
+            block
         };
         let second = PassedOn { progress, change: Some(&resolved) };
         let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, &second)?;
-        resolve(&mut fine.outcomes, &coarse.outcomes);
+        resolve(&mut fine.block, &coarse.block);
         fine.elapsed += coarse.elapsed;
         fine.compile += coarse.compile;
         fine.device = fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse);
@@ -220,31 +220,37 @@ impl Backend {
         progress: &dyn Progress,
         #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
         times: &mut Times,
-    ) -> Result<Vec<Outcome>, BackendError> {
+    ) -> Result<Block, BackendError> {
         let (plan, cells) = (&part.plan, part.cells.as_slice());
+        let columns =
+            |outcomes: Vec<Outcome>| Ok(Block::of_outcomes(&outcomes, self.columns(precision)));
         match (self, precision) {
-            (Backend::Reference, _) => Ok(by_reference(plan, grid, cells, progress)),
-            (Backend::Cpu, Precision::F32) => Ok(cpu::sweep::<f32>(plan, grid, cells, progress)),
-            (Backend::Cpu, Precision::F64) => Ok(cpu::sweep::<f64>(plan, grid, cells, progress)),
+            (Backend::Reference, _) => columns(by_reference(plan, grid, cells, progress)),
+            (Backend::Cpu, Precision::F32) => {
+                columns(cpu::sweep::<f32>(plan, grid, cells, progress))
+            }
+            (Backend::Cpu, Precision::F64) => {
+                columns(cpu::sweep::<f64>(plan, grid, cells, progress))
+            }
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), _) => {
                 let compiling = Instant::now();
                 let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
                 times.compile += compiling.elapsed();
-                let (outcomes, time) = match precision {
+                let (block, time) = match precision {
                     Precision::F32 => {
                         let ran = sweeper.sweep::<f32>(plan, grid, cells, progress)?;
-                        (ran.outcomes, ran.device)
+                        (ran.block, ran.device)
                     }
                     Precision::F64 => {
                         let ran = sweeper.sweep::<f64>(plan, grid, cells, progress)?;
-                        (ran.outcomes, ran.device)
+                        (ran.block, ran.device)
                     }
                 };
                 if let Some(time) = time {
                     times.device = Some(times.device.unwrap_or_default() + time);
                 }
-                Ok(outcomes)
+                Ok(block)
             }
         }
     }
@@ -259,20 +265,17 @@ struct Times {
     device: Option<Duration>,
 }
 
-/// The outcomes of the parts that a list of so many cells was run in, in the list's order.
-fn in_order(count: usize, parts: &[Part], mut ran: Vec<Vec<Outcome>>) -> Vec<Outcome> {
+/// The cells of the parts that a list of so many cells was run in, in the list's order.
+fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Block>) -> Block {
     if ran.len() == 1 {
         // A part alone holds every cell, in order.
         return ran.remove(0);
     }
-    let mut outcomes: Vec<Option<Outcome>> = vec![None; count];
-    for (part, swept) in parts.iter().zip(ran) {
-        for (&place, outcome) in part.places.iter().zip(swept) {
-            outcomes[place] = Some(outcome);
-        }
+    let mut block = Block::pending(count, precision);
+    for (part, swept) in parts.iter().zip(&ran) {
+        block.scatter(&part.places, swept);
     }
-    // The parts hold every cell once.
-    outcomes.into_iter().flatten().collect()
+    block
 }
 
 fn by_reference(

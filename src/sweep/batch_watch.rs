@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::batches::HandOver;
 use super::observer::Observer;
 use super::progress::Progress;
-use crate::stepping::outcome::Outcome;
+use crate::results::block::Block;
 
 /// Least time between two snapshots of a batch, and least time that a batch is to take, however often finished
 /// cells are to be saved.
@@ -45,9 +45,9 @@ impl Progress for BatchWatch<'_> {
         wants
     }
 
-    fn snapshot(&self, outcomes: Vec<Outcome>) {
+    fn snapshot(&self, block: Block) {
         if self.every.is_some() {
-            (self.hand_over)(self.first, outcomes);
+            (self.hand_over)(self.first, block);
         }
     }
 }

@@ -10,15 +10,15 @@ use std::time::Duration;
 use super::backend::BackendOutcomes;
 use super::backend_error::BackendError;
 use super::threads::Threads;
-use crate::stepping::outcome::Outcome;
+use crate::results::block::Block;
 
 /// What sweeps the cells of a batch: a backend with its plan, or in a test its double. It may hand over what
-/// is done of the batch while it goes on, [`Outcome::PENDING`] for cells that have not run.
+/// is done of the batch while it goes on.
 pub type Worker<'a> =
     Box<dyn Fn(Range<usize>, &HandOver) -> Result<BackendOutcomes, BackendError> + Sync + 'a>;
 
-/// Takes outcomes of cells, by the first cell.
-pub type HandOver<'a> = dyn Fn(usize, Vec<Outcome>) + Sync + 'a;
+/// Takes cells that have run, by the number of the first one.
+pub type HandOver<'a> = dyn Fn(usize, Block) + Sync + 'a;
 
 /// What the work took, and which workers were lost.
 #[derive(Debug, Default)]
@@ -114,14 +114,14 @@ pub fn sweep<E: Send>(
     workers: &[Worker],
     missing: &[Range<usize>],
     sizes: Sizes,
-    mut keep: impl FnMut(usize, &[Outcome]) -> Result<(), E> + Send,
+    mut keep: impl FnMut(usize, Block) -> Result<(), E> + Send,
 ) -> Result<WorkReport, BatchError<E>> {
     let mut took = WorkReport::default();
     let mut times = vec![(Duration::ZERO, Duration::ZERO); workers.len()];
     let left = thread::scope(|scope| {
         let (report, reports) = mpsc::channel();
         // What is done is kept while the workers go on, unless that takes much longer than the work.
-        let (done, to_keep) = mpsc::sync_channel::<(usize, Vec<Outcome>)>(BACKLOG);
+        let (done, to_keep) = mpsc::sync_channel::<(usize, Block)>(BACKLOG);
         let mut orders = Vec::with_capacity(workers.len());
         for (number, worker) in workers.iter().enumerate() {
             let (order, ordered) = mpsc::channel();
@@ -138,8 +138,8 @@ pub fn sweep<E: Send>(
             idle: (0..workers.len()).rev().collect(),
             running: 0,
         };
-        let keeper = scope
-            .spawn(move || to_keep.iter().try_for_each(|(first, outcomes)| keep(first, &outcomes)));
+        let keeper =
+            scope.spawn(move || to_keep.iter().try_for_each(|(first, block)| keep(first, block)));
         pool.dispatch();
         while pool.running > 0
             && let Ok((worker, cells, swept)) = reports.recv()
@@ -163,7 +163,7 @@ pub fn sweep<E: Send>(
                     pool.sizes[worker] = sizes.after(cells.len(), swept.elapsed);
                     pool.idle.push(worker);
                     pool.dispatch();
-                    if done.send((cells.start, swept.outcomes)).is_err() {
+                    if done.send((cells.start, swept.block)).is_err() {
                         // The keeper has ended, with an error.
                         break;
                     }
@@ -198,10 +198,10 @@ fn work(
     number: usize,
     worker: &Worker,
     orders: mpsc::Receiver<Range<usize>>,
-    (report, done): (mpsc::Sender<BatchDone>, mpsc::SyncSender<(usize, Vec<Outcome>)>),
+    (report, done): (mpsc::Sender<BatchDone>, mpsc::SyncSender<(usize, Block)>),
 ) {
     // What finds no room comes again with the whole batch.
-    let hand_over = |first, outcomes| drop(done.try_send((first, outcomes)));
+    let hand_over = |first, block| drop(done.try_send((first, block)));
     for cells in orders {
         // A driver may take its thread with it; the others are to hear of it, not to wait for ever.
         let swept = catch_unwind(AssertUnwindSafe(|| worker(cells.clone(), &hand_over)));

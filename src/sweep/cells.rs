@@ -14,6 +14,7 @@ use super::table::Window;
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
+use crate::scene::grid::Place;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
@@ -59,13 +60,13 @@ impl<'a, R: Real> Cells<'a, R> {
     #[inline(never)]
     pub fn outcome(&self, index: usize, state: &State<R>) -> Outcome {
         let place = self.tables.place(index);
-        self.tables.readers.at(&place).outcome(&self.tables.clock(&place), state)
+        self.outcome_at(&place, &self.tables.clock(&place), state)
     }
 
-    /// The same of a cell of this clock.
+    /// The same of a cell at a place, of this clock.
     #[inline]
-    pub fn outcome_by(&self, clock: &Clock, index: usize, state: &State<R>) -> Outcome {
-        self.tables.readers.at(&self.tables.place(index)).outcome(clock, state)
+    pub fn outcome_at(&self, place: &Place, clock: &Clock, state: &State<R>) -> Outcome {
+        self.tables.readers.at(place).outcome(clock, state)
     }
 }
 

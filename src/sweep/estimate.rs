@@ -56,7 +56,7 @@ impl Estimate {
         let Method { precision, resolve, .. } = *method;
         let swept = backend.sweep_range(&plan, &grid, all, precision, resolve, progress)?;
         let source = Source { scene, precision: backend.columns(precision) };
-        let files = FileSizes::of(&grid, &swept.outcomes, source, Grid::of(scene).len())?;
+        let files = FileSizes::of(&grid, &swept.block, source, Grid::of(scene).len())?;
         let rate = grid.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
         Ok(Estimate { sampled: grid.len(), rate, compile: swept.compile, files })
     }

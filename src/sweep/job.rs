@@ -22,6 +22,7 @@ use super::request::OpenBackends;
 use super::settings::{Method, RunSettings, Saving};
 use crate::model::precision::Precision;
 use crate::results::about::Source;
+use crate::results::block::Block;
 use crate::results::block::bytes_a_cell;
 use crate::results::collector::{OutcomeCollector, Saver};
 use crate::results::outcomes::Outcomes;
@@ -31,7 +32,6 @@ use crate::results::store::{Contents, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
-use crate::stepping::outcome::Outcome;
 
 /// A sweep that is ready to run.
 pub struct Job {
@@ -258,7 +258,7 @@ impl Job {
         let at_once = self.settings.saving.as_ref().is_some_and(|saving| saving.ends_at_once);
         let go_on = || !(at_once && observer.cancelled());
         let mut collector = self.collector(&go_on)?;
-        let work = self.work(estimate, observer, |first, some| collector.take(first, some));
+        let work = self.work(estimate, observer, |first, block| collector.take(first, block));
         self.plan.forget();
         let work = match work {
             Ok(work) => work,
@@ -306,12 +306,12 @@ impl Job {
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
     }
 
-    /// Runs what is left on all backends; `keep` is handed outcomes with the number of the first cell.
+    /// Runs what is left on all backends; `keep` is handed cells with the number of the first one.
     fn work(
         &self,
         estimate: Option<&Estimate>,
         observer: &dyn Observer,
-        keep: impl FnMut(usize, &[Outcome]) -> Result<(), StoreError> + Send,
+        keep: impl FnMut(usize, Block) -> Result<(), StoreError> + Send,
     ) -> Result<WorkReport, SweepError> {
         let (Job { plan, grid, .. }, backends) = (self, self.backends());
         let Method { precision, resolve, .. } = self.settings.method;

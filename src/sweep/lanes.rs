@@ -12,6 +12,7 @@ use super::progress::Progress;
 use super::threads::on;
 use super::vectors::vectorized;
 use crate::model::real::Real;
+use crate::results::block::Block;
 use crate::scene::Grid;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
 use crate::stepping::outcome::Outcome;
@@ -38,7 +39,7 @@ struct ThreadFeed<'a, R> {
     ended: Vec<(usize, Outcome)>,
 }
 
-impl<R> ThreadFeed<'_, R> {
+impl<R: Real> ThreadFeed<'_, R> {
     /// Stores the outcomes in the cells' order.
     fn deliver(&mut self) {
         self.sweep.progress.advance(self.ended.len());
@@ -48,7 +49,7 @@ impl<R> ThreadFeed<'_, R> {
             outcomes[number] = outcome;
         }
         if self.sweep.progress.wants_snapshot() {
-            self.sweep.progress.snapshot(outcomes.clone());
+            self.sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
         }
     }
 }
@@ -127,7 +128,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
     if sweep.progress.cancelled() {
         // What was done is not lost.
-        sweep.progress.snapshot(outcomes.clone());
+        sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
     }
     outcomes
 }

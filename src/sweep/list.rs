@@ -11,6 +11,7 @@ use super::observer::{Observer, Phase};
 use super::plan::Plan;
 use super::settings::RunSettings;
 use crate::model::precision::Precision;
+use crate::results::columns::Column;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::stepping::outcome::Outcome;
 
@@ -65,7 +66,7 @@ impl ListSweep<'_> {
         let mut outcomes = vec![Outcome::PENDING; cells.len()];
         let places = 0..cells.len();
         let work = batches::sweep(&workers, &[places], Sizes::fixed(most), |first, some| {
-            outcomes[first..first + some.len()].copy_from_slice(some);
+            some.read(0, &Column::ALL, &mut outcomes[first..first + some.len()]);
             Ok::<(), Infallible>(())
         });
         let work = work.map_err(|error| match error {

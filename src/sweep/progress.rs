@@ -1,6 +1,6 @@
 //! Who hears how far work is, and may end it.
 
-use crate::stepping::outcome::Outcome;
+use crate::results::block::Block;
 
 /// Hears of cells that are done, and is asked whether to go on.
 pub trait Progress: Sync {
@@ -13,10 +13,10 @@ pub trait Progress: Sync {
         false
     }
 
-    /// For the backends: takes the outcomes of a batch's cells so far; of those that have not run [`Outcome::PENDING`].
+    /// For the backends: takes a batch's cells so far.
     #[doc(hidden)]
-    fn snapshot(&self, outcomes: Vec<Outcome>) {
-        let _ = outcomes;
+    fn snapshot(&self, block: Block) {
+        let _ = block;
     }
 
     /// True when the work is to end. It is asked many times a second, by every thread.

@@ -11,21 +11,19 @@ use super::motions::{
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
 use crate::model::motion::Motion;
-use crate::model::real::Real;
+use crate::model::number::Number;
+use crate::model::real::{Real, Vector};
 use crate::scene::grid::Place;
 use crate::stepping::extremes::{self, end_slopes, parabola};
 use crate::stepping::state::{FINISHED, State};
 
-/// Gaps between samples that a cell is looked through at once.
-const BLOCK: usize = 16;
-
 /// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 /// (14) is between two bounds, and Y above one.
 #[inline(always)]
-fn lifts<R: Real>(arms: [R; 2], lever: R, most: R, least: R, least_y: R) -> bool {
+fn lifts<N: Number>(arms: [N; 2], lever: N, most: N, least: N, least_y: N) -> N::Mask {
     // A negative lever turns the bounds about.
     let (one, other) = (lever * most, lever * least);
-    (one.max(other) > arms[0] * least_y) | ((-one).max(-other) > arms[1] * least_y)
+    one.max(other).gt(arms[0] * least_y) | (-one).max(-other).gt(arms[1] * least_y)
 }
 
 /// The first of some gaps whose bound, which does not fall from gap to gap, times `size` exceeds
@@ -67,12 +65,13 @@ pub(super) fn full_contact<R: Real>(
         (sample, if pressed { scale.abs() * strongest / y } else { zero })
     } else {
         // A scan along rows of numbers, with the widest vectors that this machine has.
-        dispatch!(motions.level, _simd => {
+        dispatch!(motions.level, simd => {
+            let none = zero.lanes(simd);
             if motions.forces {
-                let (sample, friction) = gap_by_gap::<R, true>(motions, arms, place, scale, lever);
-                (sample, crests(motions, place, scale.abs(), sample, friction))
+                let (sample, friction) = gap_by_gap::<_, true>(motions, arms, place, scale, lever, none);
+                (sample, crests(motions, place, scale.abs(), sample, friction, none))
             } else {
-                gap_by_gap::<R, false>(motions, arms, place, scale, lever)
+                gap_by_gap::<_, false>(motions, arms, place, scale, lever, none)
             }
         })
     };
@@ -103,52 +102,51 @@ pub(super) fn full_contact<R: Real>(
 }
 
 /// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it where forces are
-/// looked at.
+/// looked at: vector by vector, then gap by gap.
 #[inline(always)]
-fn gap_by_gap<R: Real, const FORCES: bool>(
-    motions: &FullContactMotions<R>,
-    arms: [R; 2],
+fn gap_by_gap<V: Vector, const FORCES: bool>(
+    motions: &FullContactMotions<V::Element>,
+    arms: [V::Element; 2],
     place: &Place,
-    scale: R,
-    lever: R,
-) -> (usize, R) {
-    let zero = R::of(0.0);
+    scale: V::Element,
+    lever: V::Element,
+    zero: V,
+) -> (usize, V::Element) {
+    let none = V::Element::of(0.0);
     let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (last, last_v) = (h.length - 1, v.length - 1);
     let (most, least, x) = (h.field(MOST), h.field(LEAST), h.field(ACCELERATION));
     let (least_y, y) = (&v.field(LEAST)[..last_v], v.field(ACCELERATION));
     let size = scale.abs();
-    let mut friction = zero;
+    let lever_of_all = zero.like(lever.to_f64());
+    let size_of_all = zero.like(size.to_f64());
+    let arms_of_all = [zero.like(arms[0].to_f64()), zero.like(arms[1].to_f64())];
+    // The largest in each lane.
+    let mut frictions = zero;
     let mut sample = 0;
-    // Whole blocks of gaps at once, without a branch in them.
-    while sample + BLOCK <= last.min(last_v)
-        && let Some(most) = most[sample..].first_chunk::<BLOCK>()
-        && let Some(least) = least[sample..].first_chunk::<BLOCK>()
-        && let Some(x) = x[sample..].first_chunk::<BLOCK>()
-        && let Some(least_y) = least_y[sample..].first_chunk::<BLOCK>()
-        && let Some(y) = y[sample..].first_chunk::<BLOCK>()
-    {
-        let mut any = false;
-        let mut largest = friction;
-        for i in 0..BLOCK {
-            any |= lifts(arms, lever, most[i], least[i], least_y[i]);
-            if FORCES {
-                let share = size * x[i].abs() / y[i];
-                largest = largest.max(if y[i] > zero { share } else { zero });
-            }
-        }
-        if any {
+    while sample + V::LANES <= last.min(last_v) {
+        let (most, least) = (zero.first_of(&most[sample..]), zero.first_of(&least[sample..]));
+        let least_y = zero.first_of(&least_y[sample..]);
+        if V::any(lifts(arms_of_all, lever_of_all, most, least, least_y)) {
             break;
         }
-        friction = largest;
-        sample += BLOCK;
+        if FORCES {
+            let (x, y) = (zero.first_of(&x[sample..]), zero.first_of(&y[sample..]));
+            let share = V::select(y.gt(zero), size_of_all * x.abs() / y, zero);
+            frictions = frictions.max(share);
+        }
+        sample += V::LANES;
+    }
+    let mut friction = none;
+    for lane in 0..V::LANES {
+        friction = friction.max(frictions.lane(lane));
     }
     while sample < last {
         let gap = sample.min(last_v - 1);
         if lifts(arms, lever, most[sample], least[sample], least_y[gap]) {
             break;
         }
-        if FORCES && y[gap] > zero {
+        if FORCES && y[gap] > none {
             friction = friction.max(size * x[sample].abs() / y[gap]);
         }
         sample += 1;
@@ -161,82 +159,114 @@ const OVER: f64 = 2.0e-4;
 
 /// The least of the parabola through three values evenly apart, and at what fraction of the way.
 #[inline(always)]
-fn dip<R: Real>([start, mid, end]: [R; 3]) -> (R, R) {
-    let (zero, one) = (R::of(0.0), R::of(1.0));
+fn dip<N: Number>([start, mid, end]: [N; 3]) -> (N, N) {
+    let (zero, one) = (start.like(0.0), start.like(1.0));
     let (rise, fall) = end_slopes(start, mid, end);
-    let inside = rise < zero && fall > zero;
-    let at = if inside {
-        rise / (rise - fall)
-    } else if end < start {
-        one
-    } else {
-        zero
-    };
+    let outside = N::select(start.gt(end), one, zero);
+    let inside = zero.gt(rise) & fall.gt(zero);
+    let at = N::select(inside, rise / (rise - fall), outside);
     (parabola(start, mid, end, at), at)
 }
 
 /// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them,
-/// and where Y is least. How small Y is there is known; the parabolas tell when.
+/// |X| over the least Y exceeds the largest so far it is looked for [within the gap](within_gaps). A motion grows until the
+/// block lifts: from the last gap backwards, few exceed the largest so far.
 #[inline(always)]
-fn crests<R: Real>(
-    motions: &FullContactMotions<R>,
+fn crests<V: Vector>(
+    motions: &FullContactMotions<V::Element>,
     place: &Place,
-    size: R,
+    size: V::Element,
     sample: usize,
-    friction: R,
-) -> R {
-    let (zero, over) = (R::of(0.0), R::of(1.0 + OVER));
+    friction: V::Element,
+    zero: V,
+) -> V::Element {
+    let over = V::Element::of(1.0 + OVER);
     let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));
-    let (xs, ys) = (h.field(ACCELERATION), v.field(ACCELERATION));
     let last_v = v.length - 1;
-    let share = |x: R, y: R| if y > zero { size * (x.abs() / y) } else { zero };
+    let sizes = zero.like(size.to_f64());
     let mut friction = friction;
-    for gap in 0..sample {
+    let both = sample.min(last_v);
+    let mut before = if both < V::LANES { 0 } else { both };
+    for gap in (before..sample).rev() {
         let gap_v = gap.min(last_v - 1);
-        if !(size * crest[gap] > over * friction * trough[gap_v]) {
-            continue;
+        if size * crest[gap] > over * friction * trough[gap_v] {
+            friction = friction.max(within_gaps(motions, place, size, (gap, gap_v)));
         }
-        let quarter = |number: usize| match number {
-            0 => xs[gap],
-            4 => xs[gap + 1],
-            _ => h.field(QUARTERS_H + number - 1)[gap],
-        };
-        let eighth = |number: usize| match number {
-            0 => ys[gap_v],
-            8 => ys[gap_v + 1],
-            _ => v.field(EIGHTHS_V + number - 1)[gap_v],
-        };
-        // Of spans of two eighths each: the largest share, and |X| where Y is least.
-        let mut ends = zero;
-        let mut top = zero;
-        let (mut least, mut x_there) = (ys[gap_v], xs[gap]);
-        for span in 0..4 {
-            let half = span / 2 * 2;
-            let xs_half = (quarter(half), quarter(half + 1), quarter(half + 2));
-            let early = if span % 2 == 0 { 0.25 } else { 0.75 };
-            let x = [
-                quarter(span),
-                parabola(xs_half.0, xs_half.1, xs_half.2, R::of(early)),
-                quarter(span + 1),
-            ];
-            let y = [eighth(2 * span), eighth(2 * span + 1), eighth(2 * span + 2)];
-            let (start, mid, end) = (share(x[0], y[0]), share(x[1], y[1]), share(x[2], y[2]));
-            ends = ends.max(start).max(mid).max(end);
-            top = top.max(extremes::crest(start, mid, end));
-            let (lower, at) = dip(y);
-            if lower < least {
-                (least, x_there) = (lower, parabola(x[0], x[1], x[2], at));
+    }
+    while before > 0 {
+        // The first gaps are looked at with some after them.
+        let first = before.saturating_sub(V::LANES);
+        let limits = zero.like((over * friction).to_f64());
+        let bounds = sizes * zero.first_of(&crest[first..]);
+        let beyond = V::bits(bounds.gt(limits * zero.first_of(&trough[first..])));
+        if beyond != 0 {
+            let within = within_gaps(motions, place, sizes, (first, first));
+            for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
+                // Those after it may have raised the limit.
+                let gap = first + lane;
+                if size * crest[gap] > over * friction * trough[gap] {
+                    friction = friction.max(within.lane(lane));
+                }
             }
         }
-        let mut most = ends;
-        if trough[gap_v] > zero {
-            // No more than the bound that the gap was looked into for.
-            let bound = share(crest[gap], trough[gap_v]);
-            most = top.max(share(x_there, trough[gap_v])).max(ends).min(bound.max(ends));
-        }
-        friction = friction.max(most);
+        before = first;
     }
     friction
+}
+
+/// The friction asked for within gaps, from these of u and of v on, one in each lane: on parabolas through eighths of
+/// them, and where Y is least. How small Y is there is known; the parabolas tell when.
+#[inline(always)]
+fn within_gaps<V: Vector>(
+    motions: &FullContactMotions<V::Element>,
+    place: &Place,
+    size: V,
+    (gap, gap_v): (usize, usize),
+) -> V {
+    let zero = size.like(0.0);
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let crest = zero.first_of(&h.field(CREST)[gap..]);
+    let trough = zero.first_of(&v.field(TROUGH)[gap_v..]);
+    let (xs, ys) = (&h.field(ACCELERATION)[gap..], &v.field(ACCELERATION)[gap_v..]);
+    let mut quarters = [zero.first_of(xs); 5];
+    for number in 1..4 {
+        quarters[number] = zero.first_of(&h.field(QUARTERS_H + number - 1)[gap..]);
+    }
+    quarters[4] = zero.first_of(&xs[1..]);
+    let mut eighths = [zero.first_of(ys); 9];
+    for number in 1..8 {
+        eighths[number] = zero.first_of(&v.field(EIGHTHS_V + number - 1)[gap_v..]);
+    }
+    eighths[8] = zero.first_of(&ys[1..]);
+    // Of spans of two eighths each: the largest share, and |X| where Y is least.
+    let mut ends = zero;
+    let mut top = zero;
+    let (mut least, mut x_there) = (eighths[0], quarters[0]);
+    for span in 0..4 {
+        let half = span / 2 * 2;
+        let early = zero.like(if span % 2 == 0 { 0.25 } else { 0.75 });
+        let between = parabola(quarters[half], quarters[half + 1], quarters[half + 2], early);
+        let x = [quarters[span], between, quarters[span + 1]];
+        let y = [eighths[2 * span], eighths[2 * span + 1], eighths[2 * span + 2]];
+        let start = share(size, x[0], y[0]);
+        let mid = share(size, x[1], y[1]);
+        let end = share(size, x[2], y[2]);
+        ends = ends.max(start).max(mid).max(end);
+        top = top.max(extremes::crest(start, mid, end));
+        let (lower, at) = dip(y);
+        let deeper = least.gt(lower);
+        x_there = V::select(deeper, parabola(x[0], x[1], x[2], at), x_there);
+        least = V::select(deeper, lower, least);
+    }
+    // No more than the bound that the gap was looked into for.
+    let bound = share(size, crest, trough).max(ends);
+    let most = top.max(share(size, x_there, trough)).max(ends).min(bound);
+    V::select(trough.gt(zero), most, ends)
+}
+
+#[inline(always)]
+fn share<N: Number>(size: N, x: N, y: N) -> N {
+    let zero = y.like(0.0);
+    N::select(y.gt(zero), size * (x.abs() / y), zero)
 }

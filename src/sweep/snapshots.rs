@@ -1,12 +1,13 @@
-//! Snapshots of the outcomes of a batch that is still running, on their way from a backend to who saves them:
+//! Snapshots of a batch that is still running, on their way from a backend to who saves them:
 //! in the grid's order, and as they will be at the end.
 
 use super::plan::Part;
 use super::progress::Progress;
-use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::results::block::Block;
+use crate::stepping::outcome::{Class, Status};
 
-/// Makes outcomes of a run what they are for who hears.
-type Change<'a> = dyn Fn(Vec<Outcome>) -> Vec<Outcome> + Sync + 'a;
+/// Makes the cells of a run what they are for who hears.
+type Change<'a> = dyn Fn(Block) -> Block + Sync + 'a;
 
 /// Passes on what a run tells, its snapshots changed; or without any, of a run whose outcomes nobody is to have.
 pub struct PassedOn<'a> {
@@ -29,49 +30,44 @@ impl Progress for PassedOn<'_> {
         self.change.is_some() && self.progress.wants_snapshot()
     }
 
-    fn snapshot(&self, outcomes: Vec<Outcome>) {
+    fn snapshot(&self, block: Block) {
         if let Some(change) = self.change {
-            self.progress.snapshot(change(outcomes));
+            self.progress.snapshot(change(block));
         }
     }
 }
 
 impl Part {
-    /// The outcome of a cell of it: one whose vertical direction is locked says so.
-    fn told(&self, mut outcome: Outcome) -> Outcome {
-        if self.vertical_locked && matches!(outcome.status, Status::Ok | Status::Proved) {
-            outcome.status = Status::VerticalLocked;
-        }
-        outcome
-    }
-
-    /// Its outcomes as they are told.
-    pub(super) fn all_told(&self, mut outcomes: Vec<Outcome>) -> Vec<Outcome> {
+    /// Its cells as they are told: one whose vertical direction is locked says so.
+    pub(super) fn told(&self, mut block: Block) -> Block {
         if self.vertical_locked {
-            outcomes.iter_mut().for_each(|outcome| *outcome = self.told(*outcome));
+            block.recode(|_, class, status| match status {
+                Status::Ok | Status::Proved => (class, Status::VerticalLocked),
+                other => (class, other),
+            });
         }
-        outcomes
+        block
     }
 
-    /// Its outcomes among those of a list of so many cells, the others pending.
-    pub(super) fn among(&self, count: usize, outcomes: Vec<Outcome>) -> Vec<Outcome> {
-        if outcomes.len() == count {
+    /// Its cells among those of a list of so many, of which the others have not run.
+    pub(super) fn among(&self, count: usize, block: Block) -> Block {
+        if block.len() == count {
             // A part alone holds every cell, in order.
-            return outcomes;
+            return block;
         }
-        let mut all = vec![Outcome::PENDING; count];
-        for (&place, outcome) in self.places.iter().zip(outcomes) {
-            all[place] = outcome;
-        }
+        let mut all = Block::pending(count, block.precision());
+        all.scatter(&self.places, &block);
         all
     }
 }
 
 /// Calls cells unresolved that another run classifies otherwise; those that have not run stay so.
-pub fn resolve(outcomes: &mut [Outcome], other: &[Outcome]) {
-    for (cell, other) in outcomes.iter_mut().zip(other) {
-        if cell.class != other.class && cell.class != Class::Unresolved {
-            (cell.class, cell.status) = (Class::Unresolved, Status::Undecided);
+pub fn resolve(block: &mut Block, other: &Block) {
+    block.recode(|cell, class, status| {
+        if class == other.class(cell) || class == Class::Unresolved {
+            (class, status)
+        } else {
+            (Class::Unresolved, Status::Undecided)
         }
-    }
+    });
 }

@@ -43,7 +43,11 @@ fn figure(name: &str, cells: Option<u32>, records: Option<&Path>) -> (Figure, Ve
 /// A scene's cells as a sweep runs them.
 fn swept(scene: &Scene) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    Backend::Cpu.sweep(&plan, &Grid::of(scene), Precision::F32, &Unwatched).unwrap().outcomes
+    Backend::Cpu
+        .sweep(&plan, &Grid::of(scene), Precision::F32, &Unwatched)
+        .unwrap()
+        .block
+        .to_outcomes()
 }
 
 /// A panel that has run.

@@ -78,7 +78,8 @@ impl Run<'_> {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
         let grid = Grid::of(&self.case.scene);
         let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
-        let cells = sweeper.sweep::<R>(&plan, &grid, &all(&grid), &Unwatched).unwrap().outcomes;
+        let cells =
+            sweeper.sweep::<R>(&plan, &grid, &all(&grid), &Unwatched).unwrap().block.to_outcomes();
         self.judge(name, precision, &cells);
     }
 }

@@ -99,11 +99,13 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     let (loose, tight) = (right(1e-10), right(1e-12));
     let undecided = loose.iter().zip(&tight).filter(|(a, b)| a != b).count();
     [Precision::F32, Precision::F64].map(|precision| {
-        let plain = Backend::Cpu.sweep(&plan, &grid, precision, &Unwatched).unwrap().outcomes;
+        let plain =
+            Backend::Cpu.sweep(&plan, &grid, precision, &Unwatched).unwrap().block.to_outcomes();
         let resolved = Backend::Cpu
             .sweep_range(&plan, &grid, 0..grid.len(), precision, true, &Unwatched)
             .unwrap()
-            .outcomes;
+            .block
+            .to_outcomes();
         let other = |(cell, right): &(&Outcome, &Class)| cell.class != **right;
         let marked = resolved.iter().filter(|cell| cell.status == Status::Undecided).count();
         let found = Standing {

@@ -208,7 +208,11 @@ fn in_the_shader() {
     let source = shader::source(Precision::F32, Switches::Forgotten);
     let run = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
-        sweeper.sweep::<f32>(&plan, &grid, &super::common::all(&grid), &Unwatched).unwrap().outcomes
+        sweeper
+            .sweep::<f32>(&plan, &grid, &super::common::all(&grid), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes()
     };
     assert!(run(&source).iter().all(|cell| cell.class != Class::Unresolved));
     for (from, to) in [

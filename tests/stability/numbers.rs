@@ -95,7 +95,7 @@ fn denormal_numbers() {
             let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
             let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
             let ran = sweeper.sweep::<f32>(&plan, &Grid::of(&scene), &[0], &Unwatched).unwrap();
-            cells.push(("shader f32", ran.outcomes[0]));
+            cells.push(("shader f32", ran.block.to_outcomes()[0]));
         }
         for (name, cell) in cells {
             let stands = matches!(cell.class, Class::FullContact | Class::Rocking);

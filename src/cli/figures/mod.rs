@@ -219,7 +219,11 @@ impl Work<'_> {
         let options = self.options;
         let (plan, grid) = (plan(options, scene, fixed, place)?, Grid::of(scene));
         let (cells, precision, resolve) = (0..grid.len(), options.precision(), options.resolve);
-        Ok(self.backend.sweep_range(&plan, &grid, cells, precision, resolve, progress)?.outcomes)
+        Ok(self
+            .backend
+            .sweep_range(&plan, &grid, cells, precision, resolve, progress)?
+            .block
+            .to_outcomes())
     }
 
     /// How the cells were computed, for captions.

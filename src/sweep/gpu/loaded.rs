@@ -48,7 +48,9 @@ impl<R: Real> Loaded<'_, R> {
     ) -> Result<(), BackendError> {
         let back = &slots.sides[side];
         let view = gpu.view(&back.states_back)?;
-        outcomes::read(all, self.cells, self.own.as_ref(), &view, &mut results.outcomes)?;
+        let place = (&mut results.block, results.done);
+        outcomes::read(all, self.cells, self.own.as_ref(), &view, place)?;
+        results.done += self.cells.len();
         drop(view);
         back.states_back.unmap();
         if let Some(events) = &back.events_back {

@@ -1,34 +1,33 @@
 //! The outcomes of cells from the last states that a device has written.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
-
-use rayon::prelude::*;
 
 use super::super::cells::Cells;
 use super::BackendError;
 use super::tile::OwnClocks;
 use crate::model::real::Real;
+use crate::results::block::Block;
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
 use crate::sweep::threads::on;
 
-/// Cells that a thread reads at once.
-const CHUNK: usize = 1 << 12;
-
-/// The outcomes of cells that a device computed, and the time that it took.
+/// The cells that a device computed, and the time that it took.
 pub struct DeviceOutcomes<R> {
-    /// One a cell, in their order.
-    pub outcomes: Vec<Outcome>,
+    /// Their columns, in the cells' order.
+    pub block: Block,
+    /// Cells that are in them, the first ones.
+    pub done: usize,
     /// The first switches of each cell, as many for each as were asked for.
     pub events: Vec<Event<R>>,
     /// Time in the shader, by the device's clock; none on a device that has no such clock.
     pub device: Option<Duration>,
 }
 
-/// Adds the outcomes of a tile's cells, by all cores, to those of the tiles before it. `bytes` are
-/// the cells' states.
+/// Puts the outcomes of a tile's cells in their columns, by all cores, from the cell `first` on. `bytes` are the
+/// cells' states.
 ///
 /// # Errors
 /// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
@@ -37,7 +36,7 @@ pub fn read<R: Real>(
     cells: &[usize],
     own: Option<&OwnClocks<R>>,
     bytes: &[u8],
-    outcomes: &mut Vec<Outcome>,
+    (block, first): (&mut Block, usize),
 ) -> Result<(), BackendError> {
     let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
     let copy: Vec<State<R>>;
@@ -53,17 +52,30 @@ pub fn read<R: Real>(
         return Err(BackendError::Unfinished(cells.len() - states.len()));
     }
     let unfinished = AtomicUsize::new(0);
-    let of = |(at, (state, &cell)): (usize, (&State<R>, &usize))| {
-        if state.status == RUNNING || state.status > PROVED {
-            unfinished.fetch_add(1, Ordering::Relaxed);
-        }
-        match own {
-            Some(own) => all.outcome_by(&own.clocks[own.numbers[at] as usize], cell, state),
-            None => all.outcome(cell, state),
+    let grid = all.tables.grid();
+    let columns = grid.shape().0;
+    let of = |some: Range<usize>, outcomes: &mut Vec<Outcome>| {
+        let mut place = grid.place(cells[some.start]);
+        for at in some.clone() {
+            let state = &states[at];
+            if state.status == RUNNING || state.status > PROVED {
+                unfinished.fetch_add(1, Ordering::Relaxed);
+            }
+            // Most cells follow the one before them in its row, and their places need no division.
+            if at > some.start {
+                if cells[at] == cells[at - 1] + 1 && place[0] + 1 < columns {
+                    place[0] += 1;
+                } else {
+                    place = grid.place(cells[at]);
+                }
+            }
+            outcomes.push(match own {
+                Some(own) => all.outcome_at(&place, &own.clocks[own.numbers[at] as usize], state),
+                None => all.outcome_at(&place, &all.tables.clock(&place), state),
+            });
         }
     };
-    let all = states.par_iter().zip(cells).enumerate().map(of).with_min_len(CHUNK);
-    on(|| outcomes.par_extend(all));
+    on(|| block.fill(first, cells.len(), of));
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

@@ -23,6 +23,7 @@ use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
 use super::tile::OwnClocks;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
+use crate::results::block::Block;
 
 /// A sweep's tiles.
 pub struct Tiles<'a, R> {
@@ -69,7 +70,8 @@ impl<'a, R: Real> Tiles<'a, R> {
             Inputs::new(gpu, pipelines, slots, all, record)
         })?;
         let results = DeviceOutcomes {
-            outcomes: Vec::with_capacity(cells.len()),
+            block: Block::pending(cells.len(), R::PRECISION),
+            done: 0,
             events: Vec::new(),
             device: gpu.has_clock().then_some(Duration::ZERO),
         };
@@ -119,8 +121,8 @@ impl<'a, R: Real> Tiles<'a, R> {
                 break;
             }
         }
-        if self.results.outcomes.len() < count {
-            return Err(BackendError::Unfinished(count - self.results.outcomes.len()));
+        if self.results.done < count {
+            return Err(BackendError::Unfinished(count - self.results.done));
         }
         progress.advance(count.saturating_sub(told));
         Ok(self.results)
@@ -239,6 +241,6 @@ impl<'a, R: Real> Tiles<'a, R> {
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
         let running = self.sides.iter().flatten().map(Loaded::done).sum::<usize>();
-        self.results.outcomes.len() + ended + running
+        self.results.done + ended + running
     }
 }
