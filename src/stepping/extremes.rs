@@ -101,7 +101,7 @@ pub fn crest<N: Number>(start: N, mid: N, end: N) -> N {
 /// How far a parabola through three values can go beyond them: its extremum is at most a quarter of
 /// the span from the nearest.
 #[inline(always)]
-fn bend<N: Number>(start: N, mid: N, end: N) -> N {
+pub fn bend<N: Number>(start: N, mid: N, end: N) -> N {
     mid.like(0.125) * (start - mid.like(2.0) * mid + end).abs()
 }
 

@@ -45,6 +45,7 @@ impl<'a, R: Real> Standing<'a, R> {
 
     /// Takes the next step, which must be one under excitation: the contact forces at its start, in its
     /// middle and at its end.
+    #[inline(always)]
     pub fn step(&mut self) -> [Contact<R>; 3] {
         let set = self.set;
         if self.forcing.done >= self.forcing.steps {

@@ -12,7 +12,7 @@ use crate::model::isolation::Variant;
 use crate::model::motion::Motion;
 use crate::model::real::Real;
 use crate::scene::Case;
-use crate::stepping::extremes::{crest, parabola};
+use crate::stepping::extremes::{bend, crest, parabola};
 use crate::stepping::forcing::ground_at;
 use crate::stepping::log::Log;
 use crate::stepping::rk4::hermite;
@@ -98,13 +98,23 @@ impl Direction {
 
     /// The larger of the one so far and the largest |X|, or the lesser and the least Y, on the parabola
     /// through a span's start, middle and end.
+    #[inline(always)]
     fn crest<R: Real>(self, so_far: R, [start, mid, end]: [R; 3]) -> R {
+        // A parabola goes beyond its values by no more than its bend: most spans need no division.
         match self {
             Direction::Horizontal => {
                 let [start, mid, end] = [start.abs(), mid.abs(), end.abs()];
-                so_far.max(start).max(mid).max(end).max(crest(start, mid, end))
+                let most = start.max(mid).max(end);
+                let so_far = so_far.max(most);
+                let higher = most + bend(start, mid, end) > so_far;
+                if higher { so_far.max(crest(start, mid, end)) } else { so_far }
             }
-            Direction::Vertical => so_far.min(start).min(mid).min(end).min(crest(start, mid, end)),
+            Direction::Vertical => {
+                let least = start.min(mid).min(end);
+                let so_far = so_far.min(least);
+                let lower = least - bend(start, mid, end) < so_far;
+                if lower { so_far.min(crest(start, mid, end)) } else { so_far }
+            }
         }
     }
 
@@ -175,6 +185,7 @@ trait Integrator<R> {
 }
 
 /// The forces of a gap with those of one more span.
+#[inline(always)]
 fn add_span<R: Real>(
     forces: GapForces<R>,
     direction: Direction,
@@ -199,6 +210,7 @@ struct Smooth<'a, R: Real> {
 }
 
 impl<R: Real> Integrator<R> for Smooth<'_, R> {
+    #[inline(always)]
     fn step(&mut self) -> GapForces<R> {
         self.forces.spans = 0;
         self.forces = add_span(self.forces, self.direction, self.standing.step());
@@ -350,7 +362,7 @@ impl<R: Real> SampledMotion<R> {
         set: &CellEquations<R>,
         direction: Direction,
         mut now: R,
-        integrator: &mut dyn Integrator<R>,
+        integrator: &mut impl Integrator<R>,
     ) -> SampledMotion<R> {
         let cell = set.cell;
         let count = samples(cell);
