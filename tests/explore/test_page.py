@@ -2,6 +2,7 @@
 
 import os
 import random
+import re
 import statistics
 
 import pytest
@@ -153,7 +154,8 @@ def test_random_moves_leave_no_error_no_leak_and_no_stale_picture(open_page, ser
         if k % often == often - 1:
             # No move leads to a scene that the engine refuses.
             page.settle()
-            assert page.data()["stage"] not in ("error", "lost"), page.page.url
+            said = f"move {k}, {page.page.inner_text('#problem')}: {page.page.url}"
+            assert page.data()["stage"] not in ("error", "lost"), said
             assert page.errors == []
             # Far from the first scene a view may take a minute.
             page.page.evaluate("(hash) => { location.hash = hash; }", start)
@@ -379,6 +381,27 @@ def test_whole_numbers_are_shown_one_by_one(open_page):
     page.settle()
     assert "bouc_wen_n=2:3" in page.rested() or "bouc_wen_n=1:3" in page.page.url or "bouc_wen_n=2:4" in page.page.url
     page.errors.clear()
+
+
+def test_a_wide_view_does_not_round_its_end_to_zero(open_page):
+    """Omega has no largest value, and zero is none of its values: to the digits of a span of thousands the least is 0."""
+    page = open_page("#object=1&t_h=1.75&t_v=0.75&omega=0.04:900&a_h=0.1:9&x=omega&y=a_h&t_max=3", **SMALL)
+    page.settle()
+    for _ in range(3):
+        page.page.click("#zoom-out")
+        page.settle()
+        assert page.data()["stage"] not in ("error", "lost"), page.page.inner_text("#problem")
+    low, high = re.search(r"omega=([^:&]+):([^:&]+)", page.rested()).groups()
+    assert 0 < float(low) < 0.1 and float(high) > 1000
+    # A cell at the left edge has a frequency, too.
+    picture = page.page.locator("#marks").bounding_box()
+    for away in range(40, 70):
+        page.page.mouse.click(picture["x"] + away, picture["y"] + picture["height"] / 2)
+        if "cell=" in page.rested():
+            break
+    assert "cell=" in page.page.url and "cell=0," not in page.page.url
+    page.settle()
+    assert page.data()["stage"] not in ("error", "lost"), page.page.inner_text("#problem")
 
 
 ODD = ["nonsense", "NaN", "1e999", "1:2", "0x10", "٣", "5\u200b", "9" * 2000, "<b>1</b>", "1,5", "1 2", "--"]

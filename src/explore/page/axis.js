@@ -16,11 +16,28 @@ export function parseRange(key, text) {
   return { key, start, stop, log };
 }
 
-/** The text of an axis; its ends have the digits that its span needs. */
-export function rangeText(axis, integer = false) {
+/** The text of an axis; its ends have the digits that its span needs, and more where fewer leave the ends that its number may have. */
+export function rangeText(axis, ends, integer = false) {
   const { start, stop, log } = axis;
-  const ends = [start, stop].map((end) => (integer ? Math.round(end) : log ? plain(end, logDigits(axis)) : within(end, stop - start)));
-  return ends.join(':') + (log ? ':log' : '');
+  const texts = [start, stop].map((at) => (integer ? String(Math.round(at)) : log ? plain(at, logDigits(axis)) : within(at, stop - start)));
+  return [start, stop].map((at, k) => held(at, texts[k], ends)).join(':') + (log ? ':log' : '');
+}
+
+/**
+ * The number at a place of an axis, to the digits that its span needs, and more where fewer leave the ends that it may have. The first
+ * and the last cell reach half a cell beyond the axis: there it is the axis' end.
+ */
+export function numberAt(place, { start, stop }, ends) {
+  const at = Math.max(start, Math.min(stop, place));
+  return Number(held(at, within(at, stop - start), ends));
+}
+
+/** A rounded text of a value, or the value itself where that text is no number between the ends. */
+function held(value, text, { low, high, open }) {
+  const rounded = Number(text);
+  const above = open[0] ? rounded > low : rounded >= low;
+  const below = open[1] ? rounded < high : rounded <= high;
+  return above && below ? text : plain(value);
 }
 
 const logDigits = ({ start, stop }) => Math.min(17, 5 + Math.max(0, Math.ceil(-Math.log10(Math.log10(stop / start)))));

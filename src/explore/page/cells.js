@@ -4,8 +4,8 @@ import { createClock } from './clock.js';
 import { announce, byId, make, say, still, symbol } from './dom.js';
 import { drawHistories, timeAxis } from './histories.js';
 import { largest, tellingEnd } from './motion.js';
-import { read, within } from './numbers.js';
-import { axesOf, cellScene, motionKey, parameterOf } from './scene.js';
+import { read } from './numbers.js';
+import { axesOf, cellNumber, cellScene, motionKey, parameterOf } from './scene.js';
 import { suggestion } from './suggest.js';
 
 const SLOTS = ['cell', 'cell2'];
@@ -59,10 +59,7 @@ export function createCells(engine, store, explorer, change, tell) {
   function act(values, second) {
     const axes = axesOf(store.state);
     if (!axes || store.state.suite) return;
-    const at = values.map((value, k) => {
-      const near = parameterOf(about, axes[k].key).integer ? Math.round(value) : Number(within(value, axes[k].stop - axes[k].start));
-      return near;
-    });
+    const at = values.map((value, k) => cellNumber(about, axes[k], value));
     change(second && store.state.cell ? { cell2: at } : { cell: at }, true);
   }
 

@@ -1,5 +1,5 @@
 // What a state's scene says: its axes, its excitation, what its picture depends on.
-import { bounds, clamped, parseRange, rangeText } from './axis.js';
+import { bounds, clamped, numberAt, parseRange, rangeText } from './axis.js';
 import { handy, margin, middle } from './ranges.js';
 import { parse } from './numbers.js';
 
@@ -23,22 +23,29 @@ export function axesPatch(about, scene, axes) {
   const patch = {};
   for (const axis of axes) {
     const parameter = parameterOf(about, axis.key);
-    const inside = clamped(axis, bounds(parameter, isForced(scene)), margin(parameter));
+    const ends = bounds(parameter, isForced(scene));
+    const inside = clamped(axis, ends, margin(parameter));
     const span = inside.stop - inside.start;
     const size = Math.max(Math.abs(inside.start), Math.abs(inside.stop));
     if (!(span > DEEPEST * size) || (parameter.integer && span < 1)) continue;
-    const text = rangeText(inside, parameter.integer);
+    const text = rangeText(inside, ends, parameter.integer);
     if (parseRange(axis.key, text)) patch[axis.key] = text;
   }
   return patch;
 }
 
+/** A cell's number at a place of an axis. */
+export function cellNumber(about, axis, at) {
+  const parameter = parameterOf(about, axis.key);
+  return parameter.integer ? Math.round(at) : numberAt(at, axis, bounds(parameter, true));
+}
+
 /** The first range of an axis: the engine's first scene's, else a handy one. */
 export function homeRange(about, key) {
+  const parameter = parameterOf(about, key);
   const own = parseRange(key, about.scene[key]);
-  if (own) return rangeText(own);
-  const { low, high, log } = handy(parameterOf(about, key));
-  return rangeText({ key, start: low, stop: high, log });
+  const { low, high, log } = handy(parameter);
+  return rangeText(own ?? { key, start: low, stop: high, log }, bounds(parameter, true));
 }
 
 /** The changes that make a number the horizontal (`x`) or the vertical (`y`) axis. */

@@ -1,7 +1,8 @@
 // The cross-section: the line is drawn with the tool or with the key L, its cells are asked of the engine, and drawn.
 import { announce, byId, say, symbol } from './dom.js';
-import { read, within } from './numbers.js';
+import { read } from './numbers.js';
 import { axesOf, parameterOf, pictureKey } from './scene.js';
+import { bounds, numberAt } from './axis.js';
 import { drawStrip, shareAt } from './strip.js';
 
 /** Cells along a line. */
@@ -50,7 +51,7 @@ export function createSection(engine, store, explorer, change, tell) {
 
   function rounded(points) {
     const axes = axesOf(store.state);
-    return points.map((value, k) => Number(within(value, axes[k % 2].stop - axes[k % 2].start)));
+    return points.map((value, k) => numberAt(value, axes[k % 2], bounds(parameterOf(about, axes[k % 2].key), true)));
   }
 
   function update(state, before) {
