@@ -172,3 +172,54 @@ impl<'a> Slots<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stepping::outcome::{Class, Status};
+
+    fn outcome(cell: usize) -> Outcome {
+        let number = cell as f64 + 0.5;
+        Outcome {
+            class: Class::ALL[cell % 5],
+            status: Status::ALL[cell % 4],
+            impacts: cell as u32,
+            t_end: number,
+            t_uplift: Some(-number),
+            zeta: 2.0 * number,
+            friction: 3.0 * number,
+            ..Outcome::PENDING
+        }
+    }
+
+    /// All threads put every cell in its place, whatever the numbers of cells.
+    #[test]
+    fn all_threads_fill_what_one_puts() {
+        for count in [1, FILLED, FILLED + 1, 2 * A_THREAD + 77] {
+            let mut filled = Block::pending(count + 9, Precision::F64);
+            filled.fill(5, count, |cells, outcomes| outcomes.extend(cells.map(outcome)));
+            let mut expected = vec![Outcome::PENDING; count + 9];
+            for cell in 0..count {
+                expected[5 + cell] = outcome(cell);
+            }
+            assert_eq!(filled, Block::of_outcomes(&expected, Precision::F64));
+        }
+    }
+
+    /// Cells are taken to their places, and numbers become as wide as those there.
+    #[test]
+    fn cells_are_scattered() {
+        let outcomes: Vec<Outcome> = (0..6).map(outcome).collect();
+        let from = Block::of_outcomes(&outcomes, Precision::F64);
+        for precision in [Precision::F32, Precision::F64] {
+            let mut to = Block::pending(9, precision);
+            to.scatter(&[8, 1, 2, 3, 0, 6], &from);
+            let mut expected = vec![Outcome::PENDING; 9];
+            for (cell, place) in [8, 1, 2, 3, 0, 6].into_iter().enumerate() {
+                expected[place] = outcomes[cell];
+            }
+            assert_eq!(to, Block::of_outcomes(&expected, precision));
+            assert_eq!(to.done(), [0..4, 6..7, 8..9]);
+        }
+    }
+}

@@ -230,13 +230,13 @@ fn within_gaps<V: Vector>(
     let trough = zero.first_of(&v.field(TROUGH)[gap_v..]);
     let (xs, ys) = (&h.field(ACCELERATION)[gap..], &v.field(ACCELERATION)[gap_v..]);
     let mut quarters = [zero.first_of(xs); 5];
-    for number in 1..4 {
-        quarters[number] = zero.first_of(&h.field(QUARTERS_H + number - 1)[gap..]);
+    for (number, quarter) in quarters[1..4].iter_mut().enumerate() {
+        *quarter = zero.first_of(&h.field(QUARTERS_H + number)[gap..]);
     }
     quarters[4] = zero.first_of(&xs[1..]);
     let mut eighths = [zero.first_of(ys); 9];
-    for number in 1..8 {
-        eighths[number] = zero.first_of(&v.field(EIGHTHS_V + number - 1)[gap_v..]);
+    for (number, eighth) in eighths[1..8].iter_mut().enumerate() {
+        *eighth = zero.first_of(&v.field(EIGHTHS_V + number)[gap_v..]);
     }
     eighths[8] = zero.first_of(&ys[1..]);
     // Of spans of two eighths each: the largest share, and |X| where Y is least.
