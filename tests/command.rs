@@ -697,6 +697,7 @@ fn what_is_printed_is_chosen() {
     refused(&["pulse", "--omga", "3"], &["--omga", "see topple pulse --help"]);
     refused(&["--omga", "3"], &["--omga", "see topple --help"]);
     refused(&["run", "a.toml", "--threads", "0"], &["--threads"]);
+    refused(&["--threads", "100000", "--dry-run"], &["--threads: 100000 is too many", "4096"]);
     refused(&["run", "a.toml", "--json", "-v"], &["--json"]);
 }
 

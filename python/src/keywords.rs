@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict};
 use serde_json::{Map, Value, json};
 use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
-use topple::sweep::threads::Threads;
+use topple::sweep::threads::{Threads, too_many};
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
 
 use crate::errors::{of_keyword, of_scene};
@@ -120,6 +120,9 @@ impl Request {
         for (parameter, values) in numbers {
             scene.numbers.set(parameter, values);
         }
+        if let Some(problem) = threads.and_then(too_many) {
+            return Err(of_keyword(THREADS, problem));
+        }
         let threads = Threads::new(threads).map_err(|error| of_keyword(THREADS, error))?;
         Ok(Request { scene, settings, motion, folder, threads })
     }
@@ -128,7 +131,7 @@ impl Request {
     pub fn check(&self, recorded: bool) -> PyResult<Scene> {
         let none = self.scene.record.as_ref().is_none_or(|record| record.horizontal.is_none());
         let motion = match &self.motion {
-            None if recorded && none => Some(synthetic::pair()),
+            None if recorded && none => Some(synthetic::as_written()),
             motion => motion.clone(),
         };
         let checked = match motion {
@@ -163,16 +166,29 @@ fn again(scene: &str, record: Option<&str>, shaken: bool) -> PyResult<SceneBuild
 
 /// A number, a range as text, or a list.
 pub fn values(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Values> {
+    let expected = "give a number, a sequence of numbers, or start:stop:count";
+    if !counts(value) {
+        return Err(of_keyword(key, expected));
+    }
     if let Ok(number) = value.extract::<f64>() {
         return Ok(number.into());
     }
     if let Ok(text) = value.extract::<String>() {
         return text.parse().map_err(|error| of_keyword(key, error));
     }
-    let numbers: Vec<f64> = value.extract().map_err(|_| {
-        of_keyword(key, "give a number, a sequence of numbers, or start:stop:count")
-    })?;
+    let numbers: Vec<f64> = value.extract().map_err(|_| of_keyword(key, expected))?;
     Values::list(numbers).map_err(|error| of_keyword(key, error))
+}
+
+/// False of what Python would take for numbers though it is none: truths, bytes, arrays of either, complex numbers.
+fn counts(value: &Bound<'_, PyAny>) -> bool {
+    let kind = value.getattr("dtype").and_then(|dtype| dtype.getattr("kind"));
+    let of_numbers = |kind: String| "iufOU".contains(&kind);
+    let array = kind.and_then(|kind| kind.extract::<String>()).map_or(true, of_numbers);
+    let none = value.is_instance_of::<PyBool>()
+        || value.is_instance_of::<PyBytes>()
+        || value.is_instance_of::<PyByteArray>();
+    array && !none
 }
 
 /// The value of a key that is no number of the table, as the section of a scene takes it.

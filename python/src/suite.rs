@@ -1,6 +1,7 @@
 //! Suites of records: their table, envelopes and fragilities, each as the tables of the command.
 
 use std::fs;
+use std::io;
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
@@ -130,7 +131,10 @@ pub fn fragility<'py>(
     let target: Option<f64> = given(keywords, "target", "a number")?;
     let hazard = match given::<PathBuf>(keywords, "hazard", "a path")? {
         Some(path) => {
-            let text = fs::read_to_string(path)?;
+            let named = |error: io::Error| {
+                io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
+            };
+            let text = fs::read_to_string(&path).map_err(named)?;
             Some(HazardCurve::parse(&text).map_err(|error| of_keyword("hazard", error))?)
         }
         None => None,

@@ -135,7 +135,12 @@ pub fn varied(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Varied>> {
     };
     let texts: Vec<String> = match value.cast::<PyDict>() {
         Ok(mapping) => mapping.iter().map(|(key, of)| format!("{key}={of}")).collect(),
-        Err(_) => several(keywords, VARY)?,
+        Err(_) => several(keywords, VARY).map_err(|_| {
+            of_keyword(
+                VARY,
+                "give a mapping from keys to distributions, or texts as t_h=normal(1.75,0.1)",
+            )
+        })?,
     };
     let parsed = texts.iter().map(|text| text.parse::<Varied>());
     parsed.map(|one| one.map_err(|error| of_keyword(VARY, error))).collect()

@@ -7,6 +7,7 @@ import textwrap
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import topple
@@ -39,6 +40,13 @@ LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0
         ({"verify": -1}, "verify"),
         ({"tile": "3/2", "out": "x"}, "^tile: "),
         ({"threads": 0}, "^threads: 0 is not a number of threads"),
+        ({"threads": 100000}, "^threads: 100000 is too many"),
+        ({"omega": b"3"}, "^omega: give a number"),
+        ({"omega": True}, "^omega: give a number"),
+        ({"omega": 3 + 1j}, "^omega: give a number"),
+        ({"omega": np.array([1.0 + 0.0j, 2.0])}, "^omega: give a number"),
+        ({"omega": np.array([True, False])}, "^omega: give a number"),
+        ({"vary": 3}, "^vary: give a mapping"),
         ({"samples": 8}, "^samples: means nothing where all is known"),
         ({"vary": "eccentricity"}, "^vary: 'eccentricity' is no KEY=DISTRIBUTION"),
         ({"vary": {"eccentricity": "normal(0.1)"}}, "^vary: eccentricity: "),

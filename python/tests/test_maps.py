@@ -55,6 +55,14 @@ def test_record(command, records, tmp_path, precision):
     same(found, tmp_path / "map.npz")
 
 
+def test_the_synthetic_pair(command, tmp_path):
+    """Without a record the call has the motion that the command writes and reads."""
+    numbers = {"object": 1, "t_h": "0.5:4:6", "t_v": "0.2:2:5"}
+    command("seismic", *flags(numbers), "--backend", "cpu", "--verify", "none", "--out", tmp_path)
+    found = topple.seismic(**numbers, backend="cpu", verify=0)
+    same(found, tmp_path / "map.npz")
+
+
 def test_scene_file(command, records, tmp_path):
     scene = tmp_path / "scene.toml"
     command("pulse", *flags(PULSE), "--save-scene", scene)

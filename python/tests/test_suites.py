@@ -158,3 +158,8 @@ def test_what_a_suite_refuses(records):
         topple.fragility(records / "list.csv", **SCENE, estimator="ida")
     with pytest.raises(FileNotFoundError):
         topple.suite(records / "nothing")
+
+
+def test_a_missing_hazard_curve_is_named(records):
+    with pytest.raises(FileNotFoundError, match="hazard: no/such.csv"):
+        topple.fragility(records / "list.csv", **(SCENE | {"t_h": 2.0, "t_v": 0.4}), levels="2:14:7", hazard="no/such.csv")

@@ -157,7 +157,7 @@ def uncertain(keywords: dict[str, Any]) -> bool:
     if isinstance(keywords.get("vary"), Mapping):
         keywords["vary"] = dict(keywords["vary"])
     vary = keywords.get("vary")
-    if keywords.get("pixel") or (vary is not None and len(vary) > 0):
+    if keywords.get("pixel") or (vary is not None and (not hasattr(vary, "__len__") or len(vary) > 0)):
         return True
     for key in ("samples", "seed"):
         if keywords.get(key) is not None:

@@ -17,6 +17,7 @@ use topple::sweep::backend_error::BackendError;
 use topple::sweep::plan::Plan;
 use topple::sweep::request::{BackendRequest, OpenBackends};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
+use topple::sweep::threads::too_many;
 
 use super::errors::sweep_error;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
@@ -258,6 +259,9 @@ impl RunOptions {
 /// More threads than the system gives.
 pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
     let Some(count) = threads else { return Ok(()) };
+    if let Some(problem) = too_many(count) {
+        return Err(InputError(format!("--threads: {problem}")));
+    }
     let built = rayon::ThreadPoolBuilder::new().num_threads(count.get()).build_global();
     built.map_err(|error| InputError(format!("--threads: {error}; give fewer")))
 }

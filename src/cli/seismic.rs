@@ -68,8 +68,8 @@ impl SeismicCommand {
 pub fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Result<RecordText> {
     use std::io::Write;
     for (name, title, parameters, place) in [
-        ("synthetic_h.at2", "SYNTHETIC, HORIZONTAL", synthetic::HORIZONTAL, &mut record.horizontal),
-        ("synthetic_v.at2", "SYNTHETIC, VERTICAL", synthetic::VERTICAL, &mut record.vertical),
+        ("synthetic_h.at2", synthetic::TITLES[0], synthetic::HORIZONTAL, &mut record.horizontal),
+        ("synthetic_v.at2", synthetic::TITLES[1], synthetic::VERTICAL, &mut record.vertical),
     ] {
         let text = synthetic::at2(&synthetic::make(title, &parameters));
         *place = Some(out.write(name, |w| w.write_all(text.as_bytes()))?);

@@ -9,6 +9,17 @@ use std::sync::Arc;
 
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
+/// Most threads that a call may ask for: more than a machine has cores, and few enough for the system to make at once.
+pub const MOST: usize = 4096;
+
+/// The fault of a number of threads; none where there may be so many.
+pub fn too_many(count: NonZeroUsize) -> Option<String> {
+    let problem = || {
+        format!("{count} is too many; give no more than the machine has cores, and {MOST} at most")
+    };
+    (count.get() > MOST).then(problem)
+}
+
 thread_local! {
     /// Those of the call that this thread works for.
     static CURRENT: RefCell<Threads> = const { RefCell::new(Threads(None)) };

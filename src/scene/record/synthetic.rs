@@ -16,6 +16,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
 use super::{Pair, Record};
+use crate::scene::GRAVITY;
 
 /// Time between samples, s.
 pub const DT: f64 = 0.01;
@@ -51,20 +52,42 @@ pub const HORIZONTAL: Parameters = Parameters {
     zeta_g: 0.6,
     omega_f: 1.5,
     zeta_f: 0.6,
-    peak: 0.6 * crate::scene::GRAVITY,
+    peak: 0.6 * GRAVITY,
     seed: 1963,
 };
 
 /// The vertical component: higher frequencies, a peak of 0.4 g.
 pub const VERTICAL: Parameters =
-    Parameters { omega_g: 35.0, peak: 0.4 * crate::scene::GRAVITY, seed: 2025, ..HORIZONTAL };
+    Parameters { omega_g: 35.0, peak: 0.4 * GRAVITY, seed: 2025, ..HORIZONTAL };
 
 /// Steps of the filters in one of the record.
 const SUBSTEPS: usize = 16;
 
+/// Titles of both components in their files.
+pub const TITLES: [&str; 2] = ["SYNTHETIC, HORIZONTAL", "SYNTHETIC, VERTICAL"];
+
 /// Both components.
 pub fn pair() -> Pair {
     Pair::new(make("horizontal", &HORIZONTAL), Some(make("vertical", &VERTICAL)))
+}
+
+/// The same as its files have it, once they are read: to eight digits.
+pub fn as_written() -> Pair {
+    let read = |title, parameters| {
+        let mut record = make(title, parameters);
+        for sample in &mut record.samples {
+            let in_g = *sample / GRAVITY;
+            // A number that was written as one is read as one.
+            *sample = written(in_g).trim().parse().unwrap_or(in_g) * GRAVITY;
+        }
+        record
+    };
+    Pair::new(read(TITLES[0], &HORIZONTAL), Some(read(TITLES[1], &VERTICAL)))
+}
+
+/// A number of a file.
+fn written(in_g: f64) -> String {
+    format!("{in_g:15.7E}")
 }
 
 /// Makes a component.
@@ -119,7 +142,7 @@ pub fn at2(record: &Record) -> String {
     );
     for line in record.samples.chunks(5) {
         for sample in line {
-            text.push_str(&format!("{:15.7E}", sample / crate::scene::GRAVITY));
+            text.push_str(&written(sample / GRAVITY));
         }
         text.push('\n');
     }
