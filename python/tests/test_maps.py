@@ -63,6 +63,20 @@ def test_the_synthetic_pair(command, tmp_path):
     same(found, tmp_path / "map.npz")
 
 
+@pytest.mark.parametrize("name", ["map.npz", "map.zarr"])
+def test_an_opened_map_has_the_step_of_its_run(command, tmp_path, name):
+    """The motion of its cells is that of the map, not of the default step."""
+    pytest.importorskip("zarr")
+    scene = PULSE | {"omega": "1:9:3", "a_h": "1:9:3", "t_max": 10.0}
+    run = ["--backend", "cpu", "--verify", "none", "--precision", "f64", "--step", "0.001", "--files", "npz,zarr"]
+    command("pulse", *flags(scene), *run, "--out", tmp_path)
+    called = topple.pulse(**scene, backend="cpu", precision="f64", step=0.001, verify=0)
+    opened = topple.open(tmp_path / name)
+    assert json.loads(opened.attrs["method"]) == json.loads(called.attrs["method"])
+    motions = [found.topple.history(omega=5.0, a_h=5.0) for found in (called, opened)]
+    assert len(motions[0]["t"]) > 1000 and np.array_equal(motions[0]["u"].values, motions[1]["u"].values)
+
+
 def test_scene_file(command, records, tmp_path):
     scene = tmp_path / "scene.toml"
     command("pulse", *flags(PULSE), "--save-scene", scene)

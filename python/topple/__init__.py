@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _topple
 from ._accessor import register
-from ._dataset import attributes, dataset, described, of_leaves, of_map
+from ._dataset import attributes, dataset, described, of_leaves, of_map, of_run
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
 from ._progress import Progress, heard
@@ -381,14 +381,14 @@ def open(path: str | os.PathLike[str]) -> Any:
 
         register()
         lazy = xarray.open_zarr(place, consolidated=False)
-        lazy.attrs = attributes(lazy.attrs)
+        lazy.attrs = attributes({**lazy.attrs, **of_run(place)})
         return lazy
     if place.suffix != ".npz":
         raise ValueError(f"{place}: give a directory of results, or a map or leaves as .zarr or .npz")
     with np.load(place) as arrays:
         if "about" not in arrays:
             raise ValueError(f"{place}: no map of topple")
-        about = json.loads(str(arrays["about"]))
+        about = json.loads(str(arrays["about"])) | of_run(place)
         about["coordinates"] = {key: arrays[key] for key in about["axes"]}
         if "counts" in about:
             return of_leaves({name: arrays[name] for name in [*about["counts"], *about["columns"], "proved"]}, about)

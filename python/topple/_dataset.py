@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
@@ -61,6 +62,19 @@ def attributes(about: Mapping[str, Any]) -> dict[str, Any]:
         for key, value in about.items()
         if value is not None and key not in ("axes", "columns", "coordinates", "counts", "outcome", "status", "index")
     }
+
+
+def of_run(file: Path) -> dict[str, Any]:
+    """How a map in a file was computed, from run.json beside it; nothing where that is missing, or of other files."""
+    try:
+        run = json.loads((file.parent / "run.json").read_text(encoding="utf-8"))
+        if file.name not in run["files"]:
+            return {}
+        method = {key: run[key] for key in ("full_model", "largest_step", "precision", "repair", "resolve")}
+        told = {key: run[key] for key in ("backend", "threads")}
+        return {**told, "method": method, "sweep_seconds": run["timings"]["sweep"]}
+    except (OSError, ValueError, KeyError, TypeError):
+        return {}
 
 
 def axes(about: Mapping[str, Any]) -> dict[str, Any]:
