@@ -95,11 +95,8 @@ struct Recorder {
     trials: Vec<Vec<Packed>>,
 }
 
-impl<R> Listener<R> for &mut Recorder {
-    const HEARS: bool = false;
+impl<V: Vector> Listener<V> for &mut Recorder {
     const COUNTS: bool = true;
-
-    fn hear(&mut self, _: u32, _: R, _: &State<R>) {}
 
     fn tried(&mut self, trials: impl Iterator<Item = (usize, Trial)>) {
         self.turns += 1;

@@ -73,7 +73,7 @@ fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     (cubic, N::select(end.gt(zero), one, at))
 }
 
-impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// The first kink in the spans of `looked` lanes, each of `h` seconds.
     #[inline(always)]
     pub(super) fn kinks(

@@ -9,7 +9,7 @@ use super::search::Search;
 use super::state::State;
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
-use crate::model::dynamics::Contact;
+use crate::model::dynamics::{Contact, Rates, rates};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::{Variant, support};
 use crate::model::motion::Motion;
@@ -107,7 +107,8 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     pub(super) untried: V,
     pub(super) search: Search<V>,
     pub(super) extremes: Extremes<V>,
-    pub(super) log: L,
+    /// The observer.
+    pub log: L,
 }
 
 /// The lanes of a mask's bits.
@@ -123,7 +124,7 @@ pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
+impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     /// Lanes without cells; `zero` gives the kind of vector; `log` receives the switches.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
@@ -174,6 +175,12 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         self.running &= !bits;
     }
 
+    /// Puts lanes that were taken off between two steps on their cells again.
+    #[inline(always)]
+    pub fn go_on(&mut self, bits: u64) {
+        self.running |= bits;
+    }
+
     /// Lanes that have a cell, a bit each.
     #[inline(always)]
     pub fn running(&self) -> u64 {
@@ -201,6 +208,30 @@ impl<'a, V: Vector, L: Listener<V::Element>> Lanes<'a, V, L> {
         let ground = self.forcing.ground(self.shared.variant, &self.cell, self.start);
         let base = support(&self.equations(), &self.y, ground);
         Contact { shear: base.f_h, normal: base.f_v }
+    }
+
+    /// The ground at a fraction of each lane's step.
+    #[inline(always)]
+    pub fn ground(&self, fraction: V) -> Ground<V> {
+        self.forcing.ground(self.shared.variant, &self.cell, fraction)
+    }
+
+    /// Steps may be cut at kinks of the Bouc-Wen law.
+    #[inline(always)]
+    pub fn yields(&self) -> bool {
+        self.shared.variant.kinks
+    }
+
+    /// The length of each lane's step, s.
+    #[inline(always)]
+    pub fn step_length(&self) -> V {
+        self.forcing.step
+    }
+
+    /// The rates of motions in full contact.
+    #[inline(always)]
+    pub fn standing_rates(&self, motion: &Motion<V>, ground: Ground<V>) -> Rates<V> {
+        rates(&self.equations(), &self.corner, self.start.mask(0), motion, ground)
     }
 
     /// The motion where each lane is.

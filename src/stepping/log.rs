@@ -8,7 +8,7 @@ use super::trials::Trial;
 use crate::model::dynamics::Contact;
 use crate::model::layout::pod;
 use crate::model::motion::Motion;
-use crate::model::real::Real;
+use crate::model::real::{Real, Vector};
 
 /// The observer of a cell's switches.
 pub trait Log<R> {
@@ -16,10 +16,6 @@ pub trait Log<R> {
     /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
     /// be older.
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
-
-    /// A cell has moved on by a span, a step or a part of one: the contact forces at its start, middle
-    /// and end. A switch at the end is reported after it.
-    fn moved(&mut self, _: [Contact<R>; 3]) {}
 }
 
 /// An observer that keeps nothing.
@@ -28,40 +24,35 @@ impl<R> Log<R> for () {
 }
 
 /// Whether lanes have an observer, known when they are compiled.
-pub trait Listener<R> {
-    /// False for none.
-    const HEARS: bool;
+pub trait Listener<V: Vector> {
+    /// Whether it is told of switches.
+    const HEARS: bool = false;
+
+    /// Whether it is told of contact forces.
+    const FEELS: bool = false;
 
     /// Whether it is told of every trial.
     const COUNTS: bool = false;
 
     /// See [`Log::switched`].
-    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>);
+    fn hear(&mut self, _: u32, _: V::Element, _: &State<V::Element>) {}
 
-    /// See [`Log::moved`].
-    fn feel(&mut self, _: [Contact<R>; 3]) {}
+    /// Some lanes have moved on by a span, a step or a part of one: the contact forces at its start, in its
+    /// middle and at its end.
+    fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {}
 
     /// A turn has been made; of each lane that has a cell, the cell's number and its trial.
     fn tried(&mut self, _: impl Iterator<Item = (usize, Trial)>) {}
 }
 
 /// No observer.
-impl<R> Listener<R> for () {
-    const HEARS: bool = false;
+impl<V: Vector> Listener<V> for () {}
 
-    #[inline(always)]
-    fn hear(&mut self, _: u32, _: R, _: &State<R>) {}
-}
-
-impl<R> Listener<R> for &mut dyn Log<R> {
+impl<R: Real> Listener<R> for &mut dyn Log<R> {
     const HEARS: bool = true;
 
     fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
         self.switched(kind, fraction, state);
-    }
-
-    fn feel(&mut self, contacts: [Contact<R>; 3]) {
-        self.moved(contacts);
     }
 }
 

@@ -7,8 +7,8 @@
 //! has happened on the way ([`crossing`]), a [`search`] by further trials finds where, starting from a
 //! [`cubic`] through the span's ends; then the phase changes ([`switching`]). [`extremes`] take in
 //! what a span held, and the [`certificate`] ends cells of which all is final. Each of these files is
-//! the twin of the shader of its name. A block that stands on a base that does not yield has nothing to
-//! look for: [`standing`] steps it.
+//! the twin of the shader of its name. Blocks that stand on bases that do not yield have nothing to look
+//! for: a step of theirs is [`standing`].
 
 pub mod certificate;
 pub mod crossing;
@@ -25,7 +25,7 @@ pub mod rk4;
 pub mod search;
 pub mod single;
 pub mod span;
-pub mod standing;
+mod standing;
 pub mod state;
 pub mod switching;
 pub mod trials;

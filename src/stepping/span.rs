@@ -14,7 +14,7 @@ pub const YIELD_LIMIT: f64 = 2.0;
 /// that the impact is inside it: the estimate's error is mostly less.
 pub const BEYOND: f64 = 5.0e-4;
 
-impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Begins spans: the rest of the step. A span ends earlier where RK4 would not be stable for z, and
     /// where the block lands by an estimate from its rates.
     #[inline(always)]

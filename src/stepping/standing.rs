@@ -1,68 +1,56 @@
-//! A block that stands, on a base that does not yield: steps in which no guard can happen, so that no
-//! root is searched for. The same result as [`turn`](super::turn) at less cost.
+//! A step of blocks that stand, on bases that do not yield: no guard can happen, so that no root is searched for. The
+//! same result as a [`turn`](super::turn) at less cost.
 
-use super::extremes::{peak, range};
-use super::forcing::Forcing;
+use super::lanes::Lanes;
+use super::log::Listener;
 use super::rk4::rk4;
-use super::state::State;
-use crate::model::CellEquations;
-use crate::model::block::{Corner, FULL_CONTACT, pivot};
+use super::state::is_sound;
+use super::turn::select_motion;
 use crate::model::dynamics::{Contact, rates};
 use crate::model::isolation::support;
-use crate::model::motion::Motion;
-use crate::model::real::Real;
+use crate::model::real::Vector;
 
-/// A cell in full contact under excitation.
-pub struct Standing<'a, R: Real> {
-    set: &'a CellEquations<'a, R>,
-    corner: Corner<R>,
-    forcing: Forcing<R>,
-    /// The step that it is at.
-    pub step: u32,
-    /// Its motion there.
-    pub motion: Motion<R>,
-    /// Largest |u| so far, m.
-    pub max_u: R,
-    /// Least and largest v so far, m.
-    pub range_v: [R; 2],
-}
-
-impl<'a, R: Real> Standing<'a, R> {
-    /// A cell at a state, under excitation.
-    pub fn new(set: &'a CellEquations<'a, R>, state: &State<R>) -> Standing<'a, R> {
-        let mut forcing = Forcing::new(R::of(0.0));
-        forcing.begin(0, set, state.step, false);
-        Standing {
-            set,
-            corner: pivot(set.model, FULL_CONTACT),
-            forcing,
-            step: state.step,
-            motion: state.motion,
-            max_u: state.max_u,
-            range_v: [state.least_v, state.most_v],
-        }
+impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+    /// Every lane, which must be between two steps under excitation, takes a step; the lanes whose cell has ended, a bit
+    /// each.
+    #[inline(never)]
+    pub fn stand(&mut self) -> u64 {
+        self.start.with(
+            #[inline(always)]
+            || self.stand_lanes(),
+        )
     }
 
-    /// Takes the next step, which must be one under excitation: the contact forces at its start, in its
-    /// middle and at its end.
     #[inline(always)]
-    pub fn step(&mut self) -> [Contact<R>; 3] {
-        let set = self.set;
-        if self.forcing.done >= self.forcing.steps {
-            self.forcing.begin(0, set, self.step, true);
+    fn stand_lanes(&mut self) -> u64 {
+        let variant = self.shared.variant;
+        let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
+        let standing = zero.mask(0);
+        let moved = zero.mask(self.running);
+        let ground = self.forcing.ground(variant, &self.cell, zero);
+        let ground_mid = self.forcing.ground(variant, &self.cell, half);
+        let ground_end = self.forcing.ground(variant, &self.cell, one);
+        let h = self.forcing.step;
+        let set = self.equations();
+        let k1 = rates(&set, &self.corner, standing, &self.y, ground);
+        let grounds = [ground_mid, ground_end];
+        let stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
+        let base = support(&set, &stepped.y, ground_end);
+        self.extremes.update_motion(moved, self.corner.side, &self.y, &stepped.y, h);
+        if L::FEELS {
+            let end = Contact { shear: base.f_h, normal: base.f_v };
+            self.log.feel(moved, [k1.contact(), stepped.mid, end]);
         }
-        let at = |fraction: f64| self.forcing.ground(set.variant, set.cell, R::of(fraction));
-        let (start, mid, end) = (at(0.0), at(0.5), at(1.0));
-        let (y, h) = (self.motion, self.forcing.step);
-        let k1 = rates(set, &self.corner, false, &y, start);
-        let stepped = rk4(set, &self.corner, false, &y, &k1, h, [mid, end]);
-        let y1 = stepped.y;
-        let base = support(set, &y1, end);
-        self.max_u = peak(true, self.max_u, y.u, y.du, y1.u, y1.du, h);
-        self.range_v = range(true, self.range_v, y.v, y.dv, y1.v, y1.dv, h);
-        self.motion = y1;
-        self.step += 1;
-        self.forcing.done = self.forcing.done + R::of(1.0);
-        [k1.contact(), stepped.mid, Contact { shear: base.f_h, normal: base.f_v }]
+        self.y = select_motion(moved, &stepped.y, &self.y);
+        self.forcing.done = self.forcing.done + V::select(moved, one, zero);
+        let lost = moved & !is_sound(&self.y);
+        let mut left = moved & self.forcing.done.ge(self.forcing.steps);
+        if self.forcing.fetched != 0 {
+            let follows = left & zero.mask(self.forcing.fetched & self.running);
+            left = left & !follows;
+            self.follow(follows);
+        }
+        let attend = V::bits(lost | left) & self.running;
+        if attend == 0 { 0 } else { self.attend(attend, V::bits(lost), 0, 0) }
     }
 }

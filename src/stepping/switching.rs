@@ -23,7 +23,7 @@ fn select_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> C
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// The blocks of some lanes lift, about the left corner or the right.
     #[inline(never)]
     pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
@@ -188,16 +188,6 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         if L::HEARS {
             let fraction = self.start.lane(lane);
             self.log.hear(kind, fraction, &self.lanes[lane].job.state);
-        }
-    }
-
-    /// Tells the log of the contact forces of lanes that moved on, at three places of a span.
-    pub(super) fn tell_contacts(&mut self, bits: u64, contacts: [Contact<V>; 3]) {
-        for lane in each(bits & self.running) {
-            self.log.feel(contacts.map(|contact| Contact {
-                shear: contact.shear.lane(lane),
-                normal: contact.normal.lane(lane),
-            }));
         }
     }
 

@@ -28,7 +28,7 @@ pub(super) fn select_motion<V: Vector>(
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
+impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
     #[inline(always)]
     pub(super) fn turn(&mut self) -> u64 {
@@ -105,7 +105,6 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
             self.cut = self.cut | kinked | arrived;
             looked = looked | kinked;
         }
-        // Read here, not below: a mask is stored in two bytes, and a processor waits for them where it reads four soon after.
         let cut = self.cut;
         let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
@@ -135,8 +134,8 @@ impl<V: Vector, L: Listener<V::Element>> Lanes<'_, V, L> {
         let moved = plain | switched | arrived;
         self.extremes.update_motion(moved, self.corner.side, &self.y, &y1, h);
         self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
-        if L::HEARS {
-            self.tell_contacts(V::bits(moved), [k1.contact(), stepped.mid, k_end.contact()]);
+        if L::FEELS {
+            self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         self.y = select_motion(moved, &y1, &self.y);
         self.start = V::select(moved, self.start + length, self.start);

@@ -3,12 +3,12 @@
 
 use fearless_simd::{Level, Simd};
 
-use super::shared_motion::{Direction, SLACK, SampledMotion, Start, samples};
+use super::shared_motion::{Direction, MotionBatch, SLACK, SampledMotion, Start, samples};
 use super::vectors::vectorized;
-use crate::model::excitation::{Cell, Ground};
-use crate::model::isolation::Variant;
+use crate::model::excitation::Cell;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Job, Lanes, Shared};
+use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
 /// Motions that are made at once: as many as the lanes of a vector.
@@ -16,39 +16,26 @@ pub fn at_once<R>() -> usize {
     64 / size_of::<R>()
 }
 
-/// Motions that begin alike, of one direction, under one record.
-#[derive(Clone, Copy)]
-pub struct Motions<'a, R> {
-    /// The variant that has this direction alone.
-    pub variant: Variant,
-    /// The direction.
-    pub direction: Direction,
-    /// The record.
-    pub record: &'a [Ground<R>],
-    /// Where each begins.
-    pub starts: &'a [Start<R>],
-}
-
 /// Integrates no more motions than [`at_once`] on the vectors of a level.
-pub fn sample<R: Real>(motions: Motions<R>, level: Level) -> Vec<SampledMotion<R>> {
+pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
-    vectorized!(level, simd => sampled = integrate(motions, zero.lanes(simd)));
+    vectorized!(level, simd => sampled = integrate(batch, zero.lanes(simd)));
     sampled
 }
 
 /// X or Y of each lane since the gap in which it is began.
-struct Gaps<V> {
-    now: V,
-    least: V,
-    most: V,
+pub(super) struct Gaps<V> {
+    pub now: V,
+    pub least: V,
+    pub most: V,
     /// The largest change in a step.
-    change: V,
+    pub change: V,
 }
 
 #[inline(always)]
-fn integrate<V: Vector>(motions: Motions<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
-    let Motions { variant, direction, record, starts } = motions;
+fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+    let MotionBatch { variant, direction, record, starts } = batch;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
     let mut sampled = Vec::with_capacity(starts.len());
@@ -61,9 +48,11 @@ fn integrate<V: Vector>(motions: Motions<V::Element>, zero: V) -> Vec<SampledMot
         }
     }
     let now = force(&lanes, direction);
+    // No force is on record.
+    let unknown = Direction::Vertical.no_crest(zero);
     let mut gaps = Gaps { now, least: now, most: now, change: zero };
     for (lane, sampled) in sampled.iter_mut().enumerate() {
-        add(sampled, &lanes, lane, direction, now.lane(lane));
+        add(sampled, &lanes, lane, direction, [now.lane(lane), unknown.lane(lane)]);
     }
     while lanes.running() != 0 {
         let ended = lanes.advance();
@@ -81,7 +70,13 @@ fn integrate<V: Vector>(motions: Motions<V::Element>, zero: V) -> Vec<SampledMot
                 if V::bits(over) >> lane & 1 == 1 {
                     sampled.least.push(least.lane(lane));
                     sampled.most.push(most.lane(lane));
-                    add(sampled, &lanes, lane, direction, gaps.now.lane(lane));
+                    add(
+                        sampled,
+                        &lanes,
+                        lane,
+                        direction,
+                        [gaps.now.lane(lane), unknown.lane(lane)],
+                    );
                 }
             }
             gaps.least = V::select(over, gaps.now, gaps.least);
@@ -102,20 +97,20 @@ fn force<V: Vector>(lanes: &Lanes<V>, direction: Direction) -> V {
 
 /// The least and the largest value in each lane's gap, with what may lie between the ends of steps.
 #[inline(always)]
-fn bounds<V: Vector>(gaps: &Gaps<V>) -> [V; 2] {
+pub(super) fn bounds<V: Vector>(gaps: &Gaps<V>) -> [V; 2] {
     let Gaps { least, most, change, .. } = *gaps;
     let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
     [least - slack, most + slack]
 }
 
-/// Adds the sample that a lane is at.
+/// Adds the sample that a lane is at: X or Y there, and its least value so far.
 #[inline(always)]
-fn add<V: Vector>(
+pub(super) fn add<V: Vector, L: Listener<V>>(
     sampled: &mut SampledMotion<V::Element>,
-    lanes: &Lanes<V>,
+    lanes: &Lanes<V, L>,
     lane: usize,
     direction: Direction,
-    now: V::Element,
+    [now, lowest]: [V::Element; 2],
 ) {
     let extremes = lanes.extremes();
     let (bottom, top) = match direction {
@@ -126,6 +121,5 @@ fn add<V: Vector>(
     sampled.acceleration.push(now);
     sampled.bottom.push(bottom);
     sampled.top.push(top);
-    // No force is on record.
-    sampled.lowest.push(Direction::Vertical.no_crest());
+    sampled.lowest.push(lowest);
 }

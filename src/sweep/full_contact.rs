@@ -12,16 +12,17 @@
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::bounded_motions::{self, at_once, sample};
+use super::bounded_motions::{self, at_once};
 use super::clock_parts::clock_parameters;
 use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
     HYSTERETIC, LEAST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
     VERTICAL_FIELDS,
 };
+use super::motions_with_forces;
 use super::plan::Plan;
 use super::progress::Progress;
-use super::shared_motion::{Direction, SampledMotion, Start};
+use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
 use super::table::{Strides, Window, places_of, strides};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
@@ -169,17 +170,17 @@ impl<R: Real> FullContactMotions<R> {
             };
             let some = |places: &[Place]| {
                 let starts: Vec<Start<R>> = places.iter().map(start).collect();
+                let batch = MotionBatch { variant, direction, record, starts: &starts };
                 if plan.forces {
-                    let one = |start| SampledMotion::with_forces(start, variant, direction, record);
-                    return starts.iter().map(one).collect();
+                    motions_with_forces::sample(batch, level)
+                } else {
+                    bounded_motions::sample(batch, level)
                 }
-                let starts = &starts[..];
-                sample(bounded_motions::Motions { variant, direction, record, starts }, level)
             };
             let wanted = |places| (!progress.cancelled()).then(|| some(places));
             let places: Vec<Place> = places_of(grid, parameters).collect();
-            let together = if plan.forces { 1 } else { at_once::<R>() };
-            let motions = places.par_chunks(together).map(wanted).collect::<Option<Vec<_>>>()?;
+            let motions =
+                places.par_chunks(at_once::<R>()).map(wanted).collect::<Option<Vec<_>>>()?;
             Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())
         };
         let along_x = all(Direction::Horizontal, &of.across)?;

@@ -35,6 +35,7 @@ pub mod list;
 pub mod map;
 mod motion_cache;
 pub mod motions;
+mod motions_with_forces;
 pub mod observed;
 pub mod observer;
 pub mod parts;
