@@ -183,8 +183,12 @@ impl<R: Real> FullContactMotions<R> {
                 places.par_chunks(at_once::<R>()).map(wanted).collect::<Option<Vec<_>>>()?;
             Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())
         };
-        let along_x = all(Direction::Horizontal, &of.across)?;
-        let along_y = all(Direction::Vertical, &of.up)?;
+        // The stiffest vertical isolation takes the most steps: the motions of v begin first.
+        let (along_y, along_x) = rayon::join(
+            || all(Direction::Vertical, &of.up),
+            || all(Direction::Horizontal, &of.across),
+        );
+        let (along_x, along_y) = (along_x?, along_y?);
         Some(FullContactMotions {
             across: horizontal(along_x, strides(grid, &window, &of.across)),
             up: vertical(along_y, strides(grid, &window, &of.up)),

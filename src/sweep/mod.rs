@@ -23,6 +23,7 @@ pub mod description;
 pub mod error;
 pub mod estimate;
 pub mod full_contact;
+mod gap_steps;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod groups;

@@ -6,6 +6,7 @@
 use fearless_simd::{Level, Simd};
 
 use super::bounded_motions::{Gaps, add, bounds};
+use super::gap_steps::{GapStep, PartEnds, gap_steps, parts_apart};
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
 use super::vectors::vectorized;
 use crate::model::dynamics::{Contact, Rates};
@@ -18,8 +19,6 @@ use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
 use crate::stepping::state::RUNNING;
 
-/// Steps of a gap from which on eighths of it are taken from them; with fewer, its quarters tell them.
-const STEPS_FOR_EIGHTHS: u32 = 8;
 /// Most parts that a gap is kept in.
 const MOST_PARTS: usize = 8;
 
@@ -50,8 +49,7 @@ impl<V: Vector> Listener<V> for Spans<V> {
     fn feel(&mut self, lanes: V::Mask, [start, mid, end]: [Contact<V>; 3]) {
         let direction = self.direction;
         let (start, mid, end) = (direction.of(start), direction.of(mid), direction.of(end));
-        let one = start.like(1.0);
-        self.count = V::select(lanes, self.count + one, self.count);
+        self.count = V::select(lanes, self.count + start.like(1.0), self.count);
         self.mid = V::select(lanes, mid, self.mid);
         self.end = V::select(lanes, end, self.end);
         self.crest = direction.crest(lanes, self.crest, [start, mid, end]);
@@ -59,81 +57,6 @@ impl<V: Vector> Listener<V> for Spans<V> {
 }
 
 type Motions<'a, V> = Lanes<'a, V, Spans<V>>;
-
-/// Ends of parts of gaps in one step, at most one of each lane.
-struct PartEnds<V: Vector> {
-    /// The part's number, from the gap's start, for each lane.
-    numbers: Vec<usize>,
-    /// Lanes that have one.
-    lanes: V::Mask,
-    /// At the start of the step, or halfway.
-    at_start: V::Mask,
-    halfway: V::Mask,
-    /// How much of the step is before it.
-    fraction: V,
-}
-
-/// A step of gaps.
-struct GapStep<V: Vector> {
-    /// Lanes that have so many steps to a gap, a bit each.
-    lanes: u64,
-    /// The ends of parts in it.
-    ends: Vec<PartEnds<V>>,
-}
-
-/// The steps of a gap, in which its parts end as the lanes have `substeps`.
-fn gap_steps<V: Vector>(parts: u32, substeps: &[u32], zero: V) -> Vec<GapStep<V>> {
-    let most = substeps.iter().copied().max().unwrap_or(0);
-    let nowhere = || vec![Vec::new(); most as usize];
-    let in_steps = substeps.iter().map(|&substeps| {
-        let mut ends = nowhere();
-        for part in
-            (parts_apart(parts, substeps)..parts).step_by(parts_apart(parts, substeps) as usize)
-        {
-            let (step, rest) = (part * substeps / parts, part * substeps % parts);
-            ends[step as usize].push((part, rest));
-        }
-        ends
-    });
-    let in_steps: Vec<Vec<Vec<(u32, u32)>>> = in_steps.collect();
-    let step = |step: usize| {
-        let count = in_steps.iter().map(|ends| ends[step].len()).max().unwrap_or(0);
-        let some = |number: usize| {
-            let mut ends = PartEnds {
-                numbers: vec![0; V::LANES],
-                lanes: zero.mask(0),
-                at_start: zero.mask(0),
-                halfway: zero.mask(0),
-                fraction: zero,
-            };
-            for (lane, in_steps) in in_steps.iter().enumerate() {
-                let Some(&(part, rest)) = in_steps[step].get(number) else { continue };
-                let bit = zero.mask(1 << lane);
-                ends.numbers[lane] = part as usize;
-                ends.lanes = ends.lanes | bit;
-                if rest == 0 {
-                    ends.at_start = ends.at_start | bit;
-                }
-                if 2 * rest == parts {
-                    ends.halfway = ends.halfway | bit;
-                }
-                let fraction = f64::from(rest) / f64::from(parts);
-                ends.fraction.put(lane, V::Element::of(fraction));
-            }
-            ends
-        };
-        let has = |(lane, &substeps): (usize, &u32)| u64::from(substeps as usize > step) << lane;
-        let lanes = substeps.iter().enumerate().map(has).fold(0, |all, bit| all | bit);
-        GapStep { lanes, ends: (0..count).map(some).collect() }
-    };
-    (0..most as usize).map(step).collect()
-}
-
-/// From one part whose end is taken from the steps to the next. With few steps to a gap every other part is told by those
-/// beside it.
-fn parts_apart(parts: u32, substeps: u32) -> u32 {
-    if substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 }
-}
 
 #[inline(always)]
 fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
@@ -175,7 +98,11 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
         for GapStep { lanes: some, ends } in &steps {
             lanes.leave_off(!0);
             lanes.go_on(through & some & !ended);
-            let [reached, over] = step(&mut lanes, ends, gap.now, &mut values);
+            let [reached, over] = if ends.is_empty() {
+                step(&mut lanes)
+            } else {
+                step_with_ends(&mut lanes, ends, gap.now, &mut values)
+            };
             through &= reached | !some;
             ended |= over;
             let next = V::select(zero.mask(reached), lanes.log.end, gap.now);
@@ -227,16 +154,33 @@ fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
     }
 }
 
-/// Takes the running lanes over a step, in which parts of a gap end: `values` at these ends. The lanes that
-/// are at the step's end, and those that go on no more, a bit each.
+/// Takes the running lanes over a step: those that are at its end, and those that go on no more, a bit each.
 #[inline(always)]
-fn step<V: Vector>(
+fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
+    lanes.log.count = lanes.log.count.like(0.0);
+    if !lanes.yields() {
+        return [lanes.running(), lanes.stand()];
+    }
+    let (mut reached, mut ended) = (0, 0);
+    while lanes.running() != 0 {
+        let over = lanes.advance();
+        let through = V::bits(lanes.between_steps());
+        reached |= through;
+        ended |= over;
+        lanes.leave_off(through | over);
+    }
+    [reached, ended]
+}
+
+/// The same where parts of a gap end in the step: `values` at these ends; `now` is that at its start.
+#[inline(always)]
+fn step_with_ends<V: Vector>(
     lanes: &mut Motions<V>,
     ends: &[PartEnds<V>],
     now: V,
     values: &mut [V; MOST_PARTS + 1],
 ) -> [u64; 2] {
-    let (direction, all) = (lanes.log.direction, lanes.running());
+    let (direction, running) = (lanes.log.direction, lanes.running());
     let (zero, one) = (now.like(0.0), now.like(1.0));
     let y0 = *lanes.motion();
     let h = lanes.step_length();
@@ -245,27 +189,14 @@ fn step<V: Vector>(
     for (ground, PartEnds { fraction, .. }) in grounds.iter_mut().zip(ends) {
         *ground = lanes.ground(*fraction);
     }
-    lanes.log.count = zero;
-    let (mut reached, mut ended) = (0, 0);
-    if lanes.yields() {
-        while lanes.running() != 0 {
-            let over = lanes.advance();
-            let through = V::bits(lanes.between_steps());
-            reached |= through;
-            ended |= over;
-            lanes.leave_off(through | over);
-        }
-    } else {
-        reached = all;
-        ended = lanes.stand();
-    }
+    let over = step(lanes);
     let whole = one.ge(lanes.log.count);
     // The rates at both ends, where they are asked for.
     let mut known = None;
     for (ends, ground) in ends.iter().zip(grounds) {
         let by_mid = ends.halfway & whole;
         let mut value = V::select(by_mid, lanes.log.mid, now);
-        let by_cubic = ends.lanes & !(by_mid | ends.at_start) & zero.mask(all);
+        let by_cubic = ends.lanes & !(by_mid | ends.at_start) & zero.mask(running);
         if V::any(by_cubic) {
             let y1 = *lanes.motion();
             let [k0, k1] = match known {
@@ -277,13 +208,14 @@ fn step<V: Vector>(
             let found = direction.of(lanes.standing_rates(&motion, ground).contact());
             value = V::select(by_cubic, found, value);
         }
+        let those = running & V::bits(ends.lanes);
         for (lane, &number) in ends.numbers.iter().enumerate() {
-            if all & V::bits(ends.lanes) >> lane & 1 == 1 {
+            if those >> lane & 1 == 1 {
                 values[number].put(lane, value.lane(lane));
             }
         }
     }
-    [reached, ended]
+    over
 }
 
 /// The motion at a fraction of a step, by the cubics through its ends.
@@ -314,4 +246,97 @@ fn kept_crest<V: Vector>(direction: Direction, values: &[V; MOST_PARTS + 1]) -> 
         so_far = direction.crest(all, so_far, span);
     }
     so_far
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::excitation::Ground;
+    use crate::scene::record::synthetic;
+    use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
+    use crate::sweep::bounded_motions::at_once;
+    use crate::sweep::plan::Plan;
+    use crate::sweep::shared_motion::Start;
+
+    /// All numbers of a motion.
+    fn numbers<R: Real>(motion: &SampledMotion<R>) -> Vec<R> {
+        let of_motion =
+            motion.motion.iter().flat_map(|motion| motion.reals_ref().map(|number| *number));
+        let quantities = [
+            &motion.acceleration,
+            &motion.least,
+            &motion.most,
+            &motion.crest,
+            &motion.bottom,
+            &motion.top,
+            &motion.lowest,
+            &motion.highest,
+            &motion.deepest,
+            &motion.strongest,
+        ];
+        let others = quantities.into_iter().chain(&motion.inside).flatten().copied();
+        of_motion.chain(others).collect()
+    }
+
+    /// Lanes that wait, that have ended or that have no motion change nothing in the others.
+    fn each_is_what_it_is_alone<R: Real>(scene: &Scene, direction: Direction) {
+        let plan = Plan::new(scene, 0.01).unwrap();
+        let record: Vec<Ground<R>> = plan.record();
+        let alone = match direction {
+            Direction::Horizontal => plan.without_vertical(),
+            Direction::Vertical => plan.without_horizontal(),
+        };
+        let clock = if scene.excitation.record().is_some() { &alone } else { &plan };
+        let grid = Grid::of(scene);
+        let cases = (0..grid.len().min(at_once::<R>())).map(|cell| grid.case(cell));
+        let starts: Vec<Start<R>> = cases.map(|case| Start::of(clock, &case, direction)).collect();
+        let (variant, record, level) = (alone.variant(), &record[..], Level::new());
+        let of = |starts| sample(MotionBatch { variant, direction, record, starts }, level);
+        let together = of(&starts);
+        assert_eq!(together.len(), starts.len());
+        for (number, motion) in together.iter().enumerate() {
+            let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
+            assert_eq!(motion.motion.len(), samples(&starts[number].cell));
+            assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
+            let beyond = R::of(1.0e30);
+            assert!(
+                motion.most.iter().all(|&most| most < beyond),
+                "{direction:?} {number} is shared"
+            );
+        }
+    }
+
+    /// Under pulses of many lengths lanes end one by one.
+    #[test]
+    fn motions_under_pulses_are_those_of_each_alone() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::AV, 2.0)
+            .with(Parameter::AH, 5.0)
+            .with(Parameter::Omega, Range::even(0.5, 12.0, 16))
+            .check()
+            .unwrap();
+        for direction in [Direction::Horizontal, Direction::Vertical] {
+            each_is_what_it_is_alone::<f32>(&scene, direction);
+            each_is_what_it_is_alone::<f64>(&scene, direction);
+        }
+    }
+
+    /// Stiff bases have many steps to a gap, and others few.
+    #[test]
+    fn motions_under_a_record_are_those_of_each_alone() {
+        let scene = |parameter, from, to| {
+            let other = if parameter == Parameter::TH { Parameter::TV } else { Parameter::TH };
+            SceneBuilder::object(1)
+                .with(parameter, Range::even(from, to, 15))
+                .with(other, 1.0)
+                .check_under_motion(synthetic::pair())
+                .unwrap()
+        };
+        each_is_what_it_is_alone::<f32>(&scene(Parameter::TV, 0.03, 1.2), Direction::Vertical);
+        each_is_what_it_is_alone::<f64>(&scene(Parameter::TV, 0.03, 1.2), Direction::Vertical);
+        each_is_what_it_is_alone::<f32>(&scene(Parameter::TH, 0.3, 4.0), Direction::Horizontal);
+        each_is_what_it_is_alone::<f64>(&scene(Parameter::TH, 0.3, 4.0), Direction::Horizontal);
+    }
 }

@@ -47,7 +47,7 @@ pub struct SampledMotion<R> {
 }
 
 /// Which of the two directions a motion is in.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Direction {
     Horizontal,
     Vertical,
