@@ -7,7 +7,7 @@ use topple::scene::{Excitation, Grid};
 use super::compare::{Comparison, Fault};
 use super::scenes::Case;
 use super::truth::Disturbance;
-use crate::common::{say, xy};
+use crate::common::say;
 
 /// Cells of a backend.
 #[derive(Default)]
@@ -32,21 +32,26 @@ pub struct Report {
 
 /// Command that runs one cell, or the scene of a record, again.
 fn again(case: &Case, seed: u64, cell: usize) -> String {
-    let (x, y) = xy(&Grid::of(&case.scene), cell);
+    let grid = Grid::of(&case.scene);
+    // A list of one value is no axis.
+    let value = |key: &str| {
+        let mut axes = grid.axes().iter().zip(grid.coordinates(cell));
+        axes.find(|(axis, _)| axis.key() == key).map(|(_, value)| value)
+    };
     if let Excitation::Record(_) = &case.scene.excitation {
+        let place = grid.axes().iter().zip(grid.coordinates(cell));
+        let place = place.map(|(axis, value)| format!("{} = {value}", axis.key()));
         return format!(
-            "TOPPLE_RANDOM_SEED={seed} TOPPLE_RANDOM_SCENE={} cargo test --test random # t_h = {x}, t_v = {y}",
-            case.number
+            "TOPPLE_RANDOM_SEED={seed} TOPPLE_RANDOM_SCENE={} cargo test --test random # {}",
+            case.number,
+            place.collect::<Vec<_>>().join(", ")
         );
     }
     let mut command = String::from("topple pulse");
-    for (key, value) in case.text.lines().filter_map(|line| line.split_once(" = ")) {
-        let value = match key {
-            "omega" => format!("{x:?}"),
-            "a_h" => format!("{y:?}"),
-            _ => value.trim_matches('"').to_string(),
-        };
-        command += &format!(" --{}={value}", key.replace('_', "-"));
+    for (key, text) in case.text.lines().filter_map(|line| line.split_once(" = ")) {
+        let text =
+            value(key).map_or(text.trim_matches('"').to_string(), |value| format!("{value:?}"));
+        command += &format!(" --{}={text}", key.replace('_', "-"));
     }
     command
 }
