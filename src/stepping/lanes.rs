@@ -218,7 +218,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
 
     /// Steps may be cut at kinks of the Bouc-Wen law.
     #[inline(always)]
-    pub fn yields(&self) -> bool {
+    pub fn has_kinks(&self) -> bool {
         self.shared.variant.kinks
     }
 

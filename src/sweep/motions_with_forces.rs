@@ -158,7 +158,7 @@ fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
 #[inline(always)]
 fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
     lanes.log.count = lanes.log.count.like(0.0);
-    if !lanes.yields() {
+    if !lanes.has_kinks() {
         return [lanes.running(), lanes.stand()];
     }
     let (mut reached, mut ended) = (0, 0);
