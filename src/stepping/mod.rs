@@ -25,7 +25,7 @@ pub mod rk4;
 pub mod search;
 pub mod single;
 pub mod span;
-mod standing;
+pub mod standing;
 pub mod state;
 pub mod switching;
 pub mod trials;
