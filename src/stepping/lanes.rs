@@ -175,10 +175,10 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.running &= !bits;
     }
 
-    /// Puts lanes that were taken off between two steps on their cells again.
+    /// Only these lanes go on, each of which has a cell; the others wait, between two steps.
     #[inline(always)]
-    pub fn go_on(&mut self, bits: u64) {
-        self.running |= bits;
+    pub fn run_only(&mut self, bits: u64) {
+        self.running = bits;
     }
 
     /// Lanes that have a cell, a bit each.
@@ -205,8 +205,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     /// The contact force of full contact where each lane is.
     #[inline(always)]
     pub fn contact(&self) -> Contact<V> {
-        let ground = self.forcing.ground(self.shared.variant, &self.cell, self.start);
-        let base = support(&self.equations(), &self.y, ground);
+        let base = support(&self.equations(), &self.y, self.ground(self.start));
         Contact { shear: base.f_h, normal: base.f_v }
     }
 
@@ -399,9 +398,22 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         lane.first_step = first;
     }
 
+    /// Lanes that are through a step go on to the next gap of their record, if they are at the end of one; those that
+    /// are at another end of their segment.
+    #[inline(always)]
+    pub(super) fn end_gaps(&mut self, through: V::Mask) -> V::Mask {
+        let left = through & self.forcing.done.ge(self.forcing.steps);
+        if self.forcing.fetched == 0 {
+            return left;
+        }
+        let follows = left & self.start.mask(self.forcing.fetched & self.running);
+        self.follow(follows);
+        left & !follows
+    }
+
     /// Puts lanes on the next gap of their record, and fetches the one after.
     #[inline(always)]
-    pub(super) fn follow(&mut self, lanes: V::Mask) {
+    fn follow(&mut self, lanes: V::Mask) {
         self.forcing.follow(lanes);
         for number in each(V::bits(lanes)) {
             let lane = &mut self.lanes[number];

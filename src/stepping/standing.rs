@@ -23,13 +23,12 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
 
     #[inline(always)]
     fn stand_lanes(&mut self) -> u64 {
-        let variant = self.shared.variant;
         let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
         let standing = zero.mask(0);
         let moved = zero.mask(self.running);
-        let ground = self.forcing.ground(variant, &self.cell, zero);
-        let ground_mid = self.forcing.ground(variant, &self.cell, half);
-        let ground_end = self.forcing.ground(variant, &self.cell, one);
+        let ground = self.ground(zero);
+        let ground_mid = self.ground(half);
+        let ground_end = self.ground(one);
         let h = self.forcing.step;
         let set = self.equations();
         let k1 = rates(&set, &self.corner, standing, &self.y, ground);
@@ -44,12 +43,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.y = select_motion(moved, &stepped.y, &self.y);
         self.forcing.done = self.forcing.done + V::select(moved, one, zero);
         let lost = moved & !is_sound(&self.y);
-        let mut left = moved & self.forcing.done.ge(self.forcing.steps);
-        if self.forcing.fetched != 0 {
-            let follows = left & zero.mask(self.forcing.fetched & self.running);
-            left = left & !follows;
-            self.follow(follows);
-        }
+        let left = self.end_gaps(moved);
         let attend = V::bits(lost | left) & self.running;
         if attend == 0 { 0 } else { self.attend(attend, V::bits(lost), 0, 0) }
     }

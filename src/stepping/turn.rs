@@ -105,7 +105,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.cut = self.cut | kinked | arrived;
             looked = looked | kinked;
         }
-        let cut = self.cut;
         let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         let mut landed = none;
@@ -153,7 +152,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             }
             proved = switched;
         }
-        let through = ((plain & !cut) | (moved & self.start.ge(one))) & !overturned;
+        let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
         let between = moved & !through;
         if L::HEARS {
             self.tell_cuts(V::bits(between & !switched));
@@ -175,12 +174,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             }
         }
         let lost = through & !is_sound(&self.y);
-        let mut left = through & self.forcing.done.ge(self.forcing.steps);
-        if self.forcing.fetched != 0 {
-            let follows = left & zero.mask(self.forcing.fetched & self.running);
-            left = left & !follows;
-            self.follow(follows);
-        }
+        let left = self.end_gaps(through);
         attend = (attend | V::bits(lost | left)) & self.running & !ended;
         if attend != 0 {
             ended |= self.attend(attend, V::bits(lost), V::bits(endless), V::bits(proved));

@@ -12,7 +12,7 @@
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use super::bounded_motions::{self, at_once};
+use super::bounded_motions;
 use super::clock_parts::clock_parameters;
 use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
@@ -22,6 +22,7 @@ use super::motions::{
 use super::motions_with_forces;
 use super::plan::Plan;
 use super::progress::Progress;
+use super::sampling::at_once;
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
 use super::table::{Strides, Window, places_of, strides};
 use crate::model::excitation::Ground;

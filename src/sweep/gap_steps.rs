@@ -82,8 +82,15 @@ pub fn gap_steps<V: Vector>(parts: u32, substeps: &[u32], zero: V) -> Vec<GapSte
     (0..most).map(step).collect()
 }
 
+/// Lanes, a bit each, of whose parts only every other end is taken from the steps.
+pub fn by_quarters(parts: u32, substeps: &[u32]) -> u64 {
+    let lanes = substeps.iter().enumerate();
+    lanes
+        .fold(0, |all, (lane, &substeps)| all | u64::from(parts_apart(parts, substeps) > 1) << lane)
+}
+
 /// From one part whose end is taken from the steps to the next. With few steps to a gap every other part is told by those
 /// beside it.
-pub fn parts_apart(parts: u32, substeps: u32) -> u32 {
+fn parts_apart(parts: u32, substeps: u32) -> u32 {
     if substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 }
 }

@@ -52,6 +52,7 @@ pub mod report;
 pub mod request;
 pub mod run;
 pub mod sample;
+mod sampling;
 pub mod settings;
 pub mod several;
 pub mod shared;

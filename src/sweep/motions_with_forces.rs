@@ -5,24 +5,22 @@
 
 use fearless_simd::{Level, Simd};
 
-use super::bounded_motions::{Gaps, add, bounds};
-use super::gap_steps::{GapStep, PartEnds, gap_steps, parts_apart};
+use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
+use super::sampling::{Gaps, add, load};
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
 use super::vectors::vectorized;
 use crate::model::dynamics::{Contact, Rates};
-use crate::model::excitation::Cell;
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 use crate::stepping::extremes::parabola;
-use crate::stepping::lanes::{Job, Lanes, Shared};
+use crate::stepping::lanes::{Lanes, Shared};
 use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
-use crate::stepping::state::RUNNING;
 
 /// Most parts that a gap is kept in.
 const MOST_PARTS: usize = 8;
 
-/// Integrates motions, no more than [`at_once`](super::bounded_motions::at_once), on the vectors of a level.
+/// Integrates motions, no more than [`at_once`](super::sampling::at_once), on the vectors of a level.
 pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
@@ -68,20 +66,8 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
     let parts = direction.parts();
     let substeps: Vec<u32> = starts.iter().map(|start| start.cell.substeps).collect();
     let steps = gap_steps(parts, &substeps, zero);
-    let told = |&substeps: &u32| parts_apart(parts, substeps) == 1;
-    let told = substeps
-        .iter()
-        .enumerate()
-        .fold(0, |all, (lane, substeps)| all | u64::from(told(substeps)) << lane);
-    let mut sampled = Vec::with_capacity(starts.len());
-    for (number, start) in starts.iter().enumerate() {
-        sampled.push(SampledMotion::of(samples(&start.cell), parts));
-        // It ends with the excitation.
-        let cell = Cell { body: number as u32, steps: start.cell.steps_forced, ..start.cell };
-        if start.state.status == RUNNING && cell.steps > 0 {
-            lanes.load(number, Job { number, cell, state: start.state });
-        }
-    }
+    let by_quarters = by_quarters(parts, &substeps);
+    let mut sampled = load(&mut lanes, &batch, parts);
     let mut values = [zero; MOST_PARTS + 1];
     let mut now = direction.of(lanes.contact());
     // A block that lifts at once, at a jump, has no forces on record.
@@ -91,13 +77,12 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
     }
     let mut through = lanes.running();
     while through != 0 {
-        let mut gap = Gaps { now, least: now, most: now, change: zero };
+        let mut gap = Gaps::at(now);
         values[0] = now;
         lanes.log.crest = direction.no_crest(zero);
         let mut ended = 0;
         for GapStep { lanes: some, ends } in &steps {
-            lanes.leave_off(!0);
-            lanes.go_on(through & some & !ended);
+            lanes.run_only(through & some & !ended);
             let [reached, over] = if ends.is_empty() {
                 step(&mut lanes)
             } else {
@@ -105,22 +90,18 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
             };
             through &= reached | !some;
             ended |= over;
-            let next = V::select(zero.mask(reached), lanes.log.end, gap.now);
-            gap.change = gap.change.max((next - gap.now).abs());
-            gap.least = gap.least.min(next);
-            gap.most = gap.most.max(next);
-            gap.now = next;
+            gap.take(zero.mask(reached), lanes.log.end);
         }
         now = gap.now;
         values[parts as usize] = now;
-        if parts == 8 && told != !0 {
-            tell_others(&mut values, zero.mask(!told));
+        if by_quarters != 0 {
+            tell_others(&mut values, zero.mask(by_quarters));
         }
         let crest = lanes.log.crest;
         let off = (kept_crest(direction, &values) - crest).abs();
         missed = V::select(zero.mask(through), missed.max(off), missed);
         lowest = lowest.min(crest);
-        let [least, most] = bounds(&gap);
+        let [least, most] = gap.bounds();
         for (lane, sampled) in sampled.iter_mut().enumerate() {
             if through >> lane & 1 == 1 {
                 sampled.least.push(least.lane(lane));
@@ -254,8 +235,8 @@ mod tests {
     use crate::model::excitation::Ground;
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
-    use crate::sweep::bounded_motions::at_once;
     use crate::sweep::plan::Plan;
+    use crate::sweep::sampling::at_once;
     use crate::sweep::shared_motion::Start;
 
     /// All numbers of a motion.

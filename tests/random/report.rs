@@ -34,23 +34,23 @@ pub struct Report {
 fn again(case: &Case, seed: u64, cell: usize) -> String {
     let grid = Grid::of(&case.scene);
     // A list of one value is no axis.
-    let value = |key: &str| {
-        let mut axes = grid.axes().iter().zip(grid.coordinates(cell));
-        axes.find(|(axis, _)| axis.key() == key).map(|(_, value)| value)
-    };
+    let keys = grid.axes().iter().map(|axis| axis.key());
+    let place: Vec<(&str, f64)> = keys.zip(grid.coordinates(cell)).collect();
     if let Excitation::Record(_) = &case.scene.excitation {
-        let place = grid.axes().iter().zip(grid.coordinates(cell));
-        let place = place.map(|(axis, value)| format!("{} = {value}", axis.key()));
+        let place: Vec<String> =
+            place.iter().map(|(key, value)| format!("{key} = {value}")).collect();
         return format!(
             "TOPPLE_RANDOM_SEED={seed} TOPPLE_RANDOM_SCENE={} cargo test --test random # {}",
             case.number,
-            place.collect::<Vec<_>>().join(", ")
+            place.join(", ")
         );
     }
     let mut command = String::from("topple pulse");
     for (key, text) in case.text.lines().filter_map(|line| line.split_once(" = ")) {
-        let text =
-            value(key).map_or(text.trim_matches('"').to_string(), |value| format!("{value:?}"));
+        let text = match place.iter().find(|(axis, _)| *axis == key) {
+            Some((_, value)) => format!("{value:?}"),
+            None => text.trim_matches('"').to_string(),
+        };
         command += &format!(" --{}={text}", key.replace('_', "-"));
     }
     command
