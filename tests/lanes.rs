@@ -209,7 +209,7 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
         let level = level.as_sse2().unwrap();
         #[cfg(target_arch = "aarch64")]
         let level = level.as_neon().unwrap();
-        Lanes::new(shared, 0.0_f32.lanes(level), ()).run(&mut tray);
+        Lanes::new(shared, 0.0_f32.few_lanes(level), ()).run(&mut tray);
         tray.1.sort_by_key(|job| job.number);
         tray.1
     };

@@ -73,8 +73,8 @@ fn a_vectors_lanes_are_filled_as_the_traces_say() {
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let simd = fearless_simd::Level::baseline().as_sse2().unwrap();
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let (traces, _, turns) = one_thread.install(|| record(&plan, &grid, 0.0_f32.lanes(simd)));
-    assert_eq!(turns, traces::turns(&traces, 0..grid.len(), 16));
+    let (traces, _, turns) = one_thread.install(|| record(&plan, &grid, 0.0_f32.few_lanes(simd)));
+    assert_eq!(turns, traces::turns(&traces, 0..grid.len(), 4));
     let (alone, ..) = record(&plan, &grid, 0.0_f32);
     // Products are fused in one of them only.
     let (vector, alone) = (traces.all().len() as f64, alone.all().len() as f64);

@@ -1,7 +1,7 @@
 //! Motions in full contact of which only bounds are kept of each gap: where no contact force is asked for, as many
 //! motions at once as a vector has lanes.
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
 
 use super::sampling::{Gaps, add, load};
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
@@ -9,11 +9,11 @@ use super::vectors::vectorized;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Lanes, Shared};
 
-/// Integrates no more motions than [`at_once`](super::sampling::at_once) on the vectors of a level.
+/// Integrates motions on the vectors of a level, no more than it has [lanes](super::vectors::lanes_of).
 pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
-    vectorized!(level, simd => sampled = integrate(batch, zero.lanes(simd)));
+    vectorized!(level, zero => sampled = integrate(batch, zero));
     sampled
 }
 

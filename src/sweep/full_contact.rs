@@ -22,9 +22,9 @@ use super::motions::{
 use super::motions_with_forces;
 use super::plan::Plan;
 use super::progress::Progress;
-use super::sampling::at_once;
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
 use super::table::{Strides, Window, places_of, strides};
+use super::vectors::lanes_of;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
@@ -181,7 +181,7 @@ impl<R: Real> FullContactMotions<R> {
             let wanted = |places| (!progress.cancelled()).then(|| some(places));
             let places: Vec<Place> = places_of(grid, parameters).collect();
             let motions =
-                places.par_chunks(at_once::<R>()).map(wanted).collect::<Option<Vec<_>>>()?;
+                places.par_chunks(lanes_of::<R>(level)).map(wanted).collect::<Option<Vec<_>>>()?;
             Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())
         };
         // The stiffest vertical isolation takes the most steps: the motions of v begin first.

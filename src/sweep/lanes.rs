@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
 
 use super::cells::Cells;
 use super::plan::Plan;
@@ -121,7 +121,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
                 ended: Vec::with_capacity(BATCH),
             };
             let zero = R::of(0.0);
-            vectorized!(level, simd => Lanes::new(shared, zero.lanes(simd), ()).run(&mut feed));
+            vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
             feed.deliver();
         })
     });
@@ -136,7 +136,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
 /// The vector instructions that this machine has, the narrowest first: names and levels.
 pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    #[cfg(target_arch = "x86_64")]
     let levels = [
         ("SSE2", best.as_sse2().map(Level::Sse2)),
         ("AVX2", best.as_avx2().map(Level::Avx2)),
@@ -144,7 +144,7 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     ];
     #[cfg(target_arch = "aarch64")]
     let levels = [("NEON", best.as_neon().map(Level::Neon))];
-    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
-    let levels = [("scalar", Some(best))];
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    let levels = [("one lane", Some(best))];
     levels.into_iter().filter_map(|(name, level)| Some((name, level?))).collect()
 }

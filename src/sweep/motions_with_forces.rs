@@ -3,7 +3,7 @@
 //! All lanes go through a gap together, and through each of its steps. A lane whose step is cut at kinks of the Bouc-Wen
 //! law takes more turns, and one that has more steps to a gap takes more of them; the others wait.
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
 
 use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
 use super::sampling::{Gaps, add, load};
@@ -20,11 +20,11 @@ use crate::stepping::rk4::hermite;
 /// Most parts that a gap is kept in.
 const MOST_PARTS: usize = 8;
 
-/// Integrates motions, no more than [`at_once`](super::sampling::at_once), on the vectors of a level.
+/// Integrates motions on the vectors of a level, no more than it has [lanes](super::vectors::lanes_of).
 pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
-    vectorized!(level, simd => sampled = integrate(batch, zero.lanes(simd)));
+    vectorized!(level, zero => sampled = integrate(batch, zero));
     sampled
 }
 
@@ -236,8 +236,8 @@ mod tests {
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::sweep::plan::Plan;
-    use crate::sweep::sampling::at_once;
     use crate::sweep::shared_motion::Start;
+    use crate::sweep::vectors::lanes_of;
 
     /// All numbers of a motion.
     fn numbers<R: Real>(motion: &SampledMotion<R>) -> Vec<R> {
@@ -269,7 +269,7 @@ mod tests {
         };
         let clock = if scene.excitation.record().is_some() { &alone } else { &plan };
         let grid = Grid::of(scene);
-        let cases = (0..grid.len().min(at_once::<R>())).map(|cell| grid.case(cell));
+        let cases = (0..grid.len().min(lanes_of::<R>(Level::new()))).map(|cell| grid.case(cell));
         let starts: Vec<Start<R>> = cases.map(|case| Start::of(clock, &case, direction)).collect();
         let (variant, record, level) = (alone.variant(), &record[..], Level::new());
         let of = |starts| sample(MotionBatch { variant, direction, record, starts }, level);

@@ -8,11 +8,6 @@ use crate::stepping::lanes::{Job, Lanes};
 use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
-/// Motions that are made at once: as many as the lanes of a vector.
-pub fn at_once<R>() -> usize {
-    64 / size_of::<R>()
-}
-
 /// Puts each motion of a batch on a lane, up to the end of the excitation; the motions, nothing in them, whose gaps are
 /// kept in so many parts.
 #[inline(always)]

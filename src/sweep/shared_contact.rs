@@ -1,13 +1,12 @@
 //! The full contact that cells share: where it takes a cell before the cell lifts. Twin of
 //! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
 
-use fearless_simd::dispatch;
-
 use super::full_contact::FullContactMotions;
 use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST,
     LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
 };
+use super::vectors::vectorized;
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
 use crate::model::motion::Motion;
@@ -65,15 +64,16 @@ pub(super) fn full_contact<R: Real>(
         (sample, if pressed { scale.abs() * strongest / y } else { zero })
     } else {
         // A scan along rows of numbers, with the widest vectors that this machine has.
-        dispatch!(motions.level, simd => {
-            let none = zero.lanes(simd);
-            if motions.forces {
+        let (mut found, none) = ((0, zero), zero);
+        vectorized!(motions.level, none => {
+            found = if motions.forces {
                 let (sample, friction) = gap_by_gap::<_, true>(motions, arms, place, scale, lever, none);
                 (sample, crests(motions, place, scale.abs(), sample, friction, none))
             } else {
                 gap_by_gap::<_, false>(motions, arms, place, scale, lever, none)
-            }
-        })
+            };
+        });
+        found
     };
     let at = sample.min(last_v);
     let z = h.field(HYSTERETIC)[sample];

@@ -1,30 +1,61 @@
 //! Code compiled for each kind of vector that a machine may have.
 
-/// Runs a statement with the widest vectors of a level: `vectorized!(level, simd => statement)`.
+use fearless_simd::Level;
+
+use crate::model::real::{Real, Vector};
+
+/// Runs a statement with a number in all lanes of a level's vectors: `vectorized!(level, number => statement)`. The
+/// name of the number is that of a number of one lane; where a machine has no vectors it stays that.
+///
+/// Vectors have 512 bits whatever a register has: two or four registers a number keep the units of a core busy while
+/// each waits for its results. Of SSE2's sixteen short registers four would leave a turn four numbers; the rest of it would be
+/// loads and stores, and its code many times as long.
 macro_rules! vectorized {
-    ($level:expr, $simd:ident => $run:expr) => {{
-        let level = $level;
+    ($level:expr, $number:ident => $run:expr) => {{
+        let level: fearless_simd::Level = $level;
         // SSE4.2 is left out: it has little beyond SSE2, and each level compiles the turn once more.
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = level.as_avx512() {
-            $simd.vectorize(
-                #[inline(always)]
-                || $run,
-            );
-        } else if let Some($simd) = level.as_avx2() {
-            $simd.vectorize(
-                #[inline(always)]
-                || $run,
-            );
-        } else if let Some($simd) = level.as_sse2() {
-            $simd.vectorize(
-                #[inline(always)]
-                || $run,
-            );
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+        if let Some(simd) = level.as_avx512() {
+            $crate::sweep::vectors::vectorized!(@run simd.lanes, $number => $run);
+        } else if let Some(simd) = level.as_avx2() {
+            $crate::sweep::vectors::vectorized!(@run simd.lanes, $number => $run);
+        } else if let Some(simd) = level.as_sse2() {
+            $crate::sweep::vectors::vectorized!(@run simd.few_lanes, $number => $run);
         }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(level, $simd => $run);
+        #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
+        if let Some(simd) = level.as_neon() {
+            $crate::sweep::vectors::vectorized!(@run simd.lanes, $number => $run);
+        }
+        #[cfg(not(any(
+            all(target_arch = "x86_64", target_feature = "sse2"),
+            all(target_arch = "aarch64", target_feature = "neon"),
+        )))]
+        {
+            let _ = level;
+            $run
+        }
     }};
+    (@run $simd:ident.$lanes:ident, $number:ident => $run:expr) => {
+        fearless_simd::Simd::vectorize(
+            $simd,
+            #[inline(always)]
+            || {
+                let $number = $crate::model::real::Real::$lanes($number, $simd);
+                $run
+            },
+        )
+    };
 }
 
 pub(super) use vectorized;
+
+/// Lanes of a level's vectors.
+pub fn lanes_of<R: Real>(level: Level) -> usize {
+    fn of<V: Vector>(_: V) -> usize {
+        V::LANES
+    }
+    let mut lanes = 0;
+    let zero = R::of(0.0);
+    vectorized!(level, zero => lanes = of(zero));
+    lanes
+}
