@@ -29,29 +29,39 @@ impl Plan {
         // Computed without the lock: a thread that waits for the lock may be needed by the computation.
         // Two threads that begin at the same time compute the same motions twice; this happens once at
         // most.
-        let motions = match R::PRECISION {
-            Precision::F32 => self.motions::<f32, R>(&key.grid, record, progress),
-            Precision::F64 => self.motions::<f64, R>(&key.grid, record, progress),
-        };
+        let motions = self.motions(R::PRECISION, &key.grid, bytemuck::cast_slice(record), progress);
         // None of a sweep that is cancelled does not mean that there are none.
         if !progress.cancelled() {
-            self.motion_cache.add(key, Arc::clone(&motions) as _);
+            self.motion_cache.add(key, Arc::clone(&motions));
         }
-        motions
+        // They are of the type that was asked for.
+        motions.downcast().unwrap_or_default()
     }
 
-    /// Those of a number type by its own name, `S`, which is `R`.
-    fn motions<S: Real, R: Real>(
+    /// Those of a precision, under a record of that precision given as bytes. Not generic, so that its callers do not
+    /// compile all kinds of vectors again.
+    fn motions(
         &self,
+        precision: Precision,
         grid: &Grid,
-        record: &[Ground<R>],
+        record: &[u8],
         progress: &dyn Progress,
-    ) -> Arc<Option<FullContactMotions<R>>> {
-        let record: &[Ground<S>] = bytemuck::cast_slice(record);
-        let motions: Arc<dyn Any + Send + Sync> =
-            Arc::new(FullContactMotions::of(self, grid, record, progress));
-        // They are of one type.
-        motions.downcast().unwrap_or_default()
+    ) -> Arc<dyn Any + Send + Sync> {
+        fn of<R: Real>(
+            record: &[u8],
+            plan: &Plan,
+            grid: &Grid,
+            progress: &dyn Progress,
+        ) -> Arc<dyn Any + Send + Sync> {
+            // They were such a slice, and lie as one does.
+            let record: &[Ground<R>] = bytemuck::cast_slice(record);
+            Arc::new(FullContactMotions::of(plan, grid, record, progress))
+        }
+        let of = match precision {
+            Precision::F32 => of::<f32>,
+            Precision::F64 => of::<f64>,
+        };
+        of(record, self, grid, progress)
     }
 
     /// Frees the motions that the tiles share, at the end of a sweep.
