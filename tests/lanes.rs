@@ -203,13 +203,13 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
         let models = std::slice::from_ref(&model);
         let shared = Shared { variant: plan.variant(), models, record: &record };
         let mut tray = Tray(jobs, Vec::new());
-        // One level of instructions: each compiles the lanes anew.
+        // One level of instructions, with the lanes that a sweep has there: each compiles them anew.
         let level = fearless_simd::Level::baseline();
         #[cfg(target_arch = "x86_64")]
-        let level = level.as_sse2().unwrap();
+        let zero = 0.0_f32.few_lanes(level.as_sse2().unwrap());
         #[cfg(target_arch = "aarch64")]
-        let level = level.as_neon().unwrap();
-        Lanes::new(shared, 0.0_f32.few_lanes(level), ()).run(&mut tray);
+        let zero = 0.0_f32.lanes(level.as_neon().unwrap());
+        Lanes::new(shared, zero, ()).run(&mut tray);
         tray.1.sort_by_key(|job| job.number);
         tray.1
     };

@@ -15,6 +15,7 @@ use std::time::Duration;
 
 use card::{Choice, Tally, WARP};
 use common::pulse;
+use fearless_simd::Level;
 use host::Kind;
 use topple::model::precision::Precision;
 use topple::model::real::{Real, Vector};
@@ -27,6 +28,7 @@ use topple::sweep::gpu::pipelines::WORKGROUP;
 use topple::sweep::gpu::slots::SIDES;
 use topple::sweep::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
 use topple::sweep::plan::Plan;
+use topple::sweep::vectors::lanes_of;
 use traces::{BATCH, Traces, record, turns};
 
 /// Most cells of a tile: `src/sweep/gpu/run.rs`.
@@ -63,7 +65,7 @@ fn percent(part: usize, whole: usize) -> f64 {
 /// What the lanes of two of the CPU's threads do on a map.
 fn on_cpu<R: Real + Vector<Element = R>>(name: &str, plan: &Plan, grid: &Grid) -> Traces {
     let (traces, ..) = record(plan, grid, R::of(0.0));
-    let (trials, width) = (traces.all(), 64 / size_of::<R>());
+    let (trials, width) = (traces.all(), lanes_of::<R>(Level::new()));
     let half = |odd| (0..grid.len()).filter(move |cell| cell / BATCH % 2 == odd);
     let turns = turns(&traces, half(0), width) + turns(&traces, half(1), width);
     print!("{name:<24} {:8.1}", trials.len() as f64 / grid.len() as f64);

@@ -62,5 +62,5 @@ pub mod shortcuts;
 mod snapshots;
 pub mod table;
 pub mod threads;
-mod vectors;
+pub mod vectors;
 pub mod verification;

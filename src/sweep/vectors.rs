@@ -7,9 +7,9 @@ use crate::model::real::{Real, Vector};
 /// Runs a statement with a number in all lanes of a level's vectors: `vectorized!(level, number => statement)`. The
 /// name of the number is that of a number of one lane; where a machine has no vectors it stays that.
 ///
-/// Vectors have 512 bits whatever a register has: two or four registers a number keep the units of a core busy while
-/// each waits for its results. Of SSE2's sixteen short registers four would leave a turn four numbers; the rest of it would be
-/// loads and stores, and its code many times as long.
+/// Vectors have 512 bits, in two or four registers where one is shorter: while one waits for its result another is
+/// computed. With SSE2 they have 128: its sixteen registers would hold four numbers of 512 bits, and most of a turn
+/// would be loads and stores.
 macro_rules! vectorized {
     ($level:expr, $number:ident => $run:expr) => {{
         let level: fearless_simd::Level = $level;
