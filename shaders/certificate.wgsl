@@ -102,6 +102,9 @@ fn is_final(cell: Cell, state: State) -> bool {
         x_most = cell.reach_h * sqrt(left_h);
         y_swing = cell.reach_v * sqrt(left_v);
     }
+    if !forces {
+        return true;
+    }
     // The least normal force and the largest share of the shear.
     let whole = select(model.normal_share, one, stays);
     let turn = select(energy, zero, stays);

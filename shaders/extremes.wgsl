@@ -1,5 +1,8 @@
 // The largest and least values of a cell so far. Twin: src/stepping/extremes.rs.
 
+// The least contact force and the friction asked for are looked for.
+override forces: bool = true;
+
 // The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE = 4.0 / 27.0;
 
@@ -74,6 +77,9 @@ fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
     let range_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
     (*state).least_v = range_v.least;
     (*state).most_v = range_v.most;
+    if (*state).mode == FULL_CONTACT {
+        return;
+    }
     let left = (*state).mode != ROCKING_RIGHT;
     let so_far = select((*state).max_phi_right, (*state).max_phi_left, left);
     let angle = peak(so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);

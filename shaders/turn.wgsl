@@ -140,7 +140,9 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var fraction = start;
     if moved {
         update_motion(state, y, y1, h);
-        update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
+        if forces {
+            update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
+        }
         (*state).motion = y1;
         fraction = start + length;
     }

@@ -7,10 +7,11 @@ mod common;
 
 use common::{all, object, say, scene, synthetic_pair, under};
 use topple::model::precision::Precision;
-use topple::model::real::Real;
+use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::phases::Phases;
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
 use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::plan::Plan;
@@ -186,9 +187,57 @@ impl<R: Real> Feed<R> for Tray<R> {
     }
 }
 
+/// A vector of one level of instructions, with the lanes that a sweep has there: each compiles them anew.
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))] // their baselines have vectors
+fn lanes_of_the_baseline() -> impl Vector<Element = f32> {
+    let level = fearless_simd::Level::baseline();
+    #[cfg(target_arch = "x86_64")]
+    return 0.0_f32.few_lanes(level.as_sse2().unwrap());
+    #[cfg(target_arch = "aarch64")]
+    return 0.0_f32.lanes(level.as_neon().unwrap());
+}
+
+/// Under a record lanes are sorted by phase: a cell that changes its set, maybe often, ends in the state of one that
+/// stays on its lane, to the last bit.
+#[test]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+fn cells_that_change_their_set_have_the_same_motion() {
+    let mut scene = object(2, -0.4, (1.0, 0.5), 0.0, "1", "1");
+    under(&mut scene, synthetic_pair());
+    scene.set(Parameter::Scale, 0.6);
+    scene.set(Parameter::TH, Range::even(0.3, 1.5, SIDE));
+    scene.set(Parameter::TV, Range::even(0.5, 2.0, SIDE));
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+    let grid = Grid::of(&scene);
+    let model = plan.model::<f32>(&plan.scene.case());
+    let record = plan.record::<f32>();
+    let models = std::slice::from_ref(&model);
+    let shared = Shared { variant: plan.variant(), models, record: &record };
+    let jobs = || {
+        let job = |number: usize| {
+            let (cell, state) = plan.cell::<f32>(&grid.case(7 * number));
+            Job { number, cell, state }
+        };
+        Tray((0..grid.len() / 7).map(job).collect(), Vec::new())
+    };
+    let (mut kept, mut sorted) = (jobs(), jobs());
+    Lanes::new(shared, lanes_of_the_baseline(), ()).run(&mut kept);
+    Phases::new(shared, lanes_of_the_baseline()).run(&mut sorted);
+    kept.1.sort_by_key(|job| job.number);
+    sorted.1.sort_by_key(|job| job.number);
+    let ended = |status| kept.1.iter().filter(|job| job.state.status == status).count();
+    let again = kept.1.iter().filter(|job| job.state.uplifts > 1).count();
+    say(&format!("{} cells, {again} with two uplifts or more", kept.1.len()));
+    assert!(again > 20 && ended(RUNNING) == 0 && ended(DIVERGED) == 0);
+    assert_eq!(kept.1.len(), sorted.1.len());
+    for (kept, sorted) in kept.1.iter().zip(&sorted.1) {
+        assert_eq!(kept.state, sorted.state, "cell {}", kept.number);
+    }
+}
+
 /// A cell whose numbers are none ends as diverged, and its neighbours to the last bit as without it.
 #[test]
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))] // their baselines have vectors
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 fn a_lane_that_diverges_leaves_the_others_alone() {
     let scene = map(0.2, 0.5);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
@@ -203,13 +252,7 @@ fn a_lane_that_diverges_leaves_the_others_alone() {
         let models = std::slice::from_ref(&model);
         let shared = Shared { variant: plan.variant(), models, record: &record };
         let mut tray = Tray(jobs, Vec::new());
-        // One level of instructions, with the lanes that a sweep has there: each compiles them anew.
-        let level = fearless_simd::Level::baseline();
-        #[cfg(target_arch = "x86_64")]
-        let zero = 0.0_f32.few_lanes(level.as_sse2().unwrap());
-        #[cfg(target_arch = "aarch64")]
-        let zero = 0.0_f32.lanes(level.as_neon().unwrap());
-        Lanes::new(shared, zero, ()).run(&mut tray);
+        Lanes::new(shared, lanes_of_the_baseline(), ()).run(&mut tray);
         tray.1.sort_by_key(|job| job.number);
         tray.1
     };

@@ -27,6 +27,8 @@ pub struct Variant {
     pub yields: bool,
     /// Cells end where energy proves that nothing more will happen.
     pub certificate: bool,
+    /// The least contact force and the friction asked for are looked for.
+    pub forces: bool,
     /// Cells differ in their body.
     pub bodies: bool,
     /// n of (11).
@@ -34,7 +36,7 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// A block on the ground under a pulse, with every option off.
+    /// A block on the ground under a pulse, of which all is looked for, with every option off.
     pub const PLAIN: Variant = Variant {
         recorded: false,
         pulse: Shape::OneSine,
@@ -44,6 +46,7 @@ impl Variant {
         kinks: false,
         yields: false,
         certificate: false,
+        forces: true,
         bodies: false,
         bouc_wen_n: 2,
     };

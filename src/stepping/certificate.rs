@@ -150,6 +150,9 @@ pub fn is_final<V: Vector>(
         x_most = cell.reach_h * left_h.sqrt();
         y_swing = cell.reach_v * left_v.sqrt();
     }
+    if !variant.forces {
+        return last;
+    }
     // The least normal force and the largest share of the shear.
     let share = V::select(stays, y.u.like(1.0), model.normal_share);
     let turn = V::select(stays, zero, energy);

@@ -112,16 +112,28 @@ fn share<N: Number>(shear: N, normal: N) -> N {
 }
 
 impl<N: Number> Extremes<N> {
-    /// Updates the extremes of some lanes by their motion over spans of `h` seconds about corners of
-    /// this side.
+    /// Updates the extremes of some lanes by their motion over spans of `h` seconds, about corners of
+    /// this side where they rock.
     #[inline(always)]
-    pub fn update_motion(&mut self, lanes: N::Mask, side: N, y0: &Motion<N>, y1: &Motion<N>, h: N) {
+    pub fn update_motion(
+        &mut self,
+        lanes: N::Mask,
+        rocking: N::Mask,
+        side: N,
+        y0: &Motion<N>,
+        y1: &Motion<N>,
+        h: N,
+    ) {
         self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
         let range_v = [self.least_v, self.most_v];
         [self.least_v, self.most_v] = range(lanes, range_v, y0.v, y0.dv, y1.v, y1.dv, h);
+        let rocks = lanes & rocking;
+        if !N::any(rocks) {
+            return;
+        }
         let left = side.gt(h.like(0.0));
         let so_far = N::select(left, self.max_phi_left, self.max_phi_right);
-        let angle = peak(lanes, so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
+        let angle = peak(rocks, so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
         self.max_phi_left = N::select(left, angle, self.max_phi_left);
         self.max_phi_right = N::select(left, self.max_phi_right, angle);
     }

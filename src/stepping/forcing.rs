@@ -4,6 +4,7 @@
 use crate::model::CellEquations;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
+use crate::model::number::Number;
 use crate::model::pulse::wave;
 use crate::model::real::{Real, Vector};
 
@@ -30,10 +31,11 @@ pub struct Forcing<V> {
     rise: Ground<V>,
     /// Lanes under excitation, a bit each.
     pub forced: u64,
-    /// The next gap of the record, fetched while the one before runs: lanes change to it without waiting for
-    /// single numbers on their way into a vector. A thread of the shader reads a gap when it begins.
-    next_base: Ground<V>,
-    next_rise: Ground<V>,
+    /// The record's sample after, and the one after the next gap, which is fetched while the gap before runs: lanes
+    /// change to it without waiting for single numbers on their way into a vector. A thread of the shader reads a gap
+    /// when it begins.
+    after: Ground<V>,
+    next: Ground<V>,
     /// Lanes that have a next gap, a bit each.
     pub fetched: u64,
 }
@@ -52,8 +54,8 @@ impl<V: Vector> Forcing<V> {
             base: ground,
             rise: ground,
             forced: 0,
-            next_base: ground,
-            next_rise: ground,
+            after: ground,
+            next: ground,
             fetched: 0,
         }
     }
@@ -79,25 +81,31 @@ impl<V: Vector> Forcing<V> {
 
     /// Puts lanes, which have a next gap, on it.
     #[inline(always)]
-    pub fn follow(&mut self, lanes: V::Mask) {
-        self.base.h = V::select(lanes, self.next_base.h, self.base.h);
-        self.base.v = V::select(lanes, self.next_base.v, self.base.v);
-        self.rise.h = V::select(lanes, self.next_rise.h, self.rise.h);
-        self.rise.v = V::select(lanes, self.next_rise.v, self.rise.v);
+    pub fn follow(&mut self, lanes: V::Mask, cell: &Cell<V>) {
+        let (base, rise) = gap(cell, self.after, self.next);
+        self.base.h = V::select(lanes, base.h, self.base.h);
+        self.base.v = V::select(lanes, base.v, self.base.v);
+        self.rise.h = V::select(lanes, rise.h, self.rise.h);
+        self.rise.v = V::select(lanes, rise.v, self.rise.v);
+        self.after.h = V::select(lanes, self.next.h, self.after.h);
+        self.after.v = V::select(lanes, self.next.v, self.after.v);
         self.done = V::select(lanes, self.done.like(0.0), self.done);
     }
 
     /// Fetches a lane's next gap, from `sample` on, if its record has one there.
     #[inline(always)]
-    pub fn fetch(&mut self, lane: usize, set: &CellEquations<V::Element>, sample: u32) {
-        let cell = set.cell;
+    pub fn fetch(
+        &mut self,
+        lane: usize,
+        cell: &Cell<V::Element>,
+        record: &[Ground<V::Element>],
+        sample: u32,
+    ) {
         if sample * cell.substeps >= cell.steps_forced.min(cell.steps) {
             self.fetched &= !(1 << lane);
             return;
         }
-        let (base, rise) = gap(set, sample);
-        put(&mut self.next_base, lane, base);
-        put(&mut self.next_rise, lane, rise);
+        put(&mut self.next, lane, record[sample as usize + 1]);
         self.fetched |= 1 << lane;
     }
 
@@ -133,12 +141,14 @@ impl<V: Vector> Forcing<V> {
         let steps;
         if set.variant.recorded {
             let sample = step / cell.substeps;
-            let (base, rise) = gap(set, sample);
+            let (before, after) = (set.record[sample as usize], set.record[sample as usize + 1]);
+            let (base, rise) = gap(cell, before, after);
             put(&mut self.base, lane, base);
             put(&mut self.rise, lane, rise);
+            put(&mut self.after, lane, after);
             first = sample * cell.substeps;
             steps = cell.substeps;
-            self.fetch(lane, set, sample + 1);
+            self.fetch(lane, cell, set.record, sample + 1);
             // A gap after another of the same cell has the same steps.
             if follows {
                 self.done.put(lane, V::Element::of(f64::from(step - first)));
@@ -166,11 +176,10 @@ fn put<V: Vector>(ground: &mut Ground<V>, lane: usize, value: Ground<V::Element>
     ground.v.put(lane, value.v);
 }
 
-/// A gap of the record: the ground at its first sample, and the rise to the next.
+/// A gap between two samples of the record under a cell: the ground at the first, and the rise to the second.
 #[inline(always)]
-fn gap<R: Real>(set: &CellEquations<R>, sample: u32) -> (Ground<R>, Ground<R>) {
-    let (before, after) = (set.record[sample as usize], set.record[sample as usize + 1]);
-    let (h, v) = (set.cell.amplitude_h, set.cell.amplitude_v);
+fn gap<N: Number>(cell: &Cell<N>, before: Ground<N>, after: Ground<N>) -> (Ground<N>, Ground<N>) {
+    let (h, v) = (cell.amplitude_h, cell.amplitude_v);
     let base = Ground { h: h * before.h, v: v * before.v };
     (base, Ground { h: h * (after.h - before.h), v: v * (after.v - before.v) })
 }

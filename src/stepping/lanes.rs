@@ -6,7 +6,7 @@ use super::extremes::Extremes;
 use super::forcing::Forcing;
 use super::log::Listener;
 use super::search::Search;
-use super::state::State;
+use super::state::{RUNNING, State};
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use crate::model::dynamics::{Contact, Rates, rates};
@@ -34,6 +34,18 @@ pub trait Feed<R> {
     /// Takes a cell that has ended.
     fn done(&mut self, job: &Job<R>);
 
+    /// The next cell that has anything left to run.
+    #[inline(always)]
+    fn next_running(&mut self) -> Option<Job<R>> {
+        loop {
+            let job = self.next()?;
+            if job.state.status == RUNNING {
+                return Some(job);
+            }
+            self.done(&job);
+        }
+    }
+
     /// True when cells that run are to be left as they are, and no more are to come.
     fn cancelled(&self) -> bool {
         false
@@ -41,7 +53,7 @@ pub trait Feed<R> {
 }
 
 /// Turns between two questions whether to go on: some milliseconds.
-const TURNS: u32 = 1 << 12;
+pub(super) const TURNS: u32 = 1 << 12;
 
 /// The part of a lane that is not in vectors.
 pub(super) struct Lane<R> {
@@ -113,7 +125,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
 
 /// The lanes of a mask's bits.
 #[inline(always)]
-pub(super) fn each(mut bits: u64) -> impl Iterator<Item = usize> {
+pub fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = bits.trailing_zeros() as usize;
         // `trailing_zeros` of 0 is 64; it is not used.
@@ -290,15 +302,10 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
 
     #[inline(always)]
     fn fill_lane(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
-        while let Some(job) = feed.next() {
-            if job.state.status != super::state::RUNNING {
-                feed.done(&job);
-                continue;
-            }
-            self.load(lane, job);
-            return;
+        match feed.next_running() {
+            Some(job) => self.load(lane, job),
+            None => self.search.stop(self.start.mask(1 << lane)),
         }
-        self.search.stop(self.start.mask(1 << lane));
     }
 
     /// Puts a cell on a lane.
@@ -380,6 +387,22 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.lanes[lane].job.state.set_extremes(&extremes);
     }
 
+    /// Takes a lane's cell off it.
+    #[inline(never)]
+    pub(super) fn take(&mut self, lane: usize) -> Job<V::Element> {
+        self.start.with(
+            #[inline(always)]
+            || {
+                self.store(lane);
+                let bit = self.start.mask(1 << lane);
+                self.search.stop(bit);
+                self.rocking = self.rocking & !bit;
+                self.leave_off(1 << lane);
+                self.lanes[lane].job
+            },
+        )
+    }
+
     /// The step that a lane is in.
     #[inline(always)]
     pub(super) fn step(&self, lane: usize) -> u32 {
@@ -414,13 +437,12 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     /// Puts lanes on the next gap of their record, and fetches the one after.
     #[inline(always)]
     fn follow(&mut self, lanes: V::Mask) {
-        self.forcing.follow(lanes);
+        self.forcing.follow(lanes, &self.cell);
         for number in each(V::bits(lanes)) {
             let lane = &mut self.lanes[number];
             lane.first_step += lane.job.cell.substeps;
             lane.next_sample += 1;
-            let set = self.shared.equations(&lane.job.cell);
-            self.forcing.fetch(number, &set, lane.next_sample);
+            self.forcing.fetch(number, &lane.job.cell, self.shared.record, lane.next_sample);
         }
     }
 }

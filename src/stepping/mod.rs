@@ -8,7 +8,7 @@
 //! [`cubic`] through the span's ends; then the phase changes ([`switching`]). [`extremes`] take in
 //! what a span held, and the [`certificate`] ends cells of which all is final. Each of these files is
 //! the twin of the shader of its name. Blocks that stand on bases that do not yield have nothing to look
-//! for: a step of theirs is [`standing`].
+//! for: a step of theirs is [`standing`]. Under a record the lanes are sorted by [`phases`].
 
 pub mod certificate;
 pub mod crossing;
@@ -20,6 +20,7 @@ pub mod lanes;
 pub mod log;
 pub mod operations;
 pub mod outcome;
+pub mod phases;
 pub mod reference;
 pub mod rk4;
 pub mod search;

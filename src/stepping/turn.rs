@@ -131,8 +131,10 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let plain = (looked & !(found | landed)) | again;
         self.search.again = self.search.again & !again;
         let moved = plain | switched | arrived;
-        self.extremes.update_motion(moved, self.corner.side, &self.y, &y1, h);
-        self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        self.extremes.update_motion(moved, self.rocking, self.corner.side, &self.y, &y1, h);
+        if variant.forces {
+            self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        }
         if L::FEELS {
             self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }

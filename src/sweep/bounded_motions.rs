@@ -7,7 +7,7 @@ use super::sampling::{Gaps, add, load};
 use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
 use super::vectors::vectorized;
 use crate::model::real::{Real, Vector};
-use crate::stepping::lanes::{Lanes, Shared};
+use crate::stepping::lanes::{Lanes, Shared, each};
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](super::vectors::lanes_of).
 pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
@@ -27,24 +27,20 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
     // No force is on record.
     let unknown = Direction::Vertical.no_crest(zero);
     let mut gaps = Gaps::at(now);
+    let first = gaps.known(zero, unknown);
     for (lane, sampled) in sampled.iter_mut().enumerate() {
-        add(sampled, &lanes, lane, direction, [now.lane(lane), unknown.lane(lane)]);
+        add(sampled, &lanes, lane, direction, &first);
     }
     while lanes.running() != 0 {
-        let ended = lanes.advance();
+        let ended = if lanes.has_kinks() { lanes.advance() } else { lanes.stand() };
         let through = lanes.between_steps();
         gaps.take(through, force(&lanes, direction));
         // The gaps of a pulse are its steps.
         let over = if variant.recorded { through & lanes.between_segments() } else { through };
         if V::any(over) {
-            let [least, most] = gaps.bounds();
-            for (lane, sampled) in sampled.iter_mut().enumerate() {
-                if V::bits(over) >> lane & 1 == 1 {
-                    sampled.least.push(least.lane(lane));
-                    sampled.most.push(most.lane(lane));
-                    let values = [gaps.now.lane(lane), unknown.lane(lane)];
-                    add(sampled, &lanes, lane, direction, values);
-                }
+            let known = gaps.known(zero, unknown);
+            for lane in each(V::bits(over)) {
+                add(&mut sampled[lane], &lanes, lane, direction, &known);
             }
             gaps.begin(over);
         }

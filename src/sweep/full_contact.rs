@@ -22,7 +22,7 @@ use super::motions::{
 use super::motions_with_forces;
 use super::plan::Plan;
 use super::progress::Progress;
-use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
+use super::shared_motion::{Direction, MotionBatch, Sample, SampledMotion, Start};
 use super::table::{Strides, Window, places_of, strides};
 use super::vectors::lanes_of;
 use crate::model::excitation::Ground;
@@ -202,20 +202,23 @@ impl<R: Real> FullContactMotions<R> {
 
 /// Stores motions of u.
 fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
-    let lengths = sampled.iter().map(|each| each.motion.len());
+    let lengths = sampled.iter().map(|each| each.samples.len());
     let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
     for (number, each) in sampled.iter().enumerate() {
-        motions.fill(DISPLACEMENT, number, each.motion.iter().map(|motion| motion.u));
-        motions.fill(VELOCITY, number, each.motion.iter().map(|motion| motion.du));
-        motions.fill(ACCELERATION, number, each.acceleration.iter().copied());
-        motions.fill(LEAST, number, each.least.iter().copied());
-        motions.fill(TOP, number, each.top.iter().copied());
-        motions.fill(HYSTERETIC, number, each.motion.iter().map(|motion| motion.z));
-        motions.fill(MOST, number, each.most.iter().copied());
+        let mut fill = |field, of: fn(&Sample<R>) -> R| {
+            motions.fill(field, number, each.samples.iter().map(of));
+        };
+        fill(DISPLACEMENT, |sample| sample.displacement);
+        fill(VELOCITY, |sample| sample.velocity);
+        fill(ACCELERATION, |sample| sample.acceleration);
+        fill(TOP, |sample| sample.top);
+        fill(HYSTERETIC, |sample| sample.hysteretic);
+        motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
+        motions.fill(MOST, number, each.gaps().map(|gap| gap.most));
+        motions.fill(CREST, number, each.gaps().map(|gap| gap.crest));
         motions.fill(HIGHEST, number, each.highest.iter().copied());
         motions.fill(DEEPEST, number, each.deepest.iter().copied());
         motions.fill(STRONGEST, number, each.strongest.iter().copied());
-        motions.fill(CREST, number, each.crest.iter().copied());
         for (quarter, values) in each.inside.iter().enumerate() {
             motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
         }
@@ -225,17 +228,20 @@ fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Moti
 
 /// Stores motions of v.
 fn vertical<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
-    let lengths = sampled.iter().map(|each| each.motion.len());
+    let lengths = sampled.iter().map(|each| each.samples.len());
     let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);
     for (number, each) in sampled.iter().enumerate() {
-        motions.fill(DISPLACEMENT, number, each.motion.iter().map(|motion| motion.v));
-        motions.fill(VELOCITY, number, each.motion.iter().map(|motion| motion.dv));
-        motions.fill(ACCELERATION, number, each.acceleration.iter().copied());
-        motions.fill(LEAST, number, each.least.iter().copied());
-        motions.fill(TOP, number, each.top.iter().copied());
-        motions.fill(BOTTOM, number, each.bottom.iter().copied());
-        motions.fill(LOWEST, number, each.lowest.iter().copied());
-        motions.fill(TROUGH, number, each.crest.iter().copied());
+        let mut fill = |field, of: fn(&Sample<R>) -> R| {
+            motions.fill(field, number, each.samples.iter().map(of));
+        };
+        fill(DISPLACEMENT, |sample| sample.displacement);
+        fill(VELOCITY, |sample| sample.velocity);
+        fill(ACCELERATION, |sample| sample.acceleration);
+        fill(TOP, |sample| sample.top);
+        fill(BOTTOM, |sample| sample.bottom);
+        fill(LOWEST, |sample| sample.lowest);
+        motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
+        motions.fill(TROUGH, number, each.gaps().map(|gap| gap.crest));
         for (eighth, values) in each.inside.iter().enumerate() {
             motions.fill(EIGHTHS_V + eighth, number, values.iter().copied());
         }

@@ -16,6 +16,7 @@ use crate::results::block::Block;
 use crate::scene::Grid;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
 use crate::stepping::outcome::Outcome;
+use crate::stepping::phases::Phases;
 
 /// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
 const BATCH: usize = 64;
@@ -121,7 +122,11 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
                 ended: Vec::with_capacity(BATCH),
             };
             let zero = R::of(0.0);
-            vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
+            if shared.variant.recorded {
+                vectorized!(level, zero => Phases::new(shared, zero).run(&mut feed));
+            } else {
+                vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
+            }
             feed.deliver();
         })
     });

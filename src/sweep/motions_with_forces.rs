@@ -13,7 +13,7 @@ use crate::model::dynamics::{Contact, Rates};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 use crate::stepping::extremes::parabola;
-use crate::stepping::lanes::{Lanes, Shared};
+use crate::stepping::lanes::{Lanes, Shared, each};
 use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
 
@@ -72,8 +72,9 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
     let mut now = direction.of(lanes.contact());
     // A block that lifts at once, at a jump, has no forces on record.
     let (mut lowest, mut missed) = (Direction::Vertical.no_crest(zero), zero);
+    let first = Gaps::at(now).known(zero, lowest);
     for (lane, sampled) in sampled.iter_mut().enumerate() {
-        add(sampled, &lanes, lane, direction, [now.lane(lane), lowest.lane(lane)]);
+        add(sampled, &lanes, lane, direction, &first);
     }
     let mut through = lanes.running();
     while through != 0 {
@@ -101,17 +102,13 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
         let off = (kept_crest(direction, &values) - crest).abs();
         missed = V::select(zero.mask(through), missed.max(off), missed);
         lowest = lowest.min(crest);
-        let [least, most] = gap.bounds();
-        for (lane, sampled) in sampled.iter_mut().enumerate() {
-            if through >> lane & 1 == 1 {
-                sampled.least.push(least.lane(lane));
-                sampled.most.push(most.lane(lane));
-                sampled.crest.push(crest.lane(lane));
-                for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
-                    kept.push(value.lane(lane));
-                }
-                add(sampled, &lanes, lane, direction, [now.lane(lane), lowest.lane(lane)]);
+        let known = gap.known(crest, lowest);
+        for lane in each(through) {
+            let sampled = &mut sampled[lane];
+            for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
+                kept.push(value.lane(lane));
             }
+            add(sampled, &lanes, lane, direction, &known);
         }
         through &= !ended;
     }
@@ -236,27 +233,14 @@ mod tests {
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::sweep::plan::Plan;
-    use crate::sweep::shared_motion::Start;
+    use crate::sweep::shared_motion::{Sample, Start};
     use crate::sweep::vectors::lanes_of;
 
     /// All numbers of a motion.
-    fn numbers<R: Real>(motion: &SampledMotion<R>) -> Vec<R> {
-        let of_motion =
-            motion.motion.iter().flat_map(|motion| motion.reals_ref().map(|number| *number));
-        let quantities = [
-            &motion.acceleration,
-            &motion.least,
-            &motion.most,
-            &motion.crest,
-            &motion.bottom,
-            &motion.top,
-            &motion.lowest,
-            &motion.highest,
-            &motion.deepest,
-            &motion.strongest,
-        ];
+    fn numbers<R: Real>(motion: &SampledMotion<R>) -> (&[Sample<R>], Vec<R>) {
+        let quantities = [&motion.highest, &motion.deepest, &motion.strongest];
         let others = quantities.into_iter().chain(&motion.inside).flatten().copied();
-        of_motion.chain(others).collect()
+        (&motion.samples, others.collect())
     }
 
     /// Lanes that wait, that have ended or that have no motion change nothing in the others.
@@ -277,13 +261,10 @@ mod tests {
         assert_eq!(together.len(), starts.len());
         for (number, motion) in together.iter().enumerate() {
             let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
-            assert_eq!(motion.motion.len(), samples(&starts[number].cell));
+            assert_eq!(motion.samples.len(), samples(&starts[number].cell));
             assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
             let beyond = R::of(1.0e30);
-            assert!(
-                motion.most.iter().all(|&most| most < beyond),
-                "{direction:?} {number} is shared"
-            );
+            assert!(motion.gaps().all(|gap| gap.most < beyond), "{direction:?} {number} is shared");
         }
     }
 

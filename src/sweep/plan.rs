@@ -43,8 +43,7 @@ pub struct Plan {
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub reductions: Shortcuts,
-    /// Contact forces are asked for: where they are not, min_contact and the friction asked for in full contact are not
-    /// looked for.
+    /// Contact forces are asked for: where they are not, min_contact and the friction asked for are not looked for.
     pub forces: bool,
     /// The laws that all its cells have.
     pub(super) laws: Laws,
@@ -229,6 +228,7 @@ impl Plan {
             kinks: self.resolution.kinks && yields,
             yields,
             certificate: self.reductions.certificate,
+            forces: self.forces,
             bodies: self.bodies,
             bouc_wen_n,
         }

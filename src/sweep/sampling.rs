@@ -1,7 +1,7 @@
 //! What the makers of shared motions have in common: motions on the lanes of a vector, and what is kept of each gap
 //! between two samples.
 
-use super::shared_motion::{Direction, MotionBatch, SLACK, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionBatch, SLACK, Sample, SampledMotion, samples};
 use crate::model::excitation::Cell;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Job, Lanes};
@@ -60,32 +60,55 @@ impl<V: Vector> Gaps<V> {
         self.change = V::select(lanes, self.change.like(0.0), self.change);
     }
 
-    /// The least and the largest value in each lane's gap, with what may lie between the ends of steps.
+    /// What is known of each lane's gap, but its crest and the least value so far: bounds with what may lie between the
+    /// ends of steps.
     #[inline(always)]
-    pub fn bounds(&self) -> [V; 2] {
-        let Gaps { least, most, change, .. } = *self;
+    pub fn known(&self, crest: V, lowest: V) -> Known<V> {
+        let Gaps { least, most, change, now } = *self;
         let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
-        [least - slack, most + slack]
+        Known { now, least: least - slack, most: most + slack, crest, lowest }
     }
 }
 
-/// Adds the sample that a lane is at: X or Y there, and its least value so far.
+/// X or Y at each lane's sample and in the gap that ends there, as a [`Sample`] has them.
+pub(super) struct Known<V> {
+    now: V,
+    least: V,
+    most: V,
+    crest: V,
+    lowest: V,
+}
+
+/// Adds the sample that a lane is at.
 #[inline(always)]
 pub(super) fn add<V: Vector, L: Listener<V>>(
     sampled: &mut SampledMotion<V::Element>,
     lanes: &Lanes<V, L>,
     lane: usize,
     direction: Direction,
-    [now, lowest]: [V::Element; 2],
+    known: &Known<V>,
 ) {
-    let extremes = lanes.extremes();
-    let (bottom, top) = match direction {
-        Direction::Horizontal => (V::Element::of(0.0), extremes.max_u.lane(lane)),
-        Direction::Vertical => (extremes.least_v.lane(lane), extremes.most_v.lane(lane)),
+    let (motion, extremes) = (lanes.motion(), lanes.extremes());
+    let zero = V::Element::of(0.0);
+    let (displacement, velocity, hysteretic, bottom, top) = match direction {
+        Direction::Horizontal => {
+            (motion.u, motion.du, motion.z.lane(lane), zero, extremes.max_u.lane(lane))
+        }
+        Direction::Vertical => {
+            let range = (extremes.least_v.lane(lane), extremes.most_v.lane(lane));
+            (motion.v, motion.dv, zero, range.0, range.1)
+        }
     };
-    sampled.motion.push(lanes.motion().map(|number| number.lane(lane)));
-    sampled.acceleration.push(now);
-    sampled.bottom.push(bottom);
-    sampled.top.push(top);
-    sampled.lowest.push(lowest);
+    sampled.samples.push(Sample {
+        displacement: displacement.lane(lane),
+        velocity: velocity.lane(lane),
+        hysteretic,
+        acceleration: known.now.lane(lane),
+        least: known.least.lane(lane),
+        most: known.most.lane(lane),
+        crest: known.crest.lane(lane),
+        lowest: known.lowest.lane(lane),
+        bottom,
+        top,
+    });
 }

@@ -6,7 +6,6 @@ use crate::model::block::Model;
 use crate::model::dynamics::Contact;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
-use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::Real;
 use crate::scene::Case;
@@ -20,25 +19,36 @@ pub(super) const SLACK: f64 = 2.0e-3;
 /// extremum there. A motion that is faster is shared by nobody.
 const MISSED: f64 = 5.0e-4;
 
+/// A motion in one direction at a sample, and in the gap that ends there.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Sample<R> {
+    /// u or v, m.
+    pub displacement: R,
+    /// Its rate, m/s.
+    pub velocity: R,
+    /// z of u.
+    pub hysteretic: R,
+    /// X or Y of (14), m/s^2.
+    pub acceleration: R,
+    /// Bounds of it in the gap.
+    pub least: R,
+    pub most: R,
+    /// Its largest magnitude (of v its least) in the gap, crests between steps included.
+    pub crest: R,
+    /// Least of the acceleration so far.
+    pub lowest: R,
+    /// Least v so far, m; of u zero.
+    pub bottom: R,
+    /// Largest |u|, or largest v, so far, m.
+    pub top: R,
+}
+
 /// A motion in one direction, sample by sample.
 pub struct SampledMotion<R> {
-    /// At each sample.
-    pub motion: Vec<Motion<R>>,
-    /// X or Y of (14) at each sample, m/s^2.
-    pub acceleration: Vec<R>,
-    /// Bounds of it from each sample to the next.
-    pub least: Vec<R>,
-    pub most: Vec<R>,
-    /// It after each part of a gap: a quarter of X, an eighth of Y.
+    /// The samples. No gap ends at the first.
+    pub samples: Vec<Sample<R>>,
+    /// The acceleration after each part of a gap: a quarter of X, an eighth of Y.
     pub inside: Vec<Vec<R>>,
-    /// Its largest magnitude (of v its least) in each gap, crests between steps included.
-    pub crest: Vec<R>,
-    /// Least v up to each sample, m; of u zeros.
-    pub bottom: Vec<R>,
-    /// Largest |u|, or largest v, up to each sample, m.
-    pub top: Vec<R>,
-    /// Least of the acceleration up to each sample.
-    pub lowest: Vec<R>,
     /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
     /// acceleration, up to and with each gap.
     pub highest: Vec<R>,
@@ -76,7 +86,7 @@ impl Direction {
         R::of(MISSED)
             * match self {
                 Direction::Horizontal => {
-                    sampled.crest.iter().fold(R::of(0.0), |most, &x| most.max(x))
+                    sampled.gaps().fold(R::of(0.0), |most, gap| most.max(gap.crest))
                 }
                 Direction::Vertical => gravity,
             }
@@ -177,58 +187,54 @@ impl<R: Real> SampledMotion<R> {
     /// A motion of so many samples, nothing in it.
     pub(super) fn of(count: usize, parts: u32) -> SampledMotion<R> {
         SampledMotion {
-            motion: Vec::with_capacity(count),
-            acceleration: Vec::with_capacity(count),
-            least: Vec::with_capacity(count),
-            most: Vec::with_capacity(count),
-            bottom: Vec::with_capacity(count),
-            top: Vec::with_capacity(count),
-            lowest: Vec::with_capacity(count),
+            samples: Vec::with_capacity(count),
             inside: (1..parts).map(|_| Vec::with_capacity(count)).collect(),
-            crest: Vec::with_capacity(count),
             highest: Vec::new(),
             deepest: Vec::new(),
             strongest: Vec::new(),
         }
     }
 
+    /// The gaps, each with the sample that ends it.
+    pub(super) fn gaps(&self) -> impl Iterator<Item = &Sample<R>> {
+        self.samples.iter().skip(1)
+    }
+
     /// The same with as many samples as it should have. A motion that the number type does not hold ends early: cells
     /// that share it integrate by themselves.
     pub(super) fn filled(mut self, count: usize) -> SampledMotion<R> {
-        let Some(last) = self.motion.last().copied() else { return self };
-        if self.motion.len() == count {
-            return self;
+        if let Some(&last) = self.samples.last()
+            && self.samples.len() < count
+        {
+            self.samples.resize(count, last);
+            self.bound_nothing();
         }
-        self.motion.resize(count, last);
-        let ends = [&mut self.acceleration, &mut self.bottom, &mut self.top, &mut self.lowest];
-        for values in ends {
-            let last = values.last().copied().unwrap_or(R::of(0.0));
-            values.resize(count, last);
-        }
-        self.least = vec![-beyond::<R>(); count - 1];
-        self.most = vec![beyond(); count - 1];
         self
+    }
+
+    /// With these bounds every cell may lift in every gap, and integrates by itself.
+    fn bound_nothing(&mut self) {
+        for sample in &mut self.samples {
+            (sample.least, sample.most) = (-beyond::<R>(), beyond());
+        }
     }
 
     /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
     pub(super) fn finish(mut self, missed: bool) -> SampledMotion<R> {
         if missed {
-            // With these bounds every cell may lift in every gap, and integrates by itself.
-            let beyond = beyond::<R>();
-            self.least.fill(-beyond);
-            self.most.fill(beyond);
+            self.bound_nothing();
         }
-        let largest = |numbers: &mut dyn Iterator<Item = R>| {
+        let largest = |of: &dyn Fn(&Sample<R>) -> R| {
             let mut most = R::of(0.0);
-            let so_far = numbers.map(|number| {
-                most = most.max(number);
+            let so_far = self.gaps().map(|gap| {
+                most = most.max(of(gap));
                 most
             });
             so_far.collect()
         };
-        self.highest = largest(&mut self.most.iter().copied());
-        self.deepest = largest(&mut self.least.iter().map(|&least| -least));
-        self.strongest = largest(&mut self.crest.iter().copied());
-        self
+        let highest = largest(&|gap| gap.most);
+        let deepest = largest(&|gap| -gap.least);
+        let strongest = largest(&|gap| gap.crest);
+        SampledMotion { highest, deepest, strongest, ..self }
     }
 }

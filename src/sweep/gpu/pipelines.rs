@@ -32,6 +32,7 @@ pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64
         ("kinks", f64::from(u8::from(variant.kinks))),
         ("yields", f64::from(u8::from(variant.yields))),
         ("certificate", f64::from(u8::from(variant.certificate))),
+        ("forces", f64::from(u8::from(variant.forces))),
         ("bodies", f64::from(u8::from(variant.bodies))),
         ("bouc_wen_n", f64::from(variant.bouc_wen_n)),
         ("workgroup_size", WORKGROUP as f64),
