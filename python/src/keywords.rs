@@ -176,7 +176,10 @@ pub fn values(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Values> {
     if let Ok(text) = value.extract::<String>() {
         return text.parse().map_err(|error| of_keyword(key, error));
     }
-    let numbers: Vec<f64> = value.extract().map_err(|_| of_keyword(key, expected))?;
+    let items: Vec<Bound<'_, PyAny>> = value.extract().map_err(|_| of_keyword(key, expected))?;
+    let number = |item: &Bound<'_, PyAny>| counts(item).then(|| item.extract().ok()).flatten();
+    let numbers: Option<Vec<f64>> = items.iter().map(number).collect();
+    let numbers = numbers.ok_or_else(|| of_keyword(key, expected))?;
     Values::list(numbers).map_err(|error| of_keyword(key, error))
 }
 

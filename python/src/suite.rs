@@ -129,6 +129,18 @@ pub fn fragility<'py>(
     request.seed = given(keywords, "seed", "a whole number")?.unwrap_or(request.seed);
     request.samples = given(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
     let target: Option<f64> = given(keywords, "target", "a number")?;
+    let needed = [
+        ("samples", "vary", "how many points of vary"),
+        ("target", "hazard", "a rate of hazard's"),
+    ];
+    for (key, other, says) in needed {
+        let there = |key: &str| {
+            Ok::<_, PyErr>(keywords.get_item(key)?.is_some_and(|value| !value.is_none()))
+        };
+        if there(key)? && !there(other)? {
+            return Err(of_keyword(key, format!("it says {says}; give {other}, too")));
+        }
+    }
     let hazard = match given::<PathBuf>(keywords, "hazard", "a path")? {
         Some(path) => {
             let named = |error: io::Error| {

@@ -154,6 +154,16 @@ def test_what_a_suite_refuses(records):
         topple.envelope(records / "list.csv", object=1, t_h=1.0, t_v=0.4)
     with pytest.raises(ValueError, match="^standing: 1.5 must lie"):
         topple.envelope(records / "list.csv", **SCENE, standing=1.5)
+    for alien in ({"omega": 3.0}, {"shape": "one-cosine"}, {"horizontal": "a.at2"}):
+        [key] = alien
+        for call in (topple.envelope, topple.fragility):
+            with pytest.raises(ValueError, match=f"^{key}: the motions of the suite shake the base"):
+                call(records / "list.csv", **SCENE, **alien)
+    for key, other in (("samples", "vary"), ("target", "hazard")):
+        with pytest.raises(ValueError, match=f"^{key}: .* give {other}, too"):
+            topple.fragility(records / "list.csv", **SCENE, **{key: 8}, levels=[1.0, 2.0])
+    with pytest.raises(ValueError, match="^levels: give a number"):
+        topple.fragility(records / "list.csv", **SCENE, levels=[True, 2.0])
     with pytest.raises(ValueError, match="^estimator: ida scales"):
         topple.fragility(records / "list.csv", **SCENE, estimator="ida")
     with pytest.raises(FileNotFoundError):

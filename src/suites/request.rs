@@ -4,6 +4,7 @@ use super::envelope::Limits;
 use super::read::Suite;
 use super::swept::{SuiteJob, SuiteSettings};
 use super::wanted::WantedMotion;
+use crate::scene::parameters::Section;
 use crate::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use crate::sweep::error::SweepError;
 
@@ -49,8 +50,19 @@ impl SuiteRequest {
     /// Checks what can be checked before a suite is read.
     ///
     /// # Errors
-    /// The key `u_y`: a base whose yield displacement follows from a motion's peak is another device under each.
+    /// The key `u_y`: a base whose yield displacement follows from a motion's peak is another device under each. The keys
+    /// of a pulse, and of a record of the scene's own: the suite's motions shake the base.
     pub fn check(&self) -> Result<(), SceneError> {
+        let pulse = Parameter::of_section(Section::Pulse).find(|own| self.scene.numbers.has(*own));
+        let key = match pulse {
+            Some(own) => Some(own.entry().key),
+            None if self.scene.shape.is_some() => Some("shape"),
+            None => self.scene.record.as_ref().map(|_| "horizontal"),
+        };
+        if let Some(key) = key {
+            let problem = "the motions of the suite shake the base; leave it out";
+            return Err(SceneError::new(key, problem));
+        }
         let devices = [Parameter::UY, Parameter::YieldForce];
         let fixed = devices.iter().any(|own| self.scene.numbers.has(*own));
         if self.moves().moves_h() && !fixed && !self.scene.force {

@@ -281,7 +281,7 @@ impl System {
         }
         // Singular only for a block without inertia, which a scene cannot have; the caller sees
         // a state that is not a number and stops.
-        matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN))
+        matrix.try_inverse().map_or(Vector3::repeat(f64::NAN), |inverse| inverse * right)
     }
 
     /// Time derivative of a state; (11) for z.
