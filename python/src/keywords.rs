@@ -131,7 +131,7 @@ impl Request {
     pub fn check(&self, recorded: bool) -> PyResult<Scene> {
         let none = self.scene.record.as_ref().is_none_or(|record| record.horizontal.is_none());
         let motion = match &self.motion {
-            None if recorded && none => Some(synthetic::as_written()),
+            None if recorded && none => Some(synthetic::pair()),
             motion => motion.clone(),
         };
         let checked = match motion {

@@ -28,10 +28,7 @@ pub fn sweep<R: Real>(
     cells: &[usize],
     progress: &dyn Progress,
 ) -> Vec<Outcome> {
-    match R::PRECISION {
-        Precision::F32 => lanes::sweep::<f32>(plan, grid, cells, progress, Level::new()),
-        Precision::F64 => lanes::sweep::<f64>(plan, grid, cells, progress, Level::new()),
-    }
+    lanes::sweep::<R>(plan, grid, cells, progress, Level::new())
 }
 
 /// The same, a cell at a time: vectors of one lane.

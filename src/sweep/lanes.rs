@@ -11,6 +11,7 @@ use super::plan::Plan;
 use super::progress::Progress;
 use super::threads::on;
 use super::vectors::vectorized;
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::results::block::Block;
 use crate::scene::Grid;
@@ -95,13 +96,15 @@ pub fn sweep<R: Real>(
     level: Level,
 ) -> Vec<Outcome> {
     let sweep = Sweep { plan, grid, cells, progress, level };
-    either(size_of::<R>() == size_of::<f64>(), &sweep)
+    at(R::PRECISION, &sweep)
 }
 
 /// Not generic, so that its callers do not compile all kinds of vectors again.
-fn either(double: bool, sweep: &Sweep) -> Vec<Outcome> {
-    let run = if double { run::<f64> } else { run::<f32> };
-    run(sweep)
+fn at(precision: Precision, sweep: &Sweep) -> Vec<Outcome> {
+    match precision {
+        Precision::F32 => run::<f32>(sweep),
+        Precision::F64 => run::<f64>(sweep),
+    }
 }
 
 fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {

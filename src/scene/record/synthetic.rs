@@ -66,13 +66,8 @@ const SUBSTEPS: usize = 16;
 /// Titles of both components in their files.
 pub const TITLES: [&str; 2] = ["SYNTHETIC, HORIZONTAL", "SYNTHETIC, VERTICAL"];
 
-/// Both components.
+/// Both components as their files have them, once they are read: to eight digits.
 pub fn pair() -> Pair {
-    Pair::new(make("horizontal", &HORIZONTAL), Some(make("vertical", &VERTICAL)))
-}
-
-/// The same as its files have it, once they are read: to eight digits.
-pub fn as_written() -> Pair {
     let read = |title, parameters| {
         let mut record = make(title, parameters);
         for sample in &mut record.samples {
