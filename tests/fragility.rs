@@ -380,7 +380,7 @@ fn what_makes_no_sense_is_refused() {
     let (bad, hazard) = within(&place, "bad.csv");
     fs::write(&bad, "level,rate\n1,0.1\n2,0.2\n").unwrap();
     let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["--alpha-y", "0.1", "--t-h", "1.5", "--t-v", "0.5"], "give --u-y or --yield-force"),
         (&["--u-y", "0.01", "--levels", "0:2:3"], "give levels above 0"),
         (&["--u-y", "0.01", "--estimator", "ida"], "give --levels"),
@@ -392,6 +392,7 @@ fn what_makes_no_sense_is_refused() {
         (&["--u-y", "0.01", "--limit-u", "-1"], "must be a positive number"),
         (&["--u-y", "0.01", "--im", "sa:1e-9"], "0.01 to 100 s"),
         (&["--u-y", "0.01", "--bootstrap", "0"], "39"),
+        (&["--u-y", "0.01", "--limit-zeta", "1"], "is not below 1, where the block overturns"),
         (
             &["--u-y", "0.01", "--im", "pga*", "--vary", "eccentricity=uniform(0,0.2)"],
             "for each block",

@@ -267,7 +267,9 @@ fn lists_of_ones_own_are_read() {
     for (text, said) in [
         ("a,b\n1,2\n", "line 1: no column 'horizontal'"),
         ("horizontal,dt\nx,0\n", "line 2: dt 0 must be a positive number"),
-        ("horizontal,colour\nx,red\n", "colour"),
+        ("horizontal,colour\nx,red\n", "line 1: no column is called 'colour'"),
+        ("horizontal,scale\nx,two\n", "line 2: scale two must be a positive number"),
+        ("horizontal,units\nx,ft\n", "line 2: units ft are not known; give g, m/s2, cm/s2 or gal"),
         ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
         ("horizontal\n", "no line below its heading"),
     ] {
@@ -574,6 +576,10 @@ fn a_device_that_changes_with_the_motion_is_refused() {
     for (more, said) in [
         (&["--standing", "1.5"][..], "must lie above 0 and at most at 1"),
         (&["--limit-u", "-1"], "must be a positive number"),
+        (&["--limit-u", "400"], "metres are meant, not millimetres; --force takes it"),
+        (&["--limit-u", "0.4m"], "give it without its unit"),
+        (&["--friction", "0.2"], "--friction: contact forces are not computed under a suite"),
+        (&["--threads", "0"], "must be a number of threads"),
         (&["--strict"], "motions are left out"),
     ] {
         let run = topple(&[&base[..], &["--u-y", "0.01"], more].concat()).code(2);

@@ -12,7 +12,7 @@ use topple::suites::{envelope_curves, envelope_picture};
 
 use super::errors::sweep_error;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, flag_error};
+use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Say;
 use super::{examples, output, suite};
@@ -33,14 +33,15 @@ pub struct EnvelopeCommand {
         value_name = "SHARE",
         default_value = "1",
         help_heading = "Suite",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     standing: f64,
     /// Largest max |u| that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
     limit_u: Option<f64>,
     /// Largest stroke of v that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
     limit_v: Option<f64>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,

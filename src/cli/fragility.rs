@@ -21,7 +21,7 @@ use topple::uncertain::Varied;
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
-use super::options::{CommonFlags, RunOptions, flag_error};
+use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::output::Figure;
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
@@ -49,6 +49,7 @@ pub struct FragilityCommand {
         value_name = "ZETA,...",
         value_delimiter = ',',
         help_heading = "Fragility",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     limit_zeta: Vec<f64>,
@@ -58,6 +59,7 @@ pub struct FragilityCommand {
         value_name = "M,...",
         value_delimiter = ',',
         help_heading = "Fragility",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     limit_u: Vec<f64>,
@@ -67,6 +69,7 @@ pub struct FragilityCommand {
         value_name = "M,...",
         value_delimiter = ',',
         help_heading = "Fragility",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     limit_v: Vec<f64>,
@@ -95,6 +98,7 @@ pub struct FragilityCommand {
         value_name = "RATE",
         help_heading = "Fragility",
         requires = "hazard",
+        value_parser = number,
         allow_negative_numbers = true
     )]
     target: Option<f64>,

@@ -41,7 +41,7 @@ pub struct RunOptions {
     #[arg(long)]
     pub precision: Option<Precision>,
     /// Largest step, s [default: 0.0078125, 1/128]
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = number, allow_negative_numbers = true)]
     pub step: Option<f64>,
     /// Run each cell again in f64 with half the step, and mark cells whose outcome changes as unresolved
     #[arg(long)]
@@ -53,7 +53,7 @@ pub struct RunOptions {
     #[arg(long)]
     pub force: bool,
     /// Threads of the CPU [default: as many as it has cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<NonZeroUsize>,
     /// Print nothing but warnings and errors
     #[arg(short, long)]
@@ -373,6 +373,16 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
         format!("no number has this key; there are {}", known.join(", "))
     })
+}
+
+/// A number by itself.
+pub fn number(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| "no number; give it without its unit".into())
+}
+
+/// A number of threads.
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "must be a number of threads, 1 or more".into())
 }
 
 /// A share of a range.

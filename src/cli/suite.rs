@@ -9,7 +9,7 @@ use topple::map::earlier::Kind;
 use topple::scene::record::Provenance;
 use topple::suites::{Suite, SuiteError, picture, table};
 
-use super::words::{Say, with_flags};
+use super::words::{Say, with_columns};
 use super::{InputError, examples, output};
 
 /// Read a folder, a zip or a list of records as one suite, and tell what is in it.
@@ -157,5 +157,5 @@ pub fn counted(count: usize, thing: &str) -> String {
 
 /// A suite's error in terms of the command line: all of it is what was given.
 pub fn input_error(error: SuiteError) -> InputError {
-    InputError(with_flags(&error.to_string()))
+    InputError(with_columns(&error.to_string()))
 }

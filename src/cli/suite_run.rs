@@ -212,8 +212,8 @@ pub fn tell_verified(swept: &SuiteSweep, say: &Say) {
         return;
     }
     let verdict = match inside {
-        0 => "none of them amid one outcome".to_string(),
-        some => format!("{some} of them amid one outcome: the sweep is not right there"),
+        0 => "none amid cells of one outcome".to_string(),
+        some => format!("{some} amid cells of one outcome: wrong there, or chaotic"),
     };
     say.line("reference", format!("{sampled} cells again, {differ} differ in outcome, {verdict}"));
     for place in wrong.iter().take(SHOWN) {

@@ -69,6 +69,14 @@ pub fn with_flags(text: &str) -> String {
     in_place_of_keys(text, flag)
 }
 
+/// The same about a suite's list, where the keys of a record are columns.
+pub fn with_columns(text: &str) -> String {
+    in_place_of_keys(text, |key| match keys::words(Section::Record).contains(&key) {
+        true => Some(format!("the column {key}")),
+        false => flag(key),
+    })
+}
+
 /// A message of the library about a scene's file: keys stay keys, settings are flags.
 pub fn with_keys(text: &str) -> String {
     in_place_of_keys(text, |key| match key {

@@ -110,6 +110,12 @@ impl FragilityRequest {
     pub fn check(&self) -> Result<(), SceneError> {
         let refused = |key, problem: String| Err(SceneError::new(key, problem));
         above_zero("limit_zeta", &self.limit_zeta)?;
+        if let Some(limit) = self.limit_zeta.iter().find(|limit| **limit >= 1.0) {
+            let problem = format!(
+                "{limit} is not below 1, where the block overturns; give a rocking index between"
+            );
+            return refused("limit_zeta", problem);
+        }
         self.suite.check_limits(&self.limit_u, &self.limit_v)?;
         if let Some(sets) = self.bootstrap
             && !(FEWEST..=MOST_REPLICATES).contains(&sets)

@@ -2,24 +2,46 @@
 //! alone must be there.
 
 use serde::Deserialize;
+use serde::de::value::{self, StrDeserializer};
 
 use super::entry::Entry;
 use super::files::Files;
 use crate::scene::record::Units;
 
-/// A row of the list.
+/// The columns that a list may have.
+const COLUMNS: [&str; 9] =
+    ["id", "event", "station", "horizontal", "vertical", "dt", "units", "scale", "weight"];
+
+/// A row of the list, its numbers as they are written.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 struct Row {
     id: Option<String>,
     event: Option<String>,
     station: Option<String>,
     horizontal: String,
     vertical: Option<String>,
-    dt: Option<f64>,
-    units: Option<Units>,
-    scale: Option<f64>,
-    weight: Option<f64>,
+    dt: Option<String>,
+    units: Option<String>,
+    scale: Option<String>,
+    weight: Option<String>,
+}
+
+/// The number of a column in a line; none where nothing is written.
+fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, String> {
+    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() && number > 0.0 => Ok(Some(number)),
+        _ => Err(format!("line {at}: {column} {text} must be a positive number")),
+    }
+}
+
+/// The units of a line; none where nothing is written.
+fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
+    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
+    match Units::deserialize(StrDeserializer::<value::Error>::new(text)) {
+        Ok(units) => Ok(Some(units)),
+        Err(_) => Err(format!("line {at}: units {text} are not known; give g, m/s2, cm/s2 or gal")),
+    }
 }
 
 /// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite.
@@ -40,6 +62,12 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
              the list of a download from PEER"
                 .into(),
         );
+    }
+    if let Some(other) = headings.iter().find(|heading| !COLUMNS.contains(heading)) {
+        return Err(format!(
+            "line 1: no column is called '{other}'; there are {}",
+            COLUMNS.join(",")
+        ));
     }
     let mut entries: Vec<Entry> = Vec::new();
     for (number, row) in reader.deserialize::<Row>().enumerate() {
@@ -74,22 +102,16 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
                 }
             }
         }
-        let positive = |name: &str, value: Option<f64>| match value {
-            Some(value) if !(value.is_finite() && value > 0.0) => {
-                Err(format!("line {at}: {name} {value} must be a positive number"))
-            }
-            value => Ok(value),
-        };
-        entry.dt = positive("dt", row.dt)?;
-        entry.scale = positive("scale", row.scale)?.unwrap_or(1.0);
-        entry.weight = positive("weight", row.weight)?.unwrap_or(1.0);
+        entry.dt = positive(at, "dt", row.dt.as_deref())?;
+        entry.scale = positive(at, "scale", row.scale.as_deref())?.unwrap_or(1.0);
+        entry.weight = positive(at, "weight", row.weight.as_deref())?.unwrap_or(1.0);
         if entry.scale != 1.0 {
             entry.notes.push(format!("scaled by {}, the list's factor", entry.scale));
         }
         if entry.weight != 1.0 {
             entry.notes.push(format!("weight {}", entry.weight));
         }
-        entry.units = row.units;
+        entry.units = units(at, row.units.as_deref())?;
         if let Some(id) = row.id.filter(|id| !id.is_empty()) {
             entry.id = id;
         }

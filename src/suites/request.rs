@@ -41,6 +41,9 @@ pub struct SuiteRequest {
     pub settings: SuiteSettings,
 }
 
+/// Largest stroke of a base that is plausible, m.
+const MOST_STROKE: f64 = 10.0;
+
 impl SuiteRequest {
     /// A scene under each motion as it is, on the default settings.
     pub fn new(scene: SceneBuilder) -> SuiteRequest {
@@ -51,7 +54,8 @@ impl SuiteRequest {
     ///
     /// # Errors
     /// The key `u_y`: a base whose yield displacement follows from a motion's peak is another device under each. The keys
-    /// of a pulse, and of a record of the scene's own: the suite's motions shake the base.
+    /// of a pulse, and of a record of the scene's own: the suite's motions shake the base. The key `friction`: no contact
+    /// force is computed.
     pub fn check(&self) -> Result<(), SceneError> {
         let pulse = Parameter::of_section(Section::Pulse).find(|own| self.scene.numbers.has(*own));
         let key = match pulse {
@@ -63,6 +67,11 @@ impl SuiteRequest {
             let problem = "the motions of the suite shake the base; leave it out";
             return Err(SceneError::new(key, problem));
         }
+        if self.scene.numbers.has(Parameter::Friction) {
+            let problem = "contact forces are not computed under a suite; leave it out, and look at single motions with \
+                           `topple seismic`";
+            return Err(SceneError::new(Parameter::Friction.entry().key, problem));
+        }
         let devices = [Parameter::UY, Parameter::YieldForce];
         let fixed = devices.iter().any(|own| self.scene.numbers.has(*own));
         if self.moves().moves_h() && !fixed && !self.scene.force {
@@ -73,7 +82,7 @@ impl SuiteRequest {
         Ok(())
     }
 
-    /// Checks that the base has the strokes that are limited.
+    /// Checks that the base has the strokes that are limited, and that they are plausible.
     ///
     /// # Errors
     /// The keys `limit_u` and `limit_v`.
@@ -83,6 +92,13 @@ impl SuiteRequest {
             [("limit_u", u, moves.moves_h()), ("limit_v", v, moves.moves_v())]
         {
             above_zero(key, limits)?;
+            let large = limits.iter().find(|limit| **limit > MOST_STROKE);
+            if let (Some(limit), false) = (large, self.scene.force) {
+                let problem = format!(
+                    "{limit} m is not plausible: metres are meant, not millimetres; `force` takes it"
+                );
+                return Err(SceneError::new(key, problem));
+            }
             if !limits.is_empty() && !there {
                 let problem = "the base does not move in this direction; leave it out";
                 return Err(SceneError::new(key, problem));
