@@ -392,7 +392,10 @@ fn what_makes_no_sense_is_refused() {
         (&["--u-y", "0.01", "--limit-u", "-1"], "must be a positive number"),
         (&["--u-y", "0.01", "--im", "sa:1e-9"], "0.01 to 100 s"),
         (&["--u-y", "0.01", "--bootstrap", "0"], "39"),
-        (&["--u-y", "0.01", "--limit-zeta", "1"], "is not below 1, where the block overturns"),
+        (
+            &["--u-y", "0.01", "--limit-zeta", "1"],
+            "is not below 1, the rocking index of a block that has overturned",
+        ),
         (
             &["--u-y", "0.01", "--im", "pga*", "--vary", "eccentricity=uniform(0,0.2)"],
             "for each block",

@@ -154,7 +154,7 @@ def test_what_a_suite_refuses(records):
         topple.envelope(records / "list.csv", object=1, t_h=1.0, t_v=0.4)
     with pytest.raises(ValueError, match="^standing: 1.5 must lie"):
         topple.envelope(records / "list.csv", **SCENE, standing=1.5)
-    for alien in ({"omega": 3.0}, {"shape": "one-cosine"}, {"horizontal": "a.at2"}):
+    for alien in ({"omega": 3.0}, {"shape": "one-cosine"}, {"horizontal": "a.at2"}, {"dt": 0.01}):
         [key] = alien
         for call in (topple.envelope, topple.fragility):
             with pytest.raises(ValueError, match=f"^{key}: the motions of the suite shake the base"):

@@ -111,9 +111,8 @@ impl FragilityRequest {
         let refused = |key, problem: String| Err(SceneError::new(key, problem));
         above_zero("limit_zeta", &self.limit_zeta)?;
         if let Some(limit) = self.limit_zeta.iter().find(|limit| **limit >= 1.0) {
-            let problem = format!(
-                "{limit} is not below 1, where the block overturns; give a rocking index between"
-            );
+            let problem =
+                format!("{limit} is not below 1, the rocking index of a block that has overturned");
             return refused("limit_zeta", problem);
         }
         self.suite.check_limits(&self.limit_u, &self.limit_v)?;

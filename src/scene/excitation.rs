@@ -64,6 +64,16 @@ pub struct RecordText {
 }
 
 impl RecordText {
+    /// The first key that is given; `horizontal` where none is.
+    pub fn first_key(&self) -> &'static str {
+        match self {
+            RecordText { horizontal: None, vertical: Some(_), .. } => "vertical",
+            RecordText { horizontal: None, dt: Some(_), .. } => "dt",
+            RecordText { horizontal: None, units: Some(_), .. } => "units",
+            _ => "horizontal",
+        }
+    }
+
     /// The files that a record came from, where they lie now: where they lay, or by their names in one of some
     /// folders.
     ///

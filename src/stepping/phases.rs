@@ -25,6 +25,11 @@ impl<'a, V: Vector> Set<'a, V> {
         self.lanes.running().count_ones() as usize == V::LANES
     }
 
+    /// Cells on its lanes, and those that wait.
+    fn cells(&self) -> usize {
+        self.lanes.running().count_ones() as usize + self.waiting.len()
+    }
+
     fn is_empty(&self) -> bool {
         self.lanes.running() == 0
     }
@@ -49,12 +54,22 @@ impl<'a, V: Vector> Set<'a, V> {
         }
     }
 
-    /// Takes the cells off some lanes that are between two steps under excitation: what a lane knows beside its state begins
-    /// anew with a step there.
+    /// Takes the cells off some lanes that are at the start of a step under excitation, before any switch: what a lane knows
+    /// beside its state begins anew with a step there.
     #[inline(always)]
     fn part(&mut self, lanes: V::Mask, to: &mut Vec<Job<V::Element>>) {
-        let lanes = V::bits(lanes & self.lanes.between_steps()) & self.lanes.forcing.forced;
-        to.extend(each(lanes).map(|lane| self.lanes.take(lane)));
+        let unswitched = self.stood.like(0.0).ge(self.lanes.events);
+        let lanes = V::bits(lanes & self.lanes.between_steps() & unswitched);
+        to.extend(each(lanes & self.lanes.forcing.forced).map(|lane| self.lanes.take(lane)));
+    }
+
+    /// Lanes whose block has stood for long.
+    #[inline(always)]
+    fn has_stood(&mut self) -> V::Mask {
+        let stands = !self.lanes.rocking;
+        let (zero, one) = (self.stood.like(0.0), self.stood.like(1.0));
+        self.stood = V::select(stands, self.stood + one, zero);
+        stands & self.stood.ge(one.like(STOOD))
     }
 }
 
@@ -86,27 +101,30 @@ impl<'a, V: Vector> Phases<'a, V> {
                 rocking.waiting.extend(job);
                 rocking.fill();
             }
+            if rocking.is_empty() && standing.is_empty() {
+                return;
+            }
             turns = turns.wrapping_add(1);
             if turns.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            // Standing blocks wait until all lanes have one.
-            if standing.is_full() || rocking.is_empty() {
-                if standing.is_empty() {
-                    return;
-                }
+            // While there are more cells, standing blocks wait until all lanes have one. The last cells wait for nothing, and
+            // come together when one set has lanes for all of them.
+            let together = !more && rocking.cells() + standing.cells() <= V::LANES;
+            let stand = standing.is_full() || (!more && !standing.is_empty());
+            if stand {
                 standing.turn(feed);
-                if V::any(standing.lanes.rocking) {
-                    standing.part(standing.lanes.rocking, &mut rocking.waiting);
+                let lanes = &standing.lanes;
+                let leaves = if together { lanes.start.mask(u64::MAX) } else { lanes.rocking };
+                if V::any(leaves) {
+                    standing.part(leaves, &mut rocking.waiting);
                 }
-            } else {
+            }
+            if !(stand && more) && !rocking.is_empty() {
                 rocking.turn(feed);
-                let stands = !rocking.lanes.rocking;
-                if V::any(stands) {
-                    let (zero, one) = (rocking.stood.like(0.0), rocking.stood.like(1.0));
-                    rocking.stood = V::select(stands, rocking.stood + one, zero);
-                    let long = rocking.stood.ge(one.like(STOOD));
-                    rocking.part(stands & long, &mut standing.waiting);
+                if !together {
+                    let leaves = rocking.has_stood();
+                    rocking.part(leaves, &mut standing.waiting);
                 }
             }
         }

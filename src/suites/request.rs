@@ -4,6 +4,7 @@ use super::envelope::Limits;
 use super::read::Suite;
 use super::swept::{SuiteJob, SuiteSettings};
 use super::wanted::WantedMotion;
+use crate::scene::excitation::RecordText;
 use crate::scene::parameters::Section;
 use crate::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use crate::sweep::error::SweepError;
@@ -61,7 +62,7 @@ impl SuiteRequest {
         let key = match pulse {
             Some(own) => Some(own.entry().key),
             None if self.scene.shape.is_some() => Some("shape"),
-            None => self.scene.record.as_ref().map(|_| "horizontal"),
+            None => self.scene.record.as_ref().map(RecordText::first_key),
         };
         if let Some(key) = key {
             let problem = "the motions of the suite shake the base; leave it out";
