@@ -120,7 +120,8 @@ impl<'a, V: Vector> Phases<'a, V> {
                     standing.part(leaves, &mut rocking.waiting);
                 }
             }
-            if !(stand && more) && !rocking.is_empty() {
+            let waits = stand && more;
+            if !waits && !rocking.is_empty() {
                 rocking.turn(feed);
                 if !together {
                     let leaves = rocking.has_stood();
