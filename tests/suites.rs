@@ -264,11 +264,22 @@ fn lists_of_ones_own_are_read() {
     assert_eq!((motions[1].0.weight, motions[1].1.pair.dt), (0.5, 0.02));
     assert!(motions[1].0.notes[0].contains("the ground does not move vertically"));
     assert_eq!(why(&suite, "three"), "its vertical gone.AT2 is not among the files");
+    // A file is another motion with another time step, or in other units.
+    let suite = read(
+        "id,horizontal,dt,units\na,a.txt,0.02,cm/s2\nb,a.txt,0.04,cm/s2\nc,a.txt,0.02,m/s2\n\
+         d,a.txt,0.02,cm/s2\n",
+    )
+    .unwrap();
+    assert_eq!(why(&suite, "d"), "the same motion as a");
+    assert!(suite.motions().any(|(entry, _)| entry.id == "b"), "{:?}", suite.rows);
+    assert!(suite.left_out().all(|(entry, why)| entry.id != "c" || !why.contains("same motion")));
     for (text, said) in [
         ("a,b\n1,2\n", "line 1: no column 'horizontal'"),
         ("horizontal,dt\nx,0\n", "line 2: dt 0 must be a positive number"),
         ("horizontal,colour\nx,red\n", "line 1: no column is called 'colour'"),
         ("horizontal,scale\nx,two\n", "line 2: scale two must be a positive number"),
+        ("horizontal,weight\nx,1e308\n", "line 2: weight 1e308 is above 1e6"),
+        ("id,horizontal\n\na,x\n\na,y\n", "line 5: the id a stands twice"),
         ("horizontal,units\nx,ft\n", "line 2: units ft are not known; give g, m/s2, cm/s2 or gal"),
         ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
         ("horizontal\n", "no line below its heading"),

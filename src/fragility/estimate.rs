@@ -94,13 +94,12 @@ impl fmt::Display for Note {
             Note::Separable(Gap { stands: Some(stands), fails: Some(fails) }) => {
                 let [stands, fails] = [*stands, *fails].map(four_digits);
                 match stands == fails {
-                    true => write!(
-                        out,
-                        "runs that stand and runs that fail meet at {stands} alone: give more levels about it"
-                    )?,
+                    true => {
+                        write!(out, "runs that stand and runs that fail meet at {stands} alone")?
+                    }
                     false => write!(out, "all stand up to {stands} and all fail from {fails} on")?,
                 }
-                write!(out, "; beta has an upper bound only")
+                write!(out, ": beta has an upper bound only")
             }
             Note::Separable(Gap { stands: Some(stands), fails: None }) => {
                 write!(out, "none fails up to the highest level, {}", four_digits(*stands))

@@ -26,11 +26,15 @@ struct Row {
     weight: Option<String>,
 }
 
+/// Largest factor or weight of a line: beyond it no motion is meant.
+const MOST: f64 = 1.0e6;
+
 /// The number of a column in a line; none where nothing is written.
 fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, String> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
     match text.parse::<f64>() {
-        Ok(number) if number.is_finite() && number > 0.0 => Ok(Some(number)),
+        Ok(number) if number > MOST => Err(format!("line {at}: {column} {text} is above {MOST:e}")),
+        Ok(number) if number > 0.0 => Ok(Some(number)),
         _ => Err(format!("line {at}: {column} {text} must be a positive number")),
     }
 }
@@ -69,9 +73,12 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
             COLUMNS.join(",")
         ));
     }
+    // Empty lines are no rows.
+    let written = text.lines().enumerate().filter(|(_, line)| !line.is_empty());
+    let lines: Vec<usize> = written.map(|(number, _)| number + 1).collect();
     let mut entries: Vec<Entry> = Vec::new();
     for (number, row) in reader.deserialize::<Row>().enumerate() {
-        let at = number + 2;
+        let at = lines.get(number + 1).copied().unwrap_or(number + 2);
         let row = row.map_err(|error| match error.kind() {
             csv::ErrorKind::Deserialize { err, .. } => format!("line {at}: {err}"),
             csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {

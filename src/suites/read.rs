@@ -60,14 +60,15 @@ impl Suite {
     }
 
     /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
-    /// the others are scaled otherwise.
+    /// the others are scaled otherwise, or read with another time step or in other units.
     fn leave_out_copies(&mut self) {
-        let mut known: BTreeMap<(String, Option<String>, u64), String> = BTreeMap::new();
+        let mut known: BTreeMap<(String, Option<String>, [u64; 3]), String> = BTreeMap::new();
         for (entry, motion) in &mut self.rows {
-            let files = motion.as_ref().ok().and_then(|motion| motion.pair.provenance.as_ref());
-            let Some(files) = files else { continue };
+            let Ok(Motion { pair, measures }) = motion else { continue };
+            let Some(files) = &pair.provenance else { continue };
             let vertical = files.vertical.as_ref().map(|file| file.sha256.clone());
-            let key = (files.horizontal.sha256.clone(), vertical, entry.scale.to_bits());
+            let read_as = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            let key = (files.horizontal.sha256.clone(), vertical, read_as);
             if let Some(first) = known.get(&key) {
                 *motion = Err(format!("the same motion as {first}"));
             } else {
