@@ -191,8 +191,8 @@ impl<R: Real> FullContactMotions<R> {
         );
         let (along_x, along_y) = (along_x?, along_y?);
         Some(FullContactMotions {
-            across: horizontal(along_x, strides(grid, &window, &of.across)),
-            up: vertical(along_y, strides(grid, &window, &of.up)),
+            across: horizontal(&along_x, strides(grid, &window, &of.across)),
+            up: vertical(&along_y, strides(grid, &window, &of.up)),
             still: of.still,
             forces: plan.forces,
             level,
@@ -200,10 +200,15 @@ impl<R: Real> FullContactMotions<R> {
     }
 }
 
-/// Stores motions of u.
-fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
+/// Stores what motions of both directions have, in so many fields, of which `crest` and those from `inside` on are each
+/// direction's own.
+fn stored<R: Real>(
+    [fields, crest, inside]: [usize; 3],
+    sampled: &[SampledMotion<R>],
+    strides: Strides,
+) -> Motions<R> {
     let lengths = sampled.iter().map(|each| each.samples.len());
-    let mut motions = Motions::new(HORIZONTAL_FIELDS, lengths, strides);
+    let mut motions = Motions::new(fields, lengths, strides);
     for (number, each) in sampled.iter().enumerate() {
         let mut fill = |field, of: fn(&Sample<R>) -> R| {
             motions.fill(field, number, each.samples.iter().map(of));
@@ -212,39 +217,34 @@ fn horizontal<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Moti
         fill(VELOCITY, |sample| sample.velocity);
         fill(ACCELERATION, |sample| sample.acceleration);
         fill(TOP, |sample| sample.top);
-        fill(HYSTERETIC, |sample| sample.hysteretic);
         motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
-        motions.fill(MOST, number, each.gaps().map(|gap| gap.most));
-        motions.fill(CREST, number, each.gaps().map(|gap| gap.crest));
-        motions.fill(HIGHEST, number, each.highest.iter().copied());
-        motions.fill(DEEPEST, number, each.deepest.iter().copied());
-        motions.fill(STRONGEST, number, each.strongest.iter().copied());
-        for (quarter, values) in each.inside.iter().enumerate() {
-            motions.fill(QUARTERS_H + quarter, number, values.iter().copied());
+        motions.fill(crest, number, each.gaps().map(|gap| gap.crest));
+        for (part, values) in each.inside.iter().enumerate() {
+            motions.fill(inside + part, number, values.iter().copied());
         }
     }
     motions
 }
 
-/// Stores motions of v.
-fn vertical<R: Real>(sampled: Vec<SampledMotion<R>>, strides: Strides) -> Motions<R> {
-    let lengths = sampled.iter().map(|each| each.samples.len());
-    let mut motions = Motions::new(VERTICAL_FIELDS, lengths, strides);
+/// Stores motions of u.
+fn horizontal<R: Real>(sampled: &[SampledMotion<R>], strides: Strides) -> Motions<R> {
+    let mut motions = stored([HORIZONTAL_FIELDS, CREST, QUARTERS_H], sampled, strides);
     for (number, each) in sampled.iter().enumerate() {
-        let mut fill = |field, of: fn(&Sample<R>) -> R| {
-            motions.fill(field, number, each.samples.iter().map(of));
-        };
-        fill(DISPLACEMENT, |sample| sample.displacement);
-        fill(VELOCITY, |sample| sample.velocity);
-        fill(ACCELERATION, |sample| sample.acceleration);
-        fill(TOP, |sample| sample.top);
-        fill(BOTTOM, |sample| sample.bottom);
-        fill(LOWEST, |sample| sample.lowest);
-        motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
-        motions.fill(TROUGH, number, each.gaps().map(|gap| gap.crest));
-        for (eighth, values) in each.inside.iter().enumerate() {
-            motions.fill(EIGHTHS_V + eighth, number, values.iter().copied());
-        }
+        motions.fill(HYSTERETIC, number, each.samples.iter().map(|sample| sample.hysteretic));
+        motions.fill(MOST, number, each.gaps().map(|gap| gap.most));
+        motions.fill(HIGHEST, number, each.highest.iter().copied());
+        motions.fill(DEEPEST, number, each.deepest.iter().copied());
+        motions.fill(STRONGEST, number, each.strongest.iter().copied());
+    }
+    motions
+}
+
+/// Stores motions of v.
+fn vertical<R: Real>(sampled: &[SampledMotion<R>], strides: Strides) -> Motions<R> {
+    let mut motions = stored([VERTICAL_FIELDS, TROUGH, EIGHTHS_V], sampled, strides);
+    for (number, each) in sampled.iter().enumerate() {
+        motions.fill(BOTTOM, number, each.samples.iter().map(|sample| sample.bottom));
+        motions.fill(LOWEST, number, each.samples.iter().map(|sample| sample.lowest));
     }
     motions
 }
