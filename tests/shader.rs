@@ -187,7 +187,7 @@ macro_rules! same_layouts {
                 min_contact,
                 friction,
                 uplift_fraction,
-                end_fraction,
+                fraction,
                 mode,
                 step,
                 impacts,

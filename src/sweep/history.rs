@@ -100,7 +100,11 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
         let goes_on = single.step();
         state = single.state();
         if goes_on || state.step == cell.steps {
-            rows.borrow_mut().push(row(clock.time(state.step, 0.0), deflection, &state));
+            rows.borrow_mut().push(row(
+                clock.time(state.step, state.fraction.to_f64()),
+                deflection,
+                &state,
+            ));
         }
         if !goes_on || !go_on(rows.borrow().len()) {
             break;
