@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use fearless_simd::Level;
 
 use super::cells::Cells;
+use super::order::by_motions;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::threads::on;
@@ -35,6 +36,8 @@ struct Sweep<'a> {
 struct ThreadFeed<'a, R> {
     sweep: &'a Sweep<'a>,
     all: &'a Cells<'a, R>,
+    /// See [`by_motions`]; without shared motions that of the list.
+    order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Vec<Outcome>>,
     batch: Range<usize>,
@@ -67,7 +70,8 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
             let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
             self.batch = from..(from + BATCH).min(count);
         }
-        let number = self.batch.next()?;
+        let place = self.batch.next()?;
+        let number = self.order.map_or(place, |order| order[place] as usize);
         let (cell, state) = self.all.begin(self.sweep.cells[number]);
         Some(Job { number, cell, state })
     }
@@ -112,6 +116,8 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, sweep.progress);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
+    let motions = all.motions.as_ref().as_ref();
+    let order = motions.map(|motions| on(|| by_motions(motions, grid, cells)));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     on(|| {
@@ -119,6 +125,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
             let mut feed = ThreadFeed {
                 sweep,
                 all: &all,
+                order: order.as_deref(),
                 queue: &queue,
                 outcomes: &outcomes,
                 batch: 0..0,

@@ -39,6 +39,7 @@ pub mod motions;
 mod motions_with_forces;
 pub mod observed;
 pub mod observer;
+mod order;
 pub mod parts;
 pub mod parts_error;
 pub mod plan;
