@@ -222,8 +222,16 @@ impl Backend {
         times: &mut Times,
     ) -> Result<Block, BackendError> {
         let (plan, cells) = (&part.plan, part.cells.as_slice());
-        let columns =
-            |outcomes: Vec<Outcome>| Ok(Block::of_outcomes(&outcomes, self.columns(precision)));
+        let columns = |outcomes: Vec<Outcome>| {
+            let precision = self.columns(precision);
+            if progress.cancelled() {
+                // Some cells have not run.
+                return Ok(Block::of_outcomes(&outcomes, precision));
+            }
+            let mut block = Block::pending(outcomes.len(), precision);
+            on(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
+            Ok(block)
+        };
         match (self, precision) {
             (Backend::Reference, _) => columns(by_reference(plan, grid, cells, progress)),
             (Backend::Cpu, Precision::F32) => {

@@ -190,13 +190,11 @@ impl<R: Real> FullContactMotions<R> {
             || all(Direction::Horizontal, &of.across),
         );
         let (along_x, along_y) = (along_x?, along_y?);
-        Some(FullContactMotions {
-            across: horizontal(&along_x, strides(grid, &window, &of.across)),
-            up: vertical(&along_y, strides(grid, &window, &of.up)),
-            still: of.still,
-            forces: plan.forces,
-            level,
-        })
+        let (up, across) = rayon::join(
+            || vertical(&along_y, strides(grid, &window, &of.up)),
+            || horizontal(&along_x, strides(grid, &window, &of.across)),
+        );
+        Some(FullContactMotions { across, up, still: of.still, forces: plan.forces, level })
     }
 }
 
