@@ -18,14 +18,6 @@ fn least_rise(corner: Corner, phi: real) -> real {
     return phi * (arm - 0.5 * phi * height);
 }
 
-// P - H at an angle phi >= 0 about a corner, m: no more than this, by the next terms.
-fn most_rise(corner: Corner, phi: real) -> real {
-    let t = phi * phi;
-    let arm = corner.arm * (1.0 - t * SIXTH * (1.0 - t * 0.05));
-    let height = model.height * (1.0 - t * TWELFTH);
-    return phi * (arm - 0.5 * phi * height);
-}
-
 // True where energies that are left in the base reach no further than the largest |u| and |v|.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
@@ -41,7 +33,8 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     return true;
 }
 
-// True where all results of the cell are final; the excitation must be over.
+// True where all results of the cell are final; the excitation must be over, and a block that rocks have
+// just had an impact.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -83,9 +76,10 @@ fn is_final(cell: Cell, state: State) -> bool {
         energy = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if rocking {
             let corner = pivot(state.mode);
-            let lever = lever_at(corner, y.phi);
-            let push = lever.q * y.dv - lever.p * y.du + 0.5 * corner.inertia * y.dphi;
-            energy = energy + push * y.dphi + model.gravity * most_rise(corner, corner.side * y.phi);
+            // At an impact phi = 0: P = H and Q = s b.
+            let arm = corner.side * corner.arm;
+            let push = arm * y.dv - model.height * y.du + 0.5 * corner.inertia * y.dphi;
+            energy = energy + push * y.dphi;
         }
         energy = model.impact_gain * more * energy;
         left_h = 2.0 * model.mu_h * energy;

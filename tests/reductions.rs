@@ -15,7 +15,7 @@ use topple::model::precision::Precision;
 use topple::scene::{Excitation, GRAVITY, Grid, Parameter, Range, Scene, SceneBuilder};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Pole, System, U, V, Z};
+use topple::stepping::reference::system::{DPHI, DU, DV, Pole, System, U, V, Z};
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::{PROVED, RUNNING, State};
@@ -281,13 +281,13 @@ fn the_reference_agrees_with_what_is_left() {
 }
 
 proptest! {
-    /// The certificate against energies from the other formulation, the reference's: a rocking state
+    /// The certificate against energies from the other formulation, the reference's: a rocking state after an impact
     /// is proved where what energy it has left is below that of every angle seen so far, and nowhere
     /// else.
     #[test]
     fn the_certificate_knows_the_energy(
         left in any::<bool>(),
-        (phi, dphi) in (1e-4..0.12_f64, -0.6..0.6_f64),
+        dphi in -0.6..0.6_f64,
         base in ([-0.02..0.02_f64, -0.2..0.2_f64], [-0.02..0.02_f64, -0.2..0.2_f64], -1.0..1.0_f64),
         seen in [0.0..0.14_f64, 0.0..0.14_f64],
     ) {
@@ -302,7 +302,7 @@ proptest! {
         state.mode = if left { ROCKING_LEFT } else { ROCKING_RIGHT };
         let y = &mut state.motion;
         (y.u, y.du, y.v, y.dv, y.z) = (u, du, y.v + lift, dv, z);
-        (y.phi, y.dphi) = (pole.sign() * phi, dphi);
+        y.dphi = dphi;
         (state.max_phi_left, state.max_phi_right) = (seen[0], seen[1]);
         // No matter here.
         (state.max_u, state.least_v, state.most_v) = (100.0, -100.0, 100.0);
@@ -317,7 +317,7 @@ proptest! {
         let rest = system.energy(None, &other);
         let y = state.motion;
         (other[U], other[DU], other[V], other[DV], other[Z]) = (y.u, y.du, other[V] + y.v, y.dv, y.z);
-        (other[PHI], other[DPHI]) = (y.phi, y.dphi);
+        other[DPHI] = y.dphi;
         let energy = (system.energy(Some(pole), &other) - rest) / scene.case().block.mass;
         let height = scene.case().block.height;
         let bound = |side: f64, angle: f64| {

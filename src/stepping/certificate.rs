@@ -18,7 +18,6 @@
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
-use crate::model::dynamics::{Lever, lever_at};
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
@@ -40,15 +39,6 @@ fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> 
     let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
     let arm = corner.arm * (one - t * t.like(1.0 / 6.0));
     let height = set.model.height * (one - t * t.like(1.0 / 12.0) * (one - t * t.like(1.0 / 30.0)));
-    phi * (arm - half * phi * height)
-}
-
-/// P - H at an angle phi >= 0 about a corner, m: no more than this, by the next terms.
-#[inline(always)]
-fn most_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
-    let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
-    let arm = corner.arm * (one - t * t.like(1.0 / 6.0) * (one - t * t.like(1.0 / 20.0)));
-    let height = set.model.height * (one - t * t.like(1.0 / 12.0));
     phi * (arm - half * phi * height)
 }
 
@@ -79,8 +69,8 @@ fn within<V: Vector>(
     within
 }
 
-/// The lanes of `tried` of which everything that a map tells is final, the excitation being over.
-/// `lifted` are those that have lifted from full contact, whose time of first uplift is known.
+/// The lanes of `tried` of which everything that a map tells is final, the excitation being over; a block of theirs
+/// that rocks has just had an impact. `lifted` are those that have lifted from full contact, whose time of first uplift is known.
 #[inline(always)]
 pub fn is_final<V: Vector>(
     set: &CellEquations<V>,
@@ -130,11 +120,10 @@ pub fn is_final<V: Vector>(
         // Otherwise the whole energy over M, in whichever coordinate.
         energy = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
         if V::any(last & rocking) {
-            let Lever { p, q } = lever_at(set, corner, y.phi);
-            let push = q * y.dv - p * y.du + half * corner.inertia * y.dphi;
-            let rise = most_rise(set, corner, corner.side * y.phi);
-            let turning = push * y.dphi + model.gravity * rise;
-            energy = V::select(rocking, energy + turning, energy);
+            // At an impact phi = 0: P = H and Q = s b.
+            let arm = corner.side * corner.arm;
+            let push = arm * y.dv - model.height * y.du + half * corner.inertia * y.dphi;
+            energy = V::select(rocking, push.mul_add(y.dphi, energy), energy);
         }
         energy = model.impact_gain * more * energy;
         left_h = V::select(stays, left_h, two * model.mu_h * energy);
