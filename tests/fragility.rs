@@ -380,9 +380,10 @@ fn what_makes_no_sense_is_refused() {
     let (bad, hazard) = within(&place, "bad.csv");
     fs::write(&bad, "level,rate\n1,0.1\n2,0.2\n").unwrap();
     let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let cases: [(&[&str], &str); 15] = [
+    let cases: [(&[&str], &str); 16] = [
         (&["--alpha-y", "0.1", "--t-h", "1.5", "--t-v", "0.5"], "give --u-y or --yield-force"),
         (&["--u-y", "0.01", "--levels", "0:2:3"], "give levels above 0"),
+        (&["--u-y", "0.01", "--levels", "1e9"], "give lower levels"),
         (&["--u-y", "0.01", "--estimator", "ida"], "give --levels"),
         (&["--u-y", "0.01", "--estimator", "mean"], "there are stripes, ida, cloud"),
         (&["--u-y", "0.01", "--im", "sa"], "is no intensity measure"),

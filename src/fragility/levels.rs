@@ -2,13 +2,14 @@
 
 use crate::scene::{Block, SceneError, Values};
 use crate::suites::intensity::Intensity;
-use crate::suites::wanted::WantedMotion;
+use crate::suites::wanted::{MOST_FACTOR, WantedMotion};
 
 /// Gives motions the factors that take them to levels of a measure; without levels they stay as they are. What is
 /// returned is the level of each motion at each of its factors.
 ///
 /// # Errors
-/// A level that is not above zero, and a motion whose measure is zero.
+/// A level that is not above zero, a motion whose measure is zero, and one that a level scales by more than
+/// [`MOST_FACTOR`].
 pub fn scale(
     motions: &mut [WantedMotion],
     intensity: Intensity,
@@ -34,6 +35,15 @@ pub fn scale(
             None => all.push(vec![own]),
             Some(levels) => {
                 motion.factors = levels.iter().map(|level| intensity.factor(level / own)).collect();
+                let most = motion.factors.iter().copied().fold(0.0, f64::max);
+                if most > MOST_FACTOR {
+                    let level = levels.last().copied().unwrap_or_default();
+                    let problem = format!(
+                        "{intensity} = {level} scales {} by {most:.1e}, more than {MOST_FACTOR:e}; give lower levels",
+                        motion.id
+                    );
+                    return refused("levels", problem);
+                }
                 all.push(levels.clone());
             }
         }

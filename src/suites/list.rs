@@ -6,6 +6,7 @@ use serde::de::value::{self, StrDeserializer};
 
 use super::entry::Entry;
 use super::files::Files;
+use super::wanted::MOST_FACTOR;
 use crate::scene::record::Units;
 
 /// The columns that a list may have.
@@ -26,14 +27,13 @@ struct Row {
     weight: Option<String>,
 }
 
-/// Largest factor or weight of a line: beyond it no motion is meant.
-const MOST: f64 = 1.0e6;
-
 /// The number of a column in a line; none where nothing is written.
 fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, String> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
     match text.parse::<f64>() {
-        Ok(number) if number > MOST => Err(format!("line {at}: {column} {text} is above {MOST:e}")),
+        Ok(number) if number > MOST_FACTOR => {
+            Err(format!("line {at}: {column} {text} is above {MOST_FACTOR:e}"))
+        }
         Ok(number) if number > 0.0 => Ok(Some(number)),
         _ => Err(format!("line {at}: {column} {text} must be a positive number")),
     }
