@@ -274,17 +274,22 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
     Ok(())
 }
 
+/// The value of a keyword; without one, and of `None`, none.
+pub fn value_of<'py>(
+    keywords: &Bound<'py, PyDict>,
+    key: &str,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    Ok(keywords.get_item(key)?.filter(|value| !value.is_none()))
+}
+
 /// How a map is refined, where keywords ask for it: only one that is held in memory is.
 pub fn refining(
     keywords: &Bound<'_, PyDict>,
     settings: &RunSettings,
 ) -> PyResult<Option<RefineSettings>> {
-    let given = |key: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
-        Ok(keywords.get_item(key)?.filter(|value| !value.is_none()))
-    };
     let [refine, smooth] = REFINING;
-    let smoothness = given(smooth)?;
-    let Some(levels) = given(refine)? else {
+    let smoothness = value_of(keywords, smooth)?;
+    let Some(levels) = value_of(keywords, refine)? else {
         return match smoothness {
             Some(_) => Err(of_keyword(smooth, "it says how a map is refined; give refine, too")),
             None => Ok(None),

@@ -20,7 +20,7 @@ use topple::{
 };
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
-use crate::keywords::{Request, taken, values};
+use crate::keywords::{Request, taken, value_of, values};
 use crate::map::{axes, coordinates};
 use crate::uncertain::varied;
 use crate::watch;
@@ -113,7 +113,7 @@ pub fn fragility<'py>(
     if let Some(im) = given::<String>(keywords, "im", "a text")? {
         request.im = im.parse::<Intensity>().map_err(|error| of_keyword("im", error))?;
     }
-    if let Some(levels) = keywords.get_item("levels")?.filter(|levels| !levels.is_none()) {
+    if let Some(levels) = value_of(keywords, "levels")? {
         request.levels = Some(in_si(values("levels", &levels)?, keywords, request.im)?);
     }
     request.limit_zeta = several(keywords, "limit_zeta")?;
@@ -134,10 +134,7 @@ pub fn fragility<'py>(
         ("target", "hazard", "a rate of hazard's"),
     ];
     for (key, other, says) in needed {
-        let there = |key: &str| {
-            Ok::<_, PyErr>(keywords.get_item(key)?.is_some_and(|value| !value.is_none()))
-        };
-        if there(key)? && !there(other)? {
+        if value_of(keywords, key)?.is_some() && value_of(keywords, other)?.is_none() {
             return Err(of_keyword(key, format!("it says {says}; give {other}, too")));
         }
     }
@@ -294,8 +291,7 @@ fn given<'py, T>(keywords: &Bound<'py, PyDict>, key: &str, expected: &str) -> Py
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
-    let value = keywords.get_item(key)?.filter(|value| !value.is_none());
-    value.map(|value| taken(key, &value, expected)).transpose()
+    value_of(keywords, key)?.map(|value| taken(key, &value, expected)).transpose()
 }
 
 /// The values of a keyword: one, or several in a sequence.
@@ -303,7 +299,7 @@ pub fn several<'py, T>(keywords: &Bound<'py, PyDict>, key: &str) -> PyResult<Vec
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
-    let Some(value) = keywords.get_item(key)?.filter(|value| !value.is_none()) else {
+    let Some(value) = value_of(keywords, key)? else {
         return Ok(Vec::new());
     };
     if let Ok(one) = value.extract::<T>() {

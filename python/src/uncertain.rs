@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use topple::{Axis, Class, Probabilities, RunSettings, Uncertainty, Varied};
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
-use crate::keywords::{REFINING, Request, taken};
+use crate::keywords::{REFINING, Request, taken, value_of};
 use crate::map::{axes, coordinates};
 use crate::suite::several;
 use crate::watch;
@@ -38,7 +38,7 @@ pub fn probabilities<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyDict>, String)> {
     for key in NOT_BESIDE {
-        let given = keywords.get_item(key)?.filter(|value| !value.is_none());
+        let given = value_of(keywords, key)?;
         if given.is_some_and(|value| !value.extract::<bool>().is_ok_and(|flag| !flag)) {
             return Err(of_keyword(
                 key,
@@ -107,9 +107,7 @@ fn about(all: &Probabilities, uncertainty: &Uncertainty, settings: &RunSettings)
 
 /// What keywords say is not known.
 fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
-    let given = |key: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
-        Ok(keywords.get_item(key)?.filter(|value| !value.is_none()))
-    };
+    let given = |key: &str| value_of(keywords, key);
     let whole = |key: &str| -> PyResult<Option<u32>> {
         given(key)?.map(|value| taken(key, &value, "a whole number")).transpose()
     };
@@ -130,7 +128,7 @@ fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
 
 /// The numbers that are not known: texts as `t_h=normal(1.75,0.1)`, or a mapping from keys to distributions.
 pub fn varied(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Varied>> {
-    let Some(value) = keywords.get_item(VARY)?.filter(|value| !value.is_none()) else {
+    let Some(value) = value_of(keywords, VARY)? else {
         return Ok(Vec::new());
     };
     let texts: Vec<String> = match value.cast::<PyDict>() {
@@ -148,7 +146,7 @@ pub fn varied(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Varied>> {
 
 /// True where it is asked how sharp the boundaries are.
 pub fn sharpness(keywords: &Bound<'_, PyDict>, settings: &RunSettings) -> PyResult<bool> {
-    let Some(value) = keywords.get_item(SHARPNESS)?.filter(|value| !value.is_none()) else {
+    let Some(value) = value_of(keywords, SHARPNESS)? else {
         return Ok(false);
     };
     let asked = taken::<bool>(SHARPNESS, &value, "True or False")?;
