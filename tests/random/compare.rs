@@ -113,7 +113,8 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision) -> Comparison
         return of;
     }
     let values = [described(got), described(want)];
-    if let Some(disturbance) = truth.undecided(precision) {
+    let ragged = || if same { None } else { truth.ragged(precision) };
+    if let Some(disturbance) = truth.undecided(precision).or_else(ragged) {
         of.undecided = (!same).then_some((disturbance, values));
         of.excused = same.then_some("columns of an undecided outcome");
         return of;

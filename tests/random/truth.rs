@@ -91,6 +91,9 @@ fn settings() -> Settings {
     Settings { most_steps: 300_000, ..Settings::default() }
 }
 
+/// Shares of the most disturbance.
+const SHARES: [f64; 6] = [0.875, 0.75, 0.5, 0.375, 0.25, 0.125];
+
 /// A cell by the reference.
 pub struct Truth {
     /// The reference's outcome.
@@ -184,6 +187,19 @@ impl Truth {
         let most = Disturbance::most(precision);
         let mut sizes = Disturbance::ALL.into_iter().filter(|size| *size <= most);
         sizes.find(|size| self.spread(*size).undecided)
+    }
+
+    /// The same by more disturbances up to that most: a boundary of outcomes can be so ragged that the four of each size
+    /// meet the cell's outcome only.
+    pub fn ragged(&self, precision: Precision) -> Option<Disturbance> {
+        let most = Disturbance::most(precision);
+        let parts = |share: &f64| {
+            (0..4).any(|way| {
+                let case = moved(&self.case, way, share * most.size());
+                reference::run(&self.scene, &case, &settings()).class != self.cell.class
+            })
+        };
+        SHARES.iter().any(parts).then_some(most)
     }
 
     /// The shortest flight between two impacts, s; zero where an impact brings the block to rest.
