@@ -20,6 +20,7 @@ const CREST = 10u;
 const EIGHTHS_V = 7u;
 const QUARTERS_H = 11u;
 const BOTTOM = 14u;
+const LIGHTEST = 15u;
 
 // True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 // (14) is between two bounds, and Y above one.
@@ -31,20 +32,68 @@ fn lifts(lever: real, most: real, least: real, least_y: real) -> bool {
         || max(-one, -other) > model.right.arm * least_y;
 }
 
-// The first of some gaps whose bound, which does not fall from gap to gap, times `size` exceeds
-// `limit`.
-fn first_beyond(bounds: u32, gaps: u32, size: real, limit: real) -> u32 {
+// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not
+// fall and do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
+fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
+    let highest = h + HIGHEST * tile.across.more;
+    let deepest = h + DEEPEST * tile.across.more;
+    let lightest = v + LIGHTEST * tile.up.more;
+    var rising = model.left.arm;
+    var falling = model.right.arm;
+    if lever < 0.0 {
+        rising = model.right.arm;
+        falling = model.left.arm;
+    }
+    let size = abs(lever);
     var low = 0u;
-    var high = gaps;
+    var high = last;
     while low < high {
-        let middle = (low + high) / 2u;
-        if size * motions[bounds + middle] > limit {
-            high = middle;
+        let gap = (low + high) / 2u;
+        let least_y = motions[lightest + min(gap, max(last_v, 1u) - 1u)];
+        if size * motions[highest + gap] > rising * least_y
+            || size * motions[deepest + gap] > falling * least_y {
+            high = gap;
         } else {
-            low = middle + 1u;
+            low = gap + 1u;
         }
     }
     return low;
+}
+
+// The first gap in which a cell may lift, from a gap on, or the last sample.
+fn first_lift(h: u32, v: u32, last: u32, last_v: u32, lever: real, first: u32) -> u32 {
+    let most = h + MOST * tile.across.more;
+    let least = h + LEAST * tile.across.more;
+    let least_y = v + LEAST * tile.up.more;
+    var sample = first;
+    while sample < last {
+        let y = motions[least_y + min(sample, max(last_v, 1u) - 1u)];
+        if lifts(lever, motions[most + sample], motions[least + sample], y) {
+            break;
+        }
+        sample += 1u;
+    }
+    return sample;
+}
+
+// The friction asked for at the samples before one. A motion grows until the block lifts: from the last
+// sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
+fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32) -> real {
+    let x = h + ACCELERATION * tile.across.more;
+    let y = v + ACCELERATION * tile.up.more;
+    let strongest = h + STRONGEST * tile.across.more;
+    let lowest = v + LOWEST * tile.up.more;
+    var friction: real = 0.0;
+    for (var before = sample; before > 0u; before--) {
+        let limit = size * motions[strongest + before - 1u];
+        if friction * motions[lowest + min(before, last_v)] >= limit {
+            break;
+        }
+        let gap = before - 1u;
+        let share = share(abs(motions[x + gap]), motions[y + min(gap, max(last_v, 1u) - 1u)]);
+        friction = max(friction, size * share);
+    }
+    return friction;
 }
 
 // Share of the friction asked for by which a gap must exceed it to be looked into.
@@ -69,8 +118,7 @@ fn dip(start: real, mid: real, end: real) -> Dip {
 
 // The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
 // over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them, and
-// where Y is least. How small Y is there is known; the parabolas tell when. A motion grows until the block
-// lifts: from the last gap backwards, few exceed the largest so far.
+// where Y is least. How small Y is there is known; the parabolas tell when. Backwards as at the samples.
 fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before: real) -> real {
     let zero: real = 0.0;
     let early: real = 0.25;
@@ -82,9 +130,13 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
     for (var before = sample; before > 0u; before--) {
         let gap = before - 1u;
         let at = h + gap;
-        let at_v = v + min(gap, last_v - 1u);
+        let at_v = v + min(gap, max(last_v, 1u) - 1u);
         let most_x = motions[at + CREST * all_h];
         let trough = motions[at_v + TROUGH * all_v];
+        let lowest = motions[v + min(before, last_v) + LOWEST * all_v];
+        if over * friction * lowest >= size * motions[at + STRONGEST * all_h] {
+            break;
+        }
         if !(size * most_x > over * friction * trough) {
             continue;
         }
@@ -154,39 +206,16 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
     let last = words[first_h + 1u] - h - 1u;
     let last_v = words[first_v + 1u] - words[first_v] - 1u;
-    var sample = 0u;
+    let first = first_beyond(h, v, last, last_v, lever);
+    let sample = first_lift(h, v, last, last_v, lever, first);
     var friction = zero;
     if tile.still == 1u {
-        // Nothing but u changes from gap to gap: the first that lifts is searched for.
         let y = motions[v + ACCELERATION * all_v];
-        let least_y = motions[v + LEAST * all_v];
-        var rising = model.left.arm;
-        var falling = model.right.arm;
-        if lever < 0.0 {
-            rising = model.right.arm;
-            falling = model.left.arm;
-        }
-        let highest = first_beyond(h + HIGHEST * all_h, last, abs(lever), rising * least_y);
-        let deepest = first_beyond(h + DEEPEST * all_h, last, abs(lever), falling * least_y);
-        sample = min(highest, deepest);
         if sample > 0u && y > 0.0 {
             friction = size * motions[h + STRONGEST * all_h + sample - 1u] / y;
         }
-    } else {
-        while sample < last {
-            let gap = min(sample, last_v - 1u);
-            let most = motions[h + MOST * all_h + sample];
-            let least = motions[h + LEAST * all_h + sample];
-            if lifts(lever, most, least, motions[v + LEAST * all_v + gap]) {
-                break;
-            }
-            let y = motions[v + ACCELERATION * all_v + gap];
-            if y > 0.0 {
-                let x = abs(motions[h + ACCELERATION * all_h + sample]);
-                friction = max(friction, size * x / y);
-            }
-            sample += 1u;
-        }
+    } else if forces {
+        friction = at_samples(h, v, last_v, size, sample);
         friction = crests(h, v, last_v, size, sample, friction);
     }
     let at = min(sample, last_v);

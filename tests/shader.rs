@@ -328,6 +328,7 @@ fn constants_agree_with_the_twin() {
         ("LEAST", motions::LEAST as u32),
         ("TOP", motions::TOP as u32),
         ("BOTTOM", motions::BOTTOM as u32),
+        ("LIGHTEST", motions::LIGHTEST as u32),
         ("ONE_SINE", Shape::OneSine as u32),
         ("ONE_COSINE", Shape::OneCosine as u32),
         ("HALF_SINE", Shape::HalfSine as u32),

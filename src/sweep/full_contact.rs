@@ -16,8 +16,8 @@ use super::bounded_motions;
 use super::clock_parts::clock_parameters;
 use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
-    HYSTERETIC, LEAST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
-    VERTICAL_FIELDS,
+    HYSTERETIC, LEAST, LIGHTEST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH,
+    VELOCITY, VERTICAL_FIELDS,
 };
 use super::motions_with_forces;
 use super::plan::Plan;
@@ -243,6 +243,12 @@ fn vertical<R: Real>(sampled: &[SampledMotion<R>], strides: Strides) -> Motions<
     for (number, each) in sampled.iter().enumerate() {
         motions.fill(BOTTOM, number, each.samples.iter().map(|sample| sample.bottom));
         motions.fill(LOWEST, number, each.samples.iter().map(|sample| sample.lowest));
+        let mut lightest = R::of(f64::from(f32::MAX));
+        let so_far = each.gaps().map(|gap| {
+            lightest = lightest.min(gap.least);
+            lightest
+        });
+        motions.fill(LIGHTEST, number, so_far);
     }
     motions
 }

@@ -39,8 +39,10 @@ pub const EIGHTHS_V: usize = 7;
 pub const BOTTOM: usize = 14;
 /// Of u: the same after the first quarter of each gap; two quarters more follow.
 pub const QUARTERS_H: usize = 11;
+/// Of v: least lower bound up to and with each gap.
+pub const LIGHTEST: usize = 15;
 /// Quantities of a motion of v.
-pub const VERTICAL_FIELDS: usize = 15;
+pub const VERTICAL_FIELDS: usize = 16;
 /// Quantities of a motion of u.
 pub const HORIZONTAL_FIELDS: usize = 14;
 

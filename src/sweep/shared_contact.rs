@@ -4,7 +4,7 @@
 use super::full_contact::FullContactMotions;
 use super::motions::{
     ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HYSTERETIC, LEAST,
-    LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
+    LIGHTEST, LOWEST, MOST, QUARTERS_H, STRONGEST, TOP, TROUGH, VELOCITY,
 };
 use super::vectors::vectorized;
 use crate::model::block::Model;
@@ -25,13 +25,6 @@ fn lifts<N: Number>(arms: [N; 2], lever: N, most: N, least: N, least_y: N) -> N:
     one.max(other).gt(arms[0] * least_y) | (-one).max(-other).gt(arms[1] * least_y)
 }
 
-/// The first of some gaps whose bound, which does not fall from gap to gap, times `size` exceeds
-/// `limit`.
-#[inline(always)]
-fn first_beyond<R: Real>(bounds: &[R], size: R, limit: R) -> usize {
-    bounds.partition_point(|bound| !(size * *bound > limit))
-}
-
 /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
 /// excitation.
 #[inline(always)]
@@ -47,34 +40,25 @@ pub(super) fn full_contact<R: Real>(
     let (h, v) = (motions.across.at(place), motions.up.at(place));
     // u is A_h times what it is for A_h = 1.
     let lever = model.height * scale;
+    let size = scale.abs();
     let arms = [model.left.arm, model.right.arm];
-    // The last sample ends no gap. A motion of v at rest is as long as it is asked for.
-    let (last, last_v) = (h.length - 1, v.length - 1);
-    let (sample, friction) = if motions.still {
-        // Nothing but u changes from gap to gap: the first that lifts is searched for.
-        let (y, least_y) = (v.field(ACCELERATION)[0], v.field(LEAST)[0]);
-        let [left, right] = arms;
-        let (rising, falling) = if lever < zero { (right, left) } else { (left, right) };
-        let size = lever.abs();
-        let highest = first_beyond(&h.field(HIGHEST)[..last], size, rising * least_y);
-        let deepest = first_beyond(&h.field(DEEPEST)[..last], size, falling * least_y);
-        let sample = highest.min(deepest);
-        let pressed = sample > 0 && y > zero;
-        let strongest = h.field(STRONGEST)[sample.max(1) - 1];
-        (sample, if pressed { scale.abs() * strongest / y } else { zero })
-    } else {
-        // A scan along rows of numbers, with the widest vectors that this machine has.
-        let (mut found, none) = ((0, zero), zero);
-        vectorized!(motions.level, none => {
-            found = if motions.forces {
-                let (sample, friction) = gap_by_gap::<_, true>(motions, arms, place, scale, lever, none);
-                (sample, crests(motions, place, scale.abs(), sample, friction, none))
-            } else {
-                gap_by_gap::<_, false>(motions, arms, place, scale, lever, none)
-            };
-        });
-        found
-    };
+    // A motion of v at rest is as long as it is asked for.
+    let last_v = v.length - 1;
+    let first = first_beyond(motions, arms, place, lever);
+    // A scan along rows of numbers, with the widest vectors that this machine has.
+    let (mut sample, mut friction, none) = (first, zero, zero);
+    vectorized!(motions.level, none => {
+        sample = first_lift(motions, arms, place, lever, first, none);
+        if motions.forces && !motions.still {
+            friction = at_samples(motions, place, size, sample, none);
+            friction = crests(motions, place, size, sample, friction, none);
+        }
+    });
+    if motions.still && sample > 0 {
+        let y = v.field(ACCELERATION)[0];
+        let strongest = h.field(STRONGEST)[sample - 1];
+        friction = if y > zero { size * strongest / y } else { zero };
+    }
     let at = sample.min(last_v);
     let z = h.field(HYSTERETIC)[sample];
     state.motion = Motion {
@@ -101,57 +85,113 @@ pub(super) fn full_contact<R: Real>(
     }
 }
 
-/// The first gap in which a cell may lift, or the last sample, and the friction asked for up to it where forces are
-/// looked at: vector by vector, then gap by gap.
+/// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not fall and
+/// do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
+fn first_beyond<R: Real>(
+    motions: &FullContactMotions<R>,
+    arms: [R; 2],
+    place: &Place,
+    lever: R,
+) -> usize {
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (last, last_v) = (h.length - 1, v.length - 1);
+    let (highest, deepest) = (h.field(HIGHEST), h.field(DEEPEST));
+    let lightest = v.field(LIGHTEST);
+    let [left, right] = arms;
+    let (rising, falling) = if lever < R::of(0.0) { (right, left) } else { (left, right) };
+    let size = lever.abs();
+    let (mut low, mut high) = (0, last);
+    while low < high {
+        let gap = low.midpoint(high);
+        let least_y = lightest[gap.min(last_v.saturating_sub(1))];
+        if size * highest[gap] > rising * least_y || size * deepest[gap] > falling * least_y {
+            high = gap;
+        } else {
+            low = gap + 1;
+        }
+    }
+    low
+}
+
+/// The first gap in which a cell may lift, from a gap on, or the last sample: vector by vector, then gap by gap.
 #[inline(always)]
-fn gap_by_gap<V: Vector, const FORCES: bool>(
+fn first_lift<V: Vector>(
     motions: &FullContactMotions<V::Element>,
     arms: [V::Element; 2],
     place: &Place,
-    scale: V::Element,
     lever: V::Element,
+    first: usize,
     zero: V,
-) -> (usize, V::Element) {
-    let none = V::Element::of(0.0);
+) -> usize {
     let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (last, last_v) = (h.length - 1, v.length - 1);
-    let (most, least, x) = (h.field(MOST), h.field(LEAST), h.field(ACCELERATION));
-    let (least_y, y) = (&v.field(LEAST)[..last_v], v.field(ACCELERATION));
-    let size = scale.abs();
+    let (most, least) = (h.field(MOST), h.field(LEAST));
+    let least_y = v.field(LEAST);
     let lever_of_all = zero.like(lever.to_f64());
-    let size_of_all = zero.like(size.to_f64());
     let arms_of_all = [zero.like(arms[0].to_f64()), zero.like(arms[1].to_f64())];
-    // The largest in each lane.
-    let mut frictions = zero;
-    let mut sample = 0;
+    let mut sample = first;
     while sample + V::LANES <= last.min(last_v) {
         let (most, least) = (zero.first_of(&most[sample..]), zero.first_of(&least[sample..]));
         let least_y = zero.first_of(&least_y[sample..]);
         if V::any(lifts(arms_of_all, lever_of_all, most, least, least_y)) {
             break;
         }
-        if FORCES {
-            let (x, y) = (zero.first_of(&x[sample..]), zero.first_of(&y[sample..]));
-            let share = V::select(y.gt(zero), size_of_all * x.abs() / y, zero);
-            frictions = frictions.max(share);
-        }
         sample += V::LANES;
     }
-    let mut friction = none;
-    for lane in 0..V::LANES {
-        friction = friction.max(frictions.lane(lane));
-    }
     while sample < last {
-        let gap = sample.min(last_v - 1);
-        if lifts(arms, lever, most[sample], least[sample], least_y[gap]) {
+        let least_y = least_y[sample.min(last_v.saturating_sub(1))];
+        if lifts(arms, lever, most[sample], least[sample], least_y) {
             break;
-        }
-        if FORCES && y[gap] > none {
-            friction = friction.max(size * x[sample].abs() / y[gap]);
         }
         sample += 1;
     }
-    (sample, friction)
+    sample
+}
+
+/// The gaps before one from which on vectors are read, and gap by gap before: v may be shorter than u.
+fn in_vectors<V: Vector>(sample: usize, last_v: usize) -> usize {
+    let both = sample.min(last_v);
+    if both < V::LANES { 0 } else { both }
+}
+
+/// The friction asked for at the samples before one. A motion grows until the block lifts: from the last sample
+/// backwards, until the largest |X| so far over the least Y so far exceeds no more.
+#[inline(always)]
+fn at_samples<V: Vector>(
+    motions: &FullContactMotions<V::Element>,
+    place: &Place,
+    size: V::Element,
+    sample: usize,
+    zero: V,
+) -> V::Element {
+    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let last_v = v.length - 1;
+    let (x, y) = (h.field(ACCELERATION), v.field(ACCELERATION));
+    let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
+    let sizes = zero.like(size.to_f64());
+    // The largest in each lane.
+    let mut frictions = zero;
+    let mut before = in_vectors::<V>(sample, last_v);
+    let mut friction = V::Element::of(0.0);
+    for gap in before..sample {
+        let y = y[gap.min(last_v.saturating_sub(1))];
+        friction = friction.max(share(size, x[gap], y));
+    }
+    frictions.put(0, friction);
+    while before > 0 {
+        let limit = zero.like((size * strongest[before - 1]).to_f64());
+        if V::any((frictions * zero.like(lowest[before].to_f64())).ge(limit)) {
+            break;
+        }
+        // The first samples are looked at with some after them.
+        before = before.saturating_sub(V::LANES);
+        let (x, y) = (zero.first_of(&x[before..]), zero.first_of(&y[before..]));
+        frictions = frictions.max(share(sizes, x, y));
+    }
+    for lane in 0..V::LANES {
+        friction = friction.max(frictions.lane(lane));
+    }
+    friction
 }
 
 /// Share of the friction asked for by which a gap must exceed it to be looked into.
@@ -169,8 +209,8 @@ fn dip<N: Number>([start, mid, end]: [N; 3]) -> (N, N) {
 }
 
 /// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds the largest so far it is looked for [within the gap](within_gaps). A motion grows until the
-/// block lifts: from the last gap backwards, few exceed the largest so far.
+/// |X| over the least Y exceeds the largest so far it is looked for [within the gap](within_gaps), backwards as
+/// [at the samples](at_samples).
 #[inline(always)]
 fn crests<V: Vector>(
     motions: &FullContactMotions<V::Element>,
@@ -183,18 +223,21 @@ fn crests<V: Vector>(
     let over = V::Element::of(1.0 + OVER);
     let (h, v) = (motions.across.at(place), motions.up.at(place));
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));
+    let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
     let last_v = v.length - 1;
     let sizes = zero.like(size.to_f64());
     let mut friction = friction;
-    let both = sample.min(last_v);
-    let mut before = if both < V::LANES { 0 } else { both };
+    let mut before = in_vectors::<V>(sample, last_v);
     for gap in (before..sample).rev() {
-        let gap_v = gap.min(last_v - 1);
+        let gap_v = gap.min(last_v.saturating_sub(1));
         if size * crest[gap] > over * friction * trough[gap_v] {
             friction = friction.max(within_gaps(motions, place, size, (gap, gap_v)));
         }
     }
     while before > 0 {
+        if over * friction * lowest[before] >= size * strongest[before - 1] {
+            break;
+        }
         // The first gaps are looked at with some after them.
         let first = before.saturating_sub(V::LANES);
         let limits = zero.like((over * friction).to_f64());
@@ -269,4 +312,86 @@ fn within_gaps<V: Vector>(
 fn share<N: Number>(size: N, x: N, y: N) -> N {
     let zero = y.like(0.0);
     N::select(y.gt(zero), size * (x.abs() / y), zero)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::excitation::Ground;
+    use crate::scene::record::synthetic;
+    use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
+    use crate::sweep::clock::DEFAULT_STEP;
+    use crate::sweep::plan::Plan;
+    use crate::sweep::progress::Unwatched;
+
+    /// What bounds so far leave out changes nothing: gaps in which a cell may lift, samples and crests of the friction are
+    /// those of a look at every gap.
+    fn nothing_is_left_out<R: Real>(scene: &Scene) {
+        let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
+        let record: Vec<Ground<R>> = plan.record();
+        let motions = FullContactMotions::<R>::of(&plan, &grid, &record, &Unwatched).unwrap();
+        let of = R::of;
+        let mut lifted = 0;
+        for (cell, scale) in (0..grid.len()).flat_map(|cell| {
+            [0.02, -0.1, 0.35, -0.7, 1.0].into_iter().map(move |scale| (cell, scale))
+        }) {
+            let place = grid.place(cell);
+            let (h, v) = (motions.across.at(&place), motions.up.at(&place));
+            let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
+            let (least_y, x, y) = (v.field(LEAST), h.field(ACCELERATION), v.field(ACCELERATION));
+            let last = h.length - 1;
+            let gap_v = |gap: usize| gap.min(v.length - 2);
+            let may = |gap: &usize| {
+                let (most, least) = (h.field(MOST)[*gap], h.field(LEAST)[*gap]);
+                lifts(arms, lever, most, least, least_y[gap_v(*gap)])
+            };
+            let sample = (0..last).find(may).unwrap_or(last);
+            lifted += usize::from(sample < last);
+            let shares = (0..sample).map(|gap| share(size, x[gap], y[gap_v(gap)]));
+            let friction = shares.fold(of(0.0), R::max);
+            let (mut found, none) = ((0, of(0.0), of(0.0)), of(0.0));
+            vectorized!(motions.level, none => {
+                let first = first_beyond(&motions, arms, &place, lever);
+                let sample = first_lift(&motions, arms, &place, lever, first, none);
+                let at_samples = at_samples(&motions, &place, size, sample, none);
+                found = (sample, at_samples, crests(&motions, &place, size, sample, at_samples, none));
+            });
+            assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");
+            let crest = (0..sample).fold(friction, |most, gap| {
+                let (crest, trough) = (h.field(CREST)[gap], v.field(TROUGH)[gap_v(gap)]);
+                let looked = size * crest > of(1.0 + OVER) * friction * trough;
+                let within = || within_gaps(&motions, &place, size, (gap, gap_v(gap)));
+                if looked { most.max(within()) } else { most }
+            });
+            // A gap that exceeds the largest so far by less than this is not looked into.
+            let most = crest.max(found.2).to_f64();
+            assert!((crest - found.2).to_f64().abs() <= OVER * most, "cell {cell}, {scale}");
+        }
+        assert!(lifted > grid.len() / 2, "{lifted} lift");
+    }
+
+    #[test]
+    fn bounds_so_far_leave_nothing_out_under_pulses() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::AV, 4.0)
+            .with(Parameter::AH, Range::even(9.0, 10.0, 12))
+            .with(Parameter::Omega, Range::even(0.5, 12.0, 16))
+            .check()
+            .unwrap();
+        nothing_is_left_out::<f32>(&scene);
+        nothing_is_left_out::<f64>(&scene);
+    }
+
+    #[test]
+    fn bounds_so_far_leave_nothing_out_under_a_record() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, Range::even(0.5, 4.0, 8))
+            .with(Parameter::TV, Range::even(0.2, 1.5, 8))
+            .check_under_motion(synthetic::pair())
+            .unwrap();
+        nothing_is_left_out::<f32>(&scene);
+        nothing_is_left_out::<f64>(&scene);
+    }
 }
