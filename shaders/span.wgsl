@@ -1,4 +1,4 @@
-// The end of a span before any root search: that of a step, the limit of stability, or an impact to
+// The end of a span before any root search: the end of the step, the limit of stability, or an impact to
 // come. Twin: src/stepping/span.rs.
 
 // The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
@@ -11,27 +11,20 @@ struct Span {
     cut: bool,
 }
 
-// Whether the next span may be a whole step, wherever the last one ended: the block rocks, and its segment
-// does not end in that step. A block that stands comes back to the whole numbers of steps, at which shared
-// motions know it.
-fn is_whole_ahead(rocking: bool, forcing: Forcing) -> bool {
-    return rocking && forcing.steps > forcing.done + 1.0;
-}
-
-// Begins a span of `rest`: a whole step, or what is left of one. It ends earlier where RK4 would not be
-// stable for z, and where the block lands by an estimate from its rates.
+// Begins a span: the rest of the step. It ends earlier where RK4 would not be stable for z, and where the
+// block lands by an estimate from its rates.
 fn begin_span(
     cell: Cell,
     corner: Corner,
     rocking: bool,
     y: Motion,
     k1: Rates,
-    rest: real,
+    start: real,
     step: real,
 ) -> Span {
     let zero: real = 0.0;
     let beyond: real = 1.0 + BEYOND;
-    var span = Span(rest, false);
+    var span = Span(1.0 - start, false);
     if kinks {
         // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
         let limit: real = YIELD_LIMIT;

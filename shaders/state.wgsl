@@ -18,7 +18,7 @@ struct State {
     min_contact: real,
     friction: real,
     uplift_fraction: real,
-    fraction: real,
+    end_fraction: real,
     mode: u32,
     step: u32,
     impacts: u32,

@@ -83,12 +83,11 @@ fn sweep(
         let first = state.step;
         var turns = begin_turns(cell, state);
         var done = 0u;
-        // A cell leaves at the end of a step, so that no search is kept between chunks.
+        // A cell leaves at a step's edge, so that no search is kept between chunks.
         while state.status == RUNNING && (done < work || !at_an_edge(turns)) {
             turn(cell, &state, &turns);
             done += 1u;
         }
-        state.fraction = turns.start;
         states[lane] = state;
         runs = state.status == RUNNING;
         atomicAdd(&group_steps, state.step - first);

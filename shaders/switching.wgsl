@@ -40,6 +40,7 @@ fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: rea
 
 // The block overturns about the corner that it turns about.
 fn overturn(state: ptr<function, State>, fraction: real) {
+    (*state).end_fraction = fraction;
     (*state).status = select(OVERTURNED_RIGHT, OVERTURNED_LEFT, (*state).mode == ROCKING_LEFT);
     switched(state, OVERTURN, fraction);
 }

@@ -16,12 +16,13 @@ struct Turn {
     search: Search,
 }
 
-// A cell at the end of a step.
+// A cell at the start of its step.
 fn begin_turns(cell: Cell, state: State) -> Turn {
+    let zero: real = 0.0;
     let one: real = 1.0;
     var turn: Turn;
     turn.forcing = begin_segment(cell, state.step);
-    turn.start = state.fraction;
+    turn.start = zero;
     turn.span = one;
     turn.cut = false;
     turn.events = 0u;
@@ -29,9 +30,9 @@ fn begin_turns(cell: Cell, state: State) -> Turn {
     return turn;
 }
 
-// True where a cell is at the end of a step: no switch since, and nothing searched for.
+// True where a cell is at the start of a step, and nothing is searched for.
 fn at_an_edge(turn: Turn) -> bool {
-    return turn.events == 0u && turn.search.sought == NOTHING_SOUGHT;
+    return turn.start == 0.0 && turn.search.sought == NOTHING_SOUGHT;
 }
 
 fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
@@ -59,10 +60,8 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         to_left = left >= right;
     }
     let whole = begun && !lifts;
-    let whole_ahead = is_whole_ahead(rocking, (*t).forcing);
     if whole {
-        let rest = select(one - start, one, whole_ahead);
-        let span = begin_span(cell, corner, rocking, y, k1, rest, step);
+        let span = begin_span(cell, corner, rocking, y, k1, start, step);
         (*t).span = span.length;
         (*t).cut = span.cut;
     }
@@ -138,24 +137,15 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     }
     (*t).search = search;
     let moved = plain || switches || arrived;
+    var fraction = start;
     if moved {
         update_motion(state, y, y1, h);
         if forces {
             update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
         }
         (*state).motion = y1;
+        fraction = start + length;
     }
-    // A step ends where its whole span is done, or where the time passes its end.
-    let full = plain && !(*t).cut;
-    let reached = select(start, start + length, moved && !full);
-    let through = full || (moved && reached >= one);
-    var fraction = reached;
-    if through {
-        fraction = select(zero, select(reached - one, reached, full), whole_ahead);
-        (*t).forcing.done += 1.0;
-        (*state).step += 1u;
-    }
-    (*t).start = fraction;
     if lifts {
         (*t).events += 1u;
         lift(state, to_left, fraction);
@@ -165,15 +155,19 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     } else if switches {
         land(cell, state, (*t).forcing, fraction);
     }
+    let through = ((plain && !(*t).cut) || (moved && fraction >= 1.0)) && !overturned;
     if moved && !through {
         (*t).events += 1u;
     }
     let endless = (*t).events >= EVENT_BOUND;
+    (*t).start = select(fraction, zero, through);
     var due = switches;
     var lost = false;
     if through {
         (*t).events = 0u;
+        (*t).forcing.done += 1.0;
         lost = !is_sound((*state).motion);
+        (*state).step += 1u;
         // The twin counts; a free segment begins where the forced steps end, or whole tries later.
         let untried = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
         due = due || (untried == 0u && (*state).mode == FULL_CONTACT);
@@ -188,6 +182,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     } else if (*state).step >= cell.steps {
         (*state).status = FINISHED;
     } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
+        (*state).end_fraction = (*t).start;
         (*state).status = PROVED;
     } else if through && (*t).forcing.done >= (*t).forcing.steps {
         (*t).forcing = begin_segment(cell, (*state).step);

@@ -187,7 +187,7 @@ macro_rules! same_layouts {
                 min_contact,
                 friction,
                 uplift_fraction,
-                fraction,
+                end_fraction,
                 mode,
                 step,
                 impacts,

@@ -11,7 +11,7 @@ mod common;
 mod traces;
 
 use card::{Card, Choice, Tally, WARP};
-use common::{all, object, scene};
+use common::{all, object};
 use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Scene};
 use topple::stepping::trials::{Purpose, Trial};
@@ -64,23 +64,6 @@ fn traces_are_what_cells_do<R: Real + Vector<Element = R>>() {
 #[test]
 fn traces_are_what_the_cells_do() {
     traces_are_what_cells_do::<f32>();
-}
-
-/// An impact ends a span, and a whole step follows: a part of one only before the pulse's end and the cell's.
-#[test]
-fn blocks_that_rock_take_whole_steps_from_their_impacts() {
-    let scene = scene(
-        "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n\
-         [pulse]\nomega = \"3:6:4\"\na_h = 0.0\n[run]\nt_max = 6.0\ntilt = 0.1\n",
-    );
-    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
-    let (traces, states, _) = record(&plan, &Grid::of(&scene), 0.0_f64);
-    for (cell, state) in states.iter().enumerate() {
-        let is_part = |trial: &&Packed| trial.rocking() && trial.purpose() == Purpose::Part;
-        let parts = traces.of(cell).iter().filter(is_part).count();
-        assert!(state.impacts > 5, "cell {cell}: {} impacts", state.impacts);
-        assert!(parts <= 2, "cell {cell}: {parts} parts of a step");
-    }
 }
 
 #[test]

@@ -95,7 +95,7 @@ fn land_or_overturn(set: &CellEquations<f64>, state: &mut State<f64>, ground: Gr
     if phi >= leaving.overturn {
         let left = state.mode == ROCKING_LEFT;
         state.status = if left { OVERTURNED_LEFT } else { OVERTURNED_RIGHT };
-        state.fraction = 1.0;
+        state.end_fraction = 1.0;
         return OVERTURN;
     }
     if phi >= 0.0 {

@@ -199,18 +199,12 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.running
     }
 
-    /// Lanes whose cell is at the end of a step: no switch since, and nothing searched for. All that a lane knows is
-    /// in the cell's state there.
-    #[inline(always)]
-    pub fn at_an_edge(&self) -> V::Mask {
-        let busy = self.search.sought.any() | self.search.again;
-        self.start.like(0.0).ge(self.events) & !busy & self.start.mask(self.running)
-    }
-
-    /// Lanes whose cell has done a whole number of steps, nothing searched for.
+    /// Lanes whose cell is between two steps, nothing searched for.
     #[inline(always)]
     pub fn between_steps(&self) -> V::Mask {
-        self.at_an_edge() & self.start.like(0.0).ge(self.start)
+        let zero = self.start.like(0.0);
+        let busy = self.search.sought.any() | self.search.again;
+        zero.ge(self.start) & !busy & self.start.mask(self.running)
     }
 
     /// Lanes at the start or the end of their forcing segment.
@@ -340,7 +334,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.lanes[lane].job = job;
         self.enter(lane);
         self.begin_segment(lane, job.state.step, false);
-        self.start.put(lane, job.state.fraction);
+        self.start.put(lane, zero);
         self.events.put(lane, zero);
         self.search.at.put(lane, V::Element::of(1.0));
         self.search.stop(bit);
@@ -373,7 +367,6 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         let left = self.corner.side.lane(lane) > V::Element::of(0.0);
         // Whole numbers, far below 2^32.
         let impacts = self.impacts.lane(lane).to_f64() as u32;
-        let fraction = self.start.lane(lane);
         let state = &mut self.lanes[lane].job.state;
         for (to, from) in state.motion.reals_mut().into_iter().zip(self.y.reals_ref()) {
             *to = from.lane(lane);
@@ -383,7 +376,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             (true, true) => ROCKING_LEFT,
             (true, false) => ROCKING_RIGHT,
         };
-        (state.step, state.fraction, state.impacts) = (step, fraction, impacts);
+        (state.step, state.impacts) = (step, impacts);
     }
 
     /// Writes a lane's numbers to its state.

@@ -54,10 +54,12 @@ impl<'a, V: Vector> Set<'a, V> {
         }
     }
 
-    /// Takes the cells off some lanes that are at the end of a step under excitation.
+    /// Takes the cells off some lanes that are at the start of a step under excitation, before any switch: what a lane knows
+    /// beside its state begins anew with a step there.
     #[inline(always)]
     fn part(&mut self, lanes: V::Mask, to: &mut Vec<Job<V::Element>>) {
-        let lanes = V::bits(lanes & self.lanes.at_an_edge());
+        let unswitched = self.stood.like(0.0).ge(self.lanes.events);
+        let lanes = V::bits(lanes & self.lanes.between_steps() & unswitched);
         to.extend(each(lanes & self.lanes.forcing.forced).map(|lane| self.lanes.take(lane)));
     }
 

@@ -1,4 +1,4 @@
-//! The end of a span before any root search: that of a step, the limit of stability, or an impact to
+//! The end of a span before any root search: the end of the step, the limit of stability, or an impact to
 //! come. Twin of `shaders/span.wgsl`.
 
 use crate::model::dynamics::Rates;
@@ -15,23 +15,14 @@ pub const YIELD_LIMIT: f64 = 2.0;
 pub const BEYOND: f64 = 5.0e-4;
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
-    /// Lanes whose next span may be a whole step, wherever the last one ended: the block rocks, and its segment
-    /// does not end in that step. A block that stands comes back to the whole numbers of steps, at which shared
-    /// motions know it.
+    /// Begins spans: the rest of the step. A span ends earlier where RK4 would not be stable for z, and
+    /// where the block lands by an estimate from its rates.
     #[inline(always)]
-    pub(super) fn whole_ahead(&self) -> V::Mask {
-        let one = self.start.like(1.0);
-        self.rocking & self.forcing.steps.gt(self.forcing.done + one)
-    }
-
-    /// Begins spans: a whole step, or what is left of one. A span ends earlier where RK4 would not be stable for
-    /// z, and where the block lands by an estimate from its rates.
-    #[inline(always)]
-    pub(super) fn begin_spans(&mut self, whole: V::Mask, whole_ahead: V::Mask, k1: &Rates<V>) {
+    pub(super) fn begin_spans(&mut self, whole: V::Mask, k1: &Rates<V>) {
         let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
         let (half, two) = (self.start.like(0.5), self.start.like(2.0));
         let step = self.forcing.step;
-        let rest = V::select(whole_ahead, one, one - self.start);
+        let rest = one - self.start;
         self.span = V::select(whole, rest, self.span);
         self.cut = self.cut & !whole;
         if self.shared.variant.kinks {

@@ -29,7 +29,7 @@ pub const PROVED: u32 = 6;
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct State<R> {
-    /// The motion after `step` steps and a fraction of one.
+    /// The motion at the last step boundary (or switch, for a cell that ended).
     pub motion: Motion<R>,
     /// Largest phi while rocking about the left corner, rad.
     pub max_phi_left: R,
@@ -47,8 +47,8 @@ pub struct State<R> {
     pub friction: R,
     /// Fraction of the step `uplift_step` at which the block first lifted.
     pub uplift_fraction: R,
-    /// Fraction of the step `step` that is done.
-    pub fraction: R,
+    /// Fraction of the step `step` at which the cell ended, if it did not reach its last step.
+    pub end_fraction: R,
     /// `FULL_CONTACT`, `ROCKING_LEFT` or `ROCKING_RIGHT`.
     pub mode: u32,
     /// Steps done.

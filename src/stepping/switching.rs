@@ -94,7 +94,9 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
         for lane in each(over) {
             self.leave(lane);
+            let fraction = self.start.lane(lane);
             let state = &mut self.lanes[lane].job.state;
+            state.end_fraction = fraction;
             let left = state.mode == ROCKING_LEFT;
             state.status = if left { OVERTURNED_LEFT } else { OVERTURNED_RIGHT };
             self.tell(lane, OVERTURN);
@@ -159,7 +161,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let mut ended = 0;
         for lane in each(bits) {
             let bit = 1 << lane;
-            let step = self.step(lane);
+            let (step, fraction) = (self.step(lane), self.start.lane(lane));
             let job = &mut self.lanes[lane].job;
             if endless & bit != 0 {
                 job.state.status = EVENT_LIMIT;
@@ -168,6 +170,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             } else if step >= job.cell.steps {
                 job.state.status = FINISHED;
             } else if proved & bit != 0 {
+                job.state.end_fraction = fraction;
                 job.state.status = PROVED;
             }
             if job.state.status != RUNNING {
@@ -200,15 +203,16 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     #[inline(never)]
     pub(super) fn tell_trials(&mut self, done: &Done) {
         let again = V::bits(self.search.again);
-        let (lanes, at_edge) = (&self.lanes, V::bits(self.at_an_edge()));
+        let searching = V::bits(self.search.sought.any()) | again;
+        let (lanes, start) = (&self.lanes, self.start);
         let trials = each(self.running).map(|lane| {
             let bit = 1 << lane;
             let purpose = match done.purpose(lane) {
                 Purpose::Try if again & bit != 0 => Purpose::Nothing,
                 purpose => purpose,
             };
-            let (rocking, at_edge) = (done.rocking & bit != 0, at_edge & bit != 0);
-            let trial = Trial { purpose, rocking, at_edge };
+            let at_edge = searching & bit == 0 && start.lane(lane) == V::Element::of(0.0);
+            let trial = Trial { purpose, rocking: done.rocking & bit != 0, at_edge };
             (lanes[lane].job.number, trial)
         });
         self.log.tried(trials);

@@ -5,7 +5,7 @@
 pub enum Purpose {
     /// A whole step.
     Step,
-    /// A part of a step: the last of its segment, or up to a yield limit.
+    /// A part of a step: the rest of one, or up to a yield limit.
     Part,
     /// A part of a step up to the impact estimated from the rates.
     Landing,
@@ -55,7 +55,7 @@ pub struct Trial {
     pub purpose: Purpose,
     /// The block rocked.
     pub rocking: bool,
-    /// The cell is at the end of a step after it, and nothing is searched for: it may leave.
+    /// The cell is at the start of a step after it, and nothing is searched for: it may leave.
     pub at_edge: bool,
 }
 
@@ -63,7 +63,7 @@ pub struct Trial {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Done {
     pub rocking: u64,
-    /// A whole step is ahead.
+    /// At the start of a step.
     pub fresh: u64,
     pub seeking: u64,
     pub again: u64,

@@ -37,6 +37,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let none = zero.mask(0);
         let seeking = self.search.sought.any();
         let again = self.search.again;
+        let fresh = if L::COUNTS { V::bits(zero.ge(self.start)) } else { 0 };
         let begun = zero.mask(self.running) & !(seeking | again);
         let ground = self.forcing.ground(variant, &self.cell, self.start);
         let set = self.equations();
@@ -53,9 +54,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             to_left = left.ge(right);
         }
         let whole = begun & !lifts;
-        let whole_ahead = self.whole_ahead();
-        self.begin_spans(whole, whole_ahead, &k1);
-        let fresh = if L::COUNTS { V::bits(whole_ahead | zero.ge(self.start)) } else { 0 };
+        self.begin_spans(whole, &k1);
 
         // The trial.
         let mut length = self.search.at * self.span;
@@ -140,13 +139,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         self.y = select_motion(moved, &y1, &self.y);
-        // A step ends where its whole span is done, or where the time passes its end.
-        let full = plain & !self.cut;
-        let reached = V::select(moved & !full, self.start + length, self.start);
-        let through = full | (moved & reached.ge(one));
-        let rest = V::select(full, reached, reached - one);
-        self.start = V::select(through, V::select(whole_ahead, rest, zero), reached);
-        self.forcing.done = self.forcing.done + V::select(through, one, zero);
+        self.start = V::select(moved, self.start + length, self.start);
         self.events = self.events + V::select(lifts, one, zero);
         let mut ended = 0;
         if V::any(lifts) {
@@ -161,13 +154,16 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             }
             proved = switched;
         }
+        let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
         let between = moved & !through;
         if L::HEARS {
             self.tell_cuts(V::bits(between & !switched));
         }
         self.events = self.events + V::select(between, one, zero);
         let endless = self.events.ge(one.like(f64::from(EVENT_BOUND)));
+        self.start = V::select(through, zero, self.start);
         self.events = V::select(through, zero, self.events);
+        self.forcing.done = self.forcing.done + V::select(through, one, zero);
         let mut attend = V::bits(endless);
         if variant.certificate {
             self.untried = self.untried + V::select(through, one, zero);

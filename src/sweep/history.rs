@@ -97,16 +97,10 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     let mut switches = Switches { clock: &clock, deflection, rows: &rows };
     let mut single = Single::new(&set, &state, &mut switches);
     loop {
-        let told = rows.borrow().len();
         let goes_on = single.step();
         state = single.state();
         if goes_on || state.step == cell.steps {
-            let t = clock.time(state.step, state.fraction.to_f64());
-            let mut rows = rows.borrow_mut();
-            // An impact in a span that passes the end of a step has its row.
-            if rows.len() == told || rows.last().is_none_or(|last| last.t < t) {
-                rows.push(row(t, deflection, &state));
-            }
+            rows.borrow_mut().push(row(clock.time(state.step, 0.0), deflection, &state));
         }
         if !goes_on || !go_on(rows.borrow().len()) {
             break;

@@ -53,7 +53,7 @@ impl Reader {
         }
         let (least_v, most_v) = (state.least_v.to_f64(), state.most_v.to_f64());
         let max_v = (least_v - self.deflection).abs().max((most_v - self.deflection).abs());
-        let reached = clock.time(state.step, state.fraction.to_f64());
+        let reached = clock.time(state.step, state.end_fraction.to_f64());
         let ended = matches!(state.status, FINISHED | PROVED);
         Outcome {
             class,
