@@ -58,6 +58,7 @@ pub mod settings;
 pub mod several;
 pub mod shared;
 pub mod shared_contact;
+mod shared_friction;
 mod shared_motion;
 pub mod shortcuts;
 mod snapshots;

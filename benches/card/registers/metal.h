@@ -32,11 +32,13 @@ DEVICE uint max(uint a, uint b) { return ::max(a, b); }
 DEVICE float abs(float a) { return fabsf(a); }
 DEVICE float min(float a, float b) { return fminf(a, b); }
 DEVICE float max(float a, float b) { return fmaxf(a, b); }
+DEVICE float floor(float a) { return floorf(a); }
 DEVICE float sqrt(float a) { return sqrtf(a); }
 
 DEVICE double abs(double a) { return fabs(a); }
 DEVICE double min(double a, double b) { return fmin(a, b); }
 DEVICE double max(double a, double b) { return fmax(a, b); }
+DEVICE double floor(double a) { return ::floor(a); }
 DEVICE double sqrt(double a) { return ::sqrt(a); }
 
 template <typename T> DEVICE T select(T no, T yes, bool which) { return which ? yes : no; }

@@ -12,7 +12,7 @@ pub enum Switches {
 }
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 26] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 27] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -46,6 +46,7 @@ pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'stat
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
         ("tile.wgsl", include_str!("../../../shaders/tile.wgsl")),
         ("shared_contact.wgsl", include_str!("../../../shaders/shared_contact.wgsl")),
+        ("shared_friction.wgsl", include_str!("../../../shaders/shared_friction.wgsl")),
         ("at_rest.wgsl", include_str!("../../../shaders/at_rest.wgsl")),
         ("begin.wgsl", include_str!("../../../shaders/begin.wgsl")),
     ]
