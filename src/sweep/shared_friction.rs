@@ -7,7 +7,8 @@ use crate::model::real::{Real, Vector};
 use crate::scene::grid::Place;
 use crate::stepping::extremes::{self, end_slopes, parabola};
 
-/// The gaps before one from which on vectors are read, and gap by gap before: v may be shorter than u.
+/// How many of the gaps before a sample are looked at in vectors: those in which u and v both have numbers, if they fill
+/// one. The others are looked at one by one.
 fn in_vectors<V: Vector>(sample: usize, last_v: usize) -> usize {
     let both = sample.min(last_v);
     if both < V::LANES { 0 } else { both }
