@@ -115,13 +115,13 @@ pub fn count(suite: &Suite, say: &Say) {
 /// Says what is in a suite.
 fn tell(suite: &Suite, say: &Say) {
     let motions: Vec<_> = suite.motions().collect();
-    let mut stations: Vec<_> =
+    let mut recordings: Vec<_> =
         motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();
-    stations.sort();
-    stations.dedup();
-    let (motions, stations) =
-        (counted(motions.len(), "motion"), counted(stations.len(), "station"));
-    say.line("suite", format!("{motions} of {stations}"));
+    recordings.sort();
+    recordings.dedup();
+    let (motions, recordings) =
+        (counted(motions.len(), "motion"), counted(recordings.len(), "recording"));
+    say.line("suite", format!("{motions} of {recordings}"));
     let noted = suite.motions().filter(|(entry, _)| !entry.notes.is_empty()).count();
     if noted > 0 {
         say.line(
