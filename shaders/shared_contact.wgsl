@@ -22,6 +22,11 @@ const QUARTERS_H = 11u;
 const BOTTOM = 14u;
 const LIGHTEST = 15u;
 
+// The gap of v that stands for a gap of u: the last one where the motion of v is shorter.
+fn gap_of_v(gap: u32, last_v: u32) -> u32 {
+    return min(gap, max(last_v, 1u) - 1u);
+}
+
 // True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 // (14) is between two bounds, and Y above one.
 fn lifts(lever: real, most: real, least: real, least_y: real) -> bool {
@@ -49,7 +54,7 @@ fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
     var high = last;
     while low < high {
         let gap = (low + high) / 2u;
-        let least_y = motions[lightest + min(gap, max(last_v, 1u) - 1u)];
+        let least_y = motions[lightest + gap_of_v(gap, last_v)];
         if size * motions[highest + gap] > rising * least_y
             || size * motions[deepest + gap] > falling * least_y {
             high = gap;
@@ -67,7 +72,7 @@ fn first_lift(h: u32, v: u32, last: u32, last_v: u32, lever: real, first: u32) -
     let least_y = v + LEAST * tile.up.more;
     var sample = first;
     while sample < last {
-        let y = motions[least_y + min(sample, max(last_v, 1u) - 1u)];
+        let y = motions[least_y + gap_of_v(sample, last_v)];
         if lifts(lever, motions[most + sample], motions[least + sample], y) {
             break;
         }

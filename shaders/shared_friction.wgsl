@@ -15,7 +15,7 @@ fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32) -> real {
             break;
         }
         let gap = before - 1u;
-        let share = share(abs(motions[x + gap]), motions[y + min(gap, max(last_v, 1u) - 1u)]);
+        let share = share(abs(motions[x + gap]), motions[y + gap_of_v(gap, last_v)]);
         friction = max(friction, size * share);
     }
     return friction;
@@ -55,7 +55,7 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
     for (var before = sample; before > 0u; before--) {
         let gap = before - 1u;
         let at = h + gap;
-        let at_v = v + min(gap, max(last_v, 1u) - 1u);
+        let at_v = v + gap_of_v(gap, last_v);
         let most_x = motions[at + CREST * all_h];
         let trough = motions[at_v + TROUGH * all_v];
         let lowest = motions[v + min(before, last_v) + LOWEST * all_v];

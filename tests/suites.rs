@@ -373,7 +373,8 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
     let path = folder.path().display().to_string();
     let run = suite(&[&path], out.path()).success();
     let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
-    for part in ["3 motions of 1 recording", "4 lines", "RSN3_QUAKE_VIL000: no vertical", "notes.txt"]
+    for part in
+        ["3 motions of 1 recording", "4 lines", "RSN3_QUAKE_VIL000: no vertical", "notes.txt"]
     {
         assert!(said.contains(part), "{part}: {said}");
     }

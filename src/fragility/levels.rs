@@ -1,8 +1,9 @@
 //! The levels of an intensity measure that each motion of a suite is scaled to.
 
 use crate::scene::{Block, SceneError, Values};
+use crate::suites::entry::MOST_FACTOR;
 use crate::suites::intensity::Intensity;
-use crate::suites::wanted::{MOST_FACTOR, WantedMotion};
+use crate::suites::wanted::WantedMotion;
 
 /// Gives motions the factors that take them to levels of a measure; without levels they stay as they are. What is
 /// returned is the level of each motion at each of its factors.

@@ -3,6 +3,9 @@
 use super::measures::Measures;
 use crate::scene::record::{Pair, Units};
 
+/// Largest factor or weight of a motion: beyond it none is meant.
+pub const MOST_FACTOR: f64 = 1.0e6;
+
 /// Which files are one motion, before they are read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {

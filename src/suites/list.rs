@@ -4,9 +4,8 @@
 use serde::Deserialize;
 use serde::de::value::{self, StrDeserializer};
 
-use super::entry::Entry;
+use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
-use super::wanted::MOST_FACTOR;
 use crate::scene::record::Units;
 
 /// The columns that a list may have.

@@ -4,9 +4,6 @@ use super::read::Suite;
 use crate::scene::record::Pair;
 use crate::scene::{Excitation, Numbers, Parameter, Scene, SceneBuilder, SceneError, excitation};
 
-/// Largest factor or weight of a motion: beyond it none is meant.
-pub const MOST_FACTOR: f64 = 1.0e6;
-
 /// A motion, and the factors that it is swept at.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WantedMotion {

@@ -243,12 +243,7 @@ fn vertical<R: Real>(sampled: &[SampledMotion<R>], strides: Strides) -> Motions<
     for (number, each) in sampled.iter().enumerate() {
         motions.fill(BOTTOM, number, each.samples.iter().map(|sample| sample.bottom));
         motions.fill(LOWEST, number, each.samples.iter().map(|sample| sample.lowest));
-        let mut lightest = R::of(f64::from(f32::MAX));
-        let so_far = each.gaps().map(|gap| {
-            lightest = lightest.min(gap.least);
-            lightest
-        });
-        motions.fill(LIGHTEST, number, so_far);
+        motions.fill(LIGHTEST, number, each.deepest.iter().map(|deepest| -*deepest));
     }
     motions
 }

@@ -114,6 +114,13 @@ pub struct MotionSlice<'a, R> {
 }
 
 impl<'a, R> MotionSlice<'a, R> {
+    /// The gap that stands for a gap of the other direction's motion: the last one where this motion is shorter.
+    #[inline(always)]
+    pub fn gap(&self, other: usize) -> usize {
+        // The last sample ends no gap.
+        other.min(self.length.saturating_sub(2))
+    }
+
     /// A quantity at its samples.
     #[inline(always)]
     pub fn field(&self, field: usize) -> &'a [R] {

@@ -94,7 +94,7 @@ fn first_beyond<R: Real>(
     lever: R,
 ) -> usize {
     let (h, v) = (motions.across.at(place), motions.up.at(place));
-    let (last, last_v) = (h.length - 1, v.length - 1);
+    let last = h.length - 1;
     let (highest, deepest) = (h.field(HIGHEST), h.field(DEEPEST));
     let lightest = v.field(LIGHTEST);
     let [left, right] = arms;
@@ -103,7 +103,7 @@ fn first_beyond<R: Real>(
     let (mut low, mut high) = (0, last);
     while low < high {
         let gap = low.midpoint(high);
-        let least_y = lightest[gap.min(last_v.saturating_sub(1))];
+        let least_y = lightest[v.gap(gap)];
         if size * highest[gap] > rising * least_y || size * deepest[gap] > falling * least_y {
             high = gap;
         } else {
@@ -139,7 +139,7 @@ fn first_lift<V: Vector>(
         sample += V::LANES;
     }
     while sample < last {
-        let least_y = least_y[sample.min(last_v.saturating_sub(1))];
+        let least_y = least_y[v.gap(sample)];
         if lifts(arms, lever, most[sample], least[sample], least_y) {
             break;
         }

@@ -34,7 +34,7 @@ pub(super) fn at_samples<V: Vector>(
     let mut before = in_vectors::<V>(sample, last_v);
     let mut friction = V::Element::of(0.0);
     for gap in before..sample {
-        let y = y[gap.min(last_v.saturating_sub(1))];
+        let y = y[v.gap(gap)];
         friction = friction.max(share(size, x[gap], y));
     }
     frictions.put(0, friction);
@@ -89,7 +89,7 @@ pub(super) fn crests<V: Vector>(
     let mut friction = friction;
     let mut before = in_vectors::<V>(sample, last_v);
     for gap in (before..sample).rev() {
-        let gap_v = gap.min(last_v.saturating_sub(1));
+        let gap_v = v.gap(gap);
         if size * crest[gap] > over * friction * trough[gap_v] {
             friction = friction.max(within_gaps(motions, place, size, (gap, gap_v)));
         }

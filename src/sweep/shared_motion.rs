@@ -225,7 +225,7 @@ impl<R: Real> SampledMotion<R> {
             self.bound_nothing();
         }
         let largest = |of: &dyn Fn(&Sample<R>) -> R| {
-            let mut most = R::of(0.0);
+            let mut most = -beyond::<R>();
             let so_far = self.gaps().map(|gap| {
                 most = most.max(of(gap));
                 most
