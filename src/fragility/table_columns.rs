@@ -45,7 +45,7 @@ pub const CAPACITIES: [TableColumn; 4] = [
     RECORD,
     measure("lowest", "lowest level at which the motion overturns the block"),
     measure("highest", "highest level at which it does"),
-    number("stands_again", "1", "1 where the block stands at a level between"),
+    number("stands_again", "1", "1 where the block stands at a level above the lowest"),
 ];
 
 /// Those of sensitivity.csv.

@@ -121,7 +121,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 }
 
 /// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
-/// stands at one between.
+/// stands at a level above the lowest.
 ///
 /// # Errors
 /// Those of the writer.
