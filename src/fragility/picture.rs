@@ -81,20 +81,18 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
                 format!("{}: {}", state.words(), told(fit)),
             ));
         }
-        // Marks lie above the bands and the lines of all limit states.
-        for (k, (of, _)) in one.enumerate().filter(|(_, (of, _))| has_shares(of)) {
-            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
-            for stripe in &of.stripes {
-                let at = frame.at((stripe.level.log10(), stripe.z / stripe.n));
-                mark.draw(canvas, at, 1.6, colour);
-            }
-        }
     });
     frame.draw(&mut canvas, BOTH);
+    // Marks lie above the bands and the lines of all limit states, and whole on the frame.
+    for (k, (of, _)) in one.enumerate().filter(|(_, (of, _))| has_shares(of)) {
+        let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for stripe in &of.stripes {
+            let at = frame.at((stripe.level.log10(), stripe.z / stripe.n));
+            mark.draw(&mut canvas, at, 1.6, colour);
+        }
+    }
     let by = study.asked.estimators[0].name();
-    let first = study.sweep.motions.first().map(|motion| motion.weight);
-    let weighted = study.sweep.motions.iter().any(|motion| Some(motion.weight) != first);
-    let marks = match (has_shares(&study.cells[0].states[0]), weighted) {
+    let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
         (false, _) => "",
         (true, false) => "Marks: shares of the motions. ",
         (true, true) => "Marks: shares of the motions by weight. ",
@@ -182,8 +180,8 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     canvas.finish(end + MARGIN)
 }
 
-/// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates whose line
-/// is drawn, cell by cell, none where they are not known.
+/// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates, with
+/// all that may be missing, whose line is drawn, cell by cell, none where they are not known.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -215,8 +213,10 @@ pub fn maps(
         let frame = Frame::new(place, Axis::of(Some(grid.x())), Axis::of(grid.y()));
         paint(&mut canvas, grid, values, &shades, &frame)?;
         if let Some((rates, target)) = target {
-            let logarithms: Vec<Option<f64>> =
-                rates.iter().map(|rate| rate.map(|rate| rate.max(1.0e-300).ln())).collect();
+            let logarithms: Vec<Option<f64>> = rates
+                .iter()
+                .map(|rate| rate.map(|rate| rate.clamp(1.0e-300, 1.0e300).ln()))
+                .collect();
             let lines = crate::map::boundaries::contours(grid, &logarithms, &[target.ln()]);
             canvas.clipped(place, |canvas| {
                 for line in lines.iter().flatten() {
@@ -233,7 +233,7 @@ pub fn maps(
         entries.push(entry(Swatch::Fill([255, 255, 255]), text));
     }
     if let Some((_, target)) = target {
-        let text = format!("annual rate of {target}");
+        let text = format!("annual rate of {target} at most");
         entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
     }
     let by = study.asked.estimators[0].name();

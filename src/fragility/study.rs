@@ -107,6 +107,11 @@ impl Study {
         Some(Study { sweep, asked, cells })
     }
 
+    /// True where records count differently.
+    pub fn is_weighted(&self) -> bool {
+        self.sweep.motions.windows(2).any(|pair| pair[0].weight != pair[1].weight)
+    }
+
     /// The ids of the records.
     pub fn records(&self) -> impl Iterator<Item = &str> {
         self.sweep.motions.iter().step_by(self.asked.times).map(|motion| motion.id.as_str())
