@@ -90,7 +90,7 @@ impl Step {
         let y = (dx + damping * omega * x) / damped;
         let [a, b] = self.derivative(self.derivative([x, y]));
         // Of a cos + b sin: in a short step the sine stays small.
-        let bend = a.hypot(b).min(a.abs() + b.abs() * damped * h);
+        let bend = (a * a + b * b).sqrt().min(a.abs() + b.abs() * damped * h);
         Motion { p, q, x, y, bend }
     }
 
