@@ -125,7 +125,7 @@ pub use fragility::sensitivity::{Sensitivity, Unknown};
 pub use fragility::study::{Asked, CellStudy, StateStudy, Study as FragilityStudy};
 pub use fragility::{
     AnnualRate, Bootstrap, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob,
-    FragilityRequest, Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run,
+    FragilityRequest, Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,
     estimate as estimate_fragility, in_50_years, share_that_stands_again,
 };
 pub use model::precision::Precision;

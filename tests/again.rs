@@ -165,6 +165,159 @@ fn a_joined_map_of_a_record_runs_again() {
     same_map(&map, &again);
 }
 
+const PANEL: [&str; 17] = [
+    "pulse",
+    "--object",
+    "1",
+    "--t-h",
+    "1.75",
+    "--t-v",
+    "0.75",
+    "--t-max",
+    "3",
+    "--omega",
+    "3:12:9",
+    "--a-h",
+    "1:12:9",
+    "--backend",
+    "cpu",
+    "--verify",
+    "none",
+];
+
+/// What a map has besides its cells, it has again; a flag says otherwise, and what it excludes is told.
+#[test]
+fn a_refined_map_runs_again_with_all_it_had() {
+    let place = TempDir::new().unwrap();
+    let (first, again) = (place.path().join("first"), place.path().join("again"));
+    let besides = ["--refine", "2", "--smooth", "0.05", "--sharpness", "--files", "csv,zarr"];
+    run(&[&PANEL[..], &besides].concat(), &first);
+    let results = first.display().to_string();
+    run(&["run", &results, "--verify", "none"], &again);
+    for file in ["map.csv", "leaves.csv", "refined.svg", "map.svg"] {
+        assert!(
+            fs::read(first.join(file)).unwrap() == fs::read(again.join(file)).unwrap(),
+            "{file}"
+        );
+    }
+    let [then, now] = [&first, &again].map(|out| json(out));
+    assert_eq!(then["files"], now["files"]);
+    assert_eq!(now["refined"]["smooth"], 0.05);
+    assert_eq!(now["refined"]["levels"].as_array().unwrap().len(), 2);
+    assert_eq!(then["sharpness"], now["sharpness"]);
+    assert!(!now["sharpness"].is_null());
+    // Flags say otherwise.
+    let others = ["--refine", "1", "--smooth", "0.2", "--files", "npz", "--verify", "none"];
+    run(&[&["run", &results][..], &others].concat(), &again);
+    assert_eq!(json(&again)["refined"]["levels"].as_array().unwrap().len(), 1);
+    assert_eq!(json(&again)["refined"]["smooth"], 0.2);
+    assert!(again.join("map.npz").exists() && !again.join("map.csv").exists());
+    // What a flag excludes is left out with a word, flag by flag.
+    let excluded = |flags: &[&str], left_out: &[&str]| {
+        let out = place.path().join(flags.join("").replace('/', "-"));
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.args(["run", &results, "-q", "--out"]).arg(&out).args(flags);
+        let said = command.assert().success().get_output().stderr.clone();
+        let said = String::from_utf8(said).unwrap();
+        let lines: Vec<&str> = said.lines().collect();
+        assert_eq!(lines.len(), left_out.len(), "{said}");
+        for (line, flag) in lines.iter().zip(left_out) {
+            let wanted = format!("{flag} of that run cannot stand beside the flags given");
+            assert!(line.contains(&wanted), "{said}");
+        }
+    };
+    excluded(&["--tile", "1/2"], &["--refine", "--sharpness"]);
+    excluded(&["--repair", "--verify", "none"], &["--refine"]);
+    excluded(&["--pixel", "--samples", "2", "--verify", "none"], &["--refine", "--sharpness"]);
+    excluded(&["--dry-run"], &["--refine", "--sharpness"]);
+    // Parts have no run.json, leaves no map of their own.
+    let parts = place.path().join("--tile1-2");
+    for given in [parts.clone(), parts.join("part-1-of-2")] {
+        let line = refused(&["run", &given.display().to_string()]);
+        assert!(line.contains("parts of a map; join them by topple merge"), "{line}");
+    }
+    for leaves in ["leaves.npz", "leaves.zarr"] {
+        let line = refused(&["run", &first.join(leaves).display().to_string()]);
+        assert!(line.contains("leaves of a refined map; give the run.json beside them"), "{line}");
+    }
+}
+
+#[test]
+fn a_repaired_map_and_a_resolved_one_run_again_as_such() {
+    let place = TempDir::new().unwrap();
+    let again = place.path().join("again");
+    for (flag, key, other) in
+        [("--repair", "repair", "--refine"), ("--resolve", "resolve", "--repair")]
+    {
+        let first = place.path().join(key);
+        run(&[&PANEL[..], &[flag]].concat(), &first);
+        let results = first.display().to_string();
+        run(&["run", &results, "--verify", "none"], &again);
+        same_map(&first, &again);
+        assert_eq!(json(&again)[key], true);
+        let more: &[&str] = if other == "--refine" { &["--refine", "1"] } else { &["--repair"] };
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.args(["run", &results, "-q", "--verify", "none", "--out"]).arg(&again).args(more);
+        let said = command.assert().success().get_output().stderr.clone();
+        let said = String::from_utf8(said).unwrap();
+        assert!(said.contains(&format!("{flag} of that run cannot stand beside")), "{said}");
+        assert_eq!(json(&again)[key], false);
+    }
+}
+
+/// Results of every kind run again, or are refused with the command that does it.
+#[test]
+fn what_topple_run_does_not_run_again_names_its_command() {
+    let place = TempDir::new().unwrap();
+    let file = record(place.path(), 0.6);
+    let list = place.path().join("list.csv");
+    fs::write(&list, format!("id,horizontal,units\none,{file},g\n")).unwrap();
+    let list = list.display().to_string();
+    let base =
+        ["--object", "1", "--u-y", "0.01", "--t-h", "1.5,2", "--t-v", "0.5", "--suite", &list];
+    let levels =
+        ["--levels", "2,8,30", "--bootstrap", "39", "--verify", "none", "--backend", "cpu"];
+    let at = |name: &str| place.path().join(name);
+    run(&[&["fragility"][..], &base, &levels].concat(), &at("fragility"));
+    run(
+        &[&["envelope"][..], &base, &["--verify", "none", "--backend", "cpu"]].concat(),
+        &at("envelope"),
+    );
+    run(&["suite", &list], &at("suite"));
+    for (name, file, says) in [
+        ("fragility", "fits.csv", "a fragility has many motions; run it again by topple fragility"),
+        (
+            "envelope",
+            "envelope.csv",
+            "an envelope has many motions; run it again by topple envelope",
+        ),
+        ("suite", "suite.csv", "a suite is no scene; read it again by topple suite"),
+    ] {
+        for given in [at(name), at(name).join("run.json"), at(name).join(file)] {
+            let line = refused(&["run", &given.display().to_string()]);
+            assert!(line.contains(says), "{line}");
+        }
+    }
+    // Flags of a map mean nothing to a history or to probabilities.
+    let cell = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9"];
+    run(&[&cell[..], &["--a-h", "8.4", "--t-max", "3"]].concat(), &at("history"));
+    run(&[&PANEL[..], &["--pixel", "--samples", "2"]].concat(), &at("probability"));
+    for (name, flags, says) in [
+        ("history", &["--refine", "2"][..], "a time history has no --refine; leave that out"),
+        ("history", &["--verify", "4"], "a time history has no --verify"),
+        ("history", &["--pixel"], "a time history has no --vary or --pixel"),
+        ("probability", &["--refine", "2"], "a probability map has no --refine"),
+        ("probability", &["--tile", "1/2"], "a probability map has no --tile"),
+    ] {
+        let given = at(name).display().to_string();
+        let line = refused(&[&["run", &given][..], flags].concat());
+        assert!(line.contains(says), "{line}");
+    }
+    run(&["run", &at("probability").display().to_string()], &at("again"));
+    let read = |name: &str| fs::read(at(name).join("probability.csv")).unwrap();
+    assert!(read("probability") == read("again"));
+}
+
 #[test]
 fn a_history_runs_again() {
     let (first, again) = (TempDir::new().unwrap(), TempDir::new().unwrap());

@@ -373,6 +373,103 @@ fn a_rate_over_a_power_law() {
     assert!(shown > 0);
 }
 
+/// A part of a hazard curve that begins at a strong motion leaves failures out. What it leaves out has a bound, which
+/// counts against the target: no cell is below it by the part that is not by the whole.
+#[test]
+fn a_hazard_curve_that_begins_late_says_what_it_may_miss() {
+    let (place, list) = suite();
+    // lambda = 1e-4/x, so that rates have closed forms (Cornell 1996), each end of a line on the curve.
+    let rates = |name: &str, levels: &[f64]| {
+        let (hazard, path) = within(&place, &format!("{name}.csv"));
+        let line = |level: &f64| format!("{level},{}\n", 1.0e-4 / level);
+        let lines: String = levels.iter().map(line).collect();
+        fs::write(&hazard, format!("level,rate\n{lines}")).unwrap();
+        let (out, to) = within(&place, name);
+        let asked = ["--levels", "1:16:12:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+        let site = ["--hazard", &path, "--target", "0.00002", "--estimator", "stripes"];
+        let common = ["fragility", "--suite", &list, "--out", &to, "--bootstrap", "39"];
+        let run = topple(&[&common[..], &BASE, &asked, &site].concat()).success();
+        assert!(said(&run).contains("more above the curve's end, "), "{}", said(&run));
+        let head = fs::read_to_string(out.join("rates.csv")).unwrap();
+        assert!(head.lines().next().unwrap().ends_with(",below_target,missing_below"), "{head}");
+        (rows(&out.join("fits.csv")), rows(&out.join("rates.csv")))
+    };
+    let (fits, whole) = rates("whole", &[1.0e-4, 1.0, 1.0e3]);
+    let (_, late) = rates("late", &[6.0, 12.0, 1.0e3]);
+    let mut shown = 0;
+    for ((fit, whole), late) in fits.iter().zip(&whole).zip(&late) {
+        if fit["beta"].is_empty() {
+            continue;
+        }
+        let missing = number(late, "missing_below");
+        let all = number(late, "rate") + missing;
+        assert_relative_eq!(all, number(whole, "rate"), max_relative = 1e-6);
+        assert!(missing > number(late, "rate") && number(whole, "missing_below") < 1.0e-9);
+        let below = all + number(late, "missing_above") <= 2.0e-5;
+        assert_eq!(late["below_target"] == "1", below, "{late:?}");
+        assert_eq!(late["below_target"], whole["below_target"]);
+        // Without what is missing it would be below the target.
+        shown += u32::from(!below && number(late, "rate") + 1.0e-7 <= 2.0e-5);
+    }
+    assert!(shown > 0);
+}
+
+/// The shares by weight that the marks of a picture show are those that are fitted, and nothing is drawn over them.
+#[test]
+fn marks_are_shares_by_weight_above_all_bands() {
+    let (place, list) = suite();
+    let weights = [8.0, 1.0, 1.0, 0.5];
+    let text = fs::read_to_string(&list).unwrap();
+    let rows_of_list: Vec<String> = text
+        .lines()
+        .zip([",weight".to_string()].into_iter().chain(weights.map(|weight| format!(",{weight}"))))
+        .map(|(line, weight)| line.to_string() + &weight)
+        .collect();
+    fs::write(&list, rows_of_list.join("\n")).unwrap();
+    let (out, to) = within(&place, "out");
+    let asked = ["--levels", "1:16:12:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    let common = ["fragility", "--suite", &list, "--out", &to, "--estimator", "stripes"];
+    topple(&[&common[..], &BASE, &asked].concat()).success();
+    let svg = fs::read_to_string(out.join("fragility.svg")).unwrap();
+    assert!(svg.contains("shares of the motions by weight"), "{svg}");
+    let attribute = |line: &str, name: &str| -> f64 {
+        let rest = line.split(&format!(" {name}=\"")).nth(1).unwrap_or_else(|| panic!("{line}"));
+        rest.split('"').next().unwrap().parse().unwrap()
+    };
+    // Overturning has discs; from the first of them on there is no band and no line.
+    let lines: Vec<&str> = svg.lines().collect();
+    let first = lines.iter().position(|line| line.starts_with("<circle")).unwrap();
+    let discs: Vec<&&str> = lines.iter().filter(|line| line.starts_with("<circle")).collect();
+    let last_band =
+        lines.iter().rposition(|line| line.contains("#f3d9d9") || line.contains("#d6e2f5"));
+    assert!(last_band.unwrap() < first, "a band lies above a mark");
+    let mut by_level: BTreeMap<String, [f64; 2]> = BTreeMap::new();
+    for row in rows(&out.join("runs.csv")) {
+        let of = MOTIONS.iter().position(|(name, ..)| *name == row["record"]).unwrap();
+        let [all, failed] = by_level.entry(row["level"].clone()).or_default();
+        *all += weights[of];
+        *failed += if row["outcome"].starts_with("overturned") { weights[of] } else { 0.0 };
+    }
+    let mut shares: Vec<(f64, f64)> = by_level
+        .iter()
+        .map(|(level, [all, failed])| (level.parse().unwrap(), failed / all))
+        .collect();
+    shares.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!(discs.len(), shares.len());
+    let heights: Vec<f64> = discs.iter().map(|disc| attribute(disc, "cy")).collect();
+    let (top, bottom) = (
+        heights.iter().copied().fold(f64::MAX, f64::min),
+        heights.iter().copied().fold(0.0, f64::max),
+    );
+    assert!(shares[0].1 == 0.0 && shares[shares.len() - 1].1 == 1.0, "{shares:?}");
+    for ((level, share), height) in shares.iter().zip(&heights) {
+        let drawn = (bottom - height) / (bottom - top);
+        assert!((drawn - share).abs() < 1.0e-3, "at {level} the share is {share}, drawn {drawn}");
+    }
+    let uneven = |(_, share): &&(f64, f64)| (4.0 * share).fract() > 0.01;
+    assert!(shares.iter().filter(uneven).count() > 2, "{shares:?}");
+}
+
 #[test]
 fn what_makes_no_sense_is_refused() {
     let (place, list) = suite();
@@ -380,7 +477,7 @@ fn what_makes_no_sense_is_refused() {
     let (bad, hazard) = within(&place, "bad.csv");
     fs::write(&bad, "level,rate\n1,0.1\n2,0.2\n").unwrap();
     let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let cases: [(&[&str], &str); 16] = [
+    let cases: [(&[&str], &str); 17] = [
         (&["--alpha-y", "0.1", "--t-h", "1.5", "--t-v", "0.5"], "give --u-y or --yield-force"),
         (&["--u-y", "0.01", "--levels", "0:2:3"], "give levels above 0"),
         (&["--u-y", "0.01", "--levels", "1e9"], "give lower levels"),
@@ -393,6 +490,7 @@ fn what_makes_no_sense_is_refused() {
         (&["--u-y", "0.01", "--limit-u", "-1"], "must be a positive number"),
         (&["--u-y", "0.01", "--im", "sa:1e-9"], "0.01 to 100 s"),
         (&["--u-y", "0.01", "--bootstrap", "0"], "39"),
+        (&["--u-y", "0.01", "--seed", "4294967296"], "a whole number from 0 to 4294967295"),
         (
             &["--u-y", "0.01", "--limit-zeta", "1"],
             "is not below 1, the rocking index of a block that has overturned",

@@ -4,7 +4,7 @@
 
 mod common;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -193,27 +193,31 @@ fn bands_thinner_than_a_cell_lie_in_leaves_that_are_marked() {
     assert_eq!(wrong[2], 0);
 }
 
-/// What 40 draws of 60 cells say of the share missed, before what they find is mended: it is too small in one of 20, so
-/// that of 40 no more than 5 are, with a chance of 99 %.
+/// What 40 draws of 60 cells say of the share missed, before what they find is mended: each is one of up to three, and so
+/// too small in one of 60, so that of 40 no more than 3 are, with a chance of 99 %.
 #[test]
 fn the_bound_of_what_is_missed_holds_as_often_as_it_says() {
     let plain = refined(&window(), Backend::Cpu, &levels(5, 0));
     let dense = dense(&plain);
     let share = wrong(&plain, &dense) as f64 / (dense.len() - plain.cells().len()) as f64;
+    let mut ran = BTreeSet::new();
     let bounds: Vec<(usize, f64)> = (1..=40)
         .map(|seed| {
             let mut settings = levels(5, 60);
             settings.seed = seed;
-            let first = refined(&window(), Backend::Cpu, &settings).report.levels[0].probes[0];
+            let map = refined(&window(), Backend::Cpu, &settings);
+            ran.insert(map.cells().to_vec());
+            let first = map.report.levels[0].probes[0];
             (first.missed, first.share_missed_at_most)
         })
         .collect();
+    assert_eq!(ran.len(), 40, "two seeds draw the same cells");
     let too_small = bounds.iter().filter(|(_, bound)| *bound < share).count();
     let none = bounds.iter().filter(|(missed, _)| *missed == 0).count();
     say(&format!(
         "{share:.4} missed; {none} of 40 draws found none, {too_small} bounds were too small"
     ));
-    assert!(too_small <= 5 && none > 0 && none < 40);
+    assert!(too_small <= 3 && none > 0 && none < 40);
 }
 
 fn pulse(out: &Path, more: &[&str]) -> Command {
@@ -263,7 +267,7 @@ fn the_command_writes_pictures_and_leaves() {
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     assert_eq!((info.width, info.height), (177, 161));
-    let mut outcomes: BTreeMap<u8, std::collections::BTreeSet<String>> = BTreeMap::new();
+    let mut outcomes: BTreeMap<u8, BTreeSet<String>> = BTreeMap::new();
     for row in &rows {
         let number = |k: usize| row[k].parse::<f64>().unwrap();
         let (i, j) = ((number(0) - 1.0) * 16.0, (number(1) - 1.0) / 1.1 * 16.0);

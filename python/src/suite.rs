@@ -22,7 +22,7 @@ use topple::{
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
 use crate::keywords::{Request, taken, value_of, values};
 use crate::map::{axes, coordinates};
-use crate::uncertain::varied;
+use crate::uncertain::{A_SEED, varied};
 use crate::watch;
 
 /// Reads a suite: `(table, about)`, CSV and JSON.
@@ -126,7 +126,7 @@ pub fn fragility<'py>(
     }
     request.vary = varied(keywords)?;
     request.bootstrap = given(keywords, "bootstrap", "a number of sets")?;
-    request.seed = given(keywords, "seed", "a whole number")?.unwrap_or(request.seed);
+    request.seed = given(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
     request.samples = given(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
     let target: Option<f64> = given(keywords, "target", "a number")?;
     let needed = [

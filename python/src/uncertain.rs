@@ -20,6 +20,8 @@ const VARY: &str = "vary";
 const PIXEL: &str = "pixel";
 const SAMPLES: &str = "samples";
 const SEED: &str = "seed";
+/// What a seed is.
+pub const A_SEED: &str = "a whole number from 0 to 4294967295";
 /// Keywords of a map that have no meaning for its probabilities.
 const NOT_BESIDE: [&str; 7] =
     ["out", "resume", "tile", "repair", REFINING[0], REFINING[1], SHARPNESS];
@@ -108,12 +110,12 @@ fn about(all: &Probabilities, uncertainty: &Uncertainty, settings: &RunSettings)
 /// What keywords say is not known.
 fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
     let given = |key: &str| value_of(keywords, key);
-    let whole = |key: &str| -> PyResult<Option<u32>> {
-        given(key)?.map(|value| taken(key, &value, "a whole number")).transpose()
+    let whole = |key: &str, expected: &str| -> PyResult<Option<u32>> {
+        given(key)?.map(|value| taken(key, &value, expected)).transpose()
     };
     let flag = |value| taken(PIXEL, &value, "True or False");
     let (default, range) = SWEEPS;
-    let samples = whole(SAMPLES)?.unwrap_or(default);
+    let samples = whole(SAMPLES, "a whole number")?.unwrap_or(default);
     if !range.contains(&samples) {
         let problem = format!("{samples} is not in {} to {}", range.start(), range.end());
         return Err(of_keyword(SAMPLES, problem));
@@ -122,7 +124,7 @@ fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
         vary: varied(keywords)?,
         pixel: given(PIXEL)?.map(flag).transpose()?.unwrap_or(false),
         samples,
-        seed: whole(SEED)?.unwrap_or(0),
+        seed: whole(SEED, A_SEED)?.unwrap_or(0),
     })
 }
 

@@ -96,7 +96,10 @@ def test_every_number_has_a_unit(records):
         told = {name: units(table) for name, table in study.items()}
         assert all(None not in of.values() for of in told.values()), told
         assert told["fragility"]["level"] == told["fits"]["theta"] == unit
-        assert told["rates"]["rate"] == "1/year"
+        assert told["rates"]["rate"] == told["rates"]["missing_below"] == "1/year"
+        # Only where theta is not known there is no bound.
+        rates, theta = study["rates"], study["fits"]["theta"]
+        assert rates["missing_below"].notnull().equals(theta.notnull()) and (rates["missing_below"] > 0.0).any()
         assert ("capacities" in told) != ("points" in told)
     assert told["points"]["drawn_eccentricity"] == "1" and "sensitivity" in told
 
@@ -164,6 +167,9 @@ def test_what_a_suite_refuses(records):
             topple.fragility(records / "list.csv", **SCENE, **{key: 8}, levels=[1.0, 2.0])
     with pytest.raises(ValueError, match="^levels: give a number"):
         topple.fragility(records / "list.csv", **SCENE, levels=[True, 2.0])
+    for seed in (2**32, -1):
+        with pytest.raises(ValueError, match=f"^seed: {seed} is not a whole number from 0 to 4294967295$"):
+            topple.fragility(records / "list.csv", **SCENE, seed=seed, levels=[1.0, 2.0])
     with pytest.raises(ValueError, match="^estimator: ida scales"):
         topple.fragility(records / "list.csv", **SCENE, estimator="ida")
     with pytest.raises(FileNotFoundError):

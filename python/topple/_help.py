@@ -50,7 +50,7 @@ WORDS = {
     ),
     "pixel": ("bool", "each cell's axes have any value in its pixel; the result is probabilities"),
     "samples": ("int", "with ``vary`` or ``pixel``: sweeps that tell the probabilities, best a power of two; by default 64"),
-    "seed": ("int", "with ``vary`` or ``pixel``: seed of the sweeps' points; by default 0"),
+    "seed": ("int", "with ``vary`` or ``pixel``: seed of the sweeps' points, up to 4294967295; by default 0"),
     "sharpness": ("bool", "tell in ``attrs`` how sharp the boundaries are: basin entropy, uncertainty exponent, dimension"),
 }
 

@@ -175,7 +175,7 @@ class Uncertain(TypedDict, total=False):
     pixel: bool
     # with ``vary`` or ``pixel``: sweeps that tell the probabilities, best a power of two; by default 64
     samples: int
-    # with ``vary`` or ``pixel``: seed of the sweeps' points; by default 0
+    # with ``vary`` or ``pixel``: seed of the sweeps' points, up to 4294967295; by default 0
     seed: int
     # tell in ``attrs`` how sharp the boundaries are: basin entropy, uncertainty exponent, dimension
     sharpness: bool

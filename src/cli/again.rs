@@ -1,17 +1,21 @@
 //! The results of an earlier run, whose scene `topple run` runs again.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use topple::map::earlier::{Kind, RUN};
-use topple::results::{npz, zarr};
+use topple::results::store::IDENTITY;
+use topple::results::{npz, part, zarr};
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
 use topple::sweep::settings::Method;
 use topple::uncertain::Uncertainty;
+
+use super::options::{Besides, MapFile};
 
 /// What was run.
 pub struct Again {
@@ -25,6 +29,8 @@ pub struct Again {
     pub backend: Option<String>,
     /// What was not known, of a probability map.
     pub uncertainty: Option<Uncertainty>,
+    /// What the map had besides.
+    pub besides: Besides,
 }
 
 /// Of run.json, or of what a map's arrays say of themselves, what makes the run again.
@@ -36,10 +42,24 @@ struct Written {
     backend: Option<String>,
     /// The axes of a map's arrays, the last one first: there the scene's keys are in alphabetical order.
     index: Option<Vec<Parameter>>,
+    /// How a map was refined.
+    refined: Option<Refined>,
+    /// How sharp its boundaries are: that it was asked for is enough.
+    sharpness: Option<IgnoredAny>,
+    /// Names of the files beside run.json.
+    #[serde(default)]
+    files: Vec<String>,
     #[serde(flatten)]
     method: Option<Method>,
     #[serde(flatten)]
     uncertainty: Option<Uncertainty>,
+}
+
+/// Of a map's refinement what was asked for.
+#[derive(Deserialize)]
+struct Refined {
+    levels: Vec<IgnoredAny>,
+    smooth: Option<f64>,
 }
 
 /// The results at a path: a directory, a run.json, or a map's file; none where it is no such thing.
@@ -47,6 +67,12 @@ struct Written {
 /// # Errors
 /// What is wrong with them and what to do.
 pub fn at(path: &Path) -> Option<Result<Again, String>> {
+    // Its cells are saved as those of a map in chunks.
+    if holds_parts(path) {
+        return Some(
+            Err("parts of a map; join them by topple merge, and run the map again".into()),
+        );
+    }
     // A map in chunks is a folder beside run.json.
     let is_zarr = path.join(zarr::DOCUMENT).exists();
     let inside = path.is_dir() && !is_zarr;
@@ -79,6 +105,14 @@ pub fn at(path: &Path) -> Option<Result<Again, String>> {
     Some(read.and_then(|written| written.again(folder)))
 }
 
+/// True of a directory with parts of a map and no whole one, and of a part's own.
+fn holds_parts(path: &Path) -> bool {
+    let is_part = |name: &OsStr| name.to_string_lossy().starts_with(part::FOLDER);
+    let entries = || fs::read_dir(path).into_iter().flatten().flatten();
+    let has_parts = || entries().any(|entry| is_part(&entry.file_name()));
+    path.join(IDENTITY).exists() || (!path.join(RUN).exists() && has_parts())
+}
+
 /// The document of a Zarr group.
 #[derive(Deserialize)]
 struct Group {
@@ -94,21 +128,39 @@ fn text_of(path: &Path) -> Result<String, String> {
 }
 
 fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    /// Of results what says that they are not run again.
     #[derive(Deserialize)]
     struct Of {
-        kind: Kind,
+        kind: Option<Kind>,
+        /// Columns that leaves have in the place of a grid.
+        counts: Option<IgnoredAny>,
+        /// Where a Zarr group has them.
+        attributes: Option<Attributes>,
     }
-    match serde_json::from_str(text) {
-        Ok(Of { kind: Kind::Suite }) => {
-            return Err("a suite is no scene; read it again by topple suite".into());
+    #[derive(Deserialize)]
+    struct Attributes {
+        counts: Option<IgnoredAny>,
+    }
+    if let Ok(Of { kind, counts, attributes }) = serde_json::from_str(text) {
+        if let Some(problem) = kind.and_then(not_of_a_scene) {
+            return Err(problem.into());
         }
-        Ok(Of { kind: Kind::Envelope }) => {
-            return Err("an envelope has many motions; run it again by topple envelope".into());
+        if counts.or(attributes.and_then(|of| of.counts)).is_some() {
+            return Err(format!("leaves of a refined map; give the {RUN} beside them"));
         }
-        _ => {}
     }
     let problem = |error| format!("no results of this version of topple ({error}); give a scene");
     serde_json::from_str(text).map_err(problem)
+}
+
+/// Why results of a kind are not run again by `topple run`; none where they are.
+fn not_of_a_scene(kind: Kind) -> Option<&'static str> {
+    match kind {
+        Kind::Map | Kind::History | Kind::Probability => None,
+        Kind::Suite => Some("a suite is no scene; read it again by topple suite"),
+        Kind::Envelope => Some("an envelope has many motions; run it again by topple envelope"),
+        Kind::Fragility => Some("a fragility has many motions; run it again by topple fragility"),
+    }
 }
 
 impl Written {
@@ -146,7 +198,13 @@ impl Written {
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
         let kind = self.kind.unwrap_or(Kind::Map);
-        let Written { method, backend, uncertainty, .. } = self;
-        Ok(Again { kind, scene, method, backend, uncertainty })
+        let Written { method, backend, uncertainty, refined, sharpness, files, .. } = self;
+        let besides = Besides {
+            refine: refined.as_ref().map(|refined| refined.levels.len() as u32),
+            smooth: refined.and_then(|refined| refined.smooth),
+            sharpness: sharpness.is_some(),
+            files: MapFile::among(&files),
+        };
+        Ok(Again { kind, scene, method, backend, uncertainty, besides })
     }
 }

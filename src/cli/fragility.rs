@@ -21,7 +21,7 @@ use topple::uncertain::Varied;
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
-use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::options::{CommonFlags, RunOptions, flag_error, number, seed};
 use super::output::Figure;
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
@@ -79,9 +79,9 @@ pub struct FragilityCommand {
     /// Sets of records that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
     #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
-    /// Seed of what is drawn
-    #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Fragility")]
-    seed: u64,
+    /// Seed of what is drawn, up to 4294967295
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, help_heading = "Fragility")]
+    seed: u32,
     /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
     /// at two more numbers LOW,HIGH
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
@@ -92,7 +92,7 @@ pub struct FragilityCommand {
     /// Hazard curve: a CSV level,rate with annual rates of exceedance
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
     hazard: Option<PathBuf>,
-    /// Annual rate that is accepted, drawn on maps
+    /// Annual rate that is accepted, with what may be missing at both ends of the hazard curve; drawn on maps
     #[arg(
         long,
         value_name = "RATE",
@@ -124,7 +124,7 @@ struct Manifest<'a> {
     limit_states: &'a [LimitState],
     estimators: Vec<&'static str>,
     replicates: u32,
-    seed: u64,
+    seed: u32,
     vary: &'a [Varied],
     samples: Option<u32>,
     hazard: Option<&'a Path>,
@@ -270,7 +270,7 @@ impl FragilityCommand {
         let figure = |(number, state): (usize, &LimitState)| {
             let rates: Option<Vec<Option<f64>>> = hazard.map(|hazard| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
-                fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.rate)).collect()
+                fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.at_most())).collect()
             });
             let target = rates.as_deref().zip(self.target);
             let name = match state {

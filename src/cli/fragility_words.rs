@@ -54,11 +54,11 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
             if let Some(rate) = hazard.and_then(|hazard| tables::rate(fit, hazard)) {
                 let fifty = rounded(in_50_years(rate.rate), 3);
                 let text = format!("annual rate {}, in 50 years {fifty}", rounded(rate.rate, 3));
-                let missing = rounded(rate.missing_above, 3);
-                say.line(
-                    "",
-                    format!("         {text}; up to {missing} more above the curve's end"),
-                );
+                let [above, below] =
+                    [rate.missing_above, rate.missing_below].map(|missing| rounded(missing, 3));
+                let missing =
+                    format!("up to {above} more above the curve's end, {below} below its start");
+                say.line("", format!("         {text}; {missing}"));
             }
         }
     }
@@ -85,8 +85,9 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
         && study.asked.levels.iter().any(|levels| levels.len() > 1)
     {
         let fallen = one.capacities.iter().flatten().count();
+        let weighted = if study.is_weighted() { ", by weight," } else { "" };
         let text = format!(
-            "{fallen} of {} records overturn it; {:.0} % of these let it stand again at a higher level",
+            "{fallen} of {} records overturn it; {:.0} % of these{weighted} let it stand again at a higher level",
             one.capacities.len(),
             100.0 * share
         );

@@ -157,10 +157,29 @@ impl MapFile {
         }
     }
 
+    /// Those among names of files.
+    pub fn among(names: &[String]) -> Vec<MapFile> {
+        let all = [MapFile::Csv, MapFile::Npz, MapFile::Zarr].into_iter();
+        all.filter(|file| names.iter().any(|name| name == file.name())).collect()
+    }
+
     /// Those of a map of so many cells, unless others are asked for.
     pub fn of(cells: usize) -> Vec<MapFile> {
         if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
     }
+}
+
+/// What a map has besides its cells: what an earlier one had.
+#[derive(Debug, Clone, Default)]
+pub struct Besides {
+    /// Levels that it was refined in.
+    pub refine: Option<u32>,
+    /// The share of their range that numbers were smooth to.
+    pub smooth: Option<f64>,
+    /// It was asked how sharp its boundaries are.
+    pub sharpness: bool,
+    /// Its files.
+    pub files: Vec<MapFile>,
 }
 
 /// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.
@@ -267,10 +286,69 @@ pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
 }
 
 impl MapOptions {
-    /// Takes over how an earlier run computed its cells, and on what, where no flag says otherwise.
-    pub fn adopt(&mut self, backend: Option<&str>, earlier: Option<Method>) {
-        self.repair |= !self.run.resolve && earlier.is_some_and(|earlier| earlier.repair);
-        self.run.adopt(backend, earlier);
+    /// Takes over how an earlier run computed its cells, on what, and what its map had besides, where no flag says
+    /// otherwise. What is returned are the flags of that run which cannot stand beside those that are given.
+    pub fn adopt(
+        &mut self,
+        backend: Option<&str>,
+        earlier: Option<Method>,
+        besides: &Besides,
+    ) -> Vec<&'static str> {
+        let mut left_out = Vec::new();
+        let mut takes = |flag, wanted: bool, excluded: bool| {
+            left_out.extend((wanted && excluded).then_some(flag));
+            wanted && !excluded
+        };
+        // See what the flags themselves exclude, in [`MapOptions`].
+        let (part, sample) = (self.tile.is_some(), self.dry_run);
+        let (repairs, refines) = (self.repair, self.refine.is_some());
+        let unknown = self.uncertain.asked();
+        let resolved = earlier.is_some_and(|earlier| earlier.resolve) && !self.run.resolve;
+        let resolve = takes("--resolve", resolved, repairs);
+        let repaired = earlier.is_some_and(|earlier| earlier.repair) && !repairs;
+        let not_repaired = self.run.resolve || sample || refines || unknown;
+        self.repair |= takes("--repair", repaired, not_repaired);
+        let refined = besides.refine.is_some() && !refines;
+        if takes("--refine", refined, repairs || part || sample || unknown) {
+            self.refine = besides.refine;
+        }
+        if self.refine.is_some() && self.smooth.is_none() {
+            self.smooth = besides.smooth;
+        }
+        let sharp = besides.sharpness && !self.sharpness;
+        self.sharpness |= takes("--sharpness", sharp, part || sample || unknown);
+        // A part, a sample and probabilities have no files of a map.
+        if self.files.is_empty() && !part && !unknown {
+            self.files.clone_from(&besides.files);
+        }
+        let resolve = resolve || self.run.resolve;
+        self.run.adopt(backend, earlier.map(|earlier| Method { resolve, ..earlier }));
+        left_out
+    }
+
+    /// Flags that only a map has, of those that are given.
+    pub fn of_a_map(&self) -> Vec<&'static str> {
+        let flags = [
+            ("--resume", self.resume),
+            ("--tile", self.tile.is_some()),
+            ("--files", !self.files.is_empty()),
+            ("--repair", self.repair),
+            ("--refine", self.refine.is_some()),
+            ("--sharpness", self.sharpness),
+            ("--dry-run", self.dry_run),
+        ];
+        flags.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag).collect()
+    }
+
+    /// The same with those of probabilities and of the reference's sample: a time history has none of them.
+    pub fn not_of_a_history(&self) -> Vec<&'static str> {
+        let more = [
+            ("--verify", self.verify.is_some()),
+            ("--vary or --pixel", self.uncertain.asked()),
+            ("--json", self.talk.json),
+        ];
+        let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
+        self.of_a_map().into_iter().chain(more).collect()
     }
 
     /// What the files are of.
@@ -389,6 +467,11 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
 pub fn share(text: &str) -> Result<f64, String> {
     let parsed = text.parse::<f64>().ok().filter(|share| *share > 0.0 && *share < 1.0);
     parsed.ok_or_else(|| "must be a number above 0 and below 1".into())
+}
+
+/// A seed of what is drawn: the points of numbers that are not known have seeds of 32 bits.
+pub fn seed(text: &str) -> Result<u32, String> {
+    text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u32::MAX))
 }
 
 /// A time in seconds.

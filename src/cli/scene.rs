@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use anyhow::Context;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{Kind, RUN};
 use topple::scene::builder::SceneBuilder;
 
 use super::again::{self, Again};
 use super::load::load;
 use super::options::MapOptions;
-use super::{InputError, examples, history, run};
+use super::{InputError, examples, history, run, words};
 
 /// The scene that `topple` alone runs.
 pub const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
@@ -17,7 +17,8 @@ pub const DEFAULT_SCENE: &str = include_str!("../../scenes/default.toml");
 /// Run a scene from a file, or an earlier run again.
 ///
 /// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
-/// the same backend (cpu or reference), with the same precision, step and shortcuts where no flag says otherwise.
+/// the same backend (cpu or reference), with the same precision, step and shortcuts, repaired, refined and smooth as then,
+/// with its sharpness and its files where no flag says otherwise. map.npz and map.zarr tell the scene alone.
 #[derive(clap::Args)]
 #[command(after_help = examples::RUN)]
 pub struct RunCommand {
@@ -34,9 +35,28 @@ impl RunCommand {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
         if let Some(earlier) = again::at(&self.scene) {
-            let Again { kind, scene, method, backend, uncertainty } = earlier.map_err(refused)?;
+            let Again { kind, scene, method, backend, uncertainty, besides } =
+                earlier.map_err(refused)?;
             let mut options = self.options.clone();
-            options.adopt(backend.as_deref(), method);
+            let meaningless = match kind {
+                Kind::History => options.not_of_a_history(),
+                Kind::Probability if !options.uncertain.asked() => options.of_a_map(),
+                _ => Vec::new(),
+            };
+            if let [flag, ..] = meaningless[..] {
+                let problem = format!("{} has no {flag}; leave that out", kind.name());
+                return Err(refused(problem).into());
+            }
+            if method.is_none() {
+                let problem = format!(
+                    "it tells the scene, not how it was computed; {RUN} tells --precision, --step, --refine and so on"
+                );
+                words::warn(format!("{path}: {problem}"));
+            }
+            for flag in options.adopt(backend.as_deref(), method, &besides) {
+                let problem = format!("{flag} of that run cannot stand beside the flags given");
+                words::warn(format!("{path}: {problem}; it is left out"));
+            }
             match uncertainty {
                 Some(uncertainty) => options.uncertain.adopt(uncertainty),
                 None if kind == Kind::Probability && !options.uncertain.asked() => {

@@ -3,6 +3,8 @@
 use topple::scene::{Scene, SceneError};
 use topple::uncertain::{Uncertainty, Varied};
 
+use super::options::seed;
+
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
 const NOT_BESIDE: [&str; 8] =
     ["resume", "keep_every", "tile", "files", "repair", "refine", "sharpness", "dry_run"];
@@ -23,8 +25,8 @@ pub struct UncertainFlags {
     /// Sweeps that tell the probabilities, best a power of two [default: 64]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 20))]
     samples: Option<u32>,
-    /// Seed of the sweeps' points [default: 0]
-    #[arg(long, value_name = "N")]
+    /// Seed of the sweeps' points, up to 4294967295 [default: 0]
+    #[arg(long, value_name = "N", value_parser = seed)]
     seed: Option<u32>,
 }
 

@@ -19,9 +19,16 @@ pub struct AnnualRate {
     /// Motions above the last level add no more than this, the rate of the last level. At least the probability of failing
     /// there times this rate is missing.
     pub missing_above: f64,
-    /// The probability of failing at the first level. Motions below it add no more than this times their rate, which the
-    /// curve does not tell: it should be small.
-    pub probability_at_first: f64,
+    /// Motions below the first level add no more than this, 1/year, where the curve is nowhere steeper there than between
+    /// its first two levels: see [`HazardCurve::rate`]. Infinite where this is beyond what numbers hold.
+    pub missing_below: f64,
+}
+
+impl AnnualRate {
+    /// The rate with all that may be missing at both ends of the curve, 1/year.
+    pub fn at_most(&self) -> f64 {
+        self.rate + self.missing_above + self.missing_below
+    }
 }
 
 /// The probability that something of an annual rate happens in 50 years, 1 - exp(-50 rate).
@@ -82,17 +89,39 @@ impl HazardCurve {
     /// than h = 1/2 of the smaller of beta and 1/k, where k is the slope of ln lambda. Above P is 1, below 0. In units of h
     /// the eighth derivative of the integrand is below 2^-8 times 1e4, the rule's factor is 5.6e-10, so that the error
     /// is below 1e-7 of the rate.
+    ///
+    /// What is missing below the first level x_1 has no bound without an assumption: the curve does not tell how many
+    /// motions there are. The assumption is that lambda(x) <= lambda_1 (x/x_1)^-k there, with the slope k between the first two
+    /// levels: hazard curves bend downwards in logarithms. P rises from zero, so that by parts the integral of P |d lambda| is
+    /// that of lambda dP less lambda_1 P(x_1), and is largest where lambda is.
     pub fn rate(&self, fragility: &Lognormal) -> AnnualRate {
         let [ends @ .., last] = self.points.as_slice() else {
-            return AnnualRate { rate: 0.0, missing_above: 0.0, probability_at_first: 0.0 };
+            return AnnualRate { rate: 0.0, missing_above: 0.0, missing_below: 0.0 };
         };
         let segments = ends.iter().zip(&self.points[1..]);
         AnnualRate {
             rate: segments.map(|(from, to)| segment(*from, *to, fragility)).sum(),
             missing_above: last[1].exp(),
-            probability_at_first: fragility.probability(self.points[0][0].exp()),
+            missing_below: below(self.points[0], self.points[1], fragility),
         }
     }
+}
+
+/// The integral of P(x) |d lambda(x)| below a point, the slope of the curve that between the point and the next: of a power
+/// lambda_1 (x/x_1)^-k it is lambda_1 [exp(k beta u + k^2 beta^2/2) Phi(u + k beta) - Phi(u)], u = ln(x_1/theta)/beta.
+fn below(first: [f64; 2], next: [f64; 2], fragility: &Lognormal) -> f64 {
+    let k = (first[1] - next[1]) / (next[0] - first[0]);
+    let (above, beta) = (first[0] - fragility.theta.ln(), fragility.beta);
+    // ln of the rate at the first level of motions that fail below it, and those above, over that of the level.
+    let (all, over) = if beta > 0.0 {
+        let (u, grown) = (above / beta, k * beta);
+        (k * above + 0.5 * grown * grown + normal::ln_cdf(u + grown), normal::ln_cdf(u))
+    } else if above > 0.0 {
+        (k * above, 0.0)
+    } else {
+        return 0.0;
+    };
+    ((first[1] + all).exp() - (first[1] + over).exp()).max(0.0)
 }
 
 /// The parts of a line.
@@ -181,10 +210,59 @@ mod tests {
         // In the middle of ln x the rate is the geometric mean.
         assert!(near(rate(2.0).rate, 1.0e-3 - 1.0e-4), "{:?}", rate(2.0));
         assert!(near(rate(0.5).rate, 1.0e-2 - 1.0e-4) && rate(5.0).rate == 0.0);
-        assert!(near(rate(2.0).missing_above, 1.0e-4) && rate(2.0).probability_at_first == 0.0);
-        assert_eq!(rate(0.5).probability_at_first, 1.0);
+        assert!(near(rate(2.0).missing_above, 1.0e-4) && rate(2.0).missing_below == 0.0);
+        // Over four levels lambda falls to a hundredth, so that at half of the first level it is ten times as large.
+        assert!(near(rate(0.5).missing_below, 1.0e-1 - 1.0e-2), "{:?}", rate(0.5));
+        assert!(near(rate(0.5).at_most(), 1.0e-1), "{:?}", rate(0.5));
         let narrow = hazard.rate(&Lognormal { theta: 2.0, beta: 1.0e-9 });
         assert!((narrow.rate / rate(2.0).rate - 1.0).abs() < 1.0e-7, "{narrow:?}");
+    }
+
+    /// The rate over the same power law from far below is found by quadrature, and what is missing by a closed form.
+    #[test]
+    fn what_is_missing_below_a_power_law_is_the_rate_of_its_part_below() {
+        for (k, theta, beta) in [(2.0, 1.0, 0.4), (3.5, 0.4, 0.2), (1.0, 2.0, 0.8), (2.5, 0.7, 1.5)]
+        {
+            let law = |x: f64| 1.0e-3 * x.powf(-k);
+            let fragility = Lognormal { theta, beta };
+            let whole = curve(law, 1.0e-9, 30.0, 31).rate(&fragility);
+            for first in [0.01, 0.1, 0.7, 3.0, 20.0] {
+                let cut = curve(law, first, 30.0, 5).rate(&fragility);
+                let found = cut.rate + cut.missing_below;
+                assert!((found / whole.rate - 1.0).abs() < 2.0e-7, "{first}: {cut:?} {whole:?}");
+                assert!(first < 0.5 * theta || cut.missing_below > 0.02 * whole.rate, "{cut:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_rate_of_a_whole_curve_is_within_the_bound_of_each_part_of_it() {
+        let points =
+            [(0.5, 0.05), (1.0, 0.02), (2.0, 6e-3), (4.0, 1.2e-3), (8.0, 1.5e-4), (16.0, 1e-5)];
+        let of = |points: &[(f64, f64)]| {
+            let rows: String = points.iter().map(|(x, rate)| format!("{x},{rate}\n")).collect();
+            HazardCurve::parse(&format!("level,rate\n{rows}")).unwrap()
+        };
+        for theta in [0.1, 0.7, 3.0, 12.9, 100.0] {
+            for beta in [0.0, 0.02, 0.4, 0.8, 1.6] {
+                let fragility = Lognormal { theta, beta };
+                let whole = of(&points).rate(&fragility).rate;
+                for from in 0..points.len() - 1 {
+                    let part = of(&points[from..]).rate(&fragility);
+                    assert!(whole <= part.at_most() * (1.0 + 1.0e-12), "{theta} {beta}: {part:?}");
+                }
+            }
+        }
+    }
+
+    /// What is beyond the largest number is no bound, and below no target.
+    #[test]
+    fn a_curve_that_says_nothing_of_what_is_below_has_no_bound_there() {
+        let steep = HazardCurve::parse("level,rate\n1.4,1e-1\n1.4000001,1e-9\n").unwrap();
+        let rate = steep.rate(&Lognormal { theta: 1.4, beta: 0.4 });
+        assert_eq!((rate.missing_below, rate.at_most()), (f64::INFINITY, f64::INFINITY));
+        let flat = HazardCurve::parse("level,rate\n1,1e-3\n2,1e-3\n").unwrap();
+        assert_eq!(flat.rate(&Lognormal { theta: 0.1, beta: 0.4 }).missing_below, 0.0);
     }
 
     #[test]

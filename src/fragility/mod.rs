@@ -43,4 +43,4 @@ pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_error::HazardError;
 pub use interval::Bootstrap;
 pub use request::{FragilityJob, FragilityRequest};
-pub use runs::{RecordRuns, Run};
+pub use runs::{RecordRuns, Run, Stripe};

@@ -2,7 +2,7 @@
 
 use super::estimate::Estimate;
 use super::fit::Lognormal;
-use super::study::Study;
+use super::study::{StateStudy, Study};
 use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::colour::{BLACK, Colour};
 use crate::drawing::error::FigureError;
@@ -39,8 +39,8 @@ pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
     (canvas, top + MARGIN)
 }
 
-/// Draws the curves of a study of one cell: shares of the records at each level, and what the first estimator makes
-/// of them.
+/// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
+/// estimator makes of them.
 pub fn curves(study: &Study, intensity: Intensity) -> String {
     let title = format!("Fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, &title);
@@ -70,18 +70,11 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
                 canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
             }
         }
-        for (k, (of, state)) in one.enumerate() {
-            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for (k, (of, state)) in one.clone().enumerate() {
+            let (colour, _) = COLOURS[k % COLOURS.len()];
             let fit = &of.estimates[0];
             if let Some(theta) = fit.theta {
                 canvas.line(curve(theta, fit.beta.unwrap_or(0.0)), stroke(colour, 1.1));
-            }
-            // Records at their own levels are no shares.
-            if of.counts.iter().any(|(_, records, _)| *records > 1) {
-                for (level, records, failed) in &of.counts {
-                    let share = *failed as f64 / (*records).max(1) as f64;
-                    mark.draw(canvas, frame.at((level.log10(), share)), 1.6, colour);
-                }
             }
             entries.push(entry(
                 Swatch::Line(stroke(colour, 1.1)),
@@ -90,13 +83,29 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
         }
     });
     frame.draw(&mut canvas, BOTH);
+    // Marks lie above the bands and the lines of all limit states, and whole on the frame.
+    for (k, (of, _)) in one.enumerate().filter(|(_, (of, _))| has_shares(of)) {
+        let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for stripe in &of.stripes {
+            let at = frame.at((stripe.level.log10(), stripe.z / stripe.n));
+            mark.draw(&mut canvas, at, 1.6, colour);
+        }
+    }
     let by = study.asked.estimators[0].name();
-    let shares = study.cells[0].states[0].counts.iter().any(|(_, records, _)| *records > 1);
-    let marks = if shares { "Marks: shares of the motions. " } else { "" };
+    let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
+        (false, _) => "",
+        (true, false) => "Marks: shares of the motions. ",
+        (true, true) => "Marks: shares of the motions by weight. ",
+    };
     entries.push(entry(Swatch::None, format!("{marks}Lines by {by}; bands: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 1);
     canvas.finish(end + MARGIN)
+}
+
+/// True where levels have several runs, as stripes: one of a record at its own level is no share.
+fn has_shares(of: &StateStudy) -> bool {
+    of.counts.iter().any(|(_, records, _)| *records > 1)
 }
 
 /// A fit in words, two digits of beta.
@@ -136,24 +145,31 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     let mut entries: Vec<Entry> = Vec::new();
     let place_of = |cell: usize, value: f64| frame.at((axis.values.coordinate(cell as f64), value));
     canvas.clipped(place, |canvas| {
-        for (k, state) in states.iter().enumerate() {
-            let ((colour, band), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for k in 0..states.len() {
+            let (_, band) = COLOURS[k % COLOURS.len()];
             for (cell, fit) in fits(k).enumerate() {
                 if let (Some(low), Some(high)) = (fit.theta_low, fit.theta_high) {
                     canvas.line([place_of(cell, low), place_of(cell, high)], stroke(band, 2.0));
                 }
             }
-            let points: Vec<Option<Point>> = fits(k)
-                .enumerate()
-                .map(|(cell, fit)| fit.theta.map(|theta| place_of(cell, theta)))
-                .collect();
-            for part in points.split(Option::is_none) {
+        }
+        let points = |k: usize| -> Vec<Option<Point>> {
+            let place = |(cell, fit): (usize, &Estimate)| Some(place_of(cell, fit.theta?));
+            fits(k).enumerate().map(place).collect()
+        };
+        for (k, state) in states.iter().enumerate() {
+            let (colour, _) = COLOURS[k % COLOURS.len()];
+            for part in points(k).split(Option::is_none) {
                 canvas.line(part.iter().flatten().copied(), stroke(colour, 0.9));
             }
-            for point in points.iter().flatten() {
-                mark.draw(canvas, *point, 1.4, colour);
-            }
             entries.push(entry(Swatch::Line(stroke(colour, 0.9)), state.words()));
+        }
+        // Marks lie above the bars and the lines of all limit states.
+        for k in 0..states.len() {
+            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+            for point in points(k).into_iter().flatten() {
+                mark.draw(canvas, point, 1.4, colour);
+            }
         }
     });
     frame.draw(&mut canvas, BOTH);
@@ -164,8 +180,8 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     canvas.finish(end + MARGIN)
 }
 
-/// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates whose line
-/// is drawn, cell by cell, none where they are not known.
+/// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates, with
+/// all that may be missing, whose line is drawn, cell by cell, none where they are not known.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -197,8 +213,10 @@ pub fn maps(
         let frame = Frame::new(place, Axis::of(Some(grid.x())), Axis::of(grid.y()));
         paint(&mut canvas, grid, values, &shades, &frame)?;
         if let Some((rates, target)) = target {
-            let logarithms: Vec<Option<f64>> =
-                rates.iter().map(|rate| rate.map(|rate| rate.max(1.0e-300).ln())).collect();
+            let logarithms: Vec<Option<f64>> = rates
+                .iter()
+                .map(|rate| rate.map(|rate| rate.clamp(1.0e-300, 1.0e300).ln()))
+                .collect();
             let lines = crate::map::boundaries::contours(grid, &logarithms, &[target.ln()]);
             canvas.clipped(place, |canvas| {
                 for line in lines.iter().flatten() {
@@ -215,7 +233,7 @@ pub fn maps(
         entries.push(entry(Swatch::Fill([255, 255, 255]), text));
     }
     if let Some((_, target)) = target {
-        let text = format!("annual rate of {target}");
+        let text = format!("annual rate of {target} at most");
         entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
     }
     let by = study.asked.estimators[0].name();

@@ -58,8 +58,8 @@ pub struct FragilityRequest {
     pub estimators: Vec<Estimator>,
     /// Sets of records that are drawn for the intervals; 1000 of a few cells and 100 of many without it.
     pub bootstrap: Option<u32>,
-    /// Seed of what is drawn.
-    pub seed: u64,
+    /// Seed of what is drawn: of the sets of records, and of the points of numbers that are not known.
+    pub seed: u32,
     /// Numbers that are not known.
     pub vary: Vec<Varied>,
     /// Points N that are drawn of k of these: N (k + 2) are run.
@@ -178,7 +178,8 @@ impl FragilityRequest {
         }
         let sweep = self.suite.open_under(motions)?;
         let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
-        let bootstrap = Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed };
+        let bootstrap =
+            Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
         let (states, estimators) = (self.limit_states(), self.estimators());
         let asked = Asked { levels: own, times, drawn, unknown, states, estimators, bootstrap };
         Ok(FragilityJob { sweep, asked })
@@ -205,7 +206,7 @@ impl FragilityRequest {
         if self.vary.is_empty() {
             return Ok(None);
         }
-        let unknown = Unknown::of(self.vary.clone(), self.samples as usize, self.seed as u32);
+        let unknown = Unknown::of(self.vary.clone(), self.samples as usize, self.seed);
         let ensemble = Ensemble::of(scene, &self.vary, self.suite.scene.force)?;
         let points: Vec<Vec<f64>> = unknown.design.rows().cloned().collect();
         let _checked = ensemble.scenes(&points)?;

@@ -6,7 +6,7 @@ use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
 use super::interval::Bootstrap;
 use super::limit_state::LimitState;
-use super::runs::{RecordRuns, Run};
+use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::shaken::Shaken;
 use crate::suites::swept::SuiteSweep;
@@ -61,6 +61,8 @@ pub struct CellStudy {
 pub struct StateStudy {
     /// Levels by ascending value: how many runs there are at each, and how many of them exceed the state.
     pub counts: Vec<(f64, usize, usize)>,
+    /// The same with the weights of the records, as they are fitted.
+    pub stripes: Vec<Stripe>,
     /// What each estimator says.
     pub estimates: Vec<Estimate>,
     /// What is not known, where numbers vary.
@@ -83,7 +85,13 @@ impl Study {
                 let estimates = asked.estimators.iter().map(by).collect();
                 let unknown = asked.unknown.as_ref();
                 let sensitivity = unknown.map(|unknown| unknown.sensitivity(&shaken, *state, cell));
-                states.push(StateStudy { counts: counts(&records), estimates, sensitivity });
+                let stripes = Pool::of(&records, |run| run.failed).stripes(None);
+                states.push(StateStudy {
+                    counts: counts(&records),
+                    stripes,
+                    estimates,
+                    sensitivity,
+                });
                 observer.advance(1);
             }
             let overturning = shaken.records(LimitState::Overturning, cell, 0..asked.drawn);
@@ -97,6 +105,11 @@ impl Study {
         let all = (0..sweep.grid.len()).into_par_iter().map(cell);
         let cells = on(|| all.collect::<Option<Vec<_>>>())?;
         Some(Study { sweep, asked, cells })
+    }
+
+    /// True where records count differently.
+    pub fn is_weighted(&self) -> bool {
+        self.sweep.motions.windows(2).any(|pair| pair[0].weight != pair[1].weight)
     }
 
     /// The ids of the records.

@@ -45,7 +45,7 @@ pub const CAPACITIES: [TableColumn; 4] = [
     RECORD,
     measure("lowest", "lowest level at which the motion overturns the block"),
     measure("highest", "highest level at which it does"),
-    number("stands_again", "1", "1 where the block stands at a level between"),
+    number("stands_again", "1", "1 where the block stands at a level above the lowest"),
 ];
 
 /// Those of sensitivity.csv.
@@ -64,11 +64,24 @@ pub const SENSITIVITY: [TableColumn; 8] = [
 pub const POINTS: [TableColumn; 3] = [STATE, THETA, BETA];
 
 /// Those of rates.csv.
-pub const RATES: [TableColumn; 6] = [
+pub const RATES: [TableColumn; 7] = [
     STATE,
     ESTIMATOR,
-    number("rate", "1/year", "annual rate at which the limit state is exceeded"),
-    number("in_50_years", "1", "probability that it is exceeded in 50 years"),
+    number(
+        "rate",
+        "1/year",
+        "annual rate at which motions between the first and the last level of the hazard curve exceed the limit state",
+    ),
+    number("in_50_years", "1", "probability that they exceed it in 50 years"),
     number("missing_above", "1/year", "rate of motions above the last level of the hazard curve"),
-    number("below_target", "1", "1 where the rate is below the target"),
+    number(
+        "below_target",
+        "1",
+        "1 where the rate is not above the target, missing_above and missing_below added",
+    ),
+    number(
+        "missing_below",
+        "1/year",
+        "largest rate of failures below the first level, the hazard curve no steeper there than between its first two",
+    ),
 ];

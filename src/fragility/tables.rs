@@ -121,7 +121,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 }
 
 /// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
-/// stands at one between.
+/// stands at a level above the lowest.
 ///
 /// # Errors
 /// Those of the writer.
@@ -186,9 +186,9 @@ pub fn rate(fit: &Estimate, hazard: &HazardCurve) -> Option<AnnualRate> {
     Some(hazard.rate(&Lognormal { theta: fit.theta?, beta }))
 }
 
-/// True where a rate is below a target, motions above the curve's last level counted as if all of them failed.
+/// True where a rate is below a target with all that may be missing at the ends of the curve.
 pub fn is_below(rate: &AnnualRate, target: f64) -> bool {
-    rate.rate + rate.missing_above <= target
+    rate.at_most() <= target
 }
 
 /// Writes rates.csv: the annual rate of each limit state over a hazard curve, and its probability in 50 years.
@@ -210,7 +210,8 @@ pub fn write_rates(
             rate.map(|rate| rate.missing_above),
         ];
         let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
-        table.row(cell, (state, name, numbers.map(known), below))?;
+        let missing_below = known(rate.map(|rate| rate.missing_below));
+        table.row(cell, (state, name, numbers.map(known), below, missing_below))?;
     }
     table.end()
 }

@@ -246,7 +246,7 @@ impl Refiner<'_> {
         let share = |found: usize| match left.count {
             // What was run is known.
             count if count == probes.len() => found as f64 / count.max(1) as f64,
-            _ => share_at_most(found, probes.len()),
+            _ => share_at_most(found, probes.len(), ROUNDS),
         };
         let round = ProbeRound {
             left_alone: left.count,

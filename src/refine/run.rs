@@ -78,7 +78,8 @@ pub fn refine_on(
     let saved_in = map.saved_in();
     let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth, rounds, saved_in };
     refiner.begin(map)?;
-    let mut random = Pcg64Mcg::new(u128::from(settings.seed) | 1 << 64 | 1);
+    // The generator sets the last bit: the seed stands above it, so that each has a sequence of its own.
+    let mut random = Pcg64Mcg::new((1 << 64) ^ (u128::from(settings.seed) << 1));
     let mut levels = Vec::new();
     for level in 0..settings.levels {
         levels.push(refiner.level(level, settings.probes, &mut random)?);

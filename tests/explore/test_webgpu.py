@@ -340,7 +340,7 @@ def test_probes_find_what_the_coarser_picture_has_missed(page):
         stripe: await refined((x) => Number(x === 61)),
         plain: await refined(() => 0),
         strata,
-        shares: [shareAtMost(0, 500), shareAtMost(3, 500), shareAtMost(5, 5)],
+        shares: [shareAtMost(0, 500, 1), shareAtMost(3, 500, 1), shareAtMost(5, 5, 1), shareAtMost(0, 500, 4)],
       };
     }""")
     plain, stripe = told["plain"], told["stripe"]
@@ -348,8 +348,10 @@ def test_probes_find_what_the_coarser_picture_has_missed(page):
     assert plain["probes"]["probes"] == plain["cells"] == 500 and plain["probes"]["missed"] == 0
     assert plain["cells"] == plain["ran"] and plain["alone"] == 121 * 121 - 61 * 61 - 500
     assert stripe["cells"] == stripe["ran"] > 500 and stripe["found"] > 60
-    # Clopper and Pearson's one-sided limit at 95 %.
-    assert told["shares"] == pytest.approx([0.0059736, 0.0154337, 1.0], rel=1e-3)
+    # Clopper and Pearson's one-sided limit at 95 %, of one draw and of the last of up to four.
+    assert told["shares"] == pytest.approx([0.0059736, 0.0154337, 1.0, 0.0087258], rel=1e-3)
+    # The page makes up to four draws.
+    assert plain["probes"]["share_missed_at_most"] == pytest.approx(0.0087258, rel=1e-3)
 
 
 def test_a_newer_view_and_an_aborted_one_end(page):

@@ -60,13 +60,14 @@ function atMost(found, many, share) {
   return sum;
 }
 
-// The largest share of which a sample of `many` has `found` or fewer with a chance of 5 %. Twin: src/refine/bound.rs.
-export function shareAtMost(found, many) {
+// The largest share of which a sample of `many` has `found` or fewer with a chance of 5 % over `draws`, the most that are made.
+// Twin: src/refine/bound.rs.
+export function shareAtMost(found, many, draws) {
   if (found >= many) return 1;
   let [low, high] = [found / many, 1];
   for (let round = 0; round < 60; round += 1) {
     const middle = 0.5 * (low + high);
-    if (atMost(found, many, middle) > 0.05) low = middle;
+    if (atMost(found, many, middle) > 0.05 / draws) low = middle;
     else high = middle;
   }
   return high;
@@ -148,7 +149,7 @@ export class Refinement {
     const missed = probes.filter((cell, k) => fine.arrays.kind[cell] !== taken[k]);
     const [of, found] = [probes.length, missed.length];
     // What was run is known.
-    const share = of === alone.length ? found / Math.max(of, 1) : shareAtMost(found, of);
+    const share = of === alone.length ? found / Math.max(of, 1) : shareAtMost(found, of, PROBE_ROUNDS);
     return { told: { probes: of, missed: found, share_missed_at_most: share }, missed };
   }
 
