@@ -58,6 +58,9 @@ pub fn lock(folder: &Path, place: &Path, holds: Holds) -> Result<Lock, StoreErro
         match locked {
             Ok(()) if !is_at(&file, &path).map_err(failed)? => {}
             Err(TryLockError::WouldBlock) => {}
+            // On a network's disk another machine has just taken it away.
+            Err(TryLockError::Error(reason))
+                if reason.kind() == ErrorKind::StaleNetworkFileHandle => {}
             // A file system that knows no locks, as some of clusters do, is used without; parts of a suite, of which each
             // file is one's own, are on any.
             Err(TryLockError::Error(reason))

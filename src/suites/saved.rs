@@ -60,8 +60,11 @@ impl SavedMotions {
     /// disk.
     pub(super) fn lock(folder: &Path, holds: Holds) -> Result<SavedMotions, StoreError> {
         let place = folder.parent().unwrap_or(folder);
-        Directory::open(place)?;
+        let directory = Directory::open(place)?;
         let lock = lock(folder, place, holds)?;
+        if holds == Holds::Alone {
+            directory.remove_leftovers(&[])?;
+        }
         let foreign = own::foreign(folder, Kind::Motions).map_err(StoreError::file(folder))?;
         match foreign {
             Some(path) if names(folder).is_empty() => Err(WriteError::Foreign(path).into()),
