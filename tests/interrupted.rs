@@ -442,6 +442,46 @@ fn no_run_takes_away_what_another_saves() {
     assert!(!files(out.path()).keys().any(hidden), "a lock is left");
 }
 
+/// Many files, which take their time to be removed.
+fn fill(folder: &Path) {
+    fs::create_dir_all(folder.join("zeta/c/7")).unwrap();
+    (0..3000).for_each(|k| fs::write(folder.join(format!("zeta/c/7/{k}")), "").unwrap());
+}
+
+/// Whoever gets the lock finds nothing that is still being removed.
+#[test]
+fn a_lock_is_held_until_all_is_removed() {
+    for (publishes, with_a_file_of_mine) in [(false, false), (false, true), (true, false)] {
+        let out = TempDir::new().unwrap();
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+        save(&store, 1);
+        fill(&out.path().join(if publishes { "map.zarr" } else { "unfinished" }));
+        if with_a_file_of_mine {
+            fs::write(out.path().join("unfinished/thesis"), "mine").unwrap();
+        }
+        let lock = out.path().join(".topple-unfinished.lock");
+        // Nobody holds what has no name any more.
+        let is_free = || {
+            let lock = fs::OpenOptions::new().write(true).open(&lock);
+            lock.map_or(true, |lock| lock.try_lock().is_ok())
+        };
+        let going = ["unfinished/zeta", ".topple-unfinished.old", ".topple-map.zarr.old"];
+        let is_gone = || going.iter().all(|name| !out.path().join(name).exists());
+        assert!(!is_free());
+        std::thread::scope(|scope| {
+            let waits = scope.spawn(|| {
+                while !is_free() {}
+                is_gone()
+            });
+            match publishes {
+                true => store.publish(&out.path().join("map.zarr")).unwrap(),
+                false => store.discard().unwrap(),
+            }
+            assert!(waits.join().unwrap(), "{publishes}, {with_a_file_of_mine}");
+        });
+    }
+}
+
 /// A map takes the place of the one before as a whole, its documents made anew.
 #[test]
 fn a_published_map_replaces_the_one_before() {
