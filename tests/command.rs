@@ -161,7 +161,7 @@ fn a_directory_tells_one_story() {
     assert!(told.contains("a map runs in "), "{told}");
     assert_eq!(names(begun.path()), ["unfinished"]);
 
-    // Another's run.json, and one that names files elsewhere, do no harm.
+    // One that names files elsewhere does no harm.
     let elsewhere = TempDir::new().unwrap();
     let precious = elsewhere.path().join("precious");
     fs::write(&precious, "mine").unwrap();
@@ -170,19 +170,25 @@ fn a_directory_tells_one_story() {
     let ours = serde_json::json!({
         "kind": "map", "version": "0.1.0", "files": [precious, "../x", "..", "", "notes.txt", "photos.png"]
     });
+    mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
+    fs::write(out.path().join("run.json"), ours.to_string()).unwrap();
+    assert_eq!(again(&small).0, 0);
+    assert!(mine.iter().all(|path| path.exists()));
+    // Another's is not ours to replace.
     let theirs = serde_json::json!({ "files": ["data.csv"], "experiment": 7 });
-    for text in [ours.to_string(), theirs.to_string(), "no JSON".into(), "[1]".into()] {
-        mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
-        fs::write(out.path().join("run.json"), text).unwrap();
-        assert_eq!(again(&small).0, 0);
-        assert!(mine.iter().all(|path| path.exists()));
+    for text in [theirs.to_string(), "no JSON".into(), "[1]".into()] {
+        fs::write(out.path().join("run.json"), &text).unwrap();
+        let (status, _, told) = again(&small);
+        assert_eq!(status, 2, "{told}");
+        assert!(told.contains("run.json was written by no run and is in the way"), "{told}");
+        assert_eq!(fs::read_to_string(out.path().join("run.json")).unwrap(), text);
     }
     assert!(precious.exists() && out.path().join("photos.png").exists());
     // A folder of that name is nothing that a run has written.
     fs::remove_file(out.path().join("run.json")).unwrap();
     fs::create_dir(out.path().join("run.json")).unwrap();
     fs::write(out.path().join("run.json/precious"), "mine").unwrap();
-    assert_eq!(again(&small).0, 1);
+    assert_eq!(again(&small).0, 2);
     assert!(out.path().join("run.json/precious").exists());
 }
 

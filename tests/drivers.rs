@@ -119,6 +119,27 @@ fn a_card_that_gives_no_device_is_passed_over() {
     }
 }
 
+/// A driver that two manifests name shows its device twice, which is one device all the same.
+#[test]
+fn an_adapter_that_two_manifests_name_counts_once() {
+    let test = "an_adapter_that_two_manifests_name_counts_once";
+    let Some(software) = manifest("lvp") else {
+        say(&format!("{test}: SKIPPED, Mesa's software driver is not installed"));
+        return;
+    };
+    let dir = TempDir::new().unwrap();
+    let twin = dir.path().join("twice.json");
+    fs::copy(&software, &twin).unwrap();
+    let both = std::env::join_paths([&software, &twin]).unwrap();
+    let ran = |mut command: Command| {
+        command.env("VK_DRIVER_FILES", &both).env("VK_ICD_FILENAMES", &both).output().unwrap()
+    };
+    let listed = String::from_utf8(ran(adapters()).stdout).unwrap();
+    assert_eq!(listed.lines().filter(|line| line.contains("llvmpipe")).count(), 1, "{listed}");
+    let second = ran(pulse(&dir.path().join("out"), &["--backend", "gpu", "--adapter", "1"]));
+    assert_eq!(second.status.code(), Some(2), "{}", stderr(&second));
+}
+
 /// A driver's file in the usual place.
 fn manifest(driver: &str) -> Option<PathBuf> {
     let files = fs::read_dir("/usr/share/vulkan/icd.d").ok()?;

@@ -9,6 +9,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use common::{object, say};
@@ -18,6 +19,7 @@ use topple::results::about::Source;
 use topple::results::block::Block;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::columns::Column;
+use topple::results::files::WriteError;
 use topple::results::reader::{PartFolder, TileReader, missing};
 use topple::results::saved_tiles::SavedTiles;
 use topple::results::store::{Contents, Store};
@@ -247,13 +249,20 @@ fn outcomes_are_read_across_tiles() {
 #[test]
 fn leftovers_are_removed() {
     let out = TempDir::new().unwrap();
-    fs::write(out.path().join(".topple-map.csv.abcdef"), "half a map").unwrap();
-    fs::write(out.path().join(".mine"), "not ours").unwrap();
+    fs::write(out.path().join(".topple-map.csv.aB3xY9.part"), "half a map").unwrap();
+    for folder in ["map.zarr.old", "leaves.zarr.new", "unfinished.old"] {
+        let folder = out.path().join(format!(".topple-{folder}"));
+        fs::create_dir_all(folder.join("zeta/c/0")).unwrap();
+        fs::write(folder.join("zeta/c/0/0"), "half a tile").unwrap();
+    }
+    let mine = [".mine", ".topple-notes", ".topple-thesis.backup", ".topple-unfinished.new"];
+    mine.iter().for_each(|name| fs::write(out.path().join(name), "not ours").unwrap());
     let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
     store.discard().unwrap();
     let entries = fs::read_dir(out.path()).unwrap();
-    let names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
-    assert_eq!(names, [".mine"]);
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, mine);
 }
 
 /// A tile of which one file is damaged, gone or another run's is run again, the others are not.
@@ -315,21 +324,162 @@ fn a_chunk_of_another_length_is_refused() {
     assert!(decode_all((4, 5), Precision::F64, chunk).unwrap().is_none());
 }
 
-/// What has no identity is no run's: it goes, and is not mixed with the next one's.
+/// What has no identity is no run's, be it the copy of a map: it stays, and is not mixed with a run's.
 #[test]
-fn a_folder_without_an_identity_is_cleared() {
+fn a_folder_without_an_identity_is_refused_and_stays() {
     let out = TempDir::new().unwrap();
     let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
     save(&store, 0);
     drop(store);
-    fs::remove_file(out.path().join("unfinished/identity.json")).unwrap();
-    let (store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
-    assert!(found.tiles.is_empty() && !out.path().join("unfinished/zeta").exists());
-    save(&store, 0);
-    drop(store);
+    let identity = out.path().join("unfinished/identity.json");
+    let text = fs::read(&identity).unwrap();
+    fs::remove_file(&identity).unwrap();
+    let before = files(out.path());
+    for resume in [false, true] {
+        let error = open(out.path(), &scene(0.2), Precision::F32, resume).unwrap_err();
+        assert!(matches!(error, StoreError::Write(WriteError::Foreign(_))), "{error}");
+        assert_eq!(files(out.path()), before);
+    }
+    fs::write(&identity, text).unwrap();
+    open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
     fs::write(out.path().join("unfinished/identity.json"), [0xff, 0x7b]).unwrap();
     let error = open(out.path(), &scene(0.2), Precision::F32, true).unwrap_err().to_string();
     assert!(error.contains("its identity cannot be read") && error.len() < 300, "{error}");
+}
+
+/// All files of a folder.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        match entry.file_type().unwrap().is_dir() {
+            true => found.extend(
+                files(&entry.path())
+                    .into_iter()
+                    .map(|(within, bytes)| (format!("{name}/{within}"), bytes)),
+            ),
+            false => {
+                found.insert(name, fs::read(entry.path()).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// A file that somebody put into a run's folder is there when the run has taken its own away.
+#[test]
+fn what_somebody_else_put_into_a_runs_folder_stays() {
+    let mine = ["unfinished/thesis", "unfinished/zeta/notes", "unfinished/lists-9x9/mine"];
+    let out = TempDir::new().unwrap();
+    let begun = || {
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
+        save(&store, 0);
+        for name in mine {
+            let path = out.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, name).unwrap();
+        }
+        store
+    };
+    let left: BTreeMap<String, Vec<u8>> =
+        mine.iter().map(|name| ((*name).into(), name.as_bytes().to_vec())).collect();
+    begun().discard().unwrap();
+    assert_eq!(files(out.path()), left);
+    // Now it is in the way of the next run.
+    let error = open(out.path(), &scene(0.2), Precision::F32, true).unwrap_err();
+    assert!(error.to_string().contains("was written by no run and is in the way"), "{error}");
+    assert_eq!(files(out.path()), left);
+    fs::remove_dir_all(out.path().join("unfinished")).unwrap();
+    // It goes along with the map that the folder becomes, and a map that has it is not replaced.
+    let place = out.path().join("map.zarr");
+    begun().publish(&place).unwrap();
+    for name in mine {
+        let path = place.join(name.strip_prefix("unfinished/").unwrap());
+        assert_eq!(fs::read_to_string(path).unwrap(), name);
+    }
+    let before = files(&place);
+    let (store, _) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
+    save(&store, 0);
+    let error = store.publish(&place).unwrap_err();
+    assert!(matches!(error, StoreError::Write(WriteError::Foreign(_))), "{error}");
+    assert_eq!(files(&place), before);
+    assert!(out.path().join("unfinished/status/c/0/0").exists(), "what was saved still is");
+}
+
+/// A run has its folder until it is gone: of several that begin and end there none loses what it saved.
+#[test]
+fn no_run_takes_away_what_another_saves() {
+    let out = TempDir::new().unwrap();
+    let scene = scene(0.2);
+    let running = AtomicUsize::new(0);
+    let run = &|number: usize| {
+        let mut ended = 0;
+        while ended < 6 {
+            let store = match open(out.path(), &scene, Precision::F32, true) {
+                Ok((store, _)) => store,
+                Err(StoreError::InUse(_)) => continue,
+                Err(error) => panic!("{error}"),
+            };
+            assert_eq!(running.fetch_add(1, Ordering::SeqCst), 0, "two runs in a folder");
+            save(&store, 1);
+            assert!(store.is_used() && store.read(1).is_ok(), "what was saved is gone");
+            running.fetch_sub(1, Ordering::SeqCst);
+            match ended % 3 {
+                0 => store.discard().unwrap(),
+                1 => store.publish(&out.path().join(format!("map-{number}"))).unwrap(),
+                _ => drop(store),
+            }
+            ended += 1;
+        }
+    };
+    std::thread::scope(|scope| {
+        for number in 0..3 {
+            scope.spawn(move || run(number));
+        }
+    });
+    let hidden = |name: &String| name.starts_with('.');
+    assert!(!files(out.path()).keys().any(hidden), "a lock is left");
+}
+
+/// Many files, which take their time to be removed.
+fn fill(folder: &Path) {
+    fs::create_dir_all(folder.join("zeta/c/7")).unwrap();
+    (0..3000).for_each(|k| fs::write(folder.join(format!("zeta/c/7/{k}")), "").unwrap());
+}
+
+/// Whoever gets the lock finds nothing that is still being removed.
+#[test]
+fn a_lock_is_held_until_all_is_removed() {
+    for (publishes, with_a_file_of_mine) in [(false, false), (false, true), (true, false)] {
+        let out = TempDir::new().unwrap();
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+        save(&store, 1);
+        fill(&out.path().join(if publishes { "map.zarr" } else { "unfinished" }));
+        if with_a_file_of_mine {
+            fs::write(out.path().join("unfinished/thesis"), "mine").unwrap();
+        }
+        let lock = out.path().join(".topple-unfinished.lock");
+        // Nobody holds what has no name any more.
+        let is_free = || {
+            let lock = fs::OpenOptions::new().write(true).open(&lock);
+            lock.map_or(true, |lock| lock.try_lock().is_ok())
+        };
+        let going = ["unfinished/zeta", ".topple-unfinished.old", ".topple-map.zarr.old"];
+        let is_gone = || going.iter().all(|name| !out.path().join(name).exists());
+        assert!(!is_free());
+        std::thread::scope(|scope| {
+            let waits = scope.spawn(|| {
+                while !is_free() {}
+                is_gone()
+            });
+            match publishes {
+                true => store.publish(&out.path().join("map.zarr")).unwrap(),
+                false => store.discard().unwrap(),
+            }
+            assert!(waits.join().unwrap(), "{publishes}, {with_a_file_of_mine}");
+        });
+    }
 }
 
 /// A map takes the place of the one before as a whole, its documents made anew.
@@ -337,8 +487,8 @@ fn a_folder_without_an_identity_is_cleared() {
 fn a_published_map_replaces_the_one_before() {
     let out = TempDir::new().unwrap();
     let place = out.path().join("map.zarr");
-    fs::create_dir(&place).unwrap();
-    fs::write(place.join("old"), "").unwrap();
+    fs::create_dir_all(place.join("max_v/c/9")).unwrap();
+    fs::write(place.join("max_v/c/9/9"), "").unwrap();
     let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
     save(&store, 0);
     for name in ["zarr.json", "zeta/zarr.json", "omega/c/0"] {
@@ -350,7 +500,7 @@ fn a_published_map_replaces_the_one_before() {
     for name in ["zarr.json", "zeta/zarr.json", "omega/c/0", "status/c/0/0"] {
         assert!(place.join(name).exists(), "{name}");
     }
-    for name in ["old", "identity.json", "lock"] {
+    for name in ["max_v/c/9", "identity.json"] {
         assert!(!place.join(name).exists(), "{name}");
     }
 }

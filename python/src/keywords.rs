@@ -10,6 +10,7 @@ use serde_json::{Map, Value, json};
 use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
+use topple::scene::path_text::PathText;
 use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
 use topple::sweep::threads::{Threads, too_many};
@@ -200,7 +201,7 @@ fn word(section: Section, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value
         "object" => json!(taken::<u32>(key, value, "the number of a block, from 1 on")?),
         "force" => json!(taken::<bool>(key, value, "True or False")?),
         "dt" => json!(taken::<f64>(key, value, "a number of seconds")?),
-        "horizontal" | "vertical" => json!(taken::<PathBuf>(key, value, "a path")?),
+        "horizontal" | "vertical" => json!(PathText(taken(key, value, "a path")?)),
         _ => json!(taken::<String>(key, value, "a word")?),
     };
     let alone = json!({ section.key(): { key: &word } });
@@ -264,12 +265,14 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
                 false => VerifySettings::cells(taken(key, value, "a number of cells")?),
             };
         }
-        "out" => saving(settings).directory = PathBuf::from(text()?),
+        "out" => saving(settings).directory = taken(key, value, "a path")?,
         "resume" => saving(settings).resume = taken(key, value, "True or False")?,
-        _ => {
+        "tile" => {
             let part = text()?.parse().map_err(|error| named(&error))?;
             saving(settings).part = Some(part);
         }
+        // One of `SETTINGS` that has no case here.
+        _ => return Err(of_keyword(key, "not read; this is a mistake in topple")),
     }
     Ok(())
 }

@@ -4,13 +4,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use numpy::PyArray1;
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyDictMethods};
 use serde_json::{Map, Value, json};
 use topple::refine::run as refine;
 use topple::results::block::Block;
 use topple::results::columns::status_code;
+use topple::results::files;
 use topple::results::listed::{CELL, CountColumn};
+use topple::results::own;
 use topple::results::sharpness::Sharpness;
 use topple::sweep::parts::Parts;
 use topple::{
@@ -66,6 +69,9 @@ pub fn sweep<'py>(
             return Err(of_keyword("out", "missing; resume and tile need a directory"));
         }
         fs::create_dir_all(&saving.directory)?;
+        if !part {
+            free(&saving.directory)?;
+        }
     }
     let saved = settings.saving.as_ref().map(|saving| saving.directory.clone());
     let ran = watch::run(py, progress, &request.threads, |watch| {
@@ -108,7 +114,8 @@ pub fn merge<'py>(
     let Request { settings, threads, .. } = Request::of(keywords, &own())?;
     let sharpness = sharpness(keywords, &settings)?;
     let out = settings.saving.as_ref().map(|saving| saving.directory.as_path());
-    out.map(fs::create_dir_all).transpose()?;
+    out.map(|out| fs::create_dir_all(out).map_err(PyErr::from).and_then(|()| free(out)))
+        .transpose()?;
     let joined = watch::run(py, progress, &threads, |watch| {
         let parts = Parts::join(&parts, watch)?;
         let store = out.map(|out| parts.store(out)).transpose()?;
@@ -116,6 +123,12 @@ pub fn merge<'py>(
         finish(MapSweep::of_parts(parts, store)?, &to, watch)
     })?;
     returned(py, joined.map_err(of_sweep)?)
+}
+
+/// Refuses a directory in which something that no run wrote has the place of the map.
+fn free(directory: &Path) -> PyResult<()> {
+    let place = files::free(&directory.join(own::MAP));
+    place.map_err(|error| PyOSError::new_err(error.to_string()))
 }
 
 /// A map as Python gets it.
@@ -186,7 +199,7 @@ fn finish(mut map: MapSweep, to: &Finish, watch: &Watch) -> Result<Arrays, Sweep
     let about = Value::Object(about).to_string();
     let columns = match to.saved {
         Some(folder) => {
-            map.publish(&folder.join("map.zarr"), watch)?;
+            map.publish(&folder.join(own::MAP), watch)?;
             None
         }
         None => Some(map.into_columns()?),

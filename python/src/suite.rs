@@ -27,8 +27,7 @@ use crate::watch;
 
 /// Reads a suite: `(table, about)`, CSV and JSON.
 #[pyfunction]
-pub fn suite(py: Python<'_>, path: &str, strict: bool) -> PyResult<(String, String)> {
-    let path = PathBuf::from(path);
+pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, String)> {
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
     let table = text(|w| table::write(&suite.map_err(of_suite)?, w).map_err(PyErr::from))?;
     let about = json!({
@@ -86,7 +85,7 @@ pub fn envelope<'py>(
         Ok(request.settings.part.is_none().then(|| Envelope::of(swept, limits)))
     };
     let envelope = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
-    let Some(envelope) = envelope else { return Ok((None, None)) };
+    let Some(mut envelope) = envelope else { return Ok((None, None)) };
     let tables = PyDict::new(py);
     tables.set_item("envelope", text(|w| Ok(envelope_tables::write(&envelope, w)?))?)?;
     tables.set_item("zeta", text(|w| Ok(envelope_tables::write_zeta(&envelope, w)?))?)?;
@@ -94,7 +93,7 @@ pub fn envelope<'py>(
     let columns = [&envelope_tables::COLUMNS[..], &envelope_tables::ZETA_COLUMNS].concat();
     about["columns"] = described(&columns, "");
     about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
-    discard(&request)?;
+    envelope.sweep.discard_saved()?;
     Ok((Some(tables), Some(about.to_string())))
 }
 
@@ -158,7 +157,7 @@ pub fn fragility<'py>(
         FragilityJob { sweep, asked }.run(watch).map(Some)
     };
     let study = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
-    let Some(study) = study else { return Ok((None, None)) };
+    let Some(mut study) = study else { return Ok((None, None)) };
     let tables = PyDict::new(py);
     let add = |name: &str, written: PyResult<String>| tables.set_item(name, written?);
 
@@ -185,7 +184,7 @@ pub fn fragility<'py>(
     about["im_units"] = json!(request.im.unit());
     let all = [COUNTS.as_slice(), &FITS, &CAPACITIES, &SENSITIVITY, &RATES].concat();
     about["columns"] = described(&all, request.im.unit());
-    discard(&request.suite)?;
+    study.sweep.discard_saved()?;
     Ok((Some(tables), Some(about.to_string())))
 }
 
@@ -199,11 +198,10 @@ struct Asked {
 
 /// The suite and the request of keywords.
 fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Asked> {
-    let path: String = keywords
+    let path = keywords
         .get_item("suite")?
-        .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?
-        .str()?
-        .to_string();
+        .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?;
+    let path: PathBuf = taken("suite", &path, "a path")?;
     let strict = given(keywords, "strict", "True or False")?.unwrap_or(false);
     let Request { scene, settings, threads, .. } = Request::of(keywords, others)?;
     settings.method.check_step(scene.force).map_err(of_scene)?;
@@ -223,7 +221,6 @@ fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyRes
     request.settings.saving = saving.map(|saving| saved::folder(&saving.directory));
     request.settings.part = saving.and_then(|saving| saving.part);
     request.settings.run = settings;
-    let path = PathBuf::from(path);
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
     Ok(Asked { suite: suite.map_err(of_suite)?, request, threads, resume })
 }
@@ -261,14 +258,6 @@ fn described(columns: &[TableColumn], of_measure: &str) -> Value {
         (column.name.to_string(), json!({ "unit": unit, "meaning": column.meaning }))
     };
     Value::Object(columns.iter().map(one).collect())
-}
-
-/// Takes away what was saved while it ran, when all of it is at hand.
-fn discard(request: &SuiteRequest) -> PyResult<()> {
-    match (&request.settings.run.saving, request.settings.part) {
-        (Some(saving), None) => Ok(saved::discard(&saving.directory)?),
-        _ => Ok(()),
-    }
 }
 
 /// What a sweep was.

@@ -82,7 +82,7 @@ impl EnvelopeCommand {
             return Ok(());
         };
         let out = output::open(&options.out)?;
-        let envelope = Envelope::of(swept, limits);
+        let mut envelope = Envelope::of(swept, limits);
         let swept = &envelope.sweep;
         let title = format!("Envelope of {} motions", swept.motions.len());
         let mut files = vec!["envelope.csv".to_string()];
@@ -114,7 +114,7 @@ impl EnvelopeCommand {
         output::write_json(&out, &manifest)?;
         tell(&envelope, &best, &say);
         suite_run::tell_verified(swept, &say);
-        self.motions.finish(options)?;
+        envelope.sweep.discard_saved()?;
         if svg.is_some() {
             say.line("picture", out.file("envelope.png").display());
         }

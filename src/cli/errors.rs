@@ -25,6 +25,14 @@ pub fn not_exported() -> anyhow::Error {
     Interrupted("cancelled; no page was written".into()).into()
 }
 
+/// An error of a figure's sweep: the figures before it are written.
+pub fn of_figure(error: SweepError) -> anyhow::Error {
+    match error.is_cancelled() {
+        true => Interrupted("cancelled; the figures before this one are written".into()).into(),
+        false => sweep_error(error),
+    }
+}
+
 /// An error of a sweep: bad input names the flag at fault.
 pub fn sweep_error(error: SweepError) -> anyhow::Error {
     let problem = match &error {

@@ -8,6 +8,7 @@ use topple::explore::records::Records;
 use topple::explore::server::Server;
 use topple::explore::session::{Session, Settings};
 use topple::explore::start;
+use topple::results::files::WriteError;
 use topple::scene::builder::SceneBuilder;
 use topple::sweep::request::BackendRequest;
 
@@ -88,7 +89,9 @@ impl ExploreCommand {
 /// Writes the page of a session to a folder.
 fn write(folder: &Path, session: &Session) -> anyhow::Result<()> {
     let bytes = export(folder, session, interrupt::flag()).map_err(|error| match error {
-        ExportError::Occupied(_) => InputError(format!("--export: {error}")).into(),
+        ExportError::Occupied(_) | ExportError::Write(WriteError::Directory { .. }) => {
+            InputError(format!("--export: {error}")).into()
+        }
         ExportError::Refused(refused) if refused.cancelled => not_exported(),
         error => anyhow::Error::from(error),
     })?;

@@ -11,7 +11,7 @@ use topple::fragility::request::{MANY, SAMPLES};
 use topple::fragility::study::Study;
 use topple::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, picture, tables};
 use topple::map::earlier::Kind;
-use topple::scene::Values;
+use topple::scene::{Values, path_text};
 use topple::suites::SuiteRequest;
 use topple::suites::intensity::Intensity;
 use topple::suites::request::above_zero;
@@ -127,6 +127,7 @@ struct Manifest<'a> {
     seed: u32,
     vary: &'a [Varied],
     samples: Option<u32>,
+    #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
@@ -166,7 +167,7 @@ impl FragilityCommand {
         };
         let cells = swept.grid.len();
         let screen = Screen::new(options.quiet);
-        let Some(study) = Study::of(swept, asked, &screen) else {
+        let Some(mut study) = Study::of(swept, asked, &screen) else {
             return Err(sweep_error(BackendError::Cancelled.into()));
         };
         screen.clear();
@@ -221,7 +222,7 @@ impl FragilityCommand {
         output::write_json(&out, &manifest)?;
         told::tell(&study, hazard.as_ref(), self.target, &say);
         suite_run::tell_verified(swept, &say);
-        self.motions.finish(options)?;
+        study.sweep.discard_saved()?;
         for (name, ..) in &figures {
             say.line("picture", out.file(&format!("{name}.png")).display());
         }

@@ -7,6 +7,7 @@ use topple::map::earlier::Kind;
 use topple::map::thinned::thinned;
 use topple::refine::run as refine;
 use topple::results::size::FileSizes;
+use topple::scene::Grid;
 use topple::sweep::backend::Backend;
 use topple::sweep::map::MapSweep;
 use topple::sweep::parts::Parts;
@@ -67,14 +68,20 @@ impl MergeCommand {
         let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
         let earlier = output::refuse_other(&self.out, Kind::Map)?;
         let out = output::open(&self.out)?;
+        let files = |cells: usize| match self.files.is_empty() {
+            true => MapFile::of(cells),
+            false => self.files.clone(),
+        };
+        let grid = Grid::of(&parts.content.scene);
+        let names = output::places(&files(grid.len()), self.refine.is_some());
+        output::refuse_foreign(&out, &names)?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = parts.store(&self.out).map_err(sweep_error)?;
         let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
         let grid = map.grid.clone();
         let grid = &grid;
-        let files =
-            if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() };
+        let files = files(grid.len());
         let (slice, _) = grid.slice(0);
         let sample = thinned(&map.plan.scene, (&slice, 0), &*map.outcomes, SAMPLE)?;
         let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;

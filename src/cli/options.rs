@@ -8,6 +8,7 @@ use std::time::Duration;
 use topple::map::earlier::Kind;
 use topple::model::precision::Precision;
 use topple::refine::run as refine;
+use topple::results::own;
 use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
@@ -153,7 +154,7 @@ impl MapFile {
         match self {
             MapFile::Csv => "map.csv",
             MapFile::Npz => "map.npz",
-            MapFile::Zarr => "map.zarr",
+            MapFile::Zarr => own::MAP,
         }
     }
 

@@ -10,17 +10,17 @@ use topple::map::figure::{field, fields, main};
 use topple::map::slices::Slice;
 use topple::map::{self, Map};
 use topple::results::columns::Column;
-use topple::results::files::{Directory, WriteError};
+use topple::results::files::{Directory, WriteError, free};
 use topple::results::store::Store;
 use topple::results::{csv, npz};
 use topple::sweep::map::MapSweep;
 use topple::sweep::observed::ObservedOutcomes;
 use topple::sweep::observer::{Observer, Phase};
 
-use super::InputError;
 use super::options::MapFile;
 use super::progress::Screen;
 use super::words::Say;
+use super::{InputError, refined};
 
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
@@ -32,7 +32,7 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
 
 /// Refuses a directory that holds something of another kind: its files are not to lie beside the new ones.
 pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
-    let earlier = Earlier::of(out);
+    let earlier = Earlier::of(out).map_err(|error| InputError(format!("--out: {error}")))?;
     if kind != Kind::Map && Store::is_begun(out) {
         let problem =
             format!("a map runs in {}, or was interrupted; give another directory", out.display());
@@ -47,6 +47,27 @@ pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
         }
         _ => Ok(earlier),
     }
+}
+
+/// The names of a map's tables and arrays, and of those of a refined one.
+pub fn places(files: &[MapFile], refines: bool) -> Vec<String> {
+    let of_map = files.iter().map(|file| file.name().to_string());
+    let of_leaves = if refines { refined::names(files) } else { Vec::new() };
+    of_map.chain(of_leaves).collect()
+}
+
+/// Refuses a directory in which something that no run wrote has the place of one of these files of a map.
+pub fn refuse_foreign(out: &Directory, names: &[String]) -> Result<(), InputError> {
+    let free = |name: &String| {
+        let path = out.file(name);
+        match path.extension().is_some_and(|ending| ending == "zarr") {
+            true => free(&path),
+            false if path.is_dir() => Err(WriteError::Foreign(path)),
+            false => Ok(()),
+        }
+    };
+    let refused = |error: WriteError| InputError(format!("--out: {error}"));
+    names.iter().try_for_each(|name| free(name).map_err(refused))
 }
 
 /// Removes what an earlier command left that a new one does not write, and says it.

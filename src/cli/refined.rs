@@ -3,6 +3,7 @@
 use topple::map::refined::{write_png, write_svg};
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
+use topple::results::own::LEAVES;
 use topple::results::{csv, group, npz};
 
 use super::options::MapFile;
@@ -15,7 +16,7 @@ fn leaves(file: MapFile) -> &'static [&'static str] {
     match file {
         MapFile::Csv => &["leaves.csv"],
         MapFile::Npz => &["leaves.npz"],
-        MapFile::Zarr => &["leaves.npz", "leaves.zarr"],
+        MapFile::Zarr => &["leaves.npz", LEAVES],
     }
 }
 
@@ -35,9 +36,11 @@ pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Re
             match name.as_str() {
                 "leaves.csv" => out.write(name, |w| csv::write_list(listed, w))?,
                 "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
-                "leaves.zarr" => group::write_list(out, name, listed, map.source())?,
+                LEAVES => group::write_list(out, name, listed, map.source())?,
                 "refined.png" => out.write(name, |w| write_png(map, w))?,
-                _ => out.write(name, |w| write_svg(map, w))?,
+                "refined.svg" => out.write(name, |w| write_svg(map, w))?,
+                // One of `names` that has no case here.
+                other => anyhow::bail!("{other}: not written; this is a mistake in topple"),
             };
         }
         Ok(())

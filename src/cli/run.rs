@@ -7,7 +7,7 @@ use topple::map::earlier::{Kind, RUN};
 use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;
-use topple::scene::Scene;
+use topple::scene::{Grid, Scene};
 use topple::sweep::backend::Backend;
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
@@ -39,6 +39,10 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     let say = Say::unless(options.run.quiet || options.talk.json);
     let earlier = output::refuse_other(&options.run.out, Kind::Map)?;
     let out = output::open(&options.run.out)?;
+    if options.tile.is_none() {
+        let files = options.files(&Grid::of(scene));
+        output::refuse_foreign(&out, &output::places(&files, options.refine.is_some()))?;
+    }
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();

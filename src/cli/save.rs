@@ -36,12 +36,7 @@ pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Resu
         print_line!("{}", text.trim_end());
         return Ok(());
     }
-    if path.symlink_metadata().is_ok() {
-        return Err(refused("is there already; give another name, or remove it".into()).into());
-    }
-    let name = path.file_name().and_then(|name| name.to_str());
-    let name =
-        name.ok_or_else(|| refused("no name of a file; give one, such as scene.toml".into()))?;
+    let name = free(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = Directory::open(folder.unwrap_or(Path::new(".")));
     let folder = folder.map_err(|error| refused(error.to_string()))?;
@@ -49,6 +44,21 @@ pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Resu
     let path = path.display();
     Say::unless(false).line("scene", format!("{path}; topple {command} {path} runs it"));
     Ok(())
+}
+
+/// The name of a new file, which is none of one that is there.
+///
+/// # Errors
+/// A file that is there; a name that is none, or is no text.
+pub fn free(path: &Path) -> Result<&str, InputError> {
+    let refused = |problem| InputError(format!("--save-scene: {}: {problem}", path.display()));
+    if path.symlink_metadata().is_ok() {
+        return Err(refused("is there already; give another name, or remove it"));
+    }
+    let name = path
+        .file_name()
+        .ok_or_else(|| refused("no name of a file; give one, such as scene.toml"))?;
+    name.to_str().ok_or_else(|| refused("the name is no text (UTF-8); give another one"))
 }
 
 /// The numbers of several values, in their order.

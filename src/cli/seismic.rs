@@ -1,8 +1,9 @@
 //! `topple seismic`.
 
+use std::fs;
 use std::path::Path;
 
-use topple::results::files::Directory;
+use topple::results::files::{Directory, WriteError};
 use topple::scene::Excitation;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
@@ -11,8 +12,8 @@ use topple::scene::record::synthetic;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
 use super::output;
-use super::save::save;
-use super::{examples, run};
+use super::save::{self, save};
+use super::{InputError, examples, run};
 
 /// Map the response to a ground-motion record over (T_h, T_v).
 #[derive(clap::Args)]
@@ -39,6 +40,9 @@ impl SeismicCommand {
             let synthetic = Excitation::Record(synthetic::pair());
             let scene = text.check_under(synthetic).map_err(|e| flag_error(&e))?;
             if let Some(path) = &self.common.save_scene {
+                if path != Path::new("-") {
+                    save::free(path)?;
+                }
                 // The pair lies beside the scene that names it.
                 let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
                 record = write_synthetic(&output::open(folder.unwrap_or(Path::new(".")))?, record)?;
@@ -72,6 +76,12 @@ pub fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Resul
         ("synthetic_v.at2", synthetic::TITLES[1], synthetic::VERTICAL, &mut record.vertical),
     ] {
         let text = synthetic::at2(&synthetic::make(title, &parameters));
+        let path = out.file(name);
+        if path.symlink_metadata().is_ok()
+            && !fs::read(&path).is_ok_and(|own| own == text.as_bytes())
+        {
+            return Err(InputError(WriteError::Foreign(path).to_string()).into());
+        }
         *place = Some(out.write(name, |w| w.write_all(text.as_bytes()))?);
     }
     Ok(record)

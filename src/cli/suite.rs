@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 use topple::drawing::render;
 use topple::map::earlier::Kind;
+use topple::scene::path_text;
 use topple::scene::record::Provenance;
 use topple::suites::{Suite, SuiteError, picture, table};
 
@@ -38,6 +39,7 @@ pub struct SuiteCommand {
 struct Manifest<'a> {
     kind: Kind,
     version: &'static str,
+    #[serde(serialize_with = "path_text::serialize")]
     suite: &'a std::path::Path,
     motions: usize,
     /// Where each motion came from, its factor and its weight, by its id.

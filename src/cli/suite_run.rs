@@ -6,8 +6,8 @@ use serde::Serialize;
 use topple::map::earlier::Kind;
 use topple::results::part::Part;
 use topple::results::store_error::StoreError;
-use topple::scene::Scene;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::{Scene, path_text};
 use topple::suites::swept::{SuiteJob, SuiteSweep};
 use topple::suites::verified::Verified;
 use topple::suites::{Suite, SuiteRequest, saved};
@@ -54,6 +54,7 @@ pub struct SuiteManifest<'a> {
     version: &'static str,
     /// The scene under the first motion.
     scene: &'a Scene,
+    #[serde(serialize_with = "path_text::serialize")]
     suite: &'a Path,
     motions: Vec<&'a str>,
     #[serde(flatten)]
@@ -173,11 +174,6 @@ impl SuiteFlags {
             sweep_seconds: swept.seconds,
             records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
         }
-    }
-
-    /// Takes away what was saved while it ran, when the results are written.
-    pub fn finish(&self, options: &RunOptions) -> anyhow::Result<()> {
-        Ok(saved::discard(&options.out)?)
     }
 }
 

@@ -2,8 +2,9 @@
 //! library's shader.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -18,6 +19,8 @@ use super::session::Session;
 use super::stage::Told;
 use super::view;
 use crate::model::precision::Precision;
+use crate::results::files::{Directory, WriteError};
+use crate::results::{own, temporary};
 use crate::scene::record::Pair;
 use crate::scene::{Directions, Excitation, Parameter};
 use crate::sweep::gpu::shader::{self, Switches};
@@ -36,6 +39,9 @@ pub enum ExportError {
         /// What is wrong.
         error: io::Error,
     },
+    /// The folder, or a file that is written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The scene, or its sweep.
     #[error(transparent)]
     Refused(#[from] Refused),
@@ -65,44 +71,57 @@ type File = (String, Vec<u8>);
 /// the bytes written.
 ///
 /// # Errors
-/// [`ExportError`]. A folder that holds anything but an earlier export is left as it is.
+/// [`ExportError`]. A folder that holds anything but an earlier export is left as it is, and of an earlier export every
+/// file that it did not write.
 pub fn export(directory: &Path, session: &Session, stop: &AtomicBool) -> Result<u64, ExportError> {
     let earlier = earlier(directory)?;
-    let files = files(session, stop)?;
+    let is_new = !directory.exists();
+    let out = Directory::open(directory)?;
+    let written = files(session, stop).and_then(|files| write(&out, &earlier, &files));
+    if written.is_err() && is_new {
+        // One in which something lies stays.
+        let _ = fs::remove_dir(directory);
+    }
+    written
+}
+
+/// Writes files in the place of an earlier export's, each whole or not at all.
+fn write(out: &Directory, earlier: &[String], files: &[File]) -> Result<u64, ExportError> {
     let names: BTreeSet<&str> = files.iter().map(|(name, _)| &**name).collect();
-    for name in earlier.iter().filter(|name| !names.contains(&***name)) {
-        let path = directory.join(name);
-        match fs::remove_file(&path) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                return Err(ExportError::File { path, error });
-            }
-            _ => {}
-        }
+    let is_listed = |name: &str| earlier.iter().any(|listed| listed == name);
+    if names.iter().any(|name| !is_listed(name) && out.file(name).symlink_metadata().is_ok()) {
+        return Err(ExportError::Occupied(out.path().into()));
+    }
+    out.remove_leftovers(&[])?;
+    let is_old = |name: &&String| !names.contains(&***name) && is_of_page(name, &names);
+    for name in earlier.iter().filter(is_old) {
+        let path = out.file(name);
+        own::gone(fs::remove_file(&path)).map_err(|error| ExportError::File { path, error })?;
     }
     // The list is first, so that a folder whose writing broke off is known as an export.
     let list = json!({ "version": env!("CARGO_PKG_VERSION"), "files": names });
-    write(directory, LIST, format!("{list:#}").as_bytes())?;
-    for (name, bytes) in &files {
-        write(directory, name, bytes)?;
+    out.write(LIST, |w| w.write_all(format!("{list:#}").as_bytes()))?;
+    for (name, bytes) in files {
+        out.write(name, |w| w.write_all(bytes))?;
     }
     Ok(files.iter().map(|(_, bytes)| bytes.len() as u64).sum())
 }
 
-fn write(directory: &Path, name: &str, bytes: &[u8]) -> Result<(), ExportError> {
-    let path = directory.join(name);
-    let folder = path.parent().unwrap_or(directory);
-    let failed = |path: &Path| {
-        let path = path.into();
-        |error| ExportError::File { path, error }
-    };
-    fs::create_dir_all(folder).map_err(failed(folder))?;
-    fs::write(&path, bytes).map_err(failed(&path))
+/// True of a name that an export may have given: whatever somebody wrote into the list, no other kind of file goes.
+fn is_of_page(name: &str, names: &BTreeSet<&str>) -> bool {
+    let ending = |name: &str| Path::new(name).extension().map(OsStr::to_os_string);
+    names.iter().any(|known| ending(known) == ending(name))
 }
 
 /// The files of an earlier export in a folder; none where the folder is empty, or is none.
 fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
     let failed = |error| ExportError::File { path: directory.into(), error };
-    match fs::read_dir(directory).map(|mut entries| entries.next()) {
+    // What an export that was killed had begun to write is no file.
+    let is_whole = |entry: &io::Result<fs::DirEntry>| {
+        let begun = |entry: &fs::DirEntry| temporary::is_file(&entry.file_name().to_string_lossy());
+        !entry.as_ref().is_ok_and(begun)
+    };
+    match fs::read_dir(directory).map(|entries| entries.filter(is_whole).next()) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(error) => return Err(failed(error)),
         Ok(None) => return Ok(Vec::new()),
@@ -286,5 +305,28 @@ mod tests {
         let list = json!({ "files": ["about.json", "../thesis.tex", "/etc/passwd"] });
         fs::write(path.join(LIST), list.to_string()).unwrap();
         assert_eq!(earlier(path).unwrap(), ["about.json"]);
+    }
+
+    /// Of an earlier export goes what it wrote, and nothing is overwritten that it did not.
+    #[test]
+    fn an_export_writes_over_its_own_files_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        let file = |name: &str| (name.to_string(), name.as_bytes().to_vec());
+        let out = || Directory::open(path).unwrap();
+        fs::write(path.join(".topple-export.json.aB3xY9.part"), "half").unwrap();
+        let begun = earlier(path).unwrap();
+        write(&out(), &begun, &[file("index.html"), file("old/page.html")]).unwrap();
+        assert!(!path.join(".topple-export.json.aB3xY9.part").exists());
+        fs::write(path.join("thesis.tex"), "mine").unwrap();
+        let mut listed = earlier(path).unwrap();
+        listed.push("thesis.tex".into());
+        write(&out(), &listed, &[file("index.html")]).unwrap();
+        assert!(!path.join("old/page.html").exists());
+        assert_eq!(fs::read(path.join("thesis.tex")).unwrap(), b"mine");
+        fs::write(path.join("sweep.wgsl"), "mine").unwrap();
+        let refused = write(&out(), &earlier(path).unwrap(), &[file("sweep.wgsl")]);
+        assert!(matches!(refused, Err(ExportError::Occupied(_))));
+        assert_eq!(fs::read(path.join("sweep.wgsl")).unwrap(), b"mine");
     }
 }

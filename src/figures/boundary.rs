@@ -77,7 +77,7 @@ pub fn least(
     };
     let known: Vec<Bracket> = brackets.iter().flatten().copied().collect();
     let mut points = curve.points(&known, bisection.backends, observer)?;
-    let word = curve.ask_reference(&mut points, bisection.asked)?;
+    let word = curve.ask_reference(&mut points, bisection.asked, observer)?;
     let mut points = points.into_iter();
     let least = |(i, bracket): (usize, Option<Bracket>)| {
         let omega = grid.x().values.value(i);

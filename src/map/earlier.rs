@@ -6,7 +6,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::results::files;
+use crate::results::files::WriteError;
+use crate::results::{own, zarr};
 
 /// Name of the file that says what was run.
 pub const RUN: &str = "run.json";
@@ -46,7 +47,7 @@ impl Kind {
 /// What an earlier command left in a directory, as its run.json says.
 #[derive(Debug, Default)]
 pub struct Earlier {
-    /// What it is of; none where no run.json of topple is there.
+    /// What it is of; none where no run.json is there.
     pub kind: Option<Kind>,
     /// What was run, in short: of a map the tag of its identity.
     pub tag: Option<u32>,
@@ -67,21 +68,27 @@ struct Written {
 /// Kinds of files that a run writes and the next may remove.
 const ENDINGS: [&str; 4] = ["csv", "npz", "png", "svg"];
 /// The folders among them, and a file of each.
-const FOLDERS: ([&str; 2], &str) = (["map.zarr", "leaves.zarr"], "zarr.json");
+const FOLDERS: ([&str; 2], &str) = ([own::MAP, own::LEAVES], zarr::DOCUMENT);
 
 impl Earlier {
-    /// That of a directory; nothing where no run.json of topple is there.
-    pub fn of(directory: &Path) -> Earlier {
-        // One that cannot be read says nothing; what is wrong is told when it is to be replaced.
-        let text = fs::read(directory.join(RUN)).unwrap_or_default();
-        let written = serde_json::from_slice::<Written>(&text);
-        written.map_or_else(
-            |_| Earlier::default(),
-            |Written { kind, tag, files, .. }| Earlier { kind: Some(kind), tag, files },
-        )
+    /// That of a directory; nothing where no run.json is there.
+    ///
+    /// # Errors
+    /// [`WriteError::Foreign`]: a run.json of something else, or one that cannot be read.
+    pub fn of(directory: &Path) -> Result<Earlier, WriteError> {
+        let path = directory.join(RUN);
+        let text = match fs::read(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Earlier::default()),
+            text => text.unwrap_or_default(),
+        };
+        match serde_json::from_slice::<Written>(&text) {
+            Ok(Written { kind, tag, files, .. }) => Ok(Earlier { kind: Some(kind), tag, files }),
+            Err(_) => Err(WriteError::Foreign(path)),
+        }
     }
 
-    /// Removes its files that a new command does not write, and run.json first; those that were there.
+    /// Removes its files that a new command does not write, and run.json first; those that were there. Of a folder
+    /// goes what a run wrote.
     ///
     /// # Errors
     /// Those of the disk.
@@ -97,7 +104,10 @@ impl Earlier {
         for name in self.files.iter().filter(|name| !new.contains(name)) {
             let path = directory.join(name);
             if is_results(name, &path) {
-                files::remove(&path)?;
+                match path.is_dir() {
+                    true => own::remove(&path, own::Kind::Group).map(|_| ())?,
+                    false => own::gone(fs::remove_file(&path))?,
+                }
                 removed.push(name.clone());
             }
         }

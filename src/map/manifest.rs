@@ -11,7 +11,7 @@ use crate::refine::report::RefineReport;
 use crate::results::sharpness::Sharpness;
 use crate::results::tally::Tally;
 use crate::scene::record::Provenance;
-use crate::scene::{Grid, Scene};
+use crate::scene::{Grid, Scene, path_text};
 use crate::sweep::description::AdapterDescription;
 use crate::sweep::map::MapSweep;
 use crate::sweep::plan::Plan;
@@ -81,6 +81,7 @@ pub struct Manifest<'a> {
 #[derive(Debug, Serialize)]
 pub struct Origin<'a> {
     /// The part's folder; none for what this run ran.
+    #[serde(serialize_with = "path_text::serialize_some")]
     pub folder: Option<&'a Path>,
     /// The cells, and what ran them.
     #[serde(flatten)]

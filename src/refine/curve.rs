@@ -9,10 +9,12 @@ use crate::scene::{Grid, Parameter, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::{self, Settings};
 use crate::sweep::backend::Backend;
+use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
 use crate::sweep::observer::Observer;
 use crate::sweep::plan::Plan;
 use crate::sweep::points::sweep_points;
+use crate::sweep::threads::on;
 
 /// Width to which a place is bisected, as a share of its axis.
 pub const WITHIN: f64 = 1.0e-6;
@@ -131,11 +133,12 @@ impl Curve<'_> {
     /// bisects it. Their [`CurvePoint::reference`] is filled in.
     ///
     /// # Errors
-    /// Those of the plan.
+    /// Those of the plan; that it was cancelled.
     pub fn ask_reference(
         &self,
         points: &mut [CurvePoint],
         wanted: usize,
+        observer: &dyn Observer,
     ) -> Result<ReferenceWord, SweepError> {
         let plan = (self.plan)(self.scene)?;
         let mut changes: Vec<&mut CurvePoint> =
@@ -143,8 +146,9 @@ impl Curve<'_> {
         let count = changes.len();
         let wanted = wanted.min(count);
         let chosen: Vec<usize> = (0..wanted).map(|k| (2 * k + 1) * count / (2 * wanted)).collect();
-        let told: Vec<Option<f64>> =
-            chosen.par_iter().map(|k| self.by_reference(&plan, changes[*k])).collect();
+        let ask = |k: &usize| self.by_reference(&plan, changes[*k], observer);
+        let told: Option<Vec<Option<f64>>> = on(|| chosen.par_iter().map(ask).collect());
+        let told = told.ok_or(BackendError::Cancelled)?;
         let mut word = ReferenceWord { asked: wanted, found: 0, farthest: 0.0 };
         for (k, reference) in chosen.into_iter().zip(told) {
             changes[k].reference = reference;
@@ -156,27 +160,96 @@ impl Curve<'_> {
         Ok(word)
     }
 
-    /// The change by the reference, up to 4^8 times as far from the curve's as that is bisected.
-    fn by_reference(&self, plan: &Plan, point: &CurvePoint) -> Option<f64> {
-        let beyond = |value: f64| {
+    /// The change by the reference, up to 4^8 times as far from the curve's as that is bisected; none where it was
+    /// cancelled.
+    fn by_reference(
+        &self,
+        plan: &Plan,
+        point: &CurvePoint,
+        observer: &dyn Observer,
+    ) -> Option<Option<f64>> {
+        let go_on = || !observer.cancelled();
+        let beyond = |value: f64| -> Option<bool> {
             let [across, along] = self.parameters;
             let scene = self.scene.clone().with(across, point.at).with(along, value);
             let mut case = Grid::of(&scene).case(0);
             if plan.locks_vertical(&case) {
                 case.isolation.vertical = None;
             }
-            (self.is_beyond)(&reference::run(&scene, &case, &Settings::default()))
+            reference::run_while(&scene, &case, &Settings::default(), &go_on)
+                .map(|outcome| (self.is_beyond)(&outcome))
         };
-        let reach = (0..=8).map(|k| self.within * 4.0_f64.powi(k));
-        let ends = reach.map(|reach| [point.value - reach, point.value + reach]);
-        let mut ends = ends.into_iter().find_map(|[low, high]| {
-            let sides = [beyond(low), beyond(high)];
-            (sides[0] != sides[1]).then_some((low, high, sides[1]))
-        })?;
+        let mut found = None;
+        for reach in (0..=8).map(|k| self.within * 4.0_f64.powi(k)) {
+            let (low, high) = (point.value - reach, point.value + reach);
+            let sides = [beyond(low)?, beyond(high)?];
+            if sides[0] != sides[1] {
+                found = Some((low, high, sides[1]));
+                break;
+            }
+        }
+        let Some(mut ends) = found else { return Some(None) };
         while ends.1 - ends.0 > self.within {
             let middle = 0.5 * (ends.0 + ends.1);
-            if beyond(middle) == ends.2 { ends.1 = middle } else { ends.0 = middle }
+            if beyond(middle)? == ends.2 { ends.1 = middle } else { ends.0 = middle }
         }
-        Some(if ends.2 { ends.1 } else { ends.0 })
+        Some(Some(if ends.2 { ends.1 } else { ends.0 }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::num::NonZeroUsize;
+    use std::sync::Mutex;
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::scene::SceneBuilder;
+    use crate::sweep::progress::Progress;
+    use crate::sweep::threads::Threads;
+
+    /// Hears on how many threads it is asked whether to go on.
+    #[derive(Default)]
+    struct Ear(Mutex<BTreeSet<usize>>);
+
+    impl Progress for Ear {
+        fn advance(&self, _: usize) {}
+
+        fn cancelled(&self) -> bool {
+            self.0.lock().unwrap().insert(rayon::current_num_threads());
+            false
+        }
+    }
+
+    impl Observer for Ear {}
+
+    /// Asks the reference at points of a block on the ground, whose change is not looked for.
+    fn ask(observer: &dyn Observer) -> Result<ReferenceWord, SweepError> {
+        let text = "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 6\na_h = 6\n[run]\nt_max = 2\n";
+        let scene = SceneBuilder::from_toml(text).unwrap().check().unwrap();
+        let plan = |scene: &Scene| Ok(Plan::new(scene, 1.0 / 128.0)?);
+        let curve = Curve {
+            scene: &scene,
+            parameters: [Parameter::Omega, Parameter::AH],
+            is_beyond: &|outcome| outcome.class.overturned(),
+            plan: &plan,
+            within: 1.0e-3,
+        };
+        let point = |k: u32| {
+            let (at, outcome) = (4.0 + f64::from(k), Some(Outcome::PENDING));
+            CurvePoint { at, value: 5.0, outcome, reference: None }
+        };
+        curve.ask_reference(&mut (0..4).map(point).collect::<Vec<_>>(), 4, observer)
+    }
+
+    #[test]
+    fn the_reference_is_asked_on_the_threads_of_the_call_until_it_is_ended() {
+        // More than one, and not as many as the process has.
+        let count = rayon::current_num_threads() + 1;
+        let (threads, ear) = (Threads::new(NonZeroUsize::new(count)).unwrap(), Ear::default());
+        assert_eq!(threads.scope(|| ask(&ear)).unwrap().asked, 4);
+        assert_eq!(ear.0.into_inner().unwrap(), BTreeSet::from([count]));
+        assert!(ask(&AtomicBool::new(true)).unwrap_err().is_cancelled());
     }
 }

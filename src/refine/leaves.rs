@@ -10,7 +10,7 @@ use super::boxes::Square;
 use super::probes::own_cells;
 use super::refined::RefinedMap;
 use crate::results::columns::Column;
-use crate::results::listed::{CountColumn, ListedCells};
+use crate::results::listed::{self, CountColumn, ListedCells};
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 
@@ -148,27 +148,28 @@ impl RefinedMap {
             let values = leaves.iter().map(|leaf| value(leaf) as u32).collect();
             CountColumn { name, meaning, values }
         };
+        let [level, width, height, beside, impacts_differ] = listed::COUNTS;
         let counts = [
-            count("level", "level of the leaf: 0 is between cells of the map", |leaf| {
+            count(level, "level of the leaf: 0 is between cells of the map", |leaf| {
                 leaf.level as usize
             }),
             count(
-                "width",
+                width,
                 "cells of the finest grid along the first axis, from this one on",
                 |leaf| leaf.width,
             ),
             count(
-                "height",
+                height,
                 "cells of the finest grid along the second axis, from this one on",
                 |leaf| leaf.height,
             ),
             count(
-                "beside",
+                beside,
                 "1 where a leaf beside it is smaller: a boundary is near, and its cells that were not run are less sure",
                 |leaf| usize::from(leaf.beside),
             ),
             count(
-                "impacts_differ",
+                impacts_differ,
                 "1 where its corners overturn after different numbers of impacts, 10 or more: its cells that were not run are less sure",
                 |leaf| usize::from(leaf.impacts_differ),
             ),

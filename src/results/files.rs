@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use super::own::{self, Kind};
+use super::temporary;
+
 /// Why a file was not written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
@@ -25,53 +28,61 @@ pub enum WriteError {
         /// What went wrong.
         reason: String,
     },
+    /// What no run wrote lies where a run is to write, or to remove what it wrote.
+    #[error("{0} was written by no run and is in the way; move it, or give another directory")]
+    Foreign(PathBuf),
 }
 
-/// How the names of files begin that are not whole yet.
-const TEMPORARY: &str = ".topple-";
-
-/// A name for what is not whole yet, or not needed any more: it goes when the next run begins.
-pub fn temporary(name: &str) -> String {
-    format!("{TEMPORARY}{name}.old")
+impl WriteError {
+    /// That of a file or a folder, by what the system says.
+    pub(super) fn of(path: &Path, reason: &io::Error) -> WriteError {
+        WriteError::File { path: path.into(), reason: reason.to_string() }
+    }
 }
 
-/// The same of a folder while it is written.
-fn begun(name: &str) -> String {
-    format!("{TEMPORARY}{name}.new")
-}
-
-/// Renames a folder, in the place of one that is there: the path under which that one still lies, to be removed.
+/// Renames a folder of a run, in the place of one that is there: the path under which that one still lies, to be removed.
 ///
 /// # Errors
-/// Those of the disk; what was there is there still, or the new folder is.
-pub fn put(from: &Path, place: &Path) -> io::Result<PathBuf> {
+/// [`WriteError::Foreign`] where it would go with what no run wrote; those of the disk. What was there is there still, or
+/// the new folder is.
+pub fn put(from: &Path, place: &Path) -> Result<PathBuf, WriteError> {
+    let failed =
+        |reason: io::Error| WriteError::File { path: place.into(), reason: reason.to_string() };
     let name = place.file_name().unwrap_or_default().to_string_lossy();
-    let aside = place.with_file_name(temporary(&name));
+    let aside = place.with_file_name(temporary::aside(&name));
     if place.symlink_metadata().is_ok() {
+        free(place)?;
         remove(&aside)?;
-        fs::rename(place, &aside)?;
+        fs::rename(place, &aside).map_err(failed)?;
     }
     if let Err(error) = fs::rename(from, place) {
         // What was there, if anything was.
         let _ = fs::rename(&aside, place);
-        return Err(error);
+        return Err(failed(error));
     }
     Ok(aside)
 }
 
-/// Removes a file or a folder, if it is there.
+/// Refuses a place for a folder of a run where something is that no run wrote.
 ///
 /// # Errors
-/// Those of the disk.
-pub fn remove(path: &Path) -> io::Result<()> {
-    let removed = match path.symlink_metadata() {
-        Ok(there) if there.is_dir() => fs::remove_dir_all(path),
-        _ => fs::remove_file(path),
-    };
-    match removed {
-        Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
-        removed => removed,
-    }
+/// [`WriteError::Foreign`]; those of the disk.
+pub fn free(place: &Path) -> Result<(), WriteError> {
+    let foreign = own::foreign(place, Kind::Group);
+    refused(foreign.map_err(|error| WriteError::of(place, &error))?)
+}
+
+/// Removes what a run wrote into a folder, and the folder, if it is there.
+///
+/// # Errors
+/// [`WriteError::Foreign`] where something else is in it, which stays; those of the disk.
+pub fn remove(folder: &Path) -> Result<(), WriteError> {
+    let stays = own::remove(folder, Kind::Group);
+    refused(stays.map_err(|error| WriteError::of(folder, &error))?)
+}
+
+fn refused(foreign: Option<PathBuf>) -> Result<(), WriteError> {
+    foreign.map_or(Ok(()), |path| Err(WriteError::Foreign(path)))
 }
 
 /// A directory in which files appear whole or not at all.
@@ -88,7 +99,7 @@ impl Directory {
     pub fn open(path: &Path) -> Result<Directory, WriteError> {
         let refused = |reason| WriteError::Directory { path: path.to_path_buf(), reason };
         fs::create_dir_all(path).map_err(refused)?;
-        tempfile::tempfile_in(path).map_err(refused)?;
+        temporary_file("try", path).map_err(refused)?;
         Ok(Directory { path: path.to_path_buf() })
     }
 
@@ -102,29 +113,24 @@ impl Directory {
         self.path.join(name)
     }
 
-    /// Removes what runs that were killed had begun to write. Call it only while nobody else writes there.
+    /// Removes what runs that were killed had begun to write: files, and of folders of this name those that were being
+    /// written or removed. Call it only while nobody else writes there.
     ///
     /// # Errors
     /// [`WriteError::Directory`].
-    pub fn remove_leftovers(&self) -> Result<(), WriteError> {
-        self.remove_those(|name| name.starts_with(TEMPORARY))
-    }
-
-    /// Removes all that is in it, but some names.
-    ///
-    /// # Errors
-    /// [`WriteError::Directory`].
-    pub fn clear(&self, but: &[&str]) -> Result<(), WriteError> {
-        self.remove_those(|name| !but.contains(&name))
-    }
-
-    fn remove_those(&self, goes: impl Fn(&str) -> bool) -> Result<(), WriteError> {
+    pub fn remove_leftovers(&self, folders: &[&str]) -> Result<(), WriteError> {
         let refused = |reason| WriteError::Directory { path: self.path.clone(), reason };
         for entry in fs::read_dir(&self.path).map_err(refused)? {
             let entry = entry.map_err(refused)?;
-            if goes(&entry.file_name().to_string_lossy()) {
-                remove(&entry.path()).map_err(refused)?;
+            let is_file = entry.file_type().map_err(refused)?.is_file();
+            if is_file && temporary::is_file(&entry.file_name().to_string_lossy()) {
+                own::gone(fs::remove_file(entry.path())).map_err(refused)?;
             }
+        }
+        for name in folders.iter().flat_map(|name| [temporary::begun(name), temporary::aside(name)])
+        {
+            // What no run wrote stays; where it is in the way of the new run, that says so.
+            own::remove(&self.file(&name), Kind::Group).map_err(refused)?;
         }
         Ok(())
     }
@@ -142,15 +148,12 @@ impl Directory {
         let path = self.file(name);
         let failed = |reason: String| WriteError::File { path: path.clone(), reason };
         let folder = self.folder_of(&path).map_err(|e| failed(e.to_string()))?;
-        let prefix = format!("{TEMPORARY}{}.", name.replace('/', "-"));
-        let mut file =
-            NamedTempFile::with_prefix_in(prefix, &self.path).map_err(|e| failed(e.to_string()))?;
+        let mut file = temporary_file(name, &self.path).map_err(|e| failed(e.to_string()))?;
         let mut writer = BufWriter::with_capacity(1 << 20, file.as_file_mut());
         contents(&mut writer).map_err(|e| failed(e.to_string()))?;
         writer.flush().map_err(|e| failed(e.to_string()))?;
         drop(writer);
         file.as_file().sync_all().map_err(|e| failed(e.to_string()))?;
-        share(file.path()).map_err(|e| failed(e.to_string()))?;
         file.persist(&path).map_err(|e| failed(e.to_string()))?;
         settle(&folder).map_err(|e| failed(e.to_string()))?;
         Ok(path)
@@ -165,15 +168,13 @@ impl Directory {
         name: &str,
         contents: impl FnOnce(&Directory) -> Result<(), WriteError>,
     ) -> Result<PathBuf, WriteError> {
-        let (path, begun) = (self.file(name), self.file(&begun(name)));
-        let failed =
-            |reason: io::Error| WriteError::File { path: path.clone(), reason: reason.to_string() };
+        let (path, begun) = (self.file(name), self.file(&temporary::begun(name)));
         let written = || -> Result<(), WriteError> {
-            remove(&begun).map_err(failed)?;
+            remove(&begun)?;
             contents(&Directory::open(&begun)?)?;
-            let aside = put(&begun, &path).map_err(failed)?;
-            settle(&self.path).map_err(failed)?;
-            remove(&aside).map_err(failed)
+            let aside = put(&begun, &path)?;
+            settle(&self.path).map_err(|error| WriteError::of(&self.path, &error))?;
+            remove(&aside)
         };
         if let Err(error) = written() {
             // What cannot be removed goes when the next run begins.
@@ -214,14 +215,15 @@ fn settle(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Gives a temporary file, which is private, the rights of an ordinary one.
-#[cfg(unix)]
-fn share(path: &Path) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    fs::set_permissions(path, fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn share(_: &Path) -> io::Result<()> {
-    Ok(())
+/// A file that is not whole yet, with the rights that any new file gets: those that the process's mask leaves.
+fn temporary_file(name: &str, folder: &Path) -> io::Result<NamedTempFile> {
+    let (before, after) = temporary::file(name);
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&before).suffix(after).rand_bytes(temporary::RANDOM);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
 }

@@ -12,6 +12,9 @@ pub const CELL: &str = "cell";
 /// What they mean.
 pub const CELL_MEANING: &str = "its first cell's number in the grid";
 
+/// The names of the counts that leaves of a refined map have, beside [`CELL`].
+pub const COUNTS: [&str; 5] = ["level", "width", "height", "beside", "impacts_differ"];
+
 /// A count that each of the cells has, such as the width of what it stands for.
 #[derive(Debug, Clone)]
 pub struct CountColumn {

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use super::block::Block;
 use super::columns::Column;
 use super::files::Directory;
+use super::own::ROUND;
 use super::store_error::StoreError;
 use super::{tile, zarr};
 use crate::model::precision::Precision;
@@ -39,7 +40,7 @@ impl Rounds {
     }
 
     fn name(number: usize) -> String {
-        format!("round-{number:05}")
+        format!("{ROUND}{number:05}")
     }
 
     fn file(&self) -> PathBuf {

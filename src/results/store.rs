@@ -4,34 +4,36 @@
 //! whose chunks are tiles. A file appears whole or not at all; of a tile's files that of the status comes
 //! last, and says which of its cells have run. A whole map's folder is `unfinished`, and goes when the map is
 //! written. A part's is `part-3-of-16`, and stays: a report is added when the part is done.
+//!
+//! What goes is what a run wrote, by its [names](super::own); a folder in which something else lies is not a run's
+//! before it has an identity, and stays with that after.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::about::Source;
 use super::block::Block;
 use super::columns::Column;
-use super::files::{self, Directory};
+use super::files::{self, Directory, WriteError};
 use super::group::{self, TileFiles};
 use super::identity::Identity;
-use super::lock::{self, lock};
+use super::lock::{self, Holds, Lock, lock};
+use super::own::{self, Kind};
+pub use super::own::{IDENTITY, LISTS, REPORT};
 use super::rounds::Rounds;
 use super::saved_tiles::SavedTiles;
 use super::store_error::StoreError;
 use super::tiling::Tiling;
-use super::{tile, zarr};
+use super::{temporary, tile, zarr};
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 
 /// Name of a whole map's folder in a run's directory.
 const FOLDER: &str = "unfinished";
-/// Name of the identity's file.
-pub const IDENTITY: &str = "identity.json";
-/// How the names of folders of lists begin.
-pub const LISTS: &str = "lists";
-/// Name of a finished part's report.
-pub const REPORT: &str = "report.json";
+/// The folders that a whole map's run makes in its directory and renames.
+const RENAMED: [&str; 3] = [FOLDER, own::MAP, own::LEAVES];
 
 /// What a store holds: the outcomes of a grid.
 #[derive(Debug, Clone, Copy)]
@@ -47,21 +49,23 @@ pub struct Contents<'a> {
 pub struct Store {
     folder: Directory,
     path: PathBuf,
-    /// None once the folder is no longer this run's.
-    lock: Option<File>,
     identity: Identity,
     /// The files that every group has, but its chunks: paths and bytes.
     frame: Vec<(String, Vec<u8>)>,
+    /// They are there.
+    framed: AtomicBool,
     tiling: Tiling,
     precision: Precision,
+    /// Given up last, when the folder is no longer this run's.
+    _lock: Lock,
 }
 
 impl Store {
     /// Opens the folder in `out` for a run; with `resume` goes on with what an earlier one left.
     ///
     /// # Errors
-    /// [`StoreError`]: another run is there, or an unfinished one that is not to be resumed or is not
-    /// this one.
+    /// [`StoreError`]: another run is there, an unfinished one that is not to be resumed or is not this one, or what no
+    /// run wrote.
     pub fn open(
         out: &Path,
         identity: Identity,
@@ -72,27 +76,33 @@ impl Store {
             None => (out.join(FOLDER), out.to_path_buf()),
             Some(part) => (out.join(part.folder()), out.join(part.folder())),
         };
+        let directory = Directory::open(out)?;
+        let lock = lock(&path, &place, Holds::Alone)?;
+        if !path.join(IDENTITY).exists()
+            && let Some(foreign) =
+                own::foreign(&path, Kind::Empty).map_err(StoreError::file(&path))?
+        {
+            return Err(WriteError::Foreign(foreign).into());
+        }
         let folder = Directory::open(&path)?;
-        let lock = lock(&path, &place)?;
         // Nobody else is writing there: the lock is held.
-        folder.remove_leftovers()?;
-        if place != path {
-            Directory::open(&place)?.remove_leftovers()?;
+        folder.remove_leftovers(&[])?;
+        if identity.part().is_none() {
+            directory.remove_leftovers(&RENAMED)?;
         }
         let documents = zarr::documents(contents.grid, &contents.source);
         let store = Store {
             folder,
             path,
-            lock: Some(lock),
             frame: group::frame(contents.grid, documents, identity.tag()),
+            framed: AtomicBool::new(false),
             identity,
             tiling: Tiling::of(contents.grid),
             precision: contents.source.precision,
+            _lock: lock,
         };
         let before = store.path.join(IDENTITY);
         if !before.exists() {
-            // What a run left that was killed while it cleared up, or what is not a run's at all.
-            store.folder.clear(&[lock::NAME])?;
             return Ok((store, SavedTiles::default()));
         }
         if !resume && store.path.join(REPORT).exists() {
@@ -109,16 +119,18 @@ impl Store {
         let found =
             SavedTiles::in_folder(&store.path, &store.tiling, store.identity.tag(), &|_| ())?;
         for (path, _) in &found.broken {
-            if path.exists() {
-                fs::remove_file(path).map_err(StoreError::file(path))?;
-            }
+            own::gone(fs::remove_file(path)).map_err(StoreError::file(path))?;
         }
         Ok((store, found))
     }
 
     /// True where a directory has the folder of a map that runs, or was interrupted.
     pub fn is_begun(out: &Path) -> bool {
-        out.join(FOLDER).exists()
+        let path = out.join(FOLDER);
+        let is_a_runs = |kind| matches!(own::foreign(&path, kind), Ok(None));
+        lock::is_there(&path)
+            || path.join(IDENTITY).exists()
+            || (path.exists() && is_a_runs(Kind::Empty))
     }
 
     /// The tiles of its grid.
@@ -146,11 +158,15 @@ impl Store {
         self.path.join(IDENTITY).exists()
     }
 
-    /// Says whose the folder is, where nothing was saved in it yet.
+    /// Says whose the folder is, before anything else is saved in it: killed at any time, a run leaves nothing that
+    /// would not be known as a run's.
     fn begin(&self) -> Result<(), StoreError> {
         if !self.is_used() {
-            self.write_frame()?;
             self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
+        }
+        if !self.framed.load(Ordering::Relaxed) {
+            self.write_frame(|path| !self.path.join(path).exists())?;
+            self.framed.store(true, Ordering::Relaxed);
         }
         Ok(())
     }
@@ -191,9 +207,9 @@ impl Store {
         Ok(to.write(tile, block, go_on)?)
     }
 
-    /// Writes the files of the group, but the chunks of its columns.
-    fn write_frame(&self) -> Result<(), StoreError> {
-        for (path, bytes) in &self.frame {
+    /// Writes those files of the group, but the chunks of its columns, that are wanted by their paths.
+    fn write_frame(&self, wanted: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        for (path, bytes) in self.frame.iter().filter(|(path, _)| wanted(path)) {
             self.folder.write(path, |w| w.write_all(bytes))?;
         }
         Ok(())
@@ -234,54 +250,53 @@ impl Store {
     }
 
     /// Gives the folder the name of a finished map in its directory, in the place of one that is there, and
-    /// takes away what only a running sweep needs.
+    /// takes away what only a running sweep needs. What somebody put into the folder goes along.
     ///
     /// # Errors
-    /// [`StoreError::File`]; the map that was there is there still, or the new one is.
-    pub fn publish(mut self, place: &Path) -> Result<(), StoreError> {
+    /// [`StoreError::File`]; the map that was there is there still, or the new one is. [`WriteError::Foreign`] where
+    /// what no run wrote is in the place: what is saved is still saved.
+    pub fn publish(self, place: &Path) -> Result<(), StoreError> {
         // Whatever became of them while the tiles were looked after.
-        self.write_frame()?;
-        // An open file keeps a folder's name on some systems.
-        drop(self.lock.take());
-        let path = &self.path;
-        let aside = files::put(path, place).map_err(StoreError::file(path))?;
-        for name in [lock::NAME, IDENTITY] {
-            remove(&place.join(name))?;
-        }
-        for folder in fs::read_dir(place).map_err(StoreError::file(place))? {
-            let folder = folder.map_err(StoreError::file(place))?;
-            if folder.file_name().to_string_lossy().starts_with(LISTS) {
-                remove(&folder.path())?;
+        self.write_frame(|_| true)?;
+        let aside = files::put(&self.path, place)?;
+        let failed = StoreError::file(place);
+        own::gone(fs::remove_file(place.join(IDENTITY))).map_err(&failed)?;
+        for folder in fs::read_dir(place).map_err(&failed)? {
+            let folder = folder.map_err(&failed)?;
+            if own::is_lists(&folder.file_name().to_string_lossy()) {
+                own::remove(&folder.path(), Kind::Lists).map_err(&failed)?;
             }
         }
-        remove(&aside)
+        Ok(files::remove(&aside)?)
     }
 
-    /// Removes the folder: its run is finished, or left nothing to go on with.
+    /// Removes what was saved: its run is finished, or left nothing to go on with. What somebody else put into the
+    /// folder stays, and the folder with it.
     ///
     /// # Errors
     /// [`StoreError::File`].
-    pub fn discard(mut self) -> Result<(), StoreError> {
-        // An open file cannot be removed everywhere.
-        drop(self.lock.take());
-        // First what says that the tiles are a run's: of some of them none is to go on.
-        remove(&self.path.join(IDENTITY))?;
-        remove(&self.path)
+    pub fn discard(self) -> Result<(), StoreError> {
+        let failed = StoreError::file(&self.path);
+        // Under another name half of it is nobody's to go on with.
+        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
+        let aside = self.path.with_file_name(temporary::aside(&name));
+        let is_whole = own::foreign(&self.path, Kind::Group).map_err(&failed)?.is_none();
+        let moved = is_whole && !aside.exists() && fs::rename(&self.path, &aside).is_ok();
+        let folder = if moved { &aside } else { &self.path };
+        if own::remove(folder, Kind::Group).map_err(&failed)?.is_some() && moved {
+            // Somebody was faster, and is to find it where it was put.
+            fs::rename(&aside, &self.path).map_err(&failed)?;
+        }
+        Ok(())
     }
-}
-
-/// Removes a file or a folder, if it is there.
-fn remove(path: &Path) -> Result<(), StoreError> {
-    files::remove(path).map_err(StoreError::file(path))
 }
 
 /// A folder in which nothing was saved goes.
 impl Drop for Store {
     fn drop(&mut self) {
-        // One that was published is not there any more.
-        if self.lock.take().is_some() && !self.is_used() {
-            // What cannot be removed does no harm: the next run finds an empty folder.
-            let _ = fs::remove_dir_all(&self.path);
+        if !self.is_used() {
+            // One that was published is not there any more; one in which something lies stays.
+            let _ = fs::remove_dir(&self.path);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Scene files, read and written: the sections' keys are the parameters of the table, and a few that are no numbers.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{SerializeMap, Serializer};
@@ -9,25 +10,66 @@ use serde::{Deserialize, Serialize};
 use super::builder::SceneBuilder;
 use super::excitation::RecordText;
 use super::parameters::{Parameter, Section};
+use super::path_text::PathText;
 use super::values::Values;
 
 /// A key of a section.
 #[derive(Clone, Copy)]
 enum Key {
     Number(Parameter),
-    /// One that is no number of the table.
-    Word(&'static str),
+    Word(Word),
+}
+
+/// A key that is no number of the table. What reads and what writes a scene has a case of each: the compiler asks for
+/// that of a new one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Word {
+    Object,
+    Isolation,
+    Shape,
+    Horizontal,
+    Vertical,
+    Dt,
+    Units,
+    Overturn,
+    Force,
+    X,
+    Y,
+}
+
+impl Word {
+    /// Those of a section.
+    fn of_section(section: Section) -> &'static [Word] {
+        match section {
+            Section::Block => &[Word::Object],
+            Section::Base => &[Word::Isolation],
+            Section::Pulse => &[Word::Shape],
+            Section::Record => &[Word::Horizontal, Word::Vertical, Word::Dt, Word::Units],
+            Section::Run => &[Word::Overturn, Word::Force, Word::X, Word::Y],
+        }
+    }
+
+    /// As a file has it.
+    fn key(self) -> &'static str {
+        match self {
+            Word::Object => "object",
+            Word::Isolation => "isolation",
+            Word::Shape => "shape",
+            Word::Horizontal => "horizontal",
+            Word::Vertical => "vertical",
+            Word::Dt => "dt",
+            Word::Units => "units",
+            Word::Overturn => "overturn",
+            Word::Force => "force",
+            Word::X => "x",
+            Word::Y => "y",
+        }
+    }
 }
 
 /// The keys of a section that are no numbers of the table.
-pub fn words(section: Section) -> &'static [&'static str] {
-    match section {
-        Section::Block => &["object"],
-        Section::Base => &["isolation"],
-        Section::Pulse => &["shape"],
-        Section::Record => &["horizontal", "vertical", "dt", "units"],
-        Section::Run => &["overturn", "force", "x", "y"],
-    }
+pub fn words(section: Section) -> Vec<&'static str> {
+    Word::of_section(section).iter().map(|word| word.key()).collect()
 }
 
 /// Reads a key that must be known.
@@ -86,7 +128,8 @@ impl<'de> Visitor<'de> for Fill<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let Fill(scene, section) = self;
         let keys = || {
-            let words = words(section).iter().map(|word| (*word, Key::Word(word)));
+            let words = Word::of_section(section).iter();
+            let words = words.map(|word| (word.key(), Key::Word(*word)));
             let numbers = Parameter::of_section(section);
             words.chain(numbers.map(|number| (number.key(), Key::Number(number)))).collect()
         };
@@ -95,18 +138,21 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 Key::Number(parameter) => {
                     scene.numbers.set(parameter, map.next_value::<Values>()?);
                 }
-                Key::Word("object") => scene.object = Some(map.next_value()?),
-                Key::Word("isolation") => scene.isolation = Some(map.next_value()?),
-                Key::Word("overturn") => scene.overturn = Some(map.next_value()?),
-                Key::Word("shape") => scene.shape = Some(map.next_value()?),
-                Key::Word("horizontal") => files(scene).horizontal = Some(map.next_value()?),
-                Key::Word("vertical") => files(scene).vertical = Some(map.next_value()?),
-                Key::Word("dt") => files(scene).dt = Some(map.next_value()?),
-                Key::Word("units") => files(scene).units = Some(map.next_value()?),
-                Key::Word("force") => scene.force = map.next_value()?,
-                Key::Word("x") => scene.x = Some(map.next_value()?),
-                // The last of the words that there are.
-                Key::Word(_) => scene.y = Some(map.next_value()?),
+                Key::Word(Word::Object) => scene.object = Some(map.next_value()?),
+                Key::Word(Word::Isolation) => scene.isolation = Some(map.next_value()?),
+                Key::Word(Word::Overturn) => scene.overturn = Some(map.next_value()?),
+                Key::Word(Word::Shape) => scene.shape = Some(map.next_value()?),
+                Key::Word(Word::Horizontal) => {
+                    files(scene).horizontal = Some(map.next_value::<PathText>()?.0);
+                }
+                Key::Word(Word::Vertical) => {
+                    files(scene).vertical = Some(map.next_value::<PathText>()?.0);
+                }
+                Key::Word(Word::Dt) => files(scene).dt = Some(map.next_value()?),
+                Key::Word(Word::Units) => files(scene).units = Some(map.next_value()?),
+                Key::Word(Word::Force) => scene.force = map.next_value()?,
+                Key::Word(Word::X) => scene.x = Some(map.next_value()?),
+                Key::Word(Word::Y) => scene.y = Some(map.next_value()?),
             }
         }
         Ok(())
@@ -182,20 +228,21 @@ impl Serialize for Written<'_> {
         let Written(scene, section) = *self;
         let record = scene.record.clone().unwrap_or_default();
         let mut map = serializer.serialize_map(None)?;
-        for word in words(section) {
-            match *word {
-                "object" => entry(&mut map, word, &scene.object)?,
-                "isolation" => entry(&mut map, word, &scene.isolation)?,
-                "overturn" => entry(&mut map, word, &scene.overturn)?,
-                "shape" => entry(&mut map, word, &scene.shape)?,
-                "horizontal" => entry(&mut map, word, &record.horizontal)?,
-                "vertical" => entry(&mut map, word, &record.vertical)?,
-                "dt" => entry(&mut map, word, &record.dt)?,
-                "units" => entry(&mut map, word, &record.units)?,
-                "force" => entry(&mut map, word, &scene.force.then_some(true))?,
-                "x" => entry(&mut map, word, &scene.x)?,
-                // The last of the words that there are.
-                _ => entry(&mut map, word, &scene.y)?,
+        let file = |path: Option<PathBuf>| path.map(PathText);
+        for word in Word::of_section(section) {
+            let key = word.key();
+            match word {
+                Word::Object => entry(&mut map, key, &scene.object)?,
+                Word::Isolation => entry(&mut map, key, &scene.isolation)?,
+                Word::Overturn => entry(&mut map, key, &scene.overturn)?,
+                Word::Shape => entry(&mut map, key, &scene.shape)?,
+                Word::Horizontal => entry(&mut map, key, &file(record.horizontal.clone()))?,
+                Word::Vertical => entry(&mut map, key, &file(record.vertical.clone()))?,
+                Word::Dt => entry(&mut map, key, &record.dt)?,
+                Word::Units => entry(&mut map, key, &record.units)?,
+                Word::Force => entry(&mut map, key, &scene.force.then_some(true))?,
+                Word::X => entry(&mut map, key, &scene.x)?,
+                Word::Y => entry(&mut map, key, &scene.y)?,
             }
         }
         let own =
@@ -228,5 +275,35 @@ impl Serialize for SceneBuilder {
             }
         }
         map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each key goes to a place of its own: read alone it is written alone.
+    #[test]
+    fn a_word_that_is_read_is_the_one_that_is_written() {
+        for section in Section::ALL {
+            for word in words(section) {
+                let value = match word {
+                    "object" => "2",
+                    "isolation" => "\"vertical\"",
+                    "shape" => "\"ricker\"",
+                    "dt" => "0.01",
+                    "units" => "\"g\"",
+                    "overturn" => "\"quarter-turn\"",
+                    "force" => "true",
+                    "x" | "y" => "\"t_h\"",
+                    _ => "\"mine.at2\"",
+                };
+                let text = format!("[{}]\n{word} = {value}\n", section.key());
+                let scene = SceneBuilder::from_toml(&text).unwrap();
+                assert_eq!(scene.to_toml().unwrap(), text);
+            }
+        }
+        let unknown = SceneBuilder::from_toml("[run]\nz = \"t_h\"\n").unwrap_err();
+        assert!(unknown.contains("the key `z` is not known here"), "{unknown}");
     }
 }

@@ -16,6 +16,7 @@ pub mod keys;
 pub mod manual;
 pub mod numbers;
 pub mod parameters;
+pub mod path_text;
 pub mod range;
 pub mod record;
 

@@ -3,8 +3,10 @@
 use std::time::Instant;
 
 use super::runner::Runner;
+use super::saved::{self, SavedMotions};
 use super::swept::{SuiteJob, SuiteSweep};
-use super::{saved, verified::Verified};
+use super::verified::Verified;
+use crate::results::lock::Holds;
 use crate::sweep::error::SweepError;
 use crate::sweep::observer::{Observer, Phase};
 
@@ -15,20 +17,22 @@ impl SuiteJob {
     /// A backend that failed, a directory that is in use or cannot be written, an observer that ended it.
     pub fn run(self, observer: &dyn Observer) -> Result<SuiteSweep, SweepError> {
         // Parts may run at the same time: each motion is a file of its own.
-        let alone = self.settings.saving.as_ref().filter(|_| self.settings.part.is_none());
-        let lock = alone.map(|folder| saved::lock(folder)).transpose()?;
+        let holds = if self.settings.part.is_some() { Holds::Together } else { Holds::Alone };
+        let folder = self.settings.saving.as_ref();
+        let saved = folder.map(|folder| SavedMotions::lock(folder, holds)).transpose();
+        let saved = saved.map_err(SweepError::Folder)?;
         let began = Instant::now();
         let runs = if self.settings.run.method.resolve { 2 } else { 1 };
         observer.begins(Phase::Sweeping, runs * self.cells());
         let swept = Runner::new(&self, self.motions(), observer).run()?;
         let seconds = began.elapsed().as_secs_f64() - swept.verifying;
-        drop(lock);
         let mut verified = Verified::default();
         swept.motions.iter().for_each(|motion| verified.add(&motion.verified));
         let (motions, resumed) = (swept.motions, swept.resumed);
         let SuiteJob { scene, grid, .. } = self;
-        Ok(SuiteSweep { scene, grid, motions, resumed, seconds, verified })
+        Ok(SuiteSweep { scene, grid, motions, resumed, seconds, verified, saved })
     }
+
     /// True where the folder that it saves to holds motions, and none of its own.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 //! was interrupted goes on, and parts that ran on several machines are one.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -11,8 +11,9 @@ use sha2::{Digest, Sha256};
 use super::swept::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
-use crate::results::files::{Directory, remove};
-use crate::results::lock;
+use crate::results::files::{Directory, WriteError};
+use crate::results::lock::{Holds, Lock, lock};
+use crate::results::own::{self, Kind};
 use crate::results::store_error::StoreError;
 use crate::scene::Scene;
 use crate::stepping::outcome::Class;
@@ -37,26 +38,47 @@ pub fn is_begun(out: &Path) -> bool {
     !names(&folder(out)).is_empty()
 }
 
-/// The names of the files of a folder of motions.
+/// The names of the motions in a folder.
 pub(super) fn names(folder: &Path) -> BTreeSet<String> {
     let there = fs::read_dir(folder).into_iter().flatten().flatten();
     let names = there.map(|entry| entry.file_name().to_string_lossy().into_owned());
-    names.filter(|name| name != lock::NAME).collect()
+    names.filter(|name| own::is_motion(name)).collect()
 }
 
-/// Locks the folder for a run that needs all of it.
-pub(super) fn lock(folder: &Path) -> Result<File, SweepError> {
-    Directory::open(folder).map_err(StoreError::from)?;
-    let place = folder.parent().unwrap_or(folder);
-    lock::lock(folder, place).map_err(SweepError::Folder)
+/// The folder of motions of a run, which no other run takes away as long as this lives.
+#[derive(Debug)]
+pub struct SavedMotions {
+    folder: PathBuf,
+    _lock: Lock,
 }
 
-/// Removes what was saved, when it is not needed any more.
-///
-/// # Errors
-/// Those of the disk.
-pub fn discard(out: &Path) -> io::Result<()> {
-    remove(&folder(out))
+impl SavedMotions {
+    /// Locks the folder: for one run that needs all of it, or for several of which each runs a part.
+    ///
+    /// # Errors
+    /// [`StoreError::InUse`]; [`WriteError::Foreign`] where the folder holds no motions but something else; those of the
+    /// disk.
+    pub(super) fn lock(folder: &Path, holds: Holds) -> Result<SavedMotions, StoreError> {
+        let place = folder.parent().unwrap_or(folder);
+        let directory = Directory::open(place)?;
+        let lock = lock(folder, place, holds)?;
+        if holds == Holds::Alone {
+            directory.remove_leftovers(&[])?;
+        }
+        let foreign = own::foreign(folder, Kind::Motions).map_err(StoreError::file(folder))?;
+        match foreign {
+            Some(path) if names(folder).is_empty() => Err(WriteError::Foreign(path).into()),
+            _ => Ok(SavedMotions { folder: folder.to_path_buf(), _lock: lock }),
+        }
+    }
+
+    /// Removes what was saved, when it is not needed any more; what somebody else put there stays.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn discard(self) -> io::Result<()> {
+        own::remove(&self.folder, Kind::Motions).map(|_| ())
+    }
 }
 
 /// The name of a motion's file: a checksum of all that its cells depend on.

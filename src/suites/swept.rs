@@ -1,9 +1,11 @@
 //! A sweep under every motion of a suite, each at all its levels.
 
+use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::saved::SavedMotions;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
@@ -28,6 +30,8 @@ pub struct SuiteSweep {
     pub seconds: f64,
     /// What the reference says of samples.
     pub verified: Verified,
+    /// Where the motions are saved; nowhere without a directory.
+    pub(super) saved: Option<SavedMotions>,
 }
 
 /// The cells of a grid under a motion: level by level, in the grid's order.
@@ -123,6 +127,14 @@ impl SuiteJob {
 }
 
 impl SuiteSweep {
+    /// Takes away what was saved while it ran: its results are written. Until then no other run begins in the directory.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn discard_saved(&mut self) -> io::Result<()> {
+        self.saved.take().map_or(Ok(()), SavedMotions::discard)
+    }
+
     /// The motions under which the block of a cell stands, at their first level.
     pub fn standing(&self, cell: usize) -> impl Iterator<Item = &SweptMotion> {
         self.motions.iter().filter(move |motion| motion.outcomes[cell].stands())

@@ -7,9 +7,9 @@ use topple::figures::{Figure, curves, letter};
 use topple::refine::curve::ReferenceWord;
 use topple::scene::{Grid, Scene, Values};
 use topple::sweep::history;
-use topple::sweep::progress::Unwatched;
 
-use super::super::errors::sweep_error;
+use super::super::errors::of_figure;
+use super::super::interrupt;
 use super::super::progress::Bar;
 use super::{Work, plan};
 
@@ -30,8 +30,8 @@ impl Work<'_> {
             let bisection = Bisection { backends, plan: &plan, asked: ASKED };
             let mut curve = |scene: &Scene| -> anyhow::Result<Vec<Least>> {
                 let swept = self.sweep(scene, panel.fixed_step, &name, &progress)?;
-                let least = boundary::least(scene, &swept, &bisection, &Unwatched);
-                let (least, word) = least.map_err(sweep_error)?;
+                let least = boundary::least(scene, &swept, &bisection, interrupt::flag());
+                let (least, word) = least.map_err(of_figure)?;
                 all = all.with(word);
                 Ok(least)
             };

@@ -9,11 +9,13 @@ use topple::figures::{Figure, Panel, letter, panels, path};
 use topple::map::Map;
 use topple::results;
 use topple::scene::{Grid, Scene};
-use topple::sweep::progress::Unwatched;
+use topple::sweep::backend_error::BackendError;
 use topple::sweep::sample;
 use topple::sweep::settings::Method;
 use topple::sweep::verification::{self, Verification};
 
+use super::super::errors::of_figure;
+use super::super::interrupt;
 use super::super::progress::Bar;
 use super::{Work, plan};
 
@@ -103,8 +105,8 @@ impl Work<'_> {
         let by_steps = plan(self.options, map.scene, None, place)?;
         let chosen = sample::sample(&map.grid, map, SAMPLE)?;
         let sample = (&chosen[..], Duration::MAX);
-        let verified = verification::verify(&by_steps, &map.grid, sample, &Unwatched);
-        verified.ok_or_else(|| anyhow::anyhow!("{place}: the verification was cancelled"))
+        let verified = verification::verify(&by_steps, &map.grid, sample, interrupt::flag());
+        verified.ok_or_else(|| of_figure(BackendError::Cancelled.into()))
     }
 
     /// What the paths of a panel meet: a picture and a table each.

@@ -15,16 +15,18 @@ use topple::results::files::Directory;
 use topple::scene::{Grid, Scene, SceneError};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::backend::Backend;
+use topple::sweep::backend_error::BackendError;
 use topple::sweep::clock::Resolution;
 use topple::sweep::error::SweepError;
 use topple::sweep::plan::Plan;
 
+use super::errors::of_figure;
 use super::memory;
 use super::options::RunOptions;
 use super::output;
 use super::print::print_line;
 use super::progress::Bar;
-use super::{InputError, examples, load};
+use super::{InputError, examples, interrupt, load};
 
 /// Most points of an axis.
 const MOST: i64 = topple::scene::Range::LARGEST_COUNT as i64;
@@ -111,7 +113,11 @@ impl FiguresCommand {
             backend: self.options.open_backends()?.swap_remove(0),
         };
         work.say_missing(&figures);
+        interrupt::listen();
         for (figure, motions) in &figures {
+            if interrupt::asked() {
+                return Err(of_figure(BackendError::Cancelled.into()));
+            }
             // A figure has panels of one kind: its reader made sure.
             match figure.panels[0].shows {
                 Shows::LeastAmplitude => work.boundaries(figure)?,
@@ -221,7 +227,8 @@ impl Work<'_> {
         let (cells, precision, resolve) = (0..grid.len(), options.precision(), options.resolve);
         Ok(self
             .backend
-            .sweep_range(&plan, &grid, cells, precision, resolve, progress)?
+            .sweep_range(&plan, &grid, cells, precision, resolve, progress)
+            .map_err(|error| of_figure(error.into()))?
             .block
             .to_outcomes())
     }

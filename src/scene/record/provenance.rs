@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::Units;
+use crate::scene::path_text;
 
 /// The files of a record.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -23,7 +24,8 @@ pub struct Provenance {
 /// A file of a record, as it was read.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RecordFile {
-    /// Where it lay: an absolute path.
+    /// Where it lay: an absolute path; in a document as [`path_text`] has it.
+    #[serde(with = "path_text")]
     pub path: PathBuf,
     /// SHA-256 of its bytes, in hexadecimal digits.
     pub sha256: String,

@@ -3,7 +3,7 @@
 #[cfg(any(target_os = "linux", target_os = "freebsd"))]
 use std::ffi::CStr;
 
-use wgpu::{Adapter, Backends, DeviceType, Features, Instance};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance};
 
 use super::super::description::AdapterDescription;
 use super::BackendError;
@@ -38,6 +38,7 @@ pub fn all() -> Vec<Adapter> {
     let Some(instance) = instance() else { return Vec::new() };
     let mut adapters = pollster::block_on(instance.enumerate_adapters(BACKENDS));
     adapters.retain(|adapter| adapter.limits().max_compute_workgroup_size_x >= 64);
+    once(&mut adapters, Adapter::get_info);
     adapters.sort_by_key(|adapter| {
         let kind = match adapter.get_info().device_type {
             DeviceType::DiscreteGpu => 0,
@@ -49,6 +50,30 @@ pub fn all() -> Vec<Adapter> {
         (kind, !is_able(adapter, Precision::F64))
     });
     adapters
+}
+
+/// Leaves of adapters that are one device the first.
+fn once<T>(adapters: &mut Vec<T>, info: impl Fn(&T) -> AdapterInfo) {
+    let mut known: Vec<AdapterInfo> = Vec::with_capacity(adapters.len());
+    adapters.retain(|adapter| {
+        let own = info(adapter);
+        let is_new = !known.iter().any(|other| is_one(other, &own));
+        known.extend(is_new.then_some(own));
+        is_new
+    });
+}
+
+/// True of one device that Vulkan lists twice, which it does where two manifests name one driver. Two cards of one kind
+/// differ in their places on the PCI bus; software has no place there, and the processor is one device whoever asks. The
+/// other interfaces list each device once, and tell no place on the bus, or of cards of one kind that of the first.
+fn is_one(one: &AdapterInfo, other: &AdapterInfo) -> bool {
+    let told = |info: &AdapterInfo| {
+        let AdapterInfo { name, vendor, device, device_pci_bus_id, .. } = info;
+        let driver = (info.driver.clone(), info.driver_info.clone());
+        (info.device_type, *vendor, *device, name.clone(), device_pci_bus_id.clone(), driver)
+    };
+    [one, other].iter().all(|info| info.backend == wgpu::Backend::Vulkan)
+        && told(one) == told(other)
 }
 
 /// The way to the drivers: none without a Vulkan loader.
@@ -164,4 +189,43 @@ fn unlike(one: &Adapter, other: &Adapter) -> Option<BackendError> {
     let (one, other) = (AdapterDescription::of(one), AdapterDescription::of(other));
     let named = |of: AdapterDescription| format!("{} ({}, {})", of.name, of.api, of.driver);
     (one != other).then(|| BackendError::Unlike(named(one), named(other)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn card(api: wgpu::Backend, name: &str, pci: &str) -> AdapterInfo {
+        AdapterInfo {
+            name: name.into(),
+            vendor: 0x10de,
+            device: 0x2330,
+            device_pci_bus_id: pci.into(),
+            driver: "driver".into(),
+            ..AdapterInfo::new(DeviceType::DiscreteGpu, api)
+        }
+    }
+
+    /// What is left of adapters, by number.
+    fn left(infos: &[AdapterInfo]) -> Vec<usize> {
+        let mut numbers: Vec<usize> = (0..infos.len()).collect();
+        once(&mut numbers, |number| infos[*number].clone());
+        numbers
+    }
+
+    #[test]
+    fn a_device_that_two_manifests_name_counts_once_and_two_cards_of_a_kind_twice() {
+        use wgpu::Backend::{Dx12, Metal, Vulkan};
+        let first = card(Vulkan, "H100", "0000:17:00.0");
+        let second = card(Vulkan, "H100", "0000:65:00.0");
+        let software = AdapterInfo { device_type: DeviceType::Cpu, ..card(Vulkan, "llvmpipe", "") };
+        let newer = AdapterInfo { driver_info: "Mesa 26".into(), ..software.clone() };
+        let all = [&first, &software, &second, &software, &first, &second, &newer];
+        assert_eq!(left(&all.map(Clone::clone)), [0, 1, 2, 6]);
+        // Without a place on the bus two of Vulkan are one; other interfaces name each device once.
+        assert_eq!(left(&[card(Vulkan, "H100", ""), card(Vulkan, "H100", "")]), [0]);
+        for (api, pci) in [(Metal, ""), (Dx12, "0000:17:00.0")] {
+            assert_eq!(left(&[card(api, "Pro", pci), card(api, "Pro", pci)]), [0, 1]);
+        }
+    }
 }
