@@ -199,7 +199,8 @@ struct Asked {
 
 /// The suite and the request of keywords.
 fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Asked> {
-    let path = value_of(keywords, "suite")?
+    let path = keywords
+        .get_item("suite")?
         .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?;
     let path: PathBuf = taken("suite", &path, "a path")?;
     let strict = given(keywords, "strict", "True or False")?.unwrap_or(false);
