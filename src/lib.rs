@@ -35,8 +35,8 @@
 //! # Features
 //!
 //! `cli` (default) is the command `topple`, with all others. A library user turns it off and chooses from
-//! `gpu` (the shader, by wgpu) and `pictures` (figures of maps and of the paper); without either, sweeps run on
-//! the CPU. `internals` opens the modules behind this page, which promise nothing.
+//! `gpu` (the shader, by wgpu), `pictures` (figures of maps and of the paper) and `explore` (the page of
+//! `topple explore`, with both); without any, sweeps run on the CPU. `internals` opens the modules behind this page, which promise nothing.
 //!
 //! # The way of the data
 //!

@@ -1,11 +1,11 @@
 //! From keywords to a scene and to how it is run.
 
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict};
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict, PyType};
 use serde_json::{Map, Value, json};
 use topple::scene::excitation::RecordText;
 use topple::scene::keys;
@@ -47,6 +47,8 @@ pub const SETTINGS: [&str; 12] = [
     "tile",
     THREADS,
 ];
+/// Those of them that say how a motion is integrated, in a map as in a single cell.
+pub const METHOD: [&str; 4] = ["backend", "precision", "step", "full_model"];
 /// The keyword of how many threads compute.
 const THREADS: &str = "threads";
 
@@ -97,7 +99,7 @@ impl Request {
                 let (scene, record) = value.extract()?;
                 start = Start::Result(scene, record);
             } else if key == THREADS {
-                threads = Some(taken::<NonZeroUsize>(&key, &value, "a number of threads")?);
+                threads = Some(taken_number(&key, &value, "a number of threads")?);
             } else if SETTINGS.contains(&key.as_str()) {
                 set(&mut settings, &key, &value)?;
             } else {
@@ -130,7 +132,13 @@ impl Request {
 
     /// The checked scene; `recorded`: a record shakes it, the synthetic pair where none is given.
     pub fn check(&self, recorded: bool) -> PyResult<Scene> {
-        let none = self.scene.record.as_ref().is_none_or(|record| record.horizontal.is_none());
+        let record = self.scene.record.as_ref();
+        let none = record.is_none_or(|record| record.horizontal.is_none());
+        // The synthetic pair tells its step and its units, and has both components.
+        if let (None, true, Some(record)) = (&self.motion, recorded && none, record) {
+            let problem = "no horizontal record is given; give it, or leave this out";
+            return Err(of_keyword(record.first_key(), problem));
+        }
         let motion = match &self.motion {
             None if recorded && none => Some(synthetic::pair()),
             motion => motion.clone(),
@@ -167,40 +175,69 @@ fn again(scene: &str, record: Option<&str>, shaken: bool) -> PyResult<SceneBuild
 
 /// A number, a range as text, or a list.
 pub fn values(key: &str, value: &Bound<'_, PyAny>) -> PyResult<Values> {
-    let expected = "give a number, a sequence of numbers, or start:stop:count";
-    if !counts(value) {
-        return Err(of_keyword(key, expected));
-    }
-    if let Ok(number) = value.extract::<f64>() {
-        return Ok(number.into());
-    }
+    let expected = || of_keyword(key, "give a number, a sequence of numbers, or start:stop:count");
     if let Ok(text) = value.extract::<String>() {
         return text.parse().map_err(|error| of_keyword(key, error));
     }
-    let items: Vec<Bound<'_, PyAny>> = value.extract().map_err(|_| of_keyword(key, expected))?;
-    let number = |item: &Bound<'_, PyAny>| counts(item).then(|| item.extract().ok()).flatten();
-    let numbers: Option<Vec<f64>> = items.iter().map(number).collect();
-    let numbers = numbers.ok_or_else(|| of_keyword(key, expected))?;
+    if !may_hold_numbers(value) {
+        return Err(expected());
+    }
+    unmasked(key, value)?;
+    // What has a length is a sequence: numpy makes a number of an array of one value.
+    if value.len().is_err() {
+        return number(value).map(Into::into).ok_or_else(expected);
+    }
+    let items: Vec<Bound<'_, PyAny>> = value.extract().map_err(|_| expected())?;
+    let mut numbers = Vec::with_capacity(items.len());
+    for item in &items {
+        unmasked(key, item)?;
+        numbers.push(number(item).ok_or_else(expected)?);
+    }
     Values::list(numbers).map_err(|error| of_keyword(key, error))
 }
 
-/// False of what Python would take for numbers though it is none: truths, bytes, arrays of either, complex numbers.
-fn counts(value: &Bound<'_, PyAny>) -> bool {
-    let kind = value.getattr("dtype").and_then(|dtype| dtype.getattr("kind"));
-    let of_numbers = |kind: String| "iufOU".contains(&kind);
-    let array = kind.and_then(|kind| kind.extract::<String>()).map_or(true, of_numbers);
-    let none = value.is_instance_of::<PyBool>()
-        || value.is_instance_of::<PyBytes>()
-        || value.is_instance_of::<PyByteArray>();
-    array && !none
+/// Refuses what numpy has masked: whoever masks a value does not want it, and what lies below is no number of theirs.
+fn unmasked(key: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    static ARRAY: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let masked = ARRAY.import(value.py(), "numpy.ma", "MaskedArray")?;
+    if may_hold_numbers(value)
+        && value.is_instance(masked)?
+        && value.py().import("numpy.ma")?.call_method1("is_masked", (value,))?.extract()?
+    {
+        return Err(of_keyword(
+            key,
+            "values are masked; fill them, or leave them out, as compressed() does",
+        ));
+    }
+    Ok(())
+}
+
+/// A single number; none of what Python would take for one though it is none: truths, arrays of one value, complex
+/// numbers.
+fn number(value: &Bound<'_, PyAny>) -> Option<f64> {
+    let real = kind_of(value).is_none_or(|kind| "iuf".contains(&kind));
+    let single = real && !value.is_instance_of::<PyBool>() && value.len().is_err();
+    single.then(|| value.extract().ok()).flatten()
+}
+
+/// False of what would pass for numbers, or has a mask of another kind: bytes, arrays of truths and of structures.
+fn may_hold_numbers(value: &Bound<'_, PyAny>) -> bool {
+    let none = value.is_instance_of::<PyBytes>() || value.is_instance_of::<PyByteArray>();
+    // What an array of objects holds is looked at one by one.
+    !none && kind_of(value).is_none_or(|kind| "iufO".contains(&kind))
+}
+
+/// The kind of numpy's type, of what has one.
+fn kind_of(value: &Bound<'_, PyAny>) -> Option<String> {
+    value.getattr("dtype").and_then(|dtype| dtype.getattr("kind")).ok()?.extract().ok()
 }
 
 /// The value of a key that is no number of the table, as the section of a scene takes it.
 fn word(section: Section, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value> {
     let word = match key {
-        "object" => json!(taken::<u32>(key, value, "the number of a block, from 1 on")?),
+        "object" => json!(taken_number::<u32>(key, value, "the number of a block, from 1 on")?),
         "force" => json!(taken::<bool>(key, value, "True or False")?),
-        "dt" => json!(taken::<f64>(key, value, "a number of seconds")?),
+        "dt" => json!(taken_number::<f64>(key, value, "a number of seconds")?),
         "horizontal" | "vertical" => json!(PathText(taken(key, value, "a path")?)),
         _ => json!(taken::<String>(key, value, "a word")?),
     };
@@ -249,11 +286,16 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
         "backend" => settings.backend = named_one(key, &text()?)?,
         "precision" => settings.method.precision = named_one(key, &text()?)?,
         "adapter" => {
-            let one = value.extract::<usize>().map(|number| vec![number]);
-            let several = || taken(key, value, "the number of an adapter, or a sequence of them");
-            settings.adapters = one.or_else(|_| several())?;
+            let expected = "the number of an adapter, or a sequence of them";
+            settings.adapters = match value.extract::<Vec<Bound<'_, PyAny>>>() {
+                Ok(items) => {
+                    let items = items.iter().map(|item| taken_number(key, item, expected));
+                    items.collect::<PyResult<_>>()?
+                }
+                Err(_) => vec![taken_number(key, value, expected)?],
+            };
         }
-        "step" => settings.method.largest_step = taken(key, value, "a number of seconds")?,
+        "step" => settings.method.largest_step = taken_number(key, value, "a number of seconds")?,
         "resolve" => settings.method.resolve = taken(key, value, "True or False")?,
         "full_model" => settings.method.full_model = taken(key, value, "True or False")?,
         "repair" => settings.method.repair = taken(key, value, "True or False")?,
@@ -262,11 +304,16 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
             let none = none || value.extract::<String>().is_ok_and(|text| text == "none");
             settings.verify = match none {
                 true => VerifySettings::cells(0),
-                false => VerifySettings::cells(taken(key, value, "a number of cells")?),
+                false => VerifySettings::cells(taken_number(key, value, "a number of cells")?),
             };
         }
         "out" => saving(settings).directory = taken(key, value, "a path")?,
-        "resume" => saving(settings).resume = taken(key, value, "True or False")?,
+        "resume" => {
+            // Without a directory there is nothing to go on from, and False says so.
+            if taken::<bool>(key, value, "True or False")? {
+                saving(settings).resume = true;
+            }
+        }
         "tile" => {
             let part = text()?.parse().map_err(|error| named(&error))?;
             saving(settings).part = Some(part);
@@ -298,9 +345,9 @@ pub fn refining(
             None => Ok(None),
         };
     };
-    let mut refining = RefineSettings::levels(taken(refine, &levels, "a number of levels")?);
+    let mut refining = RefineSettings::levels(taken_number(refine, &levels, "a number of levels")?);
     if let Some(share) = smoothness {
-        let share = taken(smooth, &share, "a share of a range")?;
+        let share = taken_number(smooth, &share, "a share of a range")?;
         if !(share > 0.0 && share < 1.0) {
             return Err(of_keyword(smooth, "give a share above 0 and below 1"));
         }
@@ -318,7 +365,19 @@ pub fn refining(
     Ok(Some(refining))
 }
 
-/// A value of a type; `expected` says which.
+/// A number of a type; `expected` says which. Neither a truth nor an array is one.
+pub fn taken_number<'py, T>(key: &str, value: &Bound<'py, PyAny>, expected: &str) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    unmasked(key, value)?;
+    match number(value) {
+        Some(_) => taken(key, value, expected),
+        None => Err(of_keyword(key, format!("{} is not {expected}", brief(value)))),
+    }
+}
+
+/// A value of a type; `expected` says which. Numbers are [`taken_number`]s.
 pub fn taken<'py, T>(key: &str, value: &Bound<'py, PyAny>, expected: &str) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,

@@ -98,6 +98,7 @@ pub fn sweep<'py>(
 pub fn check(recorded: bool, keywords: &Bound<'_, PyDict>) -> PyResult<()> {
     let request = Request::of(keywords, &own())?;
     request.check(recorded)?;
+    sharpness(keywords, &request.settings)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)
 }
 

@@ -20,7 +20,7 @@ use topple::{
 };
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
-use crate::keywords::{Request, taken, value_of, values};
+use crate::keywords::{Request, taken, taken_number, value_of, values};
 use crate::map::{axes, coordinates};
 use crate::uncertain::{A_SEED, varied};
 use crate::watch;
@@ -73,9 +73,9 @@ pub fn envelope<'py>(
 ) -> PyResult<Tables<'py>> {
     let Asked { suite, request, threads, resume } = asked(py, keywords, &ENVELOPE)?;
     let limits = Limits {
-        standing: given(keywords, "standing", "a number")?.unwrap_or(1.0),
-        u: given(keywords, "limit_u", "a number of metres")?,
-        v: given(keywords, "limit_v", "a number of metres")?,
+        standing: number(keywords, "standing", "a number")?.unwrap_or(1.0),
+        u: number(keywords, "limit_u", "a number of metres")?,
+        v: number(keywords, "limit_v", "a number of metres")?,
     };
     request.check().map_err(of_scene)?;
     request.check_envelope(&limits).map_err(of_scene)?;
@@ -115,22 +115,23 @@ pub fn fragility<'py>(
     if let Some(levels) = value_of(keywords, "levels")? {
         request.levels = Some(in_si(values("levels", &levels)?, keywords, request.im)?);
     }
-    request.limit_zeta = several(keywords, "limit_zeta")?;
-    request.limit_u = several(keywords, "limit_u")?;
-    request.limit_v = several(keywords, "limit_v")?;
-    for name in several::<String>(keywords, "estimator")? {
+    request.limit_zeta = numbers(keywords, "limit_zeta")?;
+    request.limit_u = numbers(keywords, "limit_u")?;
+    request.limit_v = numbers(keywords, "limit_v")?;
+    for name in several(keywords, "estimator")? {
         let known = Estimator::named(&name);
         let known = known.ok_or_else(|| of_keyword("estimator", format!("{name} is not known")))?;
         request.estimators.push(known);
     }
     request.vary = varied(keywords)?;
-    request.bootstrap = given(keywords, "bootstrap", "a number of sets")?;
-    request.seed = given(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
-    request.samples = given(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
-    let target: Option<f64> = given(keywords, "target", "a number")?;
+    request.bootstrap = number(keywords, "bootstrap", "a number of sets")?;
+    request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
+    request.samples = number(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
+    let target: Option<f64> = number(keywords, "target", "a number")?;
     let needed = [
         ("samples", "vary", "how many points of vary"),
         ("target", "hazard", "a rate of hazard's"),
+        ("units", "levels", "what levels are in"),
     ];
     for (key, other, says) in needed {
         if value_of(keywords, key)?.is_some() && value_of(keywords, other)?.is_none() {
@@ -205,6 +206,9 @@ fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyRes
     let strict = given(keywords, "strict", "True or False")?.unwrap_or(false);
     let Request { scene, settings, threads, .. } = Request::of(keywords, others)?;
     settings.method.check_step(scene.force).map_err(of_scene)?;
+    if settings.method.repair {
+        return Err(of_keyword("repair", "sweeps under a suite are not repaired; leave it out"));
+    }
     let mut request = SuiteRequest::new(scene);
     request.both_directions = given(keywords, "both_directions", "True or False")?.unwrap_or(false);
     let saving = settings.saving.as_ref();
@@ -236,7 +240,7 @@ fn of_this_run(job: SuiteJob, resume: bool) -> Result<SuiteJob, SweepError> {
 
 /// Levels in SI units; `units` is the factor that makes m/s^2 of an acceleration.
 fn in_si(levels: Values, keywords: &Bound<'_, PyDict>, im: Intensity) -> PyResult<Values> {
-    let Some(factor) = given::<f64>(keywords, "units", "a unit of acceleration")? else {
+    let Some(factor) = number::<f64>(keywords, "units", "a unit of acceleration")? else {
         return Ok(levels);
     };
     if im.unit() != "m/s²" {
@@ -283,19 +287,30 @@ where
     value_of(keywords, key)?.map(|value| taken(key, &value, expected)).transpose()
 }
 
-/// The values of a keyword: one, or several in a sequence.
-pub fn several<'py, T>(keywords: &Bound<'py, PyDict>, key: &str) -> PyResult<Vec<T>>
+/// The number that a keyword has, where it is given.
+fn number<'py, T>(keywords: &Bound<'py, PyDict>, key: &str, expected: &str) -> PyResult<Option<T>>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
+    value_of(keywords, key)?.map(|value| taken_number(key, &value, expected)).transpose()
+}
+
+/// The numbers of a keyword: one, or several in a sequence.
+fn numbers(keywords: &Bound<'_, PyDict>, key: &str) -> PyResult<Vec<f64>> {
+    let given = value_of(keywords, key)?.map(|value| values(key, &value)).transpose()?;
+    Ok(given.map_or_else(Vec::new, |values| values.iter().collect()))
+}
+
+/// The texts of a keyword: one, or several in a sequence.
+pub fn several(keywords: &Bound<'_, PyDict>, key: &str) -> PyResult<Vec<String>> {
     let Some(value) = value_of(keywords, key)? else {
         return Ok(Vec::new());
     };
-    if let Ok(one) = value.extract::<T>() {
+    if let Ok(one) = value.extract() {
         return Ok(vec![one]);
     }
     let items = value.try_iter().map_err(|error| of_keyword(key, error))?;
-    items.map(|one| taken(key, &one?, "of the right type")).collect()
+    items.map(|one| taken(key, &one?, "a text")).collect()
 }
 
 /// What is written to a table.

@@ -6,7 +6,7 @@ use topple::Column;
 use topple::scene::keys;
 use topple::scene::parameters::{PARAMETERS, Section};
 
-use crate::keywords::{REFINING, SETTINGS};
+use crate::keywords::{METHOD, REFINING, SETTINGS};
 use crate::uncertain::UNCERTAIN;
 
 /// The parameters of a scene as JSON: key, symbol, unit, meaning, range, default, section.
@@ -28,7 +28,8 @@ pub fn parameters() -> String {
 }
 
 /// The keywords that are no numbers, as JSON: those of each section of a scene, under `settings` how it is run,
-/// under `refining` how its map is refined, and under `uncertain` what is not known of it.
+/// under `method` how a motion is integrated, under `refining` how its map is refined, and under `uncertain` what is not
+/// known of it.
 #[pyfunction]
 pub fn words() -> String {
     let mut words: serde_json::Map<String, serde_json::Value> = Section::ALL
@@ -36,6 +37,7 @@ pub fn words() -> String {
         .map(|section| (section.key().to_string(), json!(keys::words(*section))))
         .collect();
     words.insert("settings".into(), json!(SETTINGS));
+    words.insert("method".into(), json!(METHOD));
     words.insert("refining".into(), json!(REFINING));
     words.insert("uncertain".into(), json!(UNCERTAIN));
     json!(words).to_string()

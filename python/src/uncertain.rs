@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use topple::{Axis, Class, Probabilities, RunSettings, Uncertainty, Varied};
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
-use crate::keywords::{REFINING, Request, taken, value_of};
+use crate::keywords::{REFINING, Request, taken, taken_number, value_of};
 use crate::map::{axes, coordinates};
 use crate::suite::several;
 use crate::watch;
@@ -111,7 +111,7 @@ fn about(all: &Probabilities, uncertainty: &Uncertainty, settings: &RunSettings)
 fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
     let given = |key: &str| value_of(keywords, key);
     let whole = |key: &str, expected: &str| -> PyResult<Option<u32>> {
-        given(key)?.map(|value| taken(key, &value, expected)).transpose()
+        given(key)?.map(|value| taken_number(key, &value, expected)).transpose()
     };
     let flag = |value| taken(PIXEL, &value, "True or False");
     let (default, range) = SWEEPS;

@@ -210,3 +210,35 @@ def test_without_xarray():
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+def test_what_a_call_cannot_use_is_an_error(tmp_path):
+    cell = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": 5.0, "a_h": 4.0}
+    settings = {"out": tmp_path, "resume": True, "tile": "1/2", "verify": 3, "repair": True, "resolve": True, "adapter": 0, "threads": 2}
+    for key, value in settings.items():
+        with pytest.raises(ValueError, match=f"^{key}: .*how a map is run"):
+            topple.history(**cell, **{key: value})
+    base = {"object": 1, "t_h": 1.75, "t_v": 0.75}
+    (tmp_path / "a.txt").write_text("0.1\n0.2\n")
+    for key, value in {"dt": 0.01, "units": "g", "vertical": tmp_path / "a.txt"}.items():
+        with pytest.raises(ValueError, match=f"^{key}: no horizontal record is given"):
+            topple.seismic(**base, **{key: value})
+    for call in (topple.pulse, topple.history):
+        with pytest.raises(ValueError, match="^progress: give False"):
+            call(**cell, progress=3)
+    with pytest.raises(ValueError, match="^out: 3 is not a path"):
+        topple.pulse(**cell, out=3)
+    assert topple.pulse(**cell, resume=False, verify=False)["zeta"].shape == (1, 1)
+
+
+def test_a_history_is_drawn_in_one_way():
+    pytest.importorskip("matplotlib")
+    motion = topple.history(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h=8.0)
+    for key, draw in (
+        ("column", lambda: motion.topple.plot("zeta")),
+        ("ax", lambda: motion.topple.plot(ax="none")),
+        ("cell", lambda: motion.topple.animate({"omega": 6.0})),
+        ("omega", lambda: motion.topple.animate(omega=6.0)),
+    ):
+        with pytest.raises(ValueError, match=f"^{key}: a history"):
+            draw()

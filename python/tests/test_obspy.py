@@ -13,7 +13,7 @@ DT = 0.01
 
 def trace(channel, samples, start=0.0):
     header = {"network": "XX", "station": "ABC", "channel": channel, "delta": DT, "starttime": obspy.UTCDateTime(start)}
-    return obspy.Trace(np.array(samples), header)
+    return obspy.Trace(np.array(samples, subok=True), header)
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +36,8 @@ def test_traces_and_streams_are_their_samples(pair, by_arrays):
         {"horizontal": obspy.Stream([v, h])},
         {"horizontal": obspy.Stream([h]), "vertical": obspy.Stream([v])},
         {"horizontal": h, "vertical": obspy.Stream([v])},
+        # A mask that hides nothing.
+        {"horizontal": trace("HNE", np.ma.masked_array(h.data, mask=False)), "vertical": v},
     ):
         assert topple.seismic(**SCENE, **given, units="cm/s2").equals(by_arrays), given
     alone = topple.seismic(**SCENE, horizontal=obspy.Stream([h]), units="cm/s2")
@@ -53,10 +55,16 @@ def test_what_is_ambiguous_is_refused(pair):
     north = trace("HNN", h.data)
     gaps = h.copy()
     gaps.data = np.ma.masked_array(h.data, mask=np.arange(len(h.data)) == 7)
+    # What obspy itself makes of two pieces of a trace.
+    first, last = h.slice(endtime=h.stats.starttime + 2.0), h.slice(starttime=h.stats.starttime + 2.5)
+    merged = obspy.Stream([first, last]).merge()
+    assert np.ma.is_masked(merged[0].data)
     for given, line in (
         ({"horizontal": obspy.Stream([h, north, v])}, "^horizontal: a stream must have one .*XX.ABC..HNE, XX.ABC..HNN"),
         ({"horizontal": obspy.Stream([v])}, "^horizontal: a stream must have one .*none"),
         ({"horizontal": gaps, "vertical": v}, "^horizontal: the trace has gaps"),
+        ({"horizontal": h, "vertical": gaps}, "^vertical: the trace has gaps"),
+        ({"horizontal": merged}, "^horizontal: the trace has gaps"),
         ({"horizontal": h, "vertical": trace("HNZ", v.data, start=2.0)}, "^vertical: it begins 2 s away"),
     ):
         with pytest.raises(ValueError, match=line):

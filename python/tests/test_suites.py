@@ -66,6 +66,73 @@ def test_fragility(command, records, tmp_path):
     assert fits["theta"].notnull().any()
 
 
+def placed(found, table, keys):
+    """Every row of a table is where its axes and keys say, and elsewhere there is nothing."""
+    names = [name for name in table[0] if name not in (*found.coords, *keys)]
+    for row in table:
+        at = {key: float(row[key]) if found[key].dtype.kind == "f" else row[key] for key in found.dims if key in row}
+        for name in names:
+            there = found[name].sel(at, method=None).item()
+            assert np.array_equal(there, number(row[name]), equal_nan=True), (at, name, there)
+    for name in names:
+        assert int(found[name].notnull().sum()) == sum(row[name] != "" for row in table), name
+
+
+def test_rows_are_placed_by_their_columns_where_cells_have_fewer(command, tmp_path):
+    """A base without stiffness after yielding and without a damper goes as far as the numbers do, and of the run nothing is
+    known: it is no row of the strongest level."""
+    push = [0.0, *[1.0] * 50, *[-0.2] * 250]
+    (tmp_path / "push.txt").write_text("\n".join(map(str, push)) + "\n")
+    (tmp_path / "list.csv").write_text("id,horizontal,vertical,dt,units\npush,push.txt,,0.1,m/s2\n")
+    base = {"object": 1, "isolation": "horizontal", "t_h": 20, "u_y": 10, "xi_h": 0, "psi": "0,1"}
+    asked = base | {"levels": "0.2,2,10000", "bootstrap": 40, "backend": "cpu"}
+    out = tmp_path / "out"
+    command("fragility", *flags(asked), "--both-directions", "--force", "--suite", tmp_path / "list.csv", "--verify", "none", "--out", out)
+    table = rows(out / "fragility.csv")
+    assert [(row["psi"], row["level"]) for row in table if row["limit_state"] == "overturning"] == [
+        ("0.0", "0.2"), ("0.0", "2.0"), ("1.0", "0.2"), ("1.0", "2.0"), ("1.0", "10000.0"),
+    ]
+    found = topple.fragility(tmp_path / "list.csv", **asked, both_directions=True, force=True, verify=0)
+    for name, keys in (("fragility", ("limit_state", "level")), ("fits", ("limit_state", "estimator")), ("capacities", ("record",))):
+        placed(found[name], rows(out / f"{name}.csv"), keys)
+    assert found["fragility"]["level"].values.tolist() == [0.2, 2.0, 10000.0]
+
+
+def test_rows_are_placed_by_their_columns_in_any_order():
+    """The tables of two axes, whose rows are shuffled, and some of which are not there."""
+    from topple import _tables
+
+    about = {
+        "index": ["t_v", "t_h"],
+        # The second is a number of f32, which tables have in the digits of f32.
+        "coordinates": {"t_h": [3.0, float(np.float32(0.1)), 2.0], "t_v": [0.5, 0.25]},
+        "axes": {},
+        "columns": {},
+        "best": [],
+    }
+    every = [(t_h, t_v) for t_v in ("0.5", "0.25") for t_h in ("3.0", "0.1", "2.0")]
+    value = {at: 10.0 * k for k, at in enumerate(every)}
+    for seed in range(20):
+        order = np.random.default_rng(seed).permutation(len(every))[: 6 - seed % 3]
+        kept = [every[k] for k in order]
+        text = "t_h,t_v,standing,max_u_100,stroke_v_100\n"
+        text += "".join(f"{t_h},{t_v},{value[t_h, t_v]},1,1\n" for t_h, t_v in kept)
+        found = _tables.of_cells([text], about)["standing"].values
+        expected = [[value[at] if (at := (t_h, t_v)) in kept else np.nan for t_h in ("3.0", "0.1", "2.0")] for t_v in ("0.5", "0.25")]
+        assert np.array_equal(found, expected, equal_nan=True)
+        levels = "t_h,t_v,limit_state,level,records,failed\n"
+        levels += "".join(f"{t_h},{t_v},uplift,{7 - k},3,{value[t_h, t_v]}\n" for k, (t_h, t_v) in enumerate(kept))
+        counts = _tables.of_fragility({"fragility": levels}, about)["fragility"]
+        assert counts["level"].values.tolist() == sorted(float(7 - k) for k in range(len(kept)))
+        for k, (t_h, t_v) in enumerate(kept):
+            cell = counts["failed"].sel(limit_state="uplift", level=7 - k, t_v=float(t_v))
+            assert cell.isel(t_h=("3.0", "0.1", "2.0").index(t_h)).item() == value[t_h, t_v]
+        assert int(counts["failed"].notnull().sum()) == len(kept)
+    for wrong in ("t_h,t_v,standing\n4.0,0.5,1\n", "t_h,t_v,standing\n3.0,0.5,1\n3.0,0.5,2\n"):
+        with pytest.raises(RuntimeError, match="defect"):
+            _tables.of_cells([wrong], about)
+
+
 def units(dataset):
     """The units of the numbers of a Dataset; each has one."""
     numbers = {name: of for name, of in dataset.variables.items() if of.dtype.kind in "fiu" and name != "row"}
@@ -165,6 +232,19 @@ def test_what_a_suite_refuses(records):
     for key, other in (("samples", "vary"), ("target", "hazard")):
         with pytest.raises(ValueError, match=f"^{key}: .* give {other}, too"):
             topple.fragility(records / "list.csv", **SCENE, **{key: 8}, levels=[1.0, 2.0])
+    with pytest.raises(ValueError, match="^units: .* give levels, too"):
+        topple.fragility(records / "list.csv", **SCENE, units="g")
+    for call in (topple.envelope, topple.fragility):
+        with pytest.raises(ValueError, match="^repair: sweeps under a suite are not repaired"):
+            call(records / "list.csv", **SCENE, repair=True)
+        for key in ("limit_u", "limit_v"):
+            for value in (True, np.ma.masked, "wide"):
+                with pytest.raises(ValueError, match=f"^{key}: "):
+                    call(records / "list.csv", **SCENE, **{key: value})
+    masked = np.ma.masked_array([1.0, 2.0], mask=[False, True])
+    for key in ("levels", "limit_zeta"):
+        with pytest.raises(ValueError, match=f"^{key}: values are masked"):
+            topple.fragility(records / "list.csv", **(SCENE | {"levels": [1.0, 2.0]} | {key: masked}))
     with pytest.raises(ValueError, match="^levels: give a number"):
         topple.fragility(records / "list.csv", **SCENE, levels=[True, 2.0])
     for seed in (2**32, -1):

@@ -32,6 +32,7 @@ SECTIONS = {
     "record": "The record.",
     "run": "Duration and criteria.",
     "settings": "How a scene is run.",
+    "method": "How a motion is integrated.",
     "refining": "How its map is refined.",
     "uncertain": "What is not known of it.",
 }
@@ -39,6 +40,7 @@ CALLS = {
     "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings", "refining", "uncertain"]),
     "RecordCall": ("under a record", ["block", "base", "record", "run", "settings", "refining", "uncertain"]),
     "SuiteCall": ("under a suite of records", ["block", "base", "run", "settings"]),
+    "CellCall": ("of one cell", ["block", "base", "pulse", "record", "run", "method"]),
     "AnyCall": (
         "under anything", ["block", "base", "pulse", "record", "run", "settings", "refining", "uncertain"]
     ),

@@ -29,7 +29,7 @@ from ._tables import of_cells, of_fragility, of_suite
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import AnyCall, PulseCall, RecordCall, Settings, SuiteCall
+    from ._keywords import AnyCall, CellCall, PulseCall, RecordCall
 
 __version__: str = _topple.__version__
 __all__ = [
@@ -201,7 +201,7 @@ def merge(
 
 
 @listed(*SECTIONS["history"])
-def history(*, progress: bool | Progress | None = None, **keywords: Unpack[AnyCall]) -> Any:
+def history(*, progress: bool | Progress | None = None, **keywords: Unpack[CellCall]) -> Any:
     """Integrate the motion of one cell: every parameter a single number.
 
     Parameters
@@ -224,7 +224,8 @@ def history(*, progress: bool | Progress | None = None, **keywords: Unpack[AnyCa
     """
     known("history", keywords, SECTIONS["history"], "result")
     recorded = any(key in keywords for key in ("horizontal", "vertical"))
-    columns, about = _topple.history(recorded, taken(keywords))
+    with heard(progress):
+        columns, about = _topple.history(recorded, taken(keywords))
     time = columns.pop("t")
     data_vars = {name: (("row",), values, described(_MOTION[name])) for name, values in columns.items()}
     return dataset(data_vars, {"t": (("row",), time, described(_MOTION["t"]))}, _attributes(about))

@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from . import _plot
 
 if TYPE_CHECKING:
@@ -54,6 +52,9 @@ class Accessor:
         'Ω [rad/s]'
         """
         if self._is_history():
+            for key, given in (("column", column != "outcome"), ("ax", ax is not None)):
+                if given:
+                    raise ValueError(f"{key}: a history is drawn as u, v and φ on axes of its own; leave it out")
             return _plot.motion_of(self._dataset)
         return _plot.map_of(self._dataset, column, ax)
 
@@ -120,10 +121,12 @@ class Accessor:
         from . import _animation
 
         if self._is_history():
+            for key in [*(["cell"] if cell is not None else []), *keywords]:
+                raise ValueError(f"{key}: a history is of one cell already; leave it out")
             return _animation.of(self._dataset, speed)
         if cell is not None:
             coords = getattr(cell, "coords", cell)
-            values = {key: float(np.asarray(coords[key])) for key in coords}
+            values = {key: getattr(coords[key], "values", coords[key]) for key in coords}
             keywords = {**values, **keywords}
         return _animation.of(self.history(**keywords), speed)
 

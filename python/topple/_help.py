@@ -63,7 +63,7 @@ def parameters() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def sections() -> dict[str, list[tuple[str, str, str]]]:
-    """The keywords of each section of a scene, of ``settings``, ``refining`` and ``uncertain``: key, type, meaning."""
+    """The keywords of each section of a scene, of ``settings``, ``method``, ``refining`` and ``uncertain``: key, type, meaning."""
     found = {
         section: [(key, *WORDS[key]) for key in words] for section, words in json.loads(_topple.words()).items()
     }
@@ -96,7 +96,7 @@ SECTIONS = {
     "pulse": ("block", "base", "pulse", "run", "settings", "refining", "uncertain"),
     "seismic": ("block", "base", "record", "run", "settings", "refining", "uncertain"),
     "run": ("block", "base", "pulse", "record", "run", "settings", "refining", "uncertain"),
-    "history": ("block", "base", "pulse", "record", "run", "settings"),
+    "history": ("block", "base", "pulse", "record", "run", "method"),
 }
 #: Flags of the command that no call has.
 COMMAND = ("dry_run", "files", "keep_every", "save_scene")
@@ -130,6 +130,8 @@ def known(call: str, keywords: Mapping[str, Any], names: Iterable[str], *others:
         near = _nearest(key)
         if key in COMMAND:
             hint = "the command alone has it"
+        elif call == "history" and key in [known for known, *_ in sections()["settings"]]:
+            hint = "it says how a map is run; leave it out"
         else:
             hint = f"did you mean {near}?" if near in own else f"help(topple.{call}) lists them"
         raise ValueError(f"{key}: no keyword of this name; {hint}")

@@ -155,6 +155,19 @@ class Settings(TypedDict, total=False):
     threads: int
 
 
+class Method(TypedDict, total=False):
+    """How a motion is integrated."""
+
+    # auto, gpu, cpu or reference
+    backend: str
+    # f32 or f64
+    precision: str
+    # largest step, s
+    step: float
+    # leave out no part of the model that a scene does not need
+    full_model: bool
+
+
 class Refining(TypedDict, total=False):
     """How its map is refined."""
 
@@ -195,6 +208,12 @@ class RecordCall(Block, Base, Record, Run, Settings, Refining, Uncertain, total=
 
 class SuiteCall(Block, Base, Run, Settings, total=False):
     """Keywords of a call under a suite of records."""
+
+    title: str
+
+
+class CellCall(Block, Base, Pulse, Record, Run, Method, total=False):
+    """Keywords of a call of one cell."""
 
     title: str
 

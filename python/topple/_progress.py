@@ -38,6 +38,8 @@ def listener(progress: bool | Progress | None) -> Progress | None:
         return progress
     if progress is False:
         return None
+    if progress is not None and progress is not True:
+        raise ValueError("progress: give False, True or a function of (phase, done, total)")
     try:
         import tqdm.auto  # noqa: F401
     except ImportError:

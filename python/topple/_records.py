@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import numbers
 import os
+from decimal import Decimal
 from pathlib import Path
 from typing import Any, Mapping
 
@@ -21,11 +23,34 @@ def factor(units: Any) -> float:
     return _UNITS[name]
 
 
+def _masked(record: Any) -> int | None:
+    """The first sample that numpy has masked, of an array or of a sequence with masked values in it."""
+    if isinstance(record, np.ma.MaskedArray):
+        # The mask of a structure is one, too; no structure is a record.
+        hidden = np.flatnonzero(np.ma.getmaskarray(record)) if record.dtype.names is None else np.array([], dtype=int)
+        return int(hidden[0]) if hidden.size else None
+    if isinstance(record, (list, tuple)):
+        return next((k for k, value in enumerate(record) if np.ma.is_masked(value)), None)
+    return None
+
+
+def _are_numbers(values: np.ndarray) -> bool:
+    """True of real numbers, and of objects that each are one: truths, texts and times could be made numbers, too."""
+    if values.dtype.kind == "O":
+        return all(isinstance(value, (numbers.Real, Decimal)) and not isinstance(value, bool) for value in values.flat)
+    return values.dtype.kind in "iuf"
+
+
 def _checked(key: str, record: Any) -> np.ndarray:
     """Samples of one component."""
+    hidden = _masked(record)
+    if hidden is not None:
+        raise ValueError(f"{key}: sample {hidden} is masked; fill the gaps, as filled(0.0) does, or cut the record")
     try:
         values = np.asarray(record)
-        samples = values.astype(float, casting="same_kind" if values.dtype.kind == "c" else "unsafe")
+        if not _are_numbers(values):
+            raise TypeError
+        samples = values.astype(float)
     except (TypeError, ValueError):
         raise ValueError(f"{key}: no array of numbers; give a path, an array or a trace") from None
     if sum(length > 1 for length in samples.shape) > 1:
@@ -133,7 +158,7 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     if vertical is not None:
         v, other, v_title = _samples("vertical", vertical)
         own_steps.append(other)
-    if dt is not None and not _is_number(dt):
+    if dt is not None and (not _is_number(dt) or np.ndim(dt) > 0 or np.ma.is_masked(dt)):
         raise ValueError("dt: give the time between samples, s")
     steps = {float(step) for step in [*own_steps, dt] if step is not None}
     if len(steps) != 1:

@@ -48,15 +48,59 @@ def of_suite(text: str, about: Mapping[str, Any]) -> Any:
     return dataset(of, {"id": ids}, attributes(about))
 
 
+#: By how much of itself the value of an axis in a table may be off: tables have numbers of f32 in the digits of f32.
+OFF = 1e-6
+
+
+def _along(key: str, values: np.ndarray, known: list[float]) -> np.ndarray:
+    """The places of values of an axis among those that it has."""
+    axis = np.asarray(known, dtype=float)
+    order = np.argsort(axis)
+    above = np.clip(np.searchsorted(axis[order], values), 1, max(len(axis) - 1, 1))
+    ends = [order[above - 1], order[np.minimum(above, len(axis) - 1)]]
+    away = [np.abs(axis[end] - values) for end in ends]
+    at = np.where(away[0] <= away[1], *ends)
+    # Written so that a value that is no number is none of them, either.
+    if not np.all(np.abs(axis[at] - values) <= OFF * np.abs(axis[at])):
+        raise RuntimeError(f"{key}: a table has a value that the axis has not; a defect of topple, please report it")
+    return at
+
+
+def _placed(
+    table: Mapping[str, np.ndarray], about: Mapping[str, Any], keys: Mapping[str, list[Any]]
+) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """The columns of a table as arrays over the axes and over `keys`, whose values are given. The columns of the axes and
+    of the keys say where a row lies, for a cell may have fewer rows than others; where there is none is no number."""
+    rows = len(next(iter(table.values())))
+    dims = (*about["index"], *keys)
+    at, shape = [], []
+    for key in about["index"]:
+        known = about["coordinates"][key]
+        # The end of a run is no column where it is the only one.
+        at.append(_along(key, table[key], known) if key in table or len(known) > 1 else np.zeros(rows, dtype=int))
+        shape.append(len(known))
+    for key, known in keys.items():
+        place = {value: place for place, value in enumerate(known)}
+        at.append(np.array([place[value] for value in table[key].tolist()], dtype=int))
+        shape.append(len(known))
+    flat = np.ravel_multi_index(at, shape) if rows else np.array([], dtype=int)
+    if len(np.unique(flat)) != rows:
+        raise RuntimeError(f"{', '.join(dims)}: two rows of a table have the same; a defect of topple, please report it")
+    data_vars = {}
+    for name, values in table.items():
+        if name not in dims:
+            full = np.full(shape, np.nan) if values.dtype.kind == "f" else np.full(shape, "", dtype=values.dtype)
+            full.flat[flat] = values
+            data_vars[name] = (dims, full, _attrs(name, about))
+    return data_vars, dims
+
+
 def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
     """Tables with a row a cell: a dimension an axis."""
-    index = tuple(about["index"])
-    shape = tuple(len(about["coordinates"][key]) for key in index)
     data_vars: dict[str, Any] = {}
     for text in tables:
-        for name, values in columns(text).items():
-            if name not in about["coordinates"]:
-                data_vars[name] = (index, values.reshape(shape), _attrs(name, about))
+        data_vars |= _placed(columns(text), about, {})[0]
+    shape = tuple(len(about["coordinates"][key]) for key in about["index"])
     best = [_told(np.unravel_index(cell, shape), data_vars, about) for cell in about["best"]]
     return dataset(data_vars, axes(about), attributes({**about, "best": best}))
 
@@ -76,30 +120,20 @@ def _told(place: tuple[Any, ...], data_vars: Mapping[str, Any], about: Mapping[s
     return told
 
 
+def _values(column: np.ndarray) -> list[Any]:
+    """The values of a key: numbers ascending, names in the order of the rows."""
+    values = list(dict.fromkeys(column.tolist()))
+    return sorted(values) if column.dtype.kind == "f" else values
+
+
 def _pivoted(
     text: str, keys: tuple[str, ...], about: Mapping[str, Any], factor: tuple[str, float] | None
 ) -> Any:
     """A table whose rows, in each cell, are the combinations of some keys; `factor` is the unit of levels as they were
     given, and what makes SI units of it."""
     table = columns(text)
-    index = tuple(about["index"])
-    sides = [len(about["coordinates"][key]) for key in index]
-    # In the order of the rows; the values of a later key are the same under every earlier one.
-    known = {key: list(dict.fromkeys(table[key].tolist())) for key in keys}
-    shape = tuple(sides) + tuple(len(known[key]) for key in keys)
-    places = [{value: place for place, value in enumerate(known[key])} for key in keys]
-    rows = len(table[keys[0]])
-    each = rows // max(int(np.prod(sides)), 1)
-    at = [np.arange(rows) // each]
-    at += [np.array([place[value] for value in table[key].tolist()]) for key, place in zip(keys, places)]
-    flat = np.ravel_multi_index(at, (int(np.prod(sides)), *shape[len(sides) :]))
-    data_vars: dict[str, Any] = {}
-    for name, values in table.items():
-        if name in about["coordinates"] or name in keys:
-            continue
-        full = np.full(shape, np.nan) if values.dtype.kind == "f" else np.full(shape, "", dtype=values.dtype)
-        full.flat[flat] = values
-        data_vars[name] = (index + keys, full, _attrs(name, about))
+    known = {key: _values(table[key]) for key in keys}
+    data_vars, _ = _placed(table, about, known)
     coords = axes(about) | {key: ((key,), np.array(known[key]), _attrs(key, about)) for key in keys}
     if "level" in keys and factor is not None:
         # In the digits that were given.

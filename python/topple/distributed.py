@@ -76,21 +76,21 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
     keywords = dict(keywords)
     progress: bool | Progress | None = keywords.pop("progress", None)
     out, tiles = keywords.pop("out", None), keywords.pop("tiles", None)
-    verify, sharpness = keywords.pop("verify", None), bool(keywords.pop("sharpness", None))
+    verify, sharpness = keywords.pop("verify", None), keywords.pop("sharpness", None)
     for key in ("tile", "resume"):
         if key in keywords:
             raise ValueError(f"{key}: the tiles are the cluster's here; leave it out")
     for key in ("refine", "smooth", "vary", "pixel", "samples", "seed"):
-        if keywords.get(key):
+        if keywords.get(key) is not None and keywords[key] is not False:
             raise ValueError(f"{key}: not on a cluster; leave it out, or call topple.{call}")
     # What is wrong with the scene is said here, before anything is sent.
     known(call, keywords, SECTIONS[call], "scene")
     keywords = taken(keywords)
-    _topple.check(recorded, keywords)
+    _topple.check(recorded, {**keywords, "verify": verify, "sharpness": sharpness})
     threads = [worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()]
-    count = int(tiles) if tiles is not None else TILES * max(sum(threads), 1)
-    if count < 1:
-        raise ValueError(f"tiles: {tiles} must be 1 at least")
+    count = TILES * max(sum(threads), 1) if tiles is None else tiles
+    if not isinstance(count, int) or isinstance(count, bool) or count < 1:
+        raise ValueError(f"tiles: {tiles} must be a whole number, 1 at least")
     parts = [f"{number}/{count}" for number in range(1, count + 1)]
     one = max(min(threads, default=1), 1)
     place = out and _made(out)
@@ -110,7 +110,7 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
                     future.release()
                     if hears is not None:
                         hears("tiles", done, count)
-            return topple.merge([folder], out=out, verify=verify, sharpness=sharpness, progress=progress)
+            return topple.merge([folder], out=out, verify=verify, sharpness=bool(sharpness), progress=progress)
         finally:
             client.cancel(futures)  # type: ignore[no-untyped-call, unused-ignore]
 

@@ -40,7 +40,7 @@ impl Estimator {
     }
 }
 
-/// A fragility with its uncertainty. A bound that is none is open.
+/// A fragility with its uncertainty. A bound that is none is open; where the median is none, nothing is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
     /// The median; in separable data the geometric middle of the gap.

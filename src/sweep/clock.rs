@@ -2,7 +2,7 @@
 
 use crate::model::precision::Precision;
 
-/// Largest step by default, s: the chart's choice (README, "Speed against accuracy").
+/// Largest step by default, s: the chart's choice (docs/chart.md).
 pub const DEFAULT_STEP: f64 = 1.0 / 128.0;
 /// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
 /// (omega h = 2.83); the rest is for accuracy, which a stiff vertical isolation needs most: a

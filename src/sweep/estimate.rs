@@ -10,9 +10,9 @@ use crate::results::about::Source;
 use crate::results::size::FileSizes;
 use crate::scene::{Grid, Scene};
 
-/// Most points of an axis of the sample, and the least.
+/// Least and most points of each axis of a sample over two axes; one over more or fewer axes has as many cells in all.
 const SIDE: [f64; 2] = [16.0, 96.0];
-/// Cells of a run for each one of its sample.
+/// Cells of a run for each one of its sample, between these ends.
 const SHARE: f64 = 100.0;
 
 /// What a sweep takes.
