@@ -8,6 +8,7 @@
 mod common;
 
 use std::hint::black_box;
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use common::pulse;
@@ -16,7 +17,7 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::results::block::Block;
 use topple::scene::record::synthetic;
-use topple::scene::{Grid, Parameter, Range, Scene};
+use topple::scene::{self, Grid, Parameter, Scene};
 use topple::stepping::state::{FINISHED, State};
 use topple::sweep::cell_tables::CellTables;
 use topple::sweep::cells::Cells;
@@ -26,7 +27,6 @@ use topple::sweep::gpu::tile::{OwnClocks, Tile};
 use topple::sweep::gpu::{adapter, outcomes};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
-use topple::sweep::table::Window;
 
 /// Cells of a tile.
 const TILE: usize = 1 << 18;
@@ -40,8 +40,8 @@ fn record(side: u32) -> Scene {
     let end = pair.duration() + 2.0;
     scene.shake(pair);
     scene.set(Parameter::TMax, end);
-    scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
-    scene.set(Parameter::TV, Range::even(0.05, 1.0, side));
+    scene.set(Parameter::TH, scene::Range::even(0.5, 4.0, side));
+    scene.set(Parameter::TV, scene::Range::even(0.05, 1.0, side));
     scene
 }
 
@@ -57,15 +57,16 @@ fn each(cells: usize, mut part: impl FnMut()) -> f64 {
 }
 
 /// What is handed to the device of a tile.
-fn input<R: Real>(tables: &CellTables<R>, cells: &[usize]) -> Vec<Vec<u8>> {
-    let own = OwnClocks::of(tables, cells);
-    let (_, listed) = Tile::default().place(tables.grid().shape().0, cells, 0);
+fn input<R: Real>(tables: &CellTables<R>, tile: Range<usize>) -> Vec<Vec<u8>> {
     let bytes = |own: OwnClocks<R>| {
         vec![bytemuck::cast_slice(&own.numbers).to_vec(), bytemuck::cast_slice(&own.steps).to_vec()]
     };
-    let mut all = own.map_or(Vec::new(), bytes);
-    all.push(bytemuck::cast_slice(&listed).to_vec());
-    all
+    OwnClocks::of(tables, tile).map_or(Vec::new(), bytes)
+}
+
+/// The tiles of so many cells.
+fn tiles_of(cells: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..cells).step_by(TILE).map(move |first| first..cells.min(first + TILE))
 }
 
 fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option<&Gpu>) {
@@ -74,19 +75,19 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let all: Vec<usize> = (0..grid.len()).collect();
     let cells = Cells::<R>::of(&plan, &grid, &all, &plan.record(), &Unwatched);
     let tables = each(all.len(), || {
-        black_box(CellTables::<R>::of(&plan, &grid, &Window::whole(&grid)));
+        black_box(CellTables::<R>::of(&plan, &grid, &all));
     });
     let tiles = each(all.len(), || {
-        for tile in all.chunks(TILE) {
+        for tile in tiles_of(all.len()) {
+            black_box(Tile::default().place(grid.shape().0, &all[tile.clone()]));
             black_box(OwnClocks::of(&cells.tables, tile));
-            black_box(Tile::default().place(grid.shape().0, tile, 0));
         }
     });
     let mut upload = f64::NAN;
     let mut size = 0;
     if let Some(gpu) = gpu {
         let parts: Vec<Vec<u8>> =
-            all.chunks(TILE).flat_map(|tile| input(&cells.tables, tile)).collect();
+            tiles_of(all.len()).flat_map(|tile| input(&cells.tables, tile)).collect();
         size = parts.iter().map(Vec::len).sum();
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -114,12 +115,11 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let bytes: &[u8] = bytemuck::cast_slice(&states);
     let size_of_state = size_of::<State<R>>();
     let clocks: Vec<Option<OwnClocks<R>>> =
-        all.chunks(TILE).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
+        tiles_of(all.len()).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
     let read_into = |block: &mut Block| {
-        let tiles = all.chunks(TILE).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
-        for (number, ((tile, bytes), own)) in tiles.enumerate() {
-            let place = (&mut *block, number * TILE);
-            outcomes::read(&cells, tile, own.as_ref(), bytes, place).unwrap();
+        let tiles = tiles_of(all.len()).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
+        for ((tile, bytes), own) in tiles {
+            outcomes::read(&cells, tile, own.as_ref(), bytes, block).unwrap();
         }
         black_box(block.len());
     };

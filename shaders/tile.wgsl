@@ -48,7 +48,7 @@ struct Tile {
     first_row: u32,
     // How threads take cells: IN_ORDER, IN_BLOCKS or LISTED.
     order: u32,
-    // Blocks in a row of the grid; for LISTED the place in `words` of the first cell's column.
+    // Blocks in a row of the grid; for LISTED the place in `words` of the first cell's places.
     blocks: u32,
     // The tile's first slot, and the slots of all tiles.
     first_slot: u32,
@@ -65,7 +65,7 @@ const IN_ORDER = 0u;
 // They follow one another, and threads take them in blocks of 8 by 4, so that those of a warp are
 // near neighbours.
 const IN_BLOCKS = 1u;
-// Each cell's column and row stand in a list.
+// Each cell's places along all axes stand in a list.
 const LISTED = 2u;
 
 const BLOCK_WIDTH = 8u;
@@ -120,8 +120,16 @@ fn place_of(thread: u32) -> Place {
         return along_axes(from_row - tile.first_column, column, tile.first_row + rows);
     }
     if tile.order == LISTED {
-        let at = tile.blocks + 2u * min(thread, tile.cells - 1u);
-        return along_axes(thread, words[at], words[at + 1u]);
+        let at = tile.blocks + 6u * min(thread, tile.cells - 1u);
+        return Place(
+            thread,
+            words[at],
+            words[at + 1u],
+            words[at + 2u],
+            words[at + 3u],
+            words[at + 4u],
+            words[at + 5u],
+        );
     }
     let from_row = tile.first_column + thread;
     return along_axes(thread, from_row % tile.columns, tile.first_row + from_row / tile.columns);

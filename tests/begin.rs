@@ -83,7 +83,8 @@ fn words<T: bytemuck::Pod>(item: &T) -> Vec<u32> {
 fn tables_hold<R: Real>(scene: &Scene) {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let grid = Grid::of(scene);
-    let cells = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
+    let numbers = all(&grid);
+    let cells = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
     for index in 0..grid.len() {
         let (cell, state) = plan.cell::<R>(&grid.case(index));
         let (mut made, begun) = cells.begin(index);
@@ -92,7 +93,7 @@ fn tables_hold<R: Real>(scene: &Scene) {
         made.body = 0;
         assert_eq!(words(&made), words(&cell), "cell {index} of {scene:?}");
         assert_eq!(words(&begun), words(&state), "cell {index} of {scene:?}");
-        assert_eq!(cells.tables.clock(&cells.tables.place(index)), plan.clock(&grid.case(index)));
+        assert_eq!(cells.tables.clock(&cells.tables.cell(index)), plan.clock(&grid.case(index)));
     }
 }
 
@@ -119,7 +120,8 @@ fn device_makes<R: Real>(
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let chosen = chosen(&grid);
-    let host = Cells::<R>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
+    let numbers = all(&grid);
+    let host = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
     let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
     for side in [0, 1] {
         let made = sweeper.make::<R>(&plan, &grid, &chosen, side).unwrap();
@@ -177,6 +179,34 @@ fn cells_made_on_the_device_are_the_hosts_in_f64() {
     hold::<f64>(Precision::F64);
 }
 
+/// A grid of more rows than a device counts, from which cells come one after another or as a list: each is made of its own
+/// numbers. The last cells of a grid of half as many rows follow one another on the device.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn a_device_makes_the_cells_of_rows_that_it_cannot_count() {
+    let Some(gpu) = gpu("cells of far rows", Precision::F32) else { return };
+    for (rows, follow) in [(45_001, true), (90_001, false)] {
+        let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:3", "2");
+        for (parameter, start, stop) in [(Parameter::AH, 1.0, 9.0), (Parameter::AV, 0.5, 4.0)] {
+            scene.set(parameter, Range::even(start, stop, rows));
+        }
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
+        let grid = Grid::of(&scene);
+        assert_eq!(u32::try_from(grid.shape().1).is_ok(), follow);
+        let last: Vec<usize> = (grid.len() - 7..grid.len()).collect();
+        let apart: Vec<usize> = (0..9).map(|k| grid.len() - 1 - k * (grid.len() / 9 - 5)).collect();
+        for cells in [last, apart] {
+            let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
+            let made = sweeper.make::<f32>(&plan, &grid, &cells, 0).unwrap();
+            for (at, &index) in cells.iter().enumerate() {
+                let (cell, state) = plan.cell::<f32>(&grid.case(index));
+                assert_eq!(words(&made.cells[at]), words(&cell), "cell {index} of {rows} rows");
+                assert_eq!(words(&made.states[at]), words(&state), "cell {index} of {rows} rows");
+            }
+        }
+    }
+}
+
 /// A warp's cells are near neighbours: blocks of 8 columns and 4 rows.
 #[test]
 fn threads_take_cells_in_blocks() {
@@ -201,7 +231,8 @@ fn a_mistake_in_making_cells_shows() {
     let Some(gpu) = gpu("mistakes in making cells", Precision::F32) else { return };
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "-7:15:24");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let host = Cells::<f32>::of(&plan, &grid, &all(&grid), &plan.record(), &Unwatched);
+    let numbers = all(&grid);
+    let host = Cells::<f32>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),

@@ -31,7 +31,6 @@ use topple::sweep::clock::DEFAULT_STEP;
 use topple::sweep::history::{Row, by_steps};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
-use topple::sweep::table::Window;
 
 /// Scenes as the page asks for them: a name, the keys, and the values of each axis.
 const SCENES: [(&str, &str, [u32; 2]); 22] = [
@@ -102,7 +101,7 @@ fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
 
 /// The numbers of a plan's cells: the tables of all, and each cell as its integration begins.
 fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
-    let tables: CellTables<f32> = CellTables::of(plan, grid, &Window::around(grid, cells));
+    let tables: CellTables<f32> = CellTables::of(plan, grid, cells);
     // Where each cell has its own they are seen in the cells alone.
     let clocks = match &tables.clocks {
         Clocks::Shared(table) => {
@@ -112,7 +111,7 @@ fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
     };
     let record = plan.record::<f32>();
     let all = Cells::<f32>::of(plan, grid, cells, &record, &Unwatched);
-    let begun: Vec<_> = cells.iter().map(|&cell| all.begin(cell)).collect();
+    let begun: Vec<_> = (0..cells.len()).map(|number| all.begin(number)).collect();
     json!({
         "bodies": words(&tables.bodies.entries),
         "horizontal": words(&tables.horizontal.entries),

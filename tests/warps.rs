@@ -42,7 +42,8 @@ fn traces_are_what_cells_do<R: Real + Vector<Element = R>>() {
     let (traces, states, turns) = record(&plan, &grid, R::of(0.0));
     assert_eq!(turns, traces.all().len(), "a lane by itself is never without a cell");
     let outcomes = cpu::sweep_one_by_one::<R>(&plan, &grid, &all(&grid), &Unwatched);
-    let all = Cells::<R>::of(&plan, &grid, &all(&grid), &[], &Unwatched);
+    let numbers = all(&grid);
+    let all = Cells::<R>::of(&plan, &grid, &numbers, &[], &Unwatched);
     for (cell, (state, outcome)) in states.iter().zip(&outcomes).enumerate() {
         let count = |purpose| {
             traces.of(cell).iter().filter(|trial| trial.purpose() == purpose).count() as u32

@@ -2,28 +2,28 @@
 
 use super::at_rest::at_rest;
 use super::cell_tables::CellTables;
-use super::full_contact::FullContactMotions;
+use super::listing::CellAt;
+use super::motions::MotionPair;
 use super::shared_contact::full_contact;
 use crate::model::excitation::Cell;
 use crate::model::real::Real;
-use crate::scene::grid::Place;
 use crate::stepping::state::{RUNNING, State};
 
-/// A cell of a grid and its first state.
+/// A cell of a list and its first state; `motions` are those that it shares, where it does.
 #[inline(always)]
 pub fn begin<R: Real>(
     tables: &CellTables<R>,
-    motions: Option<&FullContactMotions<R>>,
-    place: &Place,
+    motions: Option<MotionPair<R>>,
+    cell: &CellAt,
 ) -> (Cell<R>, State<R>) {
-    let groups = tables.groups(place);
+    let groups = tables.groups(cell);
     let cell = groups.cell();
     let mut state = at_rest(groups.sound(), groups.drive.tilt);
     if let Some(motions) = motions
         && state.status == RUNNING
     {
         let model = &tables.bodies.entries[cell.body as usize];
-        full_contact(motions, model, place, groups.drive.scale, &cell, &mut state);
+        full_contact(&motions, model, groups.drive.scale, &cell, &mut state);
     }
     (cell, state)
 }

@@ -1,4 +1,4 @@
-//! The cells of a grid: a cell's numbers and first state from the tables, and its outcome from its last
+//! The cells of a list: a cell's numbers and first state from the tables, and its outcome from its last
 //! state.
 
 use std::sync::Arc;
@@ -7,14 +7,14 @@ use super::begin::begin;
 use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::full_contact::FullContactMotions;
+use super::listing::{CellAt, Index};
+use super::motions::MotionPair;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::reader::Reader;
-use super::table::Window;
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
-use crate::scene::grid::Place;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
@@ -25,6 +25,8 @@ pub struct Cells<'a, R> {
     pub tables: CellTables<'a, R>,
     /// Their shared motions in full contact, where they share them.
     pub motions: Arc<Option<FullContactMotions<R>>>,
+    /// Where they find the motions of u and of v.
+    pub of_motions: Option<[Index; 2]>,
 }
 
 impl<'a, R: Real> Cells<'a, R> {
@@ -32,15 +34,14 @@ impl<'a, R: Real> Cells<'a, R> {
     pub fn of(
         plan: &'a Plan,
         grid: &'a Grid,
-        cells: &[usize],
+        cells: &'a [usize],
         record: &[Ground<R>],
         progress: &dyn Progress,
     ) -> Cells<'a, R> {
-        let window = Window::around(grid, cells);
-        Cells {
-            tables: CellTables::of(plan, grid, &window),
-            motions: plan.full_contact_motions(grid, record, progress),
-        }
+        let tables = CellTables::of(plan, grid, cells);
+        let motions = plan.full_contact_motions((grid, cells), record, progress);
+        let of_motions = motions.as_ref().as_ref().map(|motions| motions.index(grid, cells));
+        Cells { tables, motions, of_motions }
     }
 
     /// The bodies, by number.
@@ -48,25 +49,32 @@ impl<'a, R: Real> Cells<'a, R> {
         &self.tables.bodies.entries
     }
 
-    /// A cell as its integration begins. Not inlined, so that it is compiled once, not for every kind of
-    /// vector.
+    /// A cell, by its number in the list, as its integration begins. Not inlined, so that it is compiled once, not
+    /// for every kind of vector.
     #[inline(never)]
-    pub fn begin(&self, index: usize) -> (Cell<R>, State<R>) {
-        let motions = self.motions.as_ref().as_ref();
-        begin(&self.tables, motions, &self.tables.place(index))
+    pub fn begin(&self, number: usize) -> (Cell<R>, State<R>) {
+        let cell = self.tables.cell(number);
+        begin(&self.tables, self.motions_of(&cell), &cell)
+    }
+
+    /// The motions that a cell shares, where it does.
+    #[inline(always)]
+    pub(super) fn motions_of(&self, cell: &CellAt) -> Option<MotionPair<'_, R>> {
+        let motions = self.motions.as_ref().as_ref()?;
+        self.of_motions.as_ref().map(|of| motions.pair([of[0].of(cell), of[1].of(cell)]))
     }
 
     /// The outcome of a cell whose last state is `state`.
     #[inline(never)]
-    pub fn outcome(&self, index: usize, state: &State<R>) -> Outcome {
-        let place = self.tables.place(index);
-        self.outcome_at(&place, &self.tables.clock(&place), state)
+    pub fn outcome(&self, number: usize, state: &State<R>) -> Outcome {
+        let cell = self.tables.cell(number);
+        self.outcome_at(&cell, &self.tables.clock(&cell), state)
     }
 
-    /// The same of a cell at a place, of this clock.
+    /// The same of a cell of this clock.
     #[inline]
-    pub fn outcome_at(&self, place: &Place, clock: &Clock, state: &State<R>) -> Outcome {
-        self.tables.readers.at(place).outcome(clock, state)
+    pub fn outcome_at(&self, cell: &CellAt, clock: &Clock, state: &State<R>) -> Outcome {
+        self.tables.readers.at(cell).outcome(clock, state)
     }
 }
 

@@ -78,14 +78,14 @@ fn each<R: Real, L: Log<R> + Send>(
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, progress);
     let mut outcomes = Vec::with_capacity(cells.len());
-    let all_cells = cells.par_iter().with_max_len(BLOCK).map(|&index| {
-        let (cell, state) = all.begin(index);
+    let all_cells = (0..cells.len()).into_par_iter().with_max_len(BLOCK).map(|number| {
+        let (cell, state) = all.begin(number);
         let model = &all.bodies()[cell.body as usize];
         let set = CellEquations { variant, model, cell: &cell, record: &record };
         let mut log = log();
         let state = single::run(&set, &state, &mut log);
         progress.advance(1);
-        (all.outcome(index, &state), log)
+        (all.outcome(number, &state), log)
     });
     on(|| all_cells.collect_into_vec(&mut outcomes));
     outcomes

@@ -72,7 +72,7 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
         }
         let place = self.batch.next()?;
         let number = self.order.map_or(place, |order| order[place] as usize);
-        let (cell, state) = self.all.begin(self.sweep.cells[number]);
+        let (cell, state) = self.all.begin(number);
         Some(Job { number, cell, state })
     }
 
@@ -82,7 +82,7 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
 
     #[inline(always)]
     fn done(&mut self, job: &Job<R>) {
-        let outcome = self.all.outcome(self.sweep.cells[job.number], &job.state);
+        let outcome = self.all.outcome(job.number, &job.state);
         self.ended.push((job.number, outcome));
         if self.ended.len() == BATCH {
             self.deliver();
@@ -116,8 +116,7 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, sweep.progress);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let motions = all.motions.as_ref().as_ref();
-    let order = motions.map(|motions| on(|| by_motions(motions, grid, cells)));
+    let order = all.of_motions.as_ref().map(|motions| on(|| by_motions(motions, grid, cells)));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
     on(|| {

@@ -33,7 +33,7 @@ impl MotionCache {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The motions of a key, if they are there in this number type.
+    /// The motions of a key that are there in this number type, if there are any.
     pub(super) fn find<T: Any + Send + Sync>(&self, key: &Key) -> Option<Arc<T>> {
         let alike = |(known, motions): &(Key, Entry)| {
             let motions = (known == key).then(|| Arc::clone(motions));
@@ -42,9 +42,11 @@ impl MotionCache {
         self.entries().iter().find_map(alike)
     }
 
-    /// Adds the motions of a key.
-    pub(super) fn add(&self, key: Key, motions: Entry) {
-        self.entries().push((key, motions));
+    /// Adds the motions of a key, in the place of those that it has in this number type.
+    pub(super) fn put<T: Any + Send + Sync>(&self, key: Key, motions: Arc<T>) {
+        let mut entries = self.entries();
+        entries.retain(|(known, motions)| *known != key || !(**motions).is::<T>());
+        entries.push((key, motions));
     }
 
     /// Frees all motions.

@@ -2,9 +2,10 @@
 //! motion sample by sample. A device has the same array (`shaders/shared_contact.wgsl`): there
 //! neighbouring cells read neighbouring numbers.
 
-use super::table::{Strides, offset};
+use fearless_simd::Level;
+
+use super::listing::Entries;
 use crate::model::real::Real;
-use crate::scene::grid::Place;
 
 /// u or v at each sample, m.
 pub const DISPLACEMENT: usize = 0;
@@ -53,8 +54,8 @@ pub struct Motions<R> {
     pub values: Vec<R>,
     /// First sample of each motion, and the end of the last one.
     pub first: Vec<u32>,
-    /// Motions from a value of each axis to the next.
-    pub strides: Strides,
+    /// Which combinations of values have one.
+    pub entries: Entries,
 }
 
 impl<R: Real> Motions<R> {
@@ -62,7 +63,7 @@ impl<R: Real> Motions<R> {
     pub fn new(
         fields: usize,
         lengths: impl Iterator<Item = usize>,
-        strides: Strides,
+        entries: Entries,
     ) -> Motions<R> {
         let mut first = vec![0];
         let mut samples = 0;
@@ -71,7 +72,7 @@ impl<R: Real> Motions<R> {
             // The memory limit keeps the samples below 2^32.
             first.push(samples as u32);
         }
-        Motions { values: vec![R::of(0.0); fields * samples], first, strides }
+        Motions { values: vec![R::of(0.0); fields * samples], first, entries }
     }
 
     /// Samples of all motions.
@@ -93,10 +94,9 @@ impl<R: Real> Motions<R> {
         }
     }
 
-    /// The motion of a cell.
+    /// A motion, by its number.
     #[inline(always)]
-    pub fn at(&self, place: &Place) -> MotionSlice<'_, R> {
-        let number = offset(&self.strides, place);
+    pub fn at(&self, number: usize) -> MotionSlice<'_, R> {
         let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
         MotionSlice { values: &self.values[first..], samples: self.samples(), length: end - first }
     }
@@ -127,4 +127,19 @@ impl<'a, R> MotionSlice<'a, R> {
         let start = field * self.samples;
         &self.values[start..start + self.length]
     }
+}
+
+/// The two motions of a cell.
+#[derive(Clone, Copy)]
+pub struct MotionPair<'a, R> {
+    /// Of u.
+    pub across: MotionSlice<'a, R>,
+    /// Of v.
+    pub up: MotionSlice<'a, R>,
+    /// The base does not move vertically before the block lifts.
+    pub still: bool,
+    /// Forces inside gaps are known.
+    pub forces: bool,
+    /// The vector instructions of this machine.
+    pub level: Level,
 }

@@ -6,28 +6,24 @@
 
 use rayon::prelude::*;
 
-use super::full_contact::FullContactMotions;
-use super::table::offset;
-use crate::model::real::Real;
+use super::listing::{CellAt, Index};
 use crate::scene::Grid;
 
 /// Motions of u that stay in a core's cache while those of v pass.
 const STRIP: usize = 8;
 
 /// The places of a list's cells, in the order in which they begin: by strips of motions of u, in each by motions of v.
-pub fn by_motions<R: Real>(
-    motions: &FullContactMotions<R>,
-    grid: &Grid,
-    cells: &[usize],
-) -> Vec<u32> {
+/// `motions` tells where cells find theirs.
+pub fn by_motions(motions: &[Index; 2], grid: &Grid, cells: &[usize]) -> Vec<u32> {
+    let [across, up] = motions;
     let keys: Vec<[u32; 2]> = cells
         .par_iter()
+        .enumerate()
         .with_min_len(1 << 12)
-        .map(|&cell| {
-            let place = grid.place(cell);
-            let across = offset(&motions.across.strides, &place) / STRIP;
+        .map(|(number, &cell)| {
+            let cell = CellAt { number, place: grid.place(cell) };
             // The memory limit keeps the motions below 2^32.
-            [across as u32, offset(&motions.up.strides, &place) as u32]
+            [(across.of(&cell) / STRIP) as u32, up.of(&cell) as u32]
         })
         .collect();
     // A list has fewer than 2^32 cells: a batch of a sweep, or what a refined map asks for.
@@ -62,6 +58,7 @@ fn sorted(order: Vec<u32>, key: impl Fn(u32) -> u32) -> Vec<u32> {
 mod tests {
     use super::*;
     use crate::scene::{Parameter, Range, SceneBuilder};
+    use crate::sweep::cells::Cells;
     use crate::sweep::clock::DEFAULT_STEP;
     use crate::sweep::plan::Plan;
     use crate::sweep::progress::Unwatched;
@@ -79,8 +76,8 @@ mod tests {
             .unwrap();
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let grid = Grid::of(&scene);
-        let motions = FullContactMotions::<f32>::of(&plan, &grid, &[], &Unwatched).unwrap();
         let cells: Vec<usize> = (0..grid.len()).filter(|cell| cell % 5 != 3).collect();
+        let motions = Cells::<f32>::of(&plan, &grid, &cells, &[], &Unwatched).of_motions.unwrap();
         let order = by_motions(&motions, &grid, &cells);
         let mut sorted = order.clone();
         sorted.sort_unstable();

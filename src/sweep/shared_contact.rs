@@ -1,10 +1,9 @@
 //! The full contact that cells share: where it takes a cell before the cell lifts. Twin of
 //! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
 
-use super::full_contact::FullContactMotions;
 use super::motions::{
     ACCELERATION, BOTTOM, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LIGHTEST, LOWEST,
-    MOST, STRONGEST, TOP, VELOCITY,
+    MOST, MotionPair, STRONGEST, TOP, VELOCITY,
 };
 use super::shared_friction::{at_samples, crests};
 use super::vectors::vectorized;
@@ -13,7 +12,6 @@ use crate::model::excitation::Cell;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
-use crate::scene::grid::Place;
 use crate::stepping::state::{FINISHED, State};
 
 /// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
@@ -29,29 +27,28 @@ fn lifts<N: Number>(arms: [N; 2], lever: N, most: N, least: N, least_y: N) -> N:
 /// excitation.
 #[inline(always)]
 pub(super) fn full_contact<R: Real>(
-    motions: &FullContactMotions<R>,
+    motions: &MotionPair<R>,
     model: &Model<R>,
-    place: &Place,
     scale: R,
     cell: &Cell<R>,
     state: &mut State<R>,
 ) {
     let zero = R::of(0.0);
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (h, v) = (motions.across, motions.up);
     // u is A_h times what it is for A_h = 1.
     let lever = model.height * scale;
     let size = scale.abs();
     let arms = [model.left.arm, model.right.arm];
     // A motion of v at rest is as long as it is asked for.
     let last_v = v.length - 1;
-    let first = first_beyond(motions, arms, place, lever);
+    let first = first_beyond(motions, arms, lever);
     // A scan along rows of numbers, with the widest vectors that this machine has.
     let (mut sample, mut friction, none) = (first, zero, zero);
     vectorized!(motions.level, none => {
-        sample = first_lift(motions, arms, place, lever, first, none);
+        sample = first_lift(motions, arms, lever, first, none);
         if motions.forces && !motions.still {
-            friction = at_samples(motions, place, size, sample, none);
-            friction = crests(motions, place, size, sample, friction, none);
+            friction = at_samples(motions, size, sample, none);
+            friction = crests(motions, size, sample, friction, none);
         }
     });
     if motions.still && sample > 0 {
@@ -87,13 +84,8 @@ pub(super) fn full_contact<R: Real>(
 
 /// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not fall and
 /// do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
-fn first_beyond<R: Real>(
-    motions: &FullContactMotions<R>,
-    arms: [R; 2],
-    place: &Place,
-    lever: R,
-) -> usize {
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+fn first_beyond<R: Real>(motions: &MotionPair<R>, arms: [R; 2], lever: R) -> usize {
+    let (h, v) = (motions.across, motions.up);
     let last = h.length - 1;
     let (highest, deepest) = (h.field(HIGHEST), h.field(DEEPEST));
     let lightest = v.field(LIGHTEST);
@@ -116,14 +108,13 @@ fn first_beyond<R: Real>(
 /// The first gap in which a cell may lift, from a gap on, or the last sample: vector by vector, then gap by gap.
 #[inline(always)]
 fn first_lift<V: Vector>(
-    motions: &FullContactMotions<V::Element>,
+    motions: &MotionPair<V::Element>,
     arms: [V::Element; 2],
-    place: &Place,
     lever: V::Element,
     first: usize,
     zero: V,
 ) -> usize {
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (h, v) = (motions.across, motions.up);
     let (last, last_v) = (h.length - 1, v.length - 1);
     let (most, least) = (h.field(MOST), h.field(LEAST));
     let least_y = v.field(LEAST);
@@ -150,6 +141,7 @@ fn first_lift<V: Vector>(
 
 #[cfg(test)]
 mod tests {
+    use super::super::cells::Cells;
     use super::super::motions::{CREST, TROUGH};
     use super::super::shared_friction::{OVER, share, within_gaps};
     use super::*;
@@ -165,14 +157,15 @@ mod tests {
     fn nothing_is_left_out<R: Real>(scene: &Scene) {
         let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
         let record: Vec<Ground<R>> = plan.record();
-        let motions = FullContactMotions::<R>::of(&plan, &grid, &record, &Unwatched).unwrap();
+        let cells: Vec<usize> = (0..grid.len()).collect();
+        let all = Cells::<R>::of(&plan, &grid, &cells, &record, &Unwatched);
         let of = R::of;
         let mut lifted = 0;
         for (cell, scale) in (0..grid.len()).flat_map(|cell| {
             [0.02, -0.1, 0.35, -0.7, 1.0].into_iter().map(move |scale| (cell, scale))
         }) {
-            let place = grid.place(cell);
-            let (h, v) = (motions.across.at(&place), motions.up.at(&place));
+            let motions = all.motions_of(&all.tables.cell(cell)).unwrap();
+            let (h, v) = (motions.across, motions.up);
             let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
             let (least_y, x, y) = (v.field(LEAST), h.field(ACCELERATION), v.field(ACCELERATION));
             let last = h.length - 1;
@@ -187,16 +180,16 @@ mod tests {
             let friction = shares.fold(of(0.0), R::max);
             let (mut found, none) = ((0, of(0.0), of(0.0)), of(0.0));
             vectorized!(motions.level, none => {
-                let first = first_beyond(&motions, arms, &place, lever);
-                let sample = first_lift(&motions, arms, &place, lever, first, none);
-                let at_samples = at_samples(&motions, &place, size, sample, none);
-                found = (sample, at_samples, crests(&motions, &place, size, sample, at_samples, none));
+                let first = first_beyond(&motions, arms, lever);
+                let sample = first_lift(&motions, arms, lever, first, none);
+                let at_samples = at_samples(&motions, size, sample, none);
+                found = (sample, at_samples, crests(&motions, size, sample, at_samples, none));
             });
             assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");
             let crest = (0..sample).fold(friction, |most, gap| {
                 let (crest, trough) = (h.field(CREST)[gap], v.field(TROUGH)[gap_v(gap)]);
                 let looked = size * crest > of(1.0 + OVER) * friction * trough;
-                let within = || within_gaps(&motions, &place, size, (gap, gap_v(gap)));
+                let within = || within_gaps(&motions, size, (gap, gap_v(gap)));
                 if looked { most.max(within()) } else { most }
             });
             // A gap that exceeds the largest so far by less than this is not looked into.

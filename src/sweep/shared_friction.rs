@@ -1,10 +1,10 @@
 //! The friction that full contact asks for, of the motions that cells share. Twin of `shaders/shared_friction.wgsl`.
 
-use super::full_contact::FullContactMotions;
-use super::motions::{ACCELERATION, CREST, EIGHTHS_V, LOWEST, QUARTERS_H, STRONGEST, TROUGH};
+use super::motions::{
+    ACCELERATION, CREST, EIGHTHS_V, LOWEST, MotionPair, QUARTERS_H, STRONGEST, TROUGH,
+};
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
-use crate::scene::grid::Place;
 use crate::stepping::extremes::{self, end_slopes, parabola};
 
 /// How many of the gaps before a sample are looked at in vectors: those in which u and v both have numbers, if they fill
@@ -18,13 +18,12 @@ fn in_vectors<V: Vector>(sample: usize, last_v: usize) -> usize {
 /// backwards, until the largest |X| so far over the least Y so far exceeds no more.
 #[inline(always)]
 pub(super) fn at_samples<V: Vector>(
-    motions: &FullContactMotions<V::Element>,
-    place: &Place,
+    motions: &MotionPair<V::Element>,
     size: V::Element,
     sample: usize,
     zero: V,
 ) -> V::Element {
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (h, v) = (motions.across, motions.up);
     let last_v = v.length - 1;
     let (x, y) = (h.field(ACCELERATION), v.field(ACCELERATION));
     let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
@@ -73,15 +72,14 @@ fn dip<N: Number>([start, mid, end]: [N; 3]) -> (N, N) {
 /// [at the samples](at_samples).
 #[inline(always)]
 pub(super) fn crests<V: Vector>(
-    motions: &FullContactMotions<V::Element>,
-    place: &Place,
+    motions: &MotionPair<V::Element>,
     size: V::Element,
     sample: usize,
     friction: V::Element,
     zero: V,
 ) -> V::Element {
     let over = V::Element::of(1.0 + OVER);
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (h, v) = (motions.across, motions.up);
     let (crest, trough) = (h.field(CREST), v.field(TROUGH));
     let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
     let last_v = v.length - 1;
@@ -91,7 +89,7 @@ pub(super) fn crests<V: Vector>(
     for gap in (before..sample).rev() {
         let gap_v = v.gap(gap);
         if size * crest[gap] > over * friction * trough[gap_v] {
-            friction = friction.max(within_gaps(motions, place, size, (gap, gap_v)));
+            friction = friction.max(within_gaps(motions, size, (gap, gap_v)));
         }
     }
     while before > 0 {
@@ -104,7 +102,7 @@ pub(super) fn crests<V: Vector>(
         let bounds = sizes * zero.first_of(&crest[first..]);
         let beyond = V::bits(bounds.gt(limits * zero.first_of(&trough[first..])));
         if beyond != 0 {
-            let within = within_gaps(motions, place, sizes, (first, first));
+            let within = within_gaps(motions, sizes, (first, first));
             for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
                 // Those after it may have raised the limit.
                 let gap = first + lane;
@@ -122,13 +120,12 @@ pub(super) fn crests<V: Vector>(
 /// them, and where Y is least. How small Y is there is known; the parabolas tell when.
 #[inline(always)]
 pub(super) fn within_gaps<V: Vector>(
-    motions: &FullContactMotions<V::Element>,
-    place: &Place,
+    motions: &MotionPair<V::Element>,
     size: V,
     (gap, gap_v): (usize, usize),
 ) -> V {
     let zero = size.like(0.0);
-    let (h, v) = (motions.across.at(place), motions.up.at(place));
+    let (h, v) = (motions.across, motions.up);
     let crest = zero.first_of(&h.field(CREST)[gap..]);
     let trough = zero.first_of(&v.field(TROUGH)[gap_v..]);
     let (xs, ys) = (&h.field(ACCELERATION)[gap..], &v.field(ACCELERATION)[gap_v..]);

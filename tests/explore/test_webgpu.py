@@ -110,7 +110,6 @@ COMPARE = """async ([file, spoiled]) => {
   const { partsOf } = await import('/gpu/plan.js');
   const { CellTables, stepWords } = await import('/gpu/tables.js');
   const { tileOf } = await import('/gpu/tile.js');
-  const { windowAround } = await import('/gpu/grid.js');
   const { LoadedTile } = await import('/gpu/chunks.js');
   const { samplesOf, sweepCells } = await import('/gpu/sweep.js');
   const { Pace } = await import('/gpu/pace.js');
@@ -129,14 +128,14 @@ COMPARE = """async ([file, spoiled]) => {
     const add = (name, count) => { told.words[name] = (told.words[name] ?? 0) + count; };
     for (const [k, part] of parts.entries()) {
       const { tables, cells } = library.parts[k];
-      const own = new CellTables(part.plan, grid, windowAround(grid, Math.min(...cells), Math.max(...cells)));
+      const list = part.cells === null ? null : cells;
+      const own = new CellTables(part.plan, grid, { first: 0, count: cells.length, list });
       add('numbers of cells', differ(part.cells ?? cells, cells));
       add('bodies', differ(reals(own.bodies.entries.map((body) => body.model)), tables.bodies));
       for (const name of ['horizontal', 'vertical', 'drive']) add(name, differ(reals(own[name].entries), tables[name]));
       if (tables.clocks !== null) add('clocks', own.ownClocks ? -1 : differ(stepWords(own.clocks.entries), tables.clocks));
       // As the device makes them of the tables.
-      const list = part.cells === null ? null : cells;
-      const tile = tileOf(own, { first: 0, count: cells.length, list }, 2 * cells.length);
+      const tile = tileOf(own, 2 * cells.length);
       const loaded = new LoadedTile(device, await device.pipelines(part.plan.constants), tile, samplesOf(part.plan.record), cells.length);
       const encoder = device.gpu.createCommandEncoder();
       loaded.encodeBegin(encoder);
@@ -188,7 +187,6 @@ RANDOM = """async () => {
   const { partsOf } = await import('/gpu/plan.js');
   const { CellTables } = await import('/gpu/tables.js');
   const { tileOf } = await import('/gpu/tile.js');
-  const { windowAround } = await import('/gpu/grid.js');
   const { LoadedTile } = await import('/gpu/chunks.js');
   const { samplesOf } = await import('/gpu/sweep.js');
   const { count, scenes } = await of('/library/random.json');
@@ -206,8 +204,8 @@ RANDOM = """async () => {
     if (parts.length !== theirs.length) { told.wrong.push([text, 'parts', parts.length, theirs.length]); continue; }
     for (const [k, { plan, cells }] of parts.entries()) {
       const { cells: numbers, tables } = theirs[k];
-      const own = new CellTables(plan, scene.grid, windowAround(scene.grid, Math.min(...numbers), Math.max(...numbers)));
-      const tile = tileOf(own, { first: 0, count: numbers.length, list: cells && numbers }, 2 * numbers.length);
+      const own = new CellTables(plan, scene.grid, { first: 0, count: numbers.length, list: cells && numbers });
+      const tile = tileOf(own, 2 * numbers.length);
       // The kernel that makes cells depends on no constant of the model.
       const variant = await device.pipelines({ workgroup_size: known.workgroup });
       const loaded = new LoadedTile(device, variant, tile, samplesOf(plan.record), numbers.length);
@@ -234,6 +232,24 @@ def test_cells_of_random_scenes_are_the_librarys(page):
     print(told["cells"], told["refused"])
     assert told["wrong"] == []
     assert told["cells"] > 2000 and told["refused"] > 20
+
+
+# Entries of the tables of a list of a thousand cells, both of whose axes go into one table.
+LARGE = """async () => {
+  const { sceneOf } = await import('/gpu/scene.js');
+  const { partsOf } = await import('/gpu/plan.js');
+  const { CellTables } = await import('/gpu/tables.js');
+  const text = { half_width: '0.1:0.4', height: '0.5:2', isolation: 'none', omega: '5', a_h: '4', x: 'half_width', y: 'height', force: 'true' };
+  const scene = sceneOf(text, [8193, 8193]);
+  const list = Array.from({ length: 1000 }, (_, k) => 67108 * k + 3);
+  const [{ plan }] = partsOf(scene, scene.grid, list);
+  const own = new CellTables(plan, scene.grid, { first: 0, count: list.length, list });
+  return ['bodies', 'horizontal', 'vertical', 'drive', 'readers'].map((name) => own[name].entries.length);
+}"""
+
+
+def test_tables_of_a_list_have_no_more_entries_than_it_has_cells(page):
+    assert max(page.evaluate(LARGE)) == 1000
 
 
 def test_a_mistake_in_a_number_shows(page):

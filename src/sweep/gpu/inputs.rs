@@ -1,6 +1,8 @@
 //! The data on the device from which the cells of a sweep are made.
 
 use std::any::Any;
+use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -13,14 +15,15 @@ use super::super::cell_tables::Clocks;
 use super::super::cells::Cells;
 use super::super::full_contact::FullContactMotions;
 use super::super::groups::Steps;
-use super::super::motions::Motions;
-use super::super::table::Table;
+use super::super::threads::on;
 use super::device::OpenDevice;
+use super::listed::{self, Firsts};
 use super::pipelines::Pipelines;
 use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
 use super::tile::{Layout, OwnClocks, Tile};
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
+use crate::scene::grid::AXES;
 
 /// Gaps between samples that a thread looks through twice at most: the software driver ends loops silently
 /// after 65,535 turns.
@@ -31,8 +34,12 @@ pub struct Inputs<R> {
     model: Buffer,
     numbers: Buffer,
     motions: Buffer,
-    /// Where a tile finds its numbers.
+    /// Where a tile finds its numbers by its cells' places.
     tile: Tile,
+    /// Cells find all of them so.
+    by_place: bool,
+    /// Where each table's entries begin.
+    firsts: Firsts,
     /// Where motions begin.
     words: Vec<u32>,
     /// The clocks, where the tables hold them.
@@ -48,16 +55,6 @@ fn filled<R: Real>(gpu: &OpenDevice, label: &str, contents: &[u8], usage: Buffer
     gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
 }
 
-/// Where a table's entries of so many numbers each lie, from a place on.
-fn table<T>(table: &Table<T>, first: usize, size: usize) -> Layout {
-    Layout::of(table.strides, table.before, first, size)
-}
-
-/// Where motions lie whose beginnings are listed from a place on.
-fn layout_of<R: Real>(motions: &Motions<R>, first: usize) -> Layout {
-    Layout { more: motions.samples() as u32, ..Layout::of(motions.strides, 0, first, 1) }
-}
-
 impl<R: Real> Inputs<R> {
     /// Puts on the device what the cells of a plan share.
     pub fn new(
@@ -69,24 +66,23 @@ impl<R: Real> Inputs<R> {
     ) -> Inputs<R> {
         let tables = &cells.tables;
         let mut numbers: Vec<R> = Vec::new();
+        let mut firsts: Firsts = [0; AXES];
+        for (first, table) in firsts.iter_mut().zip([
+            bytemuck::cast_slice(&tables.horizontal.entries),
+            bytemuck::cast_slice(&tables.vertical.entries),
+            bytemuck::cast_slice(&tables.drive.entries),
+        ]) {
+            *first = numbers.len();
+            numbers.extend_from_slice(table);
+        }
         let mut tile = Tile { counts: tables.grid().counts(), ..Tile::default() };
-        tile.bodies = table(&tables.bodies, 0, 1);
-        tile.horizontal = table(&tables.horizontal, numbers.len(), 7);
-        numbers.extend_from_slice(bytemuck::cast_slice(&tables.horizontal.entries));
-        tile.vertical = table(&tables.vertical, numbers.len(), 5);
-        numbers.extend_from_slice(bytemuck::cast_slice(&tables.vertical.entries));
-        tile.drive = table(&tables.drive, numbers.len(), 7);
-        numbers.extend_from_slice(bytemuck::cast_slice(&tables.drive.entries));
         // Of the bodies the kernel that makes cells takes no more than these.
         tile.levers = numbers.len() as u32;
         for body in &tables.bodies.entries {
             numbers.extend([body.height, body.left.arm, body.right.arm]);
         }
         let steps = match &tables.clocks {
-            Clocks::Shared(shared) => {
-                tile.clock = table(shared, 0, 1);
-                shared.entries.iter().map(|(_, steps)| *steps).collect()
-            }
+            Clocks::Shared(shared) => shared.entries.iter().map(|(_, steps)| *steps).collect(),
             Clocks::Own(_) => Vec::new(),
         };
         let mut words = Vec::new();
@@ -96,12 +92,13 @@ impl<R: Real> Inputs<R> {
             tile.shared_contact = 1;
             tile.still = u32::from(shared.still);
             tile.up_values = shared.across.values.len() as u32;
-            for (motion, place) in [(&shared.across, &mut tile.across), (&shared.up, &mut tile.up)]
-            {
-                *place = layout_of(motion, words.len());
-                words.extend_from_slice(&motion.first);
-            }
+            tile.across.more = shared.across.samples() as u32;
+            tile.up.more = shared.up.samples() as u32;
+            firsts[5] = shared.across.first.len();
+            words.extend_from_slice(&shared.across.first);
+            words.extend_from_slice(&shared.up.first);
         }
+        let by_place = tile.find_by_place(cells, &firsts).is_some();
         let motions = match shared {
             Some(shared) => resident(gpu, slots, &cells.motions, shared),
             None => filled::<R>(gpu, "no motions", &[], BufferUsages::STORAGE),
@@ -118,7 +115,7 @@ impl<R: Real> Inputs<R> {
         let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
         let models = [&model, &bodies];
         let chunks = chunk_groups(gpu, &pipelines.sweep, slots, models, &record);
-        Inputs { model, numbers, motions, tile, words, steps, chunks }
+        Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, chunks }
     }
 
     /// Puts on the device what a tile has of its own, on a side, for the chunk of a number; the threads
@@ -129,17 +126,28 @@ impl<R: Real> Inputs<R> {
         pipelines: &Pipelines,
         slots: &mut Slots,
         (side, number): (usize, u32),
-        (columns, cells): (usize, &[usize]),
+        (all, cells): (&Cells<R>, Range<usize>),
         own: Option<&OwnClocks<R>>,
     ) -> (usize, BindGroup) {
         let mut tile = self.tile;
         let mut words = self.words.clone();
-        if let Some(own) = own {
+        let columns = all.tables.grid().shape().0;
+        let numbers = &all.tables.cells()[cells.clone()];
+        let threads = self.by_place.then(|| tile.place(columns, numbers)).flatten();
+        let clocks = match own {
+            Some(own) => Some(Cow::Borrowed(&own.numbers)),
+            None if threads.is_none() => Some(Cow::Owned(listed::clocks(all, cells.clone()))),
+            None => None,
+        };
+        if let Some(clocks) = clocks {
             tile.clock = Layout { first: words.len() as u32, more: 1, ..Layout::default() };
-            words.extend_from_slice(&own.numbers);
+            words.extend_from_slice(&clocks);
         }
-        let (threads, listed) = tile.place(columns, cells, words.len());
-        words.extend_from_slice(&listed);
+        let threads = threads.unwrap_or_else(|| {
+            tile.list(cells.len(), words.len(), &self.firsts);
+            words.extend(on(|| listed::places(all, cells.clone())));
+            cells.len()
+        });
         words.resize(words.len().max(1), 0);
         tile.first_slot = (side * slots.tile) as u32;
         tile.slots = (slots.sides.len() * slots.tile) as u32;

@@ -1,5 +1,7 @@
 //! A tile on the device, from the submission that makes its cells to their outcomes.
 
+use std::ops::Range;
+
 use super::super::cells::Cells;
 use super::device::OpenDevice;
 use super::outcomes::DeviceOutcomes;
@@ -9,11 +11,11 @@ use super::{BackendError, outcomes};
 use crate::model::real::Real;
 
 /// Cells on the device.
-pub struct Loaded<'a, R> {
+pub struct Loaded<R> {
     /// Number of the tile.
     pub number: usize,
-    /// Its cells.
-    pub cells: &'a [usize],
+    /// Its cells, by their numbers in the list.
+    pub cells: Range<usize>,
     /// Their clocks, where they have each their own.
     pub own: Option<OwnClocks<R>>,
     /// Steps of its longest cell.
@@ -28,7 +30,7 @@ pub struct Loaded<'a, R> {
     pub mapped: bool,
 }
 
-impl<R: Real> Loaded<'_, R> {
+impl<R: Real> Loaded<R> {
     /// Cells that are done, those that run by the share of their steps. A step takes a turn or more,
     /// so that this is an upper bound.
     pub fn done(&self) -> usize {
@@ -48,8 +50,8 @@ impl<R: Real> Loaded<'_, R> {
     ) -> Result<(), BackendError> {
         let back = &slots.sides[side];
         let view = gpu.view(&back.states_back)?;
-        let place = (&mut results.block, results.done);
-        outcomes::read(all, self.cells, self.own.as_ref(), &view, place)?;
+        let cells = self.cells.clone();
+        outcomes::read(all, cells, self.own.as_ref(), &view, &mut results.block)?;
         results.done += self.cells.len();
         drop(view);
         back.states_back.unmap();

@@ -40,11 +40,11 @@ impl Sweeper<'_> {
     ) -> Result<Made<R>, BackendError> {
         let (gpu, record) = (self.gpu, plan.record::<R>());
         let all = Cells::of(plan, grid, cells, &record, &Unwatched);
-        let own = OwnClocks::of(&all.tables, cells);
+        let own = OwnClocks::of(&all.tables, 0..cells.len());
         let (slots, inputs, threads, group) = gpu.checked(|| {
             let mut slots = Slots::new::<R>(gpu, cells.len(), self.events_kept);
             let inputs = Inputs::new(gpu, &self.pipelines, &mut slots, &all, &record);
-            let tile = (grid.shape().0, cells);
+            let tile = (&all, 0..cells.len());
             let (threads, group) =
                 inputs.begin(gpu, &self.pipelines, &mut slots, (side, 0), tile, own.as_ref());
             (slots, inputs, threads, group)

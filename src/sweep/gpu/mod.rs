@@ -5,6 +5,7 @@ pub mod check;
 mod chunk;
 pub mod device;
 pub mod inputs;
+pub mod listed;
 mod loaded;
 mod made;
 pub mod opened;

@@ -26,18 +26,19 @@ pub struct DeviceOutcomes<R> {
     pub device: Option<Duration>,
 }
 
-/// Puts the outcomes of a tile's cells in their columns, by all cores, from the cell `first` on. `bytes` are the
+/// Puts the outcomes of a tile's cells, by their numbers in the list, in its columns, by all cores. `bytes` are the
 /// cells' states.
 ///
 /// # Errors
 /// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
 pub fn read<R: Real>(
     all: &Cells<R>,
-    cells: &[usize],
+    tile: Range<usize>,
     own: Option<&OwnClocks<R>>,
     bytes: &[u8],
-    (block, first): (&mut Block, usize),
+    block: &mut Block,
 ) -> Result<(), BackendError> {
+    let cells = &all.tables.cells()[tile.clone()];
     let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
     let copy: Vec<State<R>>;
     let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
@@ -55,7 +56,7 @@ pub fn read<R: Real>(
     let grid = all.tables.grid();
     let columns = grid.shape().0;
     let of = |some: Range<usize>, outcomes: &mut Vec<Outcome>| {
-        let mut place = grid.place(cells[some.start]);
+        let mut cell = all.tables.cell(tile.start + some.start);
         for at in some.clone() {
             let state = &states[at];
             if state.status == RUNNING || state.status > PROVED {
@@ -63,19 +64,20 @@ pub fn read<R: Real>(
             }
             // Most cells follow the one before them in its row, and their places need no division.
             if at > some.start {
-                if cells[at] == cells[at - 1] + 1 && place[0] + 1 < columns {
-                    place[0] += 1;
+                cell.number += 1;
+                if cells[at] == cells[at - 1] + 1 && cell.place[0] + 1 < columns {
+                    cell.place[0] += 1;
                 } else {
-                    place = grid.place(cells[at]);
+                    cell.place = grid.place(cells[at]);
                 }
             }
             outcomes.push(match own {
-                Some(own) => all.outcome_at(&place, &own.clocks[own.numbers[at] as usize], state),
-                None => all.outcome_at(&place, &all.tables.clock(&place), state),
+                Some(own) => all.outcome_at(&cell, &own.clocks[own.numbers[at] as usize], state),
+                None => all.outcome_at(&cell, &all.tables.clock(&cell), state),
             });
         }
     };
-    on(|| block.fill(first, cells.len(), of));
+    on(|| block.fill(tile.start, cells.len(), of));
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

@@ -106,7 +106,7 @@ impl<'a> Sweeper<'a> {
             None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
         };
         let scene = (&all, &record[..]);
-        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, (cells, tile))?;
+        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile)?;
         let results = tiles.run(progress)?;
         // After a failure the slots are not used again.
         self.gpu.keep(slots);

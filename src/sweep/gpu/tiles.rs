@@ -8,6 +8,7 @@
 //! long ones end last, beside the first ones of the next tile.
 
 use std::collections::VecDeque;
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::super::cells::Cells;
@@ -32,14 +33,14 @@ pub struct Tiles<'a, R> {
     slots: &'a mut Slots,
     all: &'a Cells<'a, R>,
     inputs: Inputs<R>,
-    /// Cells that are in no tile yet.
-    rest: &'a [usize],
+    /// Cells that are in no tile yet, by their numbers in the list.
+    rest: Range<usize>,
     /// Cells of a tile at most.
     most_cells: usize,
     /// Tiles whose cells run.
-    sides: [Option<Loaded<'a, R>>; SIDES],
+    sides: [Option<Loaded<R>>; SIDES],
     /// Tiles whose last states are being copied to the host.
-    copied: [Option<Loaded<'a, R>>; SIDES],
+    copied: [Option<Loaded<R>>; SIDES],
     flights: VecDeque<Flight>,
     /// Submissions made and heard of, chunks, tiles begun and read.
     submitted: usize,
@@ -57,20 +58,21 @@ pub struct Tiles<'a, R> {
 }
 
 impl<'a, R: Real> Tiles<'a, R> {
-    /// The tiles of some cells of a plan.
+    /// The tiles of the cells of a list, of so many at most.
     pub fn new(
         gpu: &'a OpenDevice,
         pipelines: &'a Pipelines,
         slots: &'a mut Slots,
         (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
-        (cells, most_cells): (&'a [usize], usize),
+        most_cells: usize,
     ) -> Result<Tiles<'a, R>, BackendError> {
         let inputs = gpu.checked(|| {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
             Inputs::new(gpu, pipelines, slots, all, record)
         })?;
+        let cells = all.tables.cells().len();
         let results = DeviceOutcomes {
-            block: Block::pending(cells.len(), R::PRECISION),
+            block: Block::pending(cells, R::PRECISION),
             done: 0,
             events: Vec::new(),
             device: gpu.has_clock().then_some(Duration::ZERO),
@@ -81,7 +83,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             slots,
             all,
             inputs,
-            rest: cells,
+            rest: 0..cells,
             most_cells,
             sides: [None, None],
             copied: [None, None],
@@ -167,16 +169,16 @@ impl<'a, R: Real> Tiles<'a, R> {
     /// Makes the next tile ready on a side.
     fn begin(&mut self, side: usize) -> Result<Begin, BackendError> {
         let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
-        let (cells, rest) = self.rest.split_at(count);
+        let cells = self.rest.start..self.rest.start + count;
         let tables = &self.all.tables;
-        let own = OwnClocks::of(tables, cells);
+        let own = OwnClocks::of(tables, cells.clone());
         let longest = match &own {
             Some(own) => own.clocks.iter().map(|clock| clock.steps).max().unwrap_or(0),
             None => tables.longest(),
         };
         let (gpu, number) = (self.gpu, self.chunks);
         let (threads, group) = gpu.checked(|| {
-            let tile = (tables.grid().shape().0, cells);
+            let tile = (self.all, cells.clone());
             self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
         self.most_steps += count as u64 * u64::from(longest);
@@ -191,7 +193,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             mapped: false,
         });
         self.begun += 1;
-        self.rest = rest;
+        self.rest.start += count;
         Ok(Begin { side, cells: count, threads, group })
     }
 

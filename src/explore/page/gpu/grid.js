@@ -1,5 +1,5 @@
-// The grid of cells that a scene sweeps, and tables of numbers that depend on some of its axes only. Twin: src/scene/grid.rs
-// and src/sweep/table.rs.
+// The grid of cells that a scene sweeps, and tables of numbers that depend on some of its axes only. Twin: src/scene/grid.rs,
+// src/sweep/window.rs, src/sweep/listing.rs and src/sweep/table.rs.
 //
 // A list of cells along a line is a grid of one axis that changes two numbers at once.
 
@@ -93,7 +93,7 @@ export class Grid {
 }
 
 // The rows of a grid that some cells lie in: all values of the fast axes, and of the slow ones no more than they have.
-export function windowAround(grid, least, most) {
+function windowAround(grid, least, most) {
   const first = grid.axes.map(() => 0);
   const counts = grid.axes.map((axis) => axis.count);
   const [low, high] = [grid.place(least), grid.place(most)];
@@ -105,38 +105,91 @@ export function windowAround(grid, least, most) {
   return { first, counts };
 }
 
-// Values of each axis in a window that numbers which depend on these parameters have.
-function countsOf(grid, window, keys) {
-  const told = (axis) => axis.keys.some((key) => keys.includes(key));
-  return grid.axes.map((axis, k) => (told(axis) ? window.counts[k] : 1));
-}
+const productOf = (counts) => counts.reduce((product, count) => product * count, 1);
 
-// Entries that a table of these parameters has in a window.
-export function entriesOf(grid, window, keys) {
-  return countsOf(grid, window, keys).reduce((product, count) => product * count, 1);
-}
-
-// One entry for each combination of values in a window that a group of numbers depends on.
-export class Table {
-  constructor(grid, window, keys, entry) {
-    const counts = countsOf(grid, window, keys);
+// All combinations of the values that some axes have in a window.
+class Combinations {
+  constructor(grid, { first, counts }, keys) {
+    const told = (axis) => axis.keys.some((key) => keys.includes(key));
+    this.first = first;
+    this.counts = grid.axes.map((axis, k) => (told(axis) ? counts[k] : 1));
+    this.count = productOf(this.counts);
     this.strides = [];
     let entries = 1;
-    for (const count of counts) {
+    for (const count of this.counts) {
       this.strides.push(count > 1 ? entries : 0);
       entries *= count;
     }
-    this.before = this.strides.reduce((sum, stride, k) => sum + stride * window.first[k], 0);
-    this.entries = [];
-    const point = { ...grid.fixed };
-    for (let number = 0; number < entries; number += 1) {
-      let rest = number;
-      grid.axes.forEach((axis, k) => {
-        axis.set(point, window.first[k] + (rest % counts[k]));
-        rest = Math.floor(rest / counts[k]);
-      });
-      this.entries.push(entry(caseOf(point, grid.choices)));
-    }
+    this.before = this.number(first);
+  }
+
+  // That of a place, from the grid's first values on.
+  number(place) {
+    return this.strides.reduce((sum, stride, k) => sum + stride * place[k], 0);
+  }
+
+  // The place of one.
+  place(number) {
+    let rest = number;
+    return this.counts.map((count, k) => {
+      const at = this.first[k] + (rest % count);
+      rest = Math.floor(rest / count);
+      return at;
+    });
+  }
+}
+
+// Combinations for each cell up to which a table holds all of a window.
+const ALL = 2;
+
+// Cells of a grid for which tables are made: so many that follow one another from the first on, or a list.
+export class Listing {
+  constructor(grid, { first, count, list }) {
+    Object.assign(this, { grid, first, count, list });
+    const least = list ? list.reduce((a, b) => Math.min(a, b)) : first;
+    const most = list ? list.reduce((a, b) => Math.max(a, b)) : first + count - 1;
+    this.window = windowAround(grid, least, most);
+  }
+
+  // The number of a cell in the grid.
+  cell(k) {
+    return this.list ? this.list[k] : this.first + k;
+  }
+
+  // True where cells may have the same combination of these parameters' values.
+  share(keys) {
+    return new Combinations(this.grid, this.window, keys).count < productOf(this.window.counts);
+  }
+
+  // The combinations of these parameters' values that a table has: all of the window, or those that occur, in order, with the
+  // entry of each.
+  entries(keys) {
+    const { grid, count } = this;
+    const all = new Combinations(grid, this.window, keys);
+    if (all.count <= ALL * count) return { combinations: all, occurring: null, entry: null };
+    const whole = { first: grid.axes.map(() => 0), counts: grid.axes.map((axis) => axis.count) };
+    const combinations = new Combinations(grid, whole, keys);
+    const numbers = Float64Array.from({ length: count }, (_, k) => combinations.number(grid.place(this.cell(k)))).sort();
+    const occurring = numbers.filter((number, k) => k === 0 || number !== numbers[k - 1]);
+    return { combinations, occurring, entry: new Map(Array.from(occurring, (number, k) => [number, k])) };
+  }
+}
+
+// One entry for each combination of values that a group of numbers depends on.
+export class Table {
+  constructor(listing, keys, entry) {
+    const { grid } = listing;
+    const { combinations, occurring, entry: entries } = listing.entries(keys);
+    this.combinations = combinations;
+    // The entry of each combination that occurs; none where all have one.
+    this.numbers = entries;
+    const of = (number) => entry(grid.caseAt(combinations.place(number)));
+    this.entries = occurring ? Array.from(occurring, of) : Array.from({ length: combinations.count }, (_, number) => of(number));
+  }
+
+  // Cells find their entries by their places.
+  get byPlace() {
+    return this.numbers === null;
   }
 
   // The entry of a cell.
@@ -145,8 +198,7 @@ export class Table {
   }
 
   index(place) {
-    let index = -this.before;
-    for (let k = 0; k < place.length; k += 1) index += this.strides[k] * place[k];
-    return index;
+    const number = this.combinations.number(place);
+    return this.byPlace ? number - this.combinations.before : this.numbers.get(number);
   }
 }

@@ -3,7 +3,6 @@
 import { LoadedTile, unfinished } from './chunks.js';
 import { timeOf } from './clock.js';
 import { heed } from './errors.js';
-import { windowAround } from './grid.js';
 import { known } from './known.js';
 import { PLACE, outcomeOf } from './outcome.js';
 import { partsOf } from './plan.js';
@@ -128,8 +127,8 @@ export async function motionOf(device, scene, signal) {
   const [{ plan }] = partsOf(scene, grid, null);
   // A motion goes on to its end, proved or not.
   const pipelines = await device.pipelines({ ...plan.constants, certificate: 0 });
-  const tables = new CellTables(plan, grid, windowAround(grid, 0, 0));
-  const tile = tileOf(tables, { first: 0, count: 1, list: null }, 2);
+  const tables = new CellTables(plan, grid, { first: 0, count: 1, list: null });
+  const tile = tileOf(tables, 2);
   const clock = tile.clockOf(0);
   const loaded = await device.checked(() => new LoadedTile(device, pipelines, tile, samplesOf(plan.record), 1));
   let words;

@@ -2,7 +2,6 @@
 
 import { LoadedTile } from './chunks.js';
 import { heed } from './errors.js';
-import { windowAround } from './grid.js';
 import { outcomeOf } from './outcome.js';
 import { partsOf } from './plan.js';
 import { CellTables } from './tables.js';
@@ -14,16 +13,14 @@ export function samplesOf(record) {
   return record ? record.samples : new Float32Array(4);
 }
 
-// The tiles of a part: the tables for the rows of each, and its cells. They are made between two submissions, while a page waits.
+// The tiles of a part: the tables for the cells of each. They are made between two submissions, while a page waits.
 function* tilesOf({ plan, cells }, grid, pace) {
   const count = cells === null ? grid.length : cells.length;
   for (let first = 0, here; first < count; first += here) {
     here = Math.min(pace.tile, count - first);
     const list = cells === null ? null : cells.slice(first, first + here);
-    const least = list ? list.reduce((a, b) => Math.min(a, b)) : first;
-    const most = list ? list.reduce((a, b) => Math.max(a, b)) : first + here - 1;
-    const tables = new CellTables(plan, grid, windowAround(grid, least, most));
-    yield { first, tables, tile: tileOf(tables, { first, count: here, list }, 2 * here), count: here };
+    const tables = new CellTables(plan, grid, { first, count: here, list });
+    yield { first, tables, tile: tileOf(tables, 2 * here), count: here };
   }
 }
 

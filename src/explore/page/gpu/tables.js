@@ -1,10 +1,10 @@
-// The numbers of a grid's cells in tables, for the cells of a window. Twin: src/sweep/cell_tables.rs and
+// The numbers of cells in tables. Twin: src/sweep/cell_tables.rs and
 // src/sweep/gpu/inputs.rs.
 
 import { Body, bodyParameters } from './body.js';
 import { deflection } from './case.js';
 import { SPAN, SWING_V, clockOf, clockParameters, spanOf, swingH, swingParameters, swingV } from './clock.js';
-import { Table, entriesOf } from './grid.js';
+import { Listing, Table } from './grid.js';
 import { DRIVE, driveOf, horizontalOf, stepsOf, verticalOf } from './groups.js';
 import { HORIZONTAL, VERTICAL } from './isolation.js';
 import { PEAK } from './case.js';
@@ -18,17 +18,19 @@ function sharedAmplitude(grid) {
 }
 
 export class CellTables {
-  constructor(plan, grid, window) {
+  // Of some cells of a plan's grid: { first, count, list }, see Listing.
+  constructor(plan, grid, cells) {
     const { record } = plan;
-    const cells = window.counts.reduce((product, count) => product * count, 1);
+    const listing = new Listing(grid, cells);
     const byBody = (law, entry) =>
-      new Table(grid, window, [...bodyParameters(), ...law], (cell) => {
+      new Table(listing, [...bodyParameters(), ...law], (cell) => {
         const own = plan.locked(cell);
         return entry(own, new Body(own));
       });
     const shared = sharedAmplitude(grid);
     this.plan = plan;
     this.grid = grid;
+    this.cells = listing;
     this.bodies = byBody([], (_, body) => ({
       model: body.model(),
       lever: [body.block.height, ...body.arms],
@@ -37,7 +39,7 @@ export class CellTables {
     }));
     this.horizontal = byBody([...HORIZONTAL, ...PEAK], horizontalOf);
     this.vertical = byBody(VERTICAL, verticalOf);
-    this.drive = new Table(grid, window, DRIVE, (cell) => driveOf(cell, shared));
+    this.drive = new Table(listing, DRIVE, (cell) => driveOf(cell, shared));
     this.readers = byBody(['t_max', 'tilt', 't_v'], (cell, body) => ({
       tMax: cell.tMax,
       tilted: cell.tilt !== 0,
@@ -46,7 +48,7 @@ export class CellTables {
       friction: cell.friction,
     }));
     const all = clockParameters(grid);
-    this.ownClocks = !(entriesOf(grid, window, all) < cells || cells === 1);
+    this.ownClocks = !(listing.share(all) || listing.count === 1);
     if (!this.ownClocks) {
       this.clocks = byBody(all, (cell, body) => {
         const span = spanOf(cell, record);
@@ -57,7 +59,7 @@ export class CellTables {
     }
     this.swingH = byBody(swingParameters(grid), swingH);
     this.swingV = byBody(SWING_V, swingV);
-    this.span = new Table(grid, window, SPAN, (cell) => spanOf(cell, record));
+    this.span = new Table(listing, SPAN, (cell) => spanOf(cell, record));
   }
 
   // A cell's clock with the reals of its steps.

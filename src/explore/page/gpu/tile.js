@@ -1,5 +1,5 @@
-// The description of a tile for the device: the places of its cells and of their numbers. Twin: src/sweep/gpu/tile.rs and
-// shaders/tile.wgsl.
+// The description of a tile for the device: the places of its cells and of their numbers. Twin: src/sweep/gpu/tile.rs,
+// src/sweep/gpu/listed.rs and shaders/tile.wgsl.
 
 import { AXES } from './grid.js';
 import { stepWords } from './tables.js';
@@ -36,83 +36,95 @@ const LISTED = 2;
 const BLOCK_WIDTH = 8;
 const BLOCK_HEIGHT = 4;
 
+// Words that the device counts to.
+const WORDS = 2 ** 32;
+// The tables that the axes of listed cells stand for; shared motions would follow.
+const LISTED_TABLES = ['horizontal', 'vertical', 'drive', 'bodies'];
+
 // Where a table's entries of so many numbers each lie, from a place on.
-function layoutOf(table, first, size, more = 0) {
-  const strides = Array.from({ length: AXES }, (_, k) => (table.strides[k] ?? 0) * size);
-  return [(first - table.before * size) >>> 0, ...strides, more];
+function layoutOf({ combinations }, first, size) {
+  const strides = Array.from({ length: AXES }, (_, k) => (combinations.strides[k] ?? 0) * size);
+  return [(first - combinations.before * size) >>> 0, ...strides, 0];
 }
 
-// How threads take a tile's cells: the threads, the order, the blocks of a row, and the list of columns and rows, which begins
-// at `listed` in `words`. `cells`: the first of cells that follow one another, or a list.
-function placed(columns, { first, count, list }, listed) {
-  if (list) {
-    const pairs = new Uint32Array(2 * count);
-    for (let k = 0; k < count; k += 1) {
-      pairs[2 * k] = list[k] % columns;
-      pairs[2 * k + 1] = Math.floor(list[k] / columns);
-    }
-    return { threads: count, order: LISTED, blocks: listed, pairs };
-  }
+// The same where a cell's place along an axis is the number of its entry.
+function listedLayout(axis, first, size) {
+  return [first, ...Array.from({ length: AXES }, (_, k) => (k === axis ? size : 0)), 0];
+}
+
+// How threads take cells that follow one another: the threads, the order and the blocks of a row; null where cells do not, and
+// where the device cannot count so many rows.
+function placed({ columns }, { first, count, list }) {
+  if (list) return null;
   const blocks = Math.ceil(columns / BLOCK_WIDTH);
   const rows = Math.ceil(((first % columns) + count) / columns);
+  if (Math.floor(first / columns) + rows >= WORDS || (first % columns) + count >= WORDS) return null;
   const threads = Math.ceil(rows / BLOCK_HEIGHT) * blocks * BLOCK_HEIGHT * BLOCK_WIDTH;
   // Blocks that are mostly beside the grid, or before or after the cells, are not worth it.
-  if (threads <= 2 * count) return { threads, order: IN_BLOCKS, blocks, pairs: [] };
-  return { threads: count, order: IN_ORDER, blocks: 0, pairs: [] };
+  if (threads <= 2 * count) return { threads, order: IN_BLOCKS, blocks };
+  return { threads: count, order: IN_ORDER, blocks: 0 };
 }
 
-// All that the device needs to make a tile's cells: the tables' numbers, the clocks, the words, the tile; and the clock of each
-// cell for the host. `cells` is {first, count} or {list, count}; `slots` the slots of the buffers.
-export function tileOf(tables, cells, slots) {
-  const { grid } = tables;
+// All that the device needs to make the cells of tables: the tables' numbers, the clocks, the words, the tile; and the clock of
+// each cell for the host. `slots` are the slots of the buffers.
+export function tileOf(tables, slots) {
+  const { grid, cells } = tables;
   const numbers = [];
-  const layouts = {};
+  const begin = { bodies: [0, 1] };
   for (const name of ['horizontal', 'vertical', 'drive']) {
-    const table = tables[name];
-    layouts[name] = layoutOf(table, numbers.length, table.entries[0].length);
-    for (const entry of table.entries) numbers.push(...entry);
+    const { entries } = tables[name];
+    begin[name] = [numbers.length, entries[0].length];
+    for (const entry of entries) numbers.push(...entry);
   }
-  layouts.bodies = layoutOf(tables.bodies, 0, 1);
   const levers = numbers.length;
   for (const body of tables.bodies.entries) numbers.push(...body.lever);
-  const cellAt = (k) => (cells.list ? cells.list[k] : cells.first + k);
+  const placeAt = (k) => grid.place(cells.cell(k));
+  const byPlace = [...LISTED_TABLES, 'clocks'].every((name) => tables[name]?.byPlace ?? true);
+  const place = byPlace ? placed(grid, cells) : null;
+  const layouts = {};
+  LISTED_TABLES.forEach((name, axis) => {
+    layouts[name] = place ? layoutOf(tables[name], ...begin[name]) : listedLayout(axis, ...begin[name]);
+  });
   let words = [];
   let clocks;
   if (tables.ownClocks) {
-    clocks = Array.from({ length: cells.count }, (_, k) => tables.clockAt(grid.place(cellAt(k))));
+    clocks = Array.from({ length: cells.count }, (_, k) => tables.clockAt(placeAt(k)));
     words = clocks.map((_, k) => k);
-    layouts.clock = [0, ...Array(AXES).fill(0), 1];
   } else {
     clocks = tables.clocks.entries;
-    layouts.clock = layoutOf(tables.clocks, 0, 1);
+    if (!place) words = Array.from({ length: cells.count }, (_, k) => tables.clocks.index(placeAt(k)));
   }
-  const place = placed(grid.columns, cells, words.length);
-  const first = cellAt(0);
+  layouts.clock = words.length > 0 ? [0, ...Array(AXES).fill(0), 1] : layoutOf(tables.clocks, 0, 1);
+  const listed = new Uint32Array(place ? 0 : AXES * cells.count);
+  for (let k = 0; AXES * k < listed.length; k += 1) {
+    const at = placeAt(k);
+    listed.set(LISTED_TABLES.map((name) => tables[name].index(at)), AXES * k);
+  }
   const counts = grid.counts();
   const fields = {
     ...Object.fromEntries(counts.map((count, k) => [`counts_${k + 1}`, count])),
     levers,
     cells: cells.count,
-    columns: grid.columns,
-    first_column: first % grid.columns,
-    first_row: Math.floor(first / grid.columns),
-    order: place.order,
-    blocks: place.blocks,
+    columns: place ? grid.columns : 0,
+    first_column: place ? cells.first % grid.columns : 0,
+    first_row: place ? Math.floor(cells.first / grid.columns) : 0,
+    order: place ? place.order : LISTED,
+    blocks: place ? place.blocks : words.length,
     slots,
   };
   const none = Array(LAYOUT_WORDS).fill(0);
   const tile = Uint32Array.from([...LAYOUTS.flatMap((name) => layouts[name] ?? none), ...FIELDS.map((name) => fields[name] ?? 0)]);
-  const allWords = new Uint32Array(Math.max(words.length + place.pairs.length, 1));
+  const allWords = new Uint32Array(Math.max(words.length + listed.length, 1));
   allWords.set(words);
-  allWords.set(place.pairs, words.length);
+  allWords.set(listed, words.length);
   return {
     tile,
-    threads: place.threads,
+    threads: place ? place.threads : cells.count,
     numbers: Float32Array.from(numbers),
     models: Float32Array.from(tables.bodies.entries.flatMap((body) => body.model)),
     clocks: stepWords(clocks),
     words: allWords,
-    clockOf: (k) => (tables.ownClocks ? clocks[k].clock : tables.clocks.at(grid.place(cellAt(k))).clock),
-    cellAt,
+    clockOf: (k) => (tables.ownClocks ? clocks[k].clock : tables.clocks.at(placeAt(k)).clock),
+    cellAt: (k) => cells.cell(k),
   };
 }
