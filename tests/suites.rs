@@ -33,7 +33,7 @@ fn made() -> (f64, Vec<f64>) {
 }
 
 fn pair(dt: f64, samples: Vec<f64>) -> Pair {
-    Pair::new(Record { title: "made".into(), dt, samples, notes: Vec::new() }, None)
+    Pair::new(Record { title: "made".into(), dt, samples, notes: Vec::new() }, None).unwrap()
 }
 
 /// eqsig integrates by trapezia. A record that is linear between samples a and b has h (b - a)^2/6 less of a^2 in a

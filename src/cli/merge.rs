@@ -73,6 +73,7 @@ impl MergeCommand {
         let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
         let grid = map.grid.clone();
         let grid = &grid;
+        Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
         let files =
             if self.files.is_empty() { MapFile::of(grid.len()) } else { self.files.clone() };
         let (slice, _) = grid.slice(0);

@@ -284,6 +284,8 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        let verify = Verify::settings(self.verify);
+        verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
         if let Some(levels) = self.refine {
             refine::check(scene, levels).map_err(|error| flag_error(&error))?;
         }

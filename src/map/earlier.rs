@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::results::files;
+use crate::scene::bounded;
 
 /// Name of the file that says what was run.
 pub const RUN: &str = "run.json";
@@ -73,7 +74,8 @@ impl Earlier {
     /// That of a directory; nothing where no run.json of topple is there.
     pub fn of(directory: &Path) -> Earlier {
         // One that cannot be read says nothing; what is wrong is told when it is to be replaced.
-        let text = fs::read(directory.join(RUN)).unwrap_or_default();
+        let text = bounded::read(&directory.join(RUN), bounded::DOCUMENT);
+        let text = text.unwrap_or_default();
         let written = serde_json::from_slice::<Written>(&text);
         written.map_or_else(
             |_| Earlier::default(),
