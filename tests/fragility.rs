@@ -177,7 +177,7 @@ fn a_scaled_motion_has_the_level() {
             samples: samples(peak, omega),
             notes: Vec::new(),
         };
-        Pair::new(record, None)
+        Pair::new(record, None).unwrap()
     };
     let scene = SceneBuilder::object(1)
         .with(Parameter::Eccentricity, 0.2)

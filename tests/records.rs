@@ -3,9 +3,12 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
 mod common;
+#[path = "common/formats.rs"]
+mod formats;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use common::record;
+use common::{record, refused};
+use formats::{AT2, CSMIP, KNET, cosmos, esm, smc};
 use proptest::prelude::*;
 use topple::scene::GRAVITY;
 use topple::scene::builder::SceneBuilder;
@@ -18,74 +21,6 @@ fn hints(dt: Option<f64>, units: Option<Units>) -> RecordHints {
 
 fn read(text: &str) -> Result<Record, RecordError> {
     read::bytes(text.as_bytes(), &RecordHints::default())
-}
-
-const AT2: &str = "PEER NGA STRONG MOTION DATABASE RECORD\nA STATION, 90\n\
-    ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=      7, DT=   .0100 SEC,   0 POLE @ 30. HZ\n  \
-    .1000000E+00  -.2000000E+00   .3000000E-01-.4000000E-01-.5000000E-01\n   .6000000E-01   .7E-1\n";
-
-const KNET: &str = "Origin Time       2018/01/24 19:51:00\nLat.              41.0\n\
-    Long.             142.5\nDepth. (km)       30\nMag.              6.2\n\
-    Station Code      AOM001\nStation Lat.      41.5267\nStation Long.     140.9244\n\
-    Station Height(m) 39\nRecord Time       2018/01/24 19:51:43\nSampling Freq(Hz) 100Hz\n\
-    Duration Time(s)  1\nDir.              E-W\nScale Factor      3920(gal)/6182761\n\
-    Max. Acc. (gal)   4.078\nLast Correction   2018/01/24 19:51:43\nMemo.             \n  \
-    -12085    3000   -12070   -12060\n   9000   -12083\n";
-
-fn esm() -> String {
-    let mut lines: Vec<String> = vec!["EVENT_NAME: A QUAKE".into()];
-    lines.extend((0..57).map(|k| format!("KEY_{k}: ")));
-    lines.extend(
-        [
-            "STATION_CODE: ARS1",
-            "SAMPLING_INTERVAL_S: 0.005000",
-            "NDATA: 3",
-            "STREAM: HNE",
-            "UNITS: cm/s^2",
-            "DATA_TYPE: ACCELERATION",
-        ]
-        .map(String::from),
-    );
-    assert_eq!(lines.len(), 64);
-    format!("{}\n10.0\n-25.0\n0.3\n", lines.join("\n"))
-}
-
-fn smc() -> String {
-    let mut text =
-        String::from("2 CORRECTED ACCELEROGRAM\n*\nSAF0A\nA QUAKE\nMag\nstation\na\nb\n*\n*\n*\n");
-    let mut integers = [-32768; 48];
-    (integers[15], integers[16]) = (2, 5);
-    for line in integers.chunks(8) {
-        text.extend(line.iter().map(|i| format!("{i:10}")));
-        text.push('\n');
-    }
-    let mut reals = [1.7e38; 50];
-    reals[1] = 200.0;
-    for line in reals.chunks(5) {
-        text.extend(line.iter().map(|r| format!("{r:15.7E}")));
-        text.push('\n');
-    }
-    text + "|\n| a comment 1.0\n 1.5057E+0-2.2223E+0-1.9234E+1-3.1562E+0\n-3.2440E+0\n"
-}
-
-const CSMIP: &str = "CORRECTED ACCELEROGRAM   36456  CHAN  1:  90 DEG\nUNCORRECTED\nA QUAKE\n\
-    3 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n    \
-    -3.038   -99.787     2.288\n 3 POINTS OF VELOC DATA\n     1.0\n/&\nCORRECTED\n\
-    3 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.\n";
-
-fn cosmos() -> String {
-    let mut text = String::from(
-        "Corrected acceleration    (Format v01.20 with 13 text lines)\nRecord of A Quake\n\
-         100 Real-header values follow on  20 lines, Format= (5F15.6)\n",
-    );
-    let mut reals = [-999.0; 100];
-    reals[62] = 5.0;
-    for line in reals.chunks(5) {
-        text.extend(line.iter().map(|r| format!("{r:15.6}")));
-        text.push('\n');
-    }
-    text + "1 Comment line(s) follow\n| 3 words\n       4 acceleration pts, approx  0.02 secs, \
-            units=cm/sec2(04),Format=(2E12.4)\n  1.0000e+01-2.0000e+01\n -3.0000e+01 4.0000e+00\n"
 }
 
 #[test]
@@ -205,7 +140,7 @@ fn unequal_components_are_brought_together() {
         samples: samples.to_vec(),
         notes: Vec::new(),
     };
-    let pair = Pair::new(record(0.02, &[0.0, 2.0, -4.0]), Some(record(0.01, &[1.0, 1.0])));
+    let pair = Pair::new(record(0.02, &[0.0, 2.0, -4.0]), Some(record(0.01, &[1.0, 1.0]))).unwrap();
     assert_eq!((pair.dt, &*pair.horizontal), (0.01, &[0.0, 1.0, 2.0, -1.0, -4.0][..]));
     assert_eq!(&*pair.vertical, &[1.0, 1.0, 0.0, 0.0, 0.0][..]);
     assert_eq!((pair.pga_h, pair.pga_v), (4.0, 1.0));
@@ -213,6 +148,68 @@ fn unequal_components_are_brought_together() {
     assert!(pair.notes.iter().any(|note| note.contains("padded")), "{:?}", pair.notes);
     let scaled = pair.scaled(-0.5);
     assert_eq!((scaled.pga_h, scaled.horizontal[4]), (2.0, 2.0));
+}
+
+/// 40 s in steps of 1e-9 s are 4e10 samples.
+#[test]
+fn a_step_far_finer_than_the_others_is_refused() {
+    let record = |dt: f64, count: usize| Record {
+        title: "x".into(),
+        dt,
+        samples: vec![1.0; count],
+        notes: Vec::new(),
+    };
+    let long = record(0.01, 4001);
+    for dt in [1.0e-9, 1.0e-300, 5.0e-324] {
+        let error = Pair::new(long.clone(), Some(record(dt, 7))).unwrap_err().to_string();
+        assert!(error.starts_with("40 s in steps of 0.00") && !error.contains('\n'), "{error}");
+        assert!(Pair::new(record(dt, 7), Some(long.clone())).is_err());
+        // By itself it is a motion, if a short one.
+        assert_eq!(Pair::new(record(dt, 7), None).unwrap().len(), 7);
+    }
+    // The largest pair: 10,000,000 samples.
+    assert_eq!(Pair::new(long.clone(), Some(record(4.000_000_4e-6, 7))).unwrap().len(), 10_000_000);
+    assert!(Pair::new(long.clone(), Some(record(3.9e-6, 7))).is_err());
+    for (dt, samples) in [
+        (f64::NAN, vec![1.0; 3]),
+        (0.0, vec![1.0; 3]),
+        (0.01, vec![1.0]),
+        (0.01, vec![1.0, f64::NAN]),
+    ] {
+        let record = Record { samples, ..record(dt, 0) };
+        assert!(Pair::new(record, None).is_err(), "{dt}");
+    }
+    let mut uneven = Pair::new(long, None).unwrap();
+    uneven.vertical = uneven.vertical[1..].into();
+    assert!(
+        uneven.check().unwrap_err().to_string().starts_with("4001 horizontal samples and 4000")
+    );
+}
+
+#[test]
+fn a_command_under_a_step_far_too_fine_says_so_in_one_line() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    std::fs::write(path("h.at2"), AT2.replace(".0100", "1E-9")).unwrap();
+    let long =
+        Record { title: "long".into(), dt: 0.01, samples: vec![1.0; 4001], notes: Vec::new() };
+    std::fs::write(path("v.at2"), synthetic::at2(&long)).unwrap();
+    let (h, v) = (path("h.at2"), path("v.at2"));
+    let line = refused(&[
+        "seismic",
+        "--object",
+        "1",
+        "--t-h",
+        "1",
+        "--t-v",
+        "1",
+        "--horizontal",
+        &h,
+        "--vertical",
+        &v,
+        "--force",
+    ]);
+    assert!(line.starts_with("topple: --vertical: 40 s in steps of 0.000000001 s"), "{line}");
 }
 
 #[test]

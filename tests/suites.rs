@@ -33,7 +33,7 @@ fn made() -> (f64, Vec<f64>) {
 }
 
 fn pair(dt: f64, samples: Vec<f64>) -> Pair {
-    Pair::new(Record { title: "made".into(), dt, samples, notes: Vec::new() }, None)
+    Pair::new(Record { title: "made".into(), dt, samples, notes: Vec::new() }, None).unwrap()
 }
 
 /// Sa of 5 % of damping by RK4 at a 4000th of the period and a 200th of the gap or less: the largest |u| at the samples, and

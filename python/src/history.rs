@@ -5,10 +5,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use topple::scene::isolation::KelvinVoigt;
-use topple::sweep::history::{Row, by_reference, by_steps};
+use topple::sweep::history::{Row, by_reference, by_steps, check_rows};
 use topple::{BackendRequest, Outcome, Precision};
 
-use crate::errors::{of_keyword, of_scene};
+use crate::errors::{self, of_keyword, of_scene};
 use crate::keywords::Request;
 use crate::watch;
 
@@ -40,6 +40,7 @@ pub fn history<'py>(
         (_, Precision::F64) => by_steps::<f64>(&plan.at(Precision::F64), &of_case),
     };
     let (rows, outcome): (Vec<Row>, Outcome) = watch::run_unheard(py, run)?;
+    check_rows(&rows).map_err(errors::of_scene)?;
     let deflection = case.isolation.vertical.as_ref().map_or(0.0, KelvinVoigt::deflection);
     let columns = PyDict::new(py);
     type Number = fn(&Row) -> f64;

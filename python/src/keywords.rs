@@ -275,7 +275,7 @@ fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
     if horizontal.peak() == 0.0 && vertical.as_ref().is_none_or(|record| record.peak() == 0.0) {
         return Err(of_keyword("horizontal", "all samples are zero; give a motion"));
     }
-    Ok(Pair::new(horizontal, vertical))
+    Pair::new(horizontal, vertical).map_err(|error| of_keyword("horizontal", error))
 }
 
 /// Sets what a keyword says of the run.

@@ -1,15 +1,16 @@
 //! Suites of records: their table, envelopes and fragilities, each as the tables of the command.
 
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
+use topple::fragility::hazard;
 use topple::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple::fragility::tables as fragility_tables;
 use topple::results::about;
+use topple::scene::bounded;
 use topple::suites::columns::{ColumnUnit, TableColumn};
 use topple::suites::{envelope as envelope_tables, saved, table};
 use topple::sweep::threads::Threads;
@@ -143,7 +144,7 @@ pub fn fragility<'py>(
             let named = |error: io::Error| {
                 io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
             };
-            let text = fs::read_to_string(&path).map_err(named)?;
+            let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
             Some(HazardCurve::parse(&text).map_err(|error| of_keyword("hazard", error))?)
         }
         None => None,

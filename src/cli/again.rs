@@ -11,11 +11,11 @@ use topple::results::store::IDENTITY;
 use topple::results::{npz, part, zarr};
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
-use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
+use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
 use topple::sweep::settings::Method;
 use topple::uncertain::Uncertainty;
 
-use super::options::{Besides, MapFile};
+use super::map_file::{Besides, MapFile};
 
 /// What was run.
 pub struct Again {
@@ -89,7 +89,8 @@ pub fn at(path: &Path) -> Option<Result<Again, String>> {
             false => Err(format!("a directory without {RUN}; give a scene's file, or results")),
         }
     } else if ends_in(path, "npz") {
-        let about = npz::about(path).map_err(|error| format!("{error}; give a map of topple"));
+        let about = npz::about(path)
+            .map_err(|error| format!("{}; give a map of topple", shown::line(&error.to_string())));
         about.and_then(|text| parsed(&text))
     } else if ends_in(path, "csv") {
         let beside = folder.join(RUN);
@@ -124,7 +125,8 @@ fn ends_in(path: &Path, ending: &str) -> bool {
 }
 
 fn text_of(path: &Path) -> Result<String, String> {
-    fs::read_to_string(path).map_err(|error| format!("{error}; give results that can be read"))
+    let text = bounded::text(path, bounded::DOCUMENT);
+    text.map_err(|error| format!("{error}; give results that can be read"))
 }
 
 fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
@@ -149,7 +151,10 @@ fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
             return Err(format!("leaves of a refined map; give the {RUN} beside them"));
         }
     }
-    let problem = |error| format!("no results of this version of topple ({error}); give a scene");
+    let problem = |error: serde_json::Error| {
+        let error = shown::line(&error.to_string());
+        format!("no results of this version of topple ({error}); give a scene")
+    };
     serde_json::from_str(text).map_err(problem)
 }
 
@@ -180,7 +185,7 @@ impl Written {
         }
         // A map's arrays have the names of the files alone, run.json beside them has their places.
         if let Some(record) = &self.record
-            && let Ok(text) = fs::read_to_string(folder.join(RUN))
+            && let Ok(text) = bounded::text(&folder.join(RUN), bounded::DOCUMENT)
             && let Ok(beside) = serde_json::from_str::<Written>(&text)
             && let Some(there) = beside.record
             && there.without_folders() == record.without_folders()

@@ -7,7 +7,8 @@ use topple::sweep::estimate::Estimate;
 use topple::sweep::job::Job;
 
 use super::InputError;
-use super::options::{MapFile, MapOptions};
+use super::map_file::MapFile;
+use super::options::MapOptions;
 
 /// Bytes of the pictures, about.
 const PICTURES: f64 = 2.0e6;

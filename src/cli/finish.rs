@@ -16,7 +16,8 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;
 
 use super::errors::{not_verified, sweep_error};
-use super::options::{MapFile, Talk};
+use super::map_file::MapFile;
+use super::options::Talk;
 use super::output;
 use super::print::print_line;
 use super::progress::Screen;

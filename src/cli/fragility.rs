@@ -1,17 +1,17 @@
 //! `topple fragility`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
+use topple::fragility::hazard;
 use topple::fragility::limit_state::LimitState;
 use topple::fragility::request::{MANY, SAMPLES};
 use topple::fragility::study::Study;
 use topple::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, picture, tables};
 use topple::map::earlier::Kind;
-use topple::scene::{Values, path_text};
+use topple::scene::{Values, bounded, path_text};
 use topple::suites::SuiteRequest;
 use topple::suites::intensity::Intensity;
 use topple::suites::request::above_zero;
@@ -287,6 +287,7 @@ impl FragilityCommand {
 /// Reads a hazard curve.
 fn read_hazard(path: &Path) -> Result<HazardCurve, InputError> {
     let named = |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
-    let bytes = fs::read(path).map_err(|e| named(format!("{e}; give a file that can be read")))?;
+    let bytes = bounded::read(path, hazard::LARGEST)
+        .map_err(|e| named(format!("{e}; give a file that can be read")))?;
     HazardCurve::parse(&String::from_utf8_lossy(&bytes)).map_err(|error| named(error.to_string()))
 }

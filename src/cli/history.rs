@@ -111,6 +111,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
     };
+    motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
     let png = render::png(&svg)?;
     let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));

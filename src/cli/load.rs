@@ -1,10 +1,11 @@
 //! Scenes from files.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
-use topple::scene::Scene;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::record::read::format_of;
+use topple::scene::{Scene, bounded};
 
 use super::InputError;
 use super::words::with_keys;
@@ -62,9 +63,8 @@ fn refused(path: &Path, reason: String) -> InputError {
 /// # Errors
 /// What is wrong and what to do.
 pub fn read(path: &Path) -> Result<String, String> {
-    let refused = |e: std::io::Error| format!("{e}; give a scene that can be read");
-    if std::fs::metadata(path).map_err(refused)?.len() > LARGEST {
-        return Err("larger than 1 MiB; this is no scene".into());
-    }
-    std::fs::read_to_string(path).map_err(refused)
+    bounded::text(path, LARGEST).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => format!("{error}; this is no scene"),
+        _ => format!("{error}; give a scene that can be read"),
+    })
 }

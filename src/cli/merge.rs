@@ -16,7 +16,8 @@ use topple::sweep::request::BackendRequest;
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::options::{MapFile, Talk, Verify, flag_error, share};
+use super::map_file::MapFile;
+use super::options::{Talk, Verify, flag_error, share};
 use super::progress::{Bar, Screen};
 use super::words::{self, Say, with_flags};
 use super::{InputError, examples, interrupt, output};
@@ -81,6 +82,7 @@ impl MergeCommand {
         let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
         let grid = map.grid.clone();
         let grid = &grid;
+        Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
         let files = files(grid.len());
         let (slice, _) = grid.slice(0);
         let sample = thinned(&map.plan.scene, (&slice, 0), &*map.outcomes, SAMPLE)?;

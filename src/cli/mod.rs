@@ -19,6 +19,7 @@ mod history;
 mod interrupt;
 mod licences;
 mod load;
+mod map_file;
 mod memory;
 mod merge;
 mod numbers;

@@ -8,7 +8,6 @@ use std::time::Duration;
 use topple::map::earlier::Kind;
 use topple::model::precision::Precision;
 use topple::refine::run as refine;
-use topple::results::own;
 use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
@@ -21,6 +20,7 @@ use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 use topple::sweep::threads::too_many;
 
 use super::errors::sweep_error;
+use super::map_file::{Besides, MapFile};
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
 use super::uncertain::UncertainFlags;
 use super::words::with_flags;
@@ -136,55 +136,6 @@ impl FromStr for Verify {
         }
     }
 }
-
-/// A file that holds a whole map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum MapFile {
-    /// map.csv: a row a cell.
-    Csv,
-    /// map.npz: arrays for numpy.
-    Npz,
-    /// map.zarr: arrays in chunks, for xarray and dask.
-    Zarr,
-}
-
-impl MapFile {
-    /// Its name in the directory.
-    pub fn name(self) -> &'static str {
-        match self {
-            MapFile::Csv => "map.csv",
-            MapFile::Npz => "map.npz",
-            MapFile::Zarr => own::MAP,
-        }
-    }
-
-    /// Those among names of files.
-    pub fn among(names: &[String]) -> Vec<MapFile> {
-        let all = [MapFile::Csv, MapFile::Npz, MapFile::Zarr].into_iter();
-        all.filter(|file| names.iter().any(|name| name == file.name())).collect()
-    }
-
-    /// Those of a map of so many cells, unless others are asked for.
-    pub fn of(cells: usize) -> Vec<MapFile> {
-        if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
-    }
-}
-
-/// What a map has besides its cells: what an earlier one had.
-#[derive(Debug, Clone, Default)]
-pub struct Besides {
-    /// Levels that it was refined in.
-    pub refine: Option<u32>,
-    /// The share of their range that numbers were smooth to.
-    pub smooth: Option<f64>,
-    /// It was asked how sharp its boundaries are.
-    pub sharpness: bool,
-    /// Its files.
-    pub files: Vec<MapFile>,
-}
-
-/// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.
-const LARGE: usize = 1 << 24;
 
 impl RunOptions {
     /// Refuses a step that is not plausible.
@@ -363,6 +314,8 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        let verify = Verify::settings(self.verify);
+        verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
         if let Some(levels) = self.refine {
             refine::check(scene, levels).map_err(|error| flag_error(&error))?;
         }

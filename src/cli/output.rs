@@ -17,7 +17,7 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::observed::ObservedOutcomes;
 use topple::sweep::observer::{Observer, Phase};
 
-use super::options::MapFile;
+use super::map_file::MapFile;
 use super::progress::Screen;
 use super::words::Say;
 use super::{InputError, refined};

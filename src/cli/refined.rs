@@ -6,7 +6,7 @@ use topple::results::files::Directory;
 use topple::results::own::LEAVES;
 use topple::results::{csv, group, npz};
 
-use super::options::MapFile;
+use super::map_file::MapFile;
 
 /// The picture of a pixel a cell, and the outlines.
 const PICTURES: [&str; 2] = ["refined.png", "refined.svg"];

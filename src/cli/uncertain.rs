@@ -1,6 +1,7 @@
 //! The flags of what is not known.
 
 use topple::scene::{Scene, SceneError};
+use topple::uncertain::probability::MOST_SAMPLES;
 use topple::uncertain::{Uncertainty, Varied};
 
 use super::options::seed;
@@ -23,7 +24,7 @@ pub struct UncertainFlags {
     #[arg(long, conflicts_with_all = NOT_BESIDE)]
     pixel: bool,
     /// Sweeps that tell the probabilities, best a power of two [default: 64]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 20))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=i64::from(MOST_SAMPLES)))]
     samples: Option<u32>,
     /// Seed of the sweeps' points, up to 4294967295 [default: 0]
     #[arg(long, value_name = "N", value_parser = seed)]

@@ -28,6 +28,9 @@ pub fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refused> {
     })
 }
 
+/// Keys among which the one at fault is looked for: each takes the whole request once more.
+const KEYS: usize = 100;
+
 /// How serde says that a key is missing; the key follows.
 const MISSING: &str = "missing field ";
 
@@ -43,12 +46,12 @@ fn at_fault<T: DeserializeOwned>(whole: &Map<String, Value>) -> Option<String> {
         Ok(_) => true,
         Err(problem) => problem == format!("{MISSING}`{key}`"),
     };
-    let key = whole.keys().find(|key| {
+    let key = whole.keys().take(KEYS).find(|key| {
         let mut without = whole.clone();
         without.remove(*key);
         is_well(&without, key)
     })?;
-    let inner = whole[key].as_object().into_iter().flat_map(Map::keys).find(|inner| {
+    let inner = whole[key].as_object().into_iter().flat_map(Map::keys).take(KEYS).find(|inner| {
         let mut without = whole.clone();
         if let Some(Value::Object(table)) = without.get_mut(key) {
             table.remove(*inner);

@@ -22,7 +22,7 @@ use crate::model::precision::Precision;
 use crate::results::files::{Directory, WriteError};
 use crate::results::{own, temporary};
 use crate::scene::record::Pair;
-use crate::scene::{Directions, Excitation, Parameter};
+use crate::scene::{Directions, Excitation, Parameter, bounded};
 use crate::sweep::gpu::shader::{self, Switches};
 
 /// Why a page is not exported.
@@ -128,7 +128,7 @@ fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
         Ok(Some(_)) => {}
     }
     let occupied = || ExportError::Occupied(directory.into());
-    let text = fs::read(directory.join(LIST)).map_err(|_| occupied())?;
+    let text = bounded::read(&directory.join(LIST), bounded::DOCUMENT).map_err(|_| occupied())?;
     let list: Value = serde_json::from_slice(&text).map_err(|_| occupied())?;
     let files = list["files"].as_array().ok_or_else(occupied)?;
     let names = files.iter().filter_map(Value::as_str).map(String::from);

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use serde_json::{Value, json};
@@ -13,15 +14,17 @@ use super::asked::SYNTHETIC;
 use super::refused::Refused;
 use crate::scene::excitation::{RecordText, check_record};
 use crate::scene::record::{Pair, Units, synthetic};
-use crate::scene::{Numbers, Parameter, Scene, SceneBuilder};
+use crate::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded};
 
 /// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
 /// they are scaled to.
 type Key = (RecordTextKey, Option<u64>);
 type RecordTextKey = (Option<PathBuf>, Option<PathBuf>, Option<u64>, Option<String>);
 
-/// Motions that are kept read.
-const KEPT: usize = 8;
+/// Motions that are kept read, and samples of all of them, 512 MiB with both components.
+const KEPT: (usize, usize) = (8, 1 << 25);
+/// Most bytes of all files that are dropped in a session.
+const MOST: u64 = 4 << 30;
 
 /// Files of records by names, and the motions that were read from them.
 #[derive(Default)]
@@ -29,6 +32,8 @@ pub struct Records {
     /// Where dropped files lie: made for the first one, and taken away with the session.
     folder: Mutex<Option<TempDir>>,
     places: Mutex<BTreeMap<String, PathBuf>>,
+    /// Bytes of the files that were dropped.
+    dropped: AtomicU64,
     read: Mutex<HashMap<Key, Pair>>,
 }
 
@@ -91,12 +96,20 @@ impl Records {
     /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Those of the disk, and more bytes than a session keeps.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
         let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
         let id = name_for(&places, &plain_name(name), is_it);
         if !places.contains_key(&id) {
+            let before = self.dropped.fetch_add(bytes.len() as u64, Ordering::Relaxed);
+            if before.saturating_add(bytes.len() as u64) > MOST {
+                self.dropped.fetch_sub(bytes.len() as u64, Ordering::Relaxed);
+                return Err(Refused::told(format!(
+                    "the files dropped so far have {} with this one; start topple explore again",
+                    bounded::size(MOST)
+                )));
+            }
             let place = self.folder()?.join(&id);
             fs::write(&place, bytes)?;
             places.insert(id.clone(), place);
@@ -186,7 +199,9 @@ impl Records {
             Refused::of(error.key, problem)
         })?;
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if read.len() >= KEPT {
+        let samples: usize = read.values().map(Pair::len).sum();
+        let (motions, most) = KEPT;
+        if read.len() >= motions || samples.saturating_add(pair.len()) > most {
             read.clear();
         }
         read.insert(key, pair.clone());

@@ -117,7 +117,8 @@ impl MotionText {
         };
         let horizontal = component("horizontal", &self.horizontal, &HORIZONTAL)?;
         let vertical = component("vertical", &self.vertical, &VERTICAL)?;
-        let mut pair = Pair::new(horizontal, Some(vertical));
+        let pair = Pair::new(horizontal, Some(vertical));
+        let mut pair = pair.map_err(|error| ReadError::new(&self.name, error.to_string()))?;
         let line = format!("{}: {}; {}", self.name, self.title, parts.join(", "));
         pair.title.clone_from(&line);
         Ok(Motion { name: self.name.clone(), pair, line, missing, synthetic })

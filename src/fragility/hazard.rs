@@ -2,7 +2,11 @@
 
 use super::fit::Lognormal;
 use super::hazard_error::HazardError;
+use crate::scene::shown::shown;
 use crate::uncertain::normal;
+
+/// Largest file of a hazard curve that is read, bytes.
+pub const LARGEST: u64 = 16 << 20;
 
 /// Annual rates at which levels of the intensity measure are exceeded.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +58,7 @@ impl HazardCurve {
         let mut lines = (1..).zip(text.lines());
         let header = lines.next().map_or("", |(_, line)| line);
         if columns(header) != ["level", "rate"] {
-            return Err(HazardError::Header { found: header.into() });
+            return Err(HazardError::Header { found: shown(header) });
         }
         let mut points: Vec<[f64; 2]> = Vec::new();
         for (line, row) in lines.filter(|(_, row)| !row.trim().is_empty()) {
@@ -64,7 +68,7 @@ impl HazardCurve {
             }
             let number = |name: &'static str, text: &str| {
                 let number = text.parse().ok().filter(|n: &f64| *n > 0.0 && n.is_finite());
-                number.ok_or_else(|| HazardError::Number { line, name, text: text.into() })
+                number.ok_or_else(|| HazardError::Number { line, name, text: shown(text) })
             };
             let point = [number("level", row[0])?.ln(), number("rate", row[1])?.ln()];
             match points.last() {

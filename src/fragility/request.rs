@@ -11,7 +11,7 @@ use crate::scene::{Parameter, Scene, SceneError, Values};
 use crate::suites::Suite;
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
-use crate::suites::swept::SuiteJob;
+use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
 use crate::suites::wanted::WantedMotion;
 use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
@@ -84,6 +84,10 @@ pub const SAMPLES: u32 = 64;
 const MOST_SAMPLES: u32 = 1 << 16;
 /// Most sets that are drawn.
 const MOST_REPLICATES: u32 = 1_000_000;
+/// Most limits of one kind.
+const MOST_LIMITS: usize = 100;
+/// Most estimates: cells, limit states and estimators, some 200 bytes each.
+const MOST_ESTIMATES: usize = 1 << 24;
 
 impl FragilityRequest {
     /// The fragility of overturning and of uplift over PGA, each motion as it is.
@@ -109,6 +113,19 @@ impl FragilityRequest {
     /// The first key at fault, with what to do.
     pub fn check(&self) -> Result<(), SceneError> {
         let refused = |key, problem: String| Err(SceneError::new(key, problem));
+        for (key, limits) in [
+            ("limit_zeta", &self.limit_zeta),
+            ("limit_u", &self.limit_u),
+            ("limit_v", &self.limit_v),
+        ] {
+            if limits.len() > MOST_LIMITS {
+                let problem = format!("{} limits are more than {MOST_LIMITS}", limits.len());
+                return refused(key, problem);
+            }
+        }
+        if let Some(Err(error)) = self.levels.as_ref().map(Values::check) {
+            return refused("levels", error.to_string());
+        }
         above_zero("limit_zeta", &self.limit_zeta)?;
         if let Some(limit) = self.limit_zeta.iter().find(|limit| **limit >= 1.0) {
             let problem =
@@ -164,6 +181,7 @@ impl FragilityRequest {
     pub fn open(&self, suite: &Suite) -> Result<FragilityJob, SweepError> {
         self.check()?;
         let mut motions = self.suite.motions(suite);
+        self.check_runs(motions.len())?;
         let (mut own, mut unknown) = (Vec::new(), None);
         if let Some(first) = motions.first() {
             let scene = first.under(&self.suite.scene)?;
@@ -177,12 +195,38 @@ impl FragilityRequest {
             own = own.into_iter().flat_map(|own| vec![own; times]).collect();
         }
         let sweep = self.suite.open_under(motions)?;
+        let (states, estimators) = (self.limit_states(), self.estimators());
+        let estimates = sweep.grid.len().saturating_mul(states.len() * estimators.len());
+        if estimates > MOST_ESTIMATES {
+            let problem = format!(
+                "{estimates} estimates of all cells and limit states are more than {MOST_ESTIMATES}; give fewer points"
+            );
+            return Err(SceneError::new("estimator", problem).into());
+        }
         let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
-        let (states, estimators) = (self.limit_states(), self.estimators());
         let asked = Asked { levels: own, times, drawn, unknown, states, estimators, bootstrap };
         Ok(FragilityJob { sweep, asked })
+    }
+
+    /// Refuses more runs of a cell than are held, under so many motions.
+    fn check_runs(&self, motions: usize) -> Result<(), SceneError> {
+        let levels = self.levels.as_ref().map_or(1, Values::count);
+        let points = match self.vary.len() {
+            0 => 1,
+            varied => (self.samples as usize).saturating_mul(varied + 2),
+        };
+        let sweeps = motions.saturating_mul(points);
+        let (key, runs, most) = match sweeps > MOST_SWEEPS {
+            true => ("samples", sweeps, MOST_SWEEPS),
+            false => ("levels", sweeps.saturating_mul(levels), MOST_CELLS),
+        };
+        if runs > most {
+            let problem = format!("{runs} runs of each cell are more than {most}; give fewer");
+            return Err(SceneError::new(key, problem));
+        }
+        Ok(())
     }
 
     /// Gives the motions their factors, and tells the levels of each.

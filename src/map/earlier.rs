@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::results::files::WriteError;
 use crate::results::{own, zarr};
+use crate::scene::bounded;
 
 /// Name of the file that says what was run.
 pub const RUN: &str = "run.json";
@@ -77,7 +78,7 @@ impl Earlier {
     /// [`WriteError::Foreign`]: a run.json of something else, or one that cannot be read.
     pub fn of(directory: &Path) -> Result<Earlier, WriteError> {
         let path = directory.join(RUN);
-        let text = match fs::read(&path) {
+        let text = match bounded::read(&path, bounded::DOCUMENT) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Earlier::default()),
             text => text.unwrap_or_default(),
         };

@@ -2,7 +2,7 @@
 //! two; with the axes, and with what they are in `about`.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read, Seek, Write};
+use std::io::{self, BufReader, Seek, Write};
 use std::path::Path;
 
 use bytemuck::NoUninit;
@@ -17,8 +17,9 @@ use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
 use super::listed::{CELL, ListedCells};
 use super::outcomes::{Outcomes, each_block_of};
 use crate::model::precision::Precision;
-use crate::scene::Grid;
 use crate::scene::grid::Axis;
+use crate::scene::record::zips;
+use crate::scene::{Grid, bounded};
 use crate::stepping::outcome::{Outcome, Status};
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
@@ -77,16 +78,26 @@ const ABOUT: &str = "about";
 /// # Errors
 /// Those of reading; an archive without `about`.
 pub fn about(path: &Path) -> io::Result<String> {
-    let mut archive = ZipArchive::new(BufReader::new(File::open(path)?))?;
-    let mut array = archive.by_name(&format!("{ABOUT}.npy"))?;
+    let file = File::open(path)?;
+    zips::check(&file)?;
+    let mut archive = ZipArchive::new(BufReader::new(file))?;
+    let bytes = bounded::all(archive.by_name(&format!("{ABOUT}.npy"))?, bounded::DOCUMENT)?;
+    // The reader of headers takes room for what they declare, and follows brackets as deep as they go.
+    let declared = match bytes.get(..12) {
+        Some([_, _, _, _, _, _, 1, _, low, high, ..]) => u16::from_le_bytes([*low, *high]).into(),
+        Some([_, _, _, _, _, _, _, _, a, b, c, d]) => u32::from_le_bytes([*a, *b, *c, *d]),
+        _ => u32::MAX,
+    };
+    if declared > LARGEST_HEADER {
+        return Err(io::Error::other("its `about` has no header"));
+    }
+    let mut array = bytes.as_slice();
     let header = NpyHeader::from_reader(&mut array)?;
     let big = match header.dtype() {
         DType::Plain(text) => text.endianness() == Endianness::Big,
         _ => return Err(io::Error::other("its `about` is no text")),
     };
-    let mut bytes = Vec::new();
-    array.take(LARGEST_ABOUT).read_to_end(&mut bytes)?;
-    let (letters, _) = bytes.as_chunks::<4>();
+    let (letters, _) = array.as_chunks::<4>();
     let letter = |letter: &[u8; 4]| {
         let code = if big { u32::from_be_bytes(*letter) } else { u32::from_le_bytes(*letter) };
         char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER)
@@ -94,8 +105,8 @@ pub fn about(path: &Path) -> io::Result<String> {
     Ok(letters.iter().map(letter).collect())
 }
 
-/// Most bytes of what an archive says of itself that are read.
-const LARGEST_ABOUT: u64 = 64 << 20;
+/// Most bytes of the header of an array without an index: numpy writes 118.
+const LARGEST_HEADER: u32 = 512;
 
 /// An archive while it is written.
 struct Archive<'a, W: Write + Seek> {

@@ -6,6 +6,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use crate::scene::shown::shown;
+
 /// The k-th of n runs of cells, as even as they can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Part {
@@ -62,7 +64,7 @@ impl FromStr for Part {
         });
         numbers
             .filter(|part| (1..=part.of).contains(&part.number))
-            .ok_or_else(|| PartError(text.into()))
+            .ok_or_else(|| PartError(shown(text)))
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -15,6 +14,7 @@ use super::tile;
 use super::tiling::Tiling;
 use super::zarr::chunk_path;
 use crate::model::precision::Precision;
+use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
 
 /// All columns of a grid in memory, tile by tile.
@@ -118,7 +118,7 @@ impl TileReader {
         let chunk = |array: &str| {
             let path = path.join(chunk_path(array, &self.tiling, tile));
             let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", path.display()));
-            fs::read(&path).map_err(named)
+            bounded::read(&path, tile::LARGEST).map_err(named)
         };
         let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
         let values = tile::decode(entry.column, sizes, *precision, chunk)?.ok_or_else(|| {

@@ -1,6 +1,5 @@
 //! What an earlier run left in its folder: tiles, and the cells of them that have run.
 
-use std::fs;
 use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -12,6 +11,7 @@ use super::store_error::StoreError;
 use super::tiling::Tiling;
 use super::{tile, zarr};
 use crate::model::precision::Precision;
+use crate::scene::bounded;
 
 /// A tile of which cells were saved.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -81,7 +81,7 @@ fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<
     let mut broken = Vec::new();
     for (array, _) in zarr::columns() {
         let path = path(array);
-        match fs::read(&path) {
+        match bounded::read(&path, tile::LARGEST) {
             Ok(bytes) => {
                 let problem = tile::check(&bytes, tag, &name(array)).err();
                 broken.extend(problem.map(|what| (path, what)));
@@ -94,7 +94,7 @@ fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<
     let codes = || -> Result<Option<Vec<Range<usize>>>, StoreError> {
         let chunk = |array: &str| {
             let path = path(array);
-            fs::read(&path).map_err(StoreError::file(&path))
+            bounded::read(&path, tile::LARGEST).map_err(StoreError::file(&path))
         };
         // Only which cells have run is asked for, which every number type has alike.
         let values = tile::decode(Column::Status, (cells.len(), whole), Precision::F32, chunk)?;

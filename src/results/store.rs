@@ -28,7 +28,7 @@ use super::store_error::StoreError;
 use super::tiling::Tiling;
 use super::{temporary, tile, zarr};
 use crate::model::precision::Precision;
-use crate::scene::Grid;
+use crate::scene::{Grid, bounded};
 
 /// Name of a whole map's folder in a run's directory.
 const FOLDER: &str = "unfinished";
@@ -111,7 +111,7 @@ impl Store {
         if !resume {
             return Err(StoreError::Unfinished(place));
         }
-        let text = fs::read(&before).map_err(StoreError::file(&before))?;
+        let text = bounded::read(&before, bounded::DOCUMENT).map_err(StoreError::file(&before))?;
         let text = String::from_utf8_lossy(&text);
         if let Some(difference) = store.identity.difference(&text) {
             return Err(StoreError::Other { place, difference });
@@ -220,7 +220,7 @@ impl Store {
     /// # Errors
     /// Those of the disk, with the file's name.
     pub fn read(&self, tile: usize) -> io::Result<Block> {
-        let chunk = |array: &str| fs::read(self.chunk(array, tile));
+        let chunk = |array: &str| bounded::read(&self.chunk(array, tile), tile::LARGEST);
         let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
         tile::decode_all(sizes, self.precision, chunk)?.ok_or_else(|| {
             let path = self.chunk(Column::Status.entry().name, tile);

@@ -15,6 +15,8 @@ use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::{Class, Status};
 
+/// Largest file of a tile that is read, bytes: twice the most that a tile's numbers take.
+pub const LARGEST: u64 = 16 << 20;
 /// Bytes of the checksum.
 const SUM: usize = 4;
 

@@ -7,7 +7,7 @@ use super::numbers::Numbers;
 use super::parameters::{Parameter, Section};
 use super::record::Pair;
 use super::{Directions, Overturn, Scene, SceneError, Values};
-use super::{block, check, isolation};
+use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;
 
 /// Titles of scenes that were given none: of a pulse and of a record.
@@ -201,7 +201,7 @@ pub(crate) fn located(text: &str, error: &toml::de::Error) -> String {
         true => "; a range stands in quotes, as in \"0.5:4:400\"",
         false => "",
     };
-    format!("{}{}{hint}", place.unwrap_or_default(), in_words(&message.join(" ")))
+    format!("{}{}{hint}", place.unwrap_or_default(), shown::line(&in_words(&message.join(" "))))
 }
 
 /// The line of a text that has a place.

@@ -24,6 +24,10 @@ pub(super) fn numbers(numbers: &Numbers, force: bool) -> Result<(), SceneError> 
     for (parameter, values) in numbers.iter() {
         let entry = parameter.entry();
         let refused = |problem| Err(SceneError::new(entry.key, problem));
+        // Values that were made, not read, may be none.
+        if let Err(error) = values.check() {
+            return refused(error.to_string());
+        }
         for value in values.iter() {
             if !entry.legal.holds(value) {
                 // As of 0,5 where half is meant.
@@ -115,7 +119,10 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
     }
     let duration = match &scene.excitation {
         Excitation::Pulse(_) => 0.0,
-        Excitation::Record(pair) => pair.duration(),
+        Excitation::Record(pair) => {
+            pair.check().map_err(|error| SceneError::new("horizontal", error.to_string()))?;
+            pair.duration()
+        }
     };
     for case in grid.corners() {
         let (e, b) = (case.block.offset(), case.block.half_width);

@@ -5,6 +5,7 @@
 //! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 
 pub mod block;
+pub mod bounded;
 pub mod builder;
 pub mod case;
 mod check;
@@ -19,7 +20,7 @@ pub mod parameters;
 pub mod path_text;
 pub mod range;
 pub mod record;
-
+pub mod shown;
 pub mod values;
 pub mod words;
 

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::shown::shown;
+
 /// Evenly spaced values from `start` to `stop`, both included, or evenly in their logarithm; one value
 /// where the two are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +40,9 @@ pub enum RangeError {
     /// Two ends with a single point.
     #[error("one point cannot include both {0} and {1}; give 2 points or more, or a single number")]
     OnePoint(String, String),
+    /// Ends so large, or so far apart, that what lies between them is no number.
+    #[error("between {0} and {1} there are values beyond what a number holds; give nearer ends")]
+    Wide(String, String),
     /// Several points at one place.
     #[error("{0} points from {1} to {1} are all the same; give a single number")]
     NoExtent(u32, String),
@@ -57,9 +62,42 @@ impl Range {
         Range { start, stop, count, log: false }
     }
 
-    /// The i-th value, from 0.
+    /// Checks what text that is read was checked for: ends, and as many values as they may have.
+    ///
+    /// # Errors
+    /// An end that is no finite number, a count of none or too many, ends that do not suit it.
+    pub fn check(&self) -> Result<(), RangeError> {
+        let Range { start, stop, count, log } = *self;
+        if let Some(end) = [start, stop].into_iter().find(|end| !end.is_finite()) {
+            return Err(RangeError::Number(end.to_string()));
+        }
+        if !(1..=Range::LARGEST_COUNT).contains(&count) {
+            return Err(RangeError::Count(count.to_string()));
+        }
+        if start == stop && count > 1 {
+            return Err(RangeError::NoExtent(count, start.to_string()));
+        }
+        if start != stop && count == 1 {
+            return Err(RangeError::OnePoint(start.to_string(), stop.to_string()));
+        }
+        if log && (start == 0.0 || stop == 0.0 || start.signum() != stop.signum()) {
+            return Err(RangeError::Log(start.to_string(), stop.to_string()));
+        }
+        // What a value between the ends is made of.
+        let between = match log {
+            true => [stop / start, start / stop],
+            false => [start, stop].map(|end| end * f64::from(count)),
+        };
+        if !between.into_iter().all(f64::is_finite) {
+            return Err(RangeError::Wide(start.to_string(), stop.to_string()));
+        }
+        Ok(())
+    }
+
+    /// The i-th value, from 0; the last one beyond the end.
     pub fn value(&self, i: u32) -> f64 {
-        if self.count == 1 || i == 0 {
+        // A range that nobody has checked may have a count of none.
+        if self.count <= 1 || i == 0 {
             return self.start;
         }
         if i >= self.count - 1 {
@@ -84,31 +122,25 @@ impl FromStr for Range {
     fn from_str(text: &str) -> Result<Range, RangeError> {
         let number = |part: &str| match part.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
-            Ok(_) => Err(RangeError::Number(part.trim().to_string())),
-            Err(_) => Err(RangeError::Form(text.to_string())),
+            Ok(_) => Err(RangeError::Number(shown(part))),
+            Err(_) => Err(RangeError::Form(shown(text))),
         };
-        let parts: Vec<&str> = text.split(':').collect();
+        // A range has four parts at most: a fifth says that it is none.
+        let parts: Vec<&str> = text.splitn(5, ':').collect();
         match parts[..] {
             [value] => Ok(Range::single(number(value)?)),
             [start, stop, count] | [start, stop, count, "log"] => {
                 let log = parts.len() == 4;
                 let (start, stop) = (number(start)?, number(stop)?);
                 let count = match count.trim().parse::<u32>() {
-                    Ok(n) if (1..=Range::LARGEST_COUNT).contains(&n) => n,
-                    _ => return Err(RangeError::Count(count.trim().to_string())),
+                    Ok(n) => n,
+                    Err(_) => return Err(RangeError::Count(shown(count))),
                 };
-                if start == stop && count > 1 {
-                    return Err(RangeError::NoExtent(count, start.to_string()));
-                }
-                if start != stop && count == 1 {
-                    return Err(RangeError::OnePoint(start.to_string(), stop.to_string()));
-                }
-                if log && start * stop <= 0.0 {
-                    return Err(RangeError::Log(start.to_string(), stop.to_string()));
-                }
-                Ok(Range { start, stop, count, log })
+                let range = Range { start, stop, count, log };
+                range.check()?;
+                Ok(range)
             }
-            _ => Err(RangeError::Form(text.to_string())),
+            _ => Err(RangeError::Form(shown(text))),
         }
     }
 }
@@ -153,5 +185,29 @@ mod tests {
         assert_eq!(error("1:2:3:4"), RangeError::Form("1:2:3:4".into()));
         assert_eq!(error("0:2:3:log"), RangeError::Log("0".into(), "2".into()));
         assert_eq!(error("-1:2:3:log"), RangeError::Log("-1".into(), "2".into()));
+        assert!(error(&"1:".repeat(900)).to_string().len() < 300);
+        // Their product is zero, and they have one sign all the same.
+        assert!("1e-200:1e-199:3:log".parse::<Range>().is_ok());
+    }
+
+    #[test]
+    fn a_range_that_was_made_is_checked_as_one_that_was_read() {
+        let fault = |start, stop, count| Range::even(start, stop, count).check().unwrap_err();
+        assert_eq!(fault(1.0, 2.0, 0), RangeError::Count("0".into()));
+        assert_eq!(fault(1.0, 2.0, u32::MAX), RangeError::Count("4294967295".into()));
+        assert_eq!(fault(1.0, 2.0, 1), RangeError::OnePoint("1".into(), "2".into()));
+        assert_eq!(fault(1.0, 1.0, 3), RangeError::NoExtent(3, "1".into()));
+        assert_eq!(fault(f64::NAN, 1.0, 3), RangeError::Number("NaN".into()));
+        assert_eq!(fault(1.0, f64::INFINITY, 3), RangeError::Number("inf".into()));
+        assert!(Range { log: true, ..Range::even(-1.0, 1.0, 3) }.check().is_err());
+        let wide = |start: &str, stop: &str| RangeError::Wide(start.into(), stop.into());
+        let read = |text: &str| text.parse::<Range>().map_err(|error| error.to_string());
+        assert_eq!(
+            read("-1e306:1e306:1000"),
+            Err(wide(&(-1.0e306).to_string(), &1.0e306.to_string()).to_string())
+        );
+        assert!(read("1e-300:1e300:3:log").is_err() && read("1e-100:1e100:3:log").is_ok());
+        // Asked for a value before it is checked, it has one.
+        assert_eq!(Range::even(1.0, 2.0, 0).value(7), 1.0);
     }
 }

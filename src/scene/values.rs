@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::range::{Range, RangeError};
+use super::shown::shown;
 
 /// The values that a parameter takes: one at least.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +31,9 @@ pub enum ValuesError {
     /// A list that has a number twice.
     #[error("{0} stands twice in the list; give each number once")]
     Twice(String),
+    /// More numbers than an axis may have.
+    #[error("a list of {0} numbers; an axis has {max} at most", max = Range::LARGEST_COUNT)]
+    Many(usize),
     /// A list of one number or none.
     #[error("a list has two numbers at least; give a single number by itself")]
     Short,
@@ -49,7 +53,8 @@ impl Values {
         match self {
             // Counts are below 2^32.
             Values::Range(range) => range.value(i as u32),
-            Values::List(list) => list[i.min(list.len() - 1)],
+            // A list that nobody has checked may be empty.
+            Values::List(list) => list.get(i).or(list.last()).copied().unwrap_or(f64::NAN),
         }
     }
 
@@ -65,7 +70,7 @@ impl Values {
 
     /// The last value.
     pub fn last(&self) -> f64 {
-        self.value(self.count() - 1)
+        self.value(self.count().saturating_sub(1))
     }
 
     /// The number, where there is one alone.
@@ -91,7 +96,7 @@ impl Values {
         match self {
             Values::Range(range) => {
                 let along = |start: f64, stop: f64| match range.count {
-                    1 => start,
+                    0 | 1 => start,
                     count => start + (stop - start) * place / f64::from(count - 1),
                 };
                 if !range.log {
@@ -112,6 +117,7 @@ impl Values {
                 sign * 10.0_f64.powf(sign * coordinate)
             }
             Values::Range(_) => coordinate,
+            Values::List(list) if list.is_empty() => f64::NAN,
             Values::List(list) => {
                 let last = list.len() - 1;
                 let place = coordinate.clamp(0.0, last as f64);
@@ -140,7 +146,8 @@ impl Values {
     /// last bit. None of a list, and none where there would be more than a range may have; a single value stays.
     pub fn refined(&self, times: u32) -> Option<Values> {
         let Values::Range(range) = self else { return None };
-        let gaps = u64::from(range.count - 1).checked_mul(1_u64.checked_shl(times)?)?;
+        let gaps =
+            u64::from(range.count.saturating_sub(1)).checked_mul(1_u64.checked_shl(times)?)?;
         let count = u32::try_from(gaps + 1).ok().filter(|count| *count <= Range::LARGEST_COUNT)?;
         Some(Values::Range(Range { count, ..*range }))
     }
@@ -148,25 +155,45 @@ impl Values {
     /// A list; one number is a single value.
     ///
     /// # Errors
-    /// A number that is not finite or stands twice, and no number at all.
+    /// Those of [`check`](Values::check).
     pub fn list(numbers: Vec<f64>) -> Result<Values, ValuesError> {
         if let [number] = numbers[..]
             && number.is_finite()
         {
             return Ok(number.into());
         }
-        if numbers.len() < 2 {
+        let list = Values::List(numbers);
+        list.check()?;
+        Ok(list)
+    }
+
+    /// Checks what values that are read were checked for.
+    ///
+    /// # Errors
+    /// Those of [`Range::check`]; a list of one number or none, or of more than an axis may have; a number in it that is
+    /// not finite or stands twice.
+    pub fn check(&self) -> Result<(), ValuesError> {
+        let list = match self {
+            Values::Range(range) => return Ok(range.check()?),
+            Values::List(list) => list,
+        };
+        if list.len() < 2 {
             return Err(ValuesError::Short);
         }
-        for (i, number) in numbers.iter().enumerate() {
-            if !number.is_finite() {
-                return Err(RangeError::Number(number.to_string()).into());
-            }
-            if numbers[..i].contains(number) {
-                return Err(ValuesError::Twice(number.to_string()));
-            }
+        if list.len() > Range::LARGEST_COUNT as usize {
+            return Err(ValuesError::Many(list.len()));
         }
-        Ok(Values::List(numbers))
+        if let Some(number) = list.iter().find(|number| !number.is_finite()) {
+            return Err(RangeError::Number(number.to_string()).into());
+        }
+        // Equal ones come to lie side by side, the earlier one first; the first that repeats another is named.
+        let mut order: Vec<usize> = (0..list.len()).collect();
+        order.sort_by(|a, b| list[*a].total_cmp(&list[*b]));
+        let again = order.windows(2).filter(|pair| list[pair[0]] == list[pair[1]]);
+        match again.map(|pair| pair[0].max(pair[1])).min() {
+            Some(place) => Err(ValuesError::Twice(list[place].to_string())),
+            None => Ok(()),
+        }
     }
 }
 
@@ -196,7 +223,7 @@ impl FromStr for Values {
         }
         let item = |part: &str| match part.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
-            _ => Err(ValuesError::Item(part.trim().into(), text.into())),
+            _ => Err(ValuesError::Item(shown(part), shown(text))),
         };
         Values::list(text.split(',').map(item).collect::<Result<_, _>>()?)
     }
@@ -246,7 +273,9 @@ impl<'de> Deserialize<'de> for Values {
 
 #[cfg(test)]
 mod tests {
-    use super::{Values, ValuesError};
+    use std::time::Instant;
+
+    use super::{Range, Values, ValuesError};
 
     #[test]
     fn numbers_ranges_and_lists_are_read_and_written_back() {
@@ -273,6 +302,30 @@ mod tests {
         assert_eq!(error("1,,2"), ValuesError::Item(String::new(), "1,,2".into()));
         assert_eq!(error("1,inf"), ValuesError::Item("inf".into(), "1,inf".into()));
         assert_eq!(error("1,5:3"), ValuesError::Item("5:3".into(), "1,5:3".into()));
+    }
+
+    #[test]
+    fn a_list_that_was_made_is_checked_as_one_that_was_read() {
+        let fault = |list: Vec<f64>| Values::List(list).check().unwrap_err();
+        assert_eq!(fault(Vec::new()), ValuesError::Short);
+        assert_eq!(fault(vec![1.0]), ValuesError::Short);
+        assert_eq!(fault(vec![3.0, 1.0, 2.0, 1.0, 3.0]), ValuesError::Twice("1".into()));
+        assert_eq!(fault(vec![0.0, 1.0, -0.0]), ValuesError::Twice("-0".into()));
+        assert!(matches!(fault(vec![1.0, f64::NAN]), ValuesError::Range(_)));
+        assert!(Values::List(Vec::new()).first().is_nan());
+        assert_eq!(Values::List(Vec::new()).last().to_bits(), f64::NAN.to_bits());
+    }
+
+    /// Every pair compared takes minutes.
+    #[test]
+    fn a_list_of_a_million_numbers_takes_no_minute() {
+        let most = Range::LARGEST_COUNT as usize;
+        let began = Instant::now();
+        let numbers: Vec<f64> = (0..most).map(|k| k as f64).collect();
+        assert_eq!(Values::list(numbers.clone()).unwrap().count(), most);
+        let more = [&numbers[..], &[-1.0]].concat();
+        assert_eq!(Values::list(more), Err(ValuesError::Many(most + 1)));
+        assert!(began.elapsed().as_secs() < 60, "{:?}", began.elapsed());
     }
 
     #[test]

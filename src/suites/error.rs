@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::scene::shown::shown;
+
 /// Why files are no suite.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -31,6 +33,16 @@ pub enum SuiteError {
         /// What is wrong, where, and what to do.
         problem: String,
     },
+    /// Motions that are too large together.
+    #[error(
+        "{path}: its motions have more than {most} samples together; give fewer, or shorter ones"
+    )]
+    Large {
+        /// Which one.
+        path: PathBuf,
+        /// Most samples of a suite.
+        most: usize,
+    },
     /// No record at all.
     #[error(
         "{path}: {unused} files, and no name that tells a component; give a list of records (CSV)"
@@ -42,7 +54,7 @@ pub enum SuiteError {
         unused: usize,
     },
     /// Lines, of which none is a motion.
-    #[error("none of {count} lines is a motion, the first, {id}: {reason}")]
+    #[error("none of {count} lines is a motion, the first, {id}: {reason}", id = shown(id))]
     NoMotion {
         /// How many lines.
         count: usize,
@@ -53,7 +65,8 @@ pub enum SuiteError {
     },
     /// Something is missing or ambiguous, which a strict reading refuses.
     #[error(
-        "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none"
+        "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none",
+        id = shown(id)
     )]
     Strict {
         /// How many.

@@ -8,6 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::measures::Measures;
 use crate::scene::record::Pair;
+use crate::scene::shown::shown;
 use crate::scene::{Block, GRAVITY};
 
 /// A measure of a motion's strength; all but the vertical one are of the horizontal component.
@@ -144,7 +145,7 @@ impl FromStr for Intensity {
                 _ => None,
             },
         };
-        known.ok_or_else(|| IntensityError(text.into()))
+        known.ok_or_else(|| IntensityError(shown(text)))
     }
 }
 

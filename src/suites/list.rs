@@ -1,12 +1,15 @@
 //! A list of one's own: a CSV with the columns `id,horizontal,vertical,dt,units,scale,weight`, of which `horizontal`
 //! alone must be there.
 
+use std::collections::BTreeSet;
+
 use serde::Deserialize;
 use serde::de::value::{self, StrDeserializer};
 
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use crate::scene::record::Units;
+use crate::scene::record::zips::MOST_FILES;
 
 /// The columns that a list may have.
 const COLUMNS: [&str; 9] =
@@ -47,6 +50,17 @@ fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
     }
 }
 
+/// Most lines of a list: each may have files of its own, of which no more are looked at.
+const MOST: usize = MOST_FILES;
+
+/// Refuses a line after which there are more entries than a list may have.
+pub(super) fn within(at: usize, entries: usize) -> Result<(), String> {
+    match entries < MOST {
+        true => Ok(()),
+        false => Err(format!("line {at}: more than {MOST} motions; give several lists")),
+    }
+}
+
 /// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite.
 pub fn matches(text: &str) -> bool {
     let heading = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
@@ -75,9 +89,10 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
     // Empty lines are no rows.
     let written = text.lines().enumerate().filter(|(_, line)| !line.is_empty());
     let lines: Vec<usize> = written.map(|(number, _)| number + 1).collect();
-    let mut entries: Vec<Entry> = Vec::new();
+    let (mut entries, mut ids) = (Vec::<Entry>::new(), BTreeSet::new());
     for (number, row) in reader.deserialize::<Row>().enumerate() {
         let at = lines.get(number + 1).copied().unwrap_or(number + 2);
+        within(at, entries.len())?;
         let row = row.map_err(|error| match error.kind() {
             csv::ErrorKind::Deserialize { err, .. } => format!("line {at}: {err}"),
             csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
@@ -121,7 +136,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         if let Some(id) = row.id.filter(|id| !id.is_empty()) {
             entry.id = id;
         }
-        if entries.iter().any(|other| other.id == entry.id) {
+        if !ids.insert(entry.id.clone()) {
             return Err(format!("line {at}: the id {} stands twice; give each its own", entry.id));
         }
         entry.event = row.event.unwrap_or_default();

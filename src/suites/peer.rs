@@ -1,8 +1,9 @@
 //! The list that comes with a download from PEER's NGA-West2 database, `_SearchResults.csv`: as it is, or as a
 //! spreadsheet saves it again (quotes within quotes, commas to the last column).
 
-use super::entry::Entry;
+use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
+use super::list::within;
 
 /// How the heading of its table begins.
 const HEADING: &str = "Result ID";
@@ -21,13 +22,16 @@ fn plain(field: &str) -> &str {
 
 /// A line without the blanks around its commas: a quote begins a field only where it comes first.
 fn tight(line: &str) -> String {
-    let mut line = line.trim().to_string();
-    for (loose, tight) in [(", \"", ",\""), ("\" ,", "\","), (",  ", ", ")] {
-        while line.contains(loose) {
-            line = line.replace(loose, tight);
-        }
-    }
-    line
+    let tight = |(number, field): (usize, &str)| {
+        let bare = field.trim_matches(' ');
+        // Within quotes a comma and a blank are letters of a name: one blank stays.
+        let before =
+            if number > 0 && field.starts_with(' ') && !bare.starts_with('"') { " " } else { "" };
+        let after =
+            if field.ends_with(' ') && !bare.is_empty() && !bare.ends_with('"') { " " } else { "" };
+        format!("{before}{bare}{after}")
+    };
+    line.trim().split(',').enumerate().map(tight).collect::<Vec<_>>().join(",")
 }
 
 /// The entries of a list: of each of its records both horizontals, with the vertical.
@@ -58,6 +62,13 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
             break;
         }
         let factor = field(scale).parse::<f64>().ok().filter(|factor| *factor > 0.0);
+        let at = row.position().map_or(0, |place| place.line() as usize);
+        if let Some(factor) = factor.filter(|factor| *factor > MOST_FACTOR) {
+            return Err(format!(
+                "its table has a scale factor of {factor:e}, above {MOST_FACTOR:e}"
+            ));
+        }
+        within(at, entries.len())?;
         for listed in horizontals.map(field).into_iter().filter(|name| !name.is_empty()) {
             let there = files.find(listed);
             let mut entry = Entry::of(there.unwrap_or(listed));
@@ -85,4 +96,30 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         return Err("its table is empty; give the list of a download".into());
     }
     Ok(entries)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use super::tight;
+
+    #[test]
+    fn quotes_begin_and_end_their_fields() {
+        for (loose, wanted) in [
+            (r#"1, "A, B",  x ,"y" , "z""#, r#"1,"A, B", x ,"y","z""#),
+            (r#" 1 , , "A  B" "#, r#"1 , ,"A  B""#),
+            ("", ""),
+        ] {
+            assert_eq!(tight(loose), wanted);
+        }
+    }
+
+    /// Blank by blank it takes minutes.
+    #[test]
+    fn a_line_of_a_million_blanks_takes_no_minute() {
+        let began = Instant::now();
+        assert_eq!(tight(&format!("1,{}2", " ".repeat(4_000_000))), "1, 2");
+        assert!(began.elapsed().as_secs() < 60, "{:?}", began.elapsed());
+    }
 }

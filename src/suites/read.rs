@@ -1,7 +1,8 @@
 //! From a folder, a zip or a list to the motions of a suite.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -12,7 +13,14 @@ use super::names::{self, Component};
 use super::{SuiteError, list, peer};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::record::read::{self, RecordHints};
+use crate::scene::record::zips::MOST_FILES;
 use crate::scene::record::{Record, RecordFile, component, joined};
+use crate::scene::{bounded, shown};
+
+/// Largest list that is read, bytes.
+const LARGEST_LIST: u64 = 64 << 20;
+/// Most samples of all motions of a suite, 2 GiB with both components: 1,000 motions of 22 minutes at 100 Hz.
+const MOST_SAMPLES: usize = 1 << 27;
 
 /// A set of motions, and what was left out of it.
 #[derive(Debug, Clone)]
@@ -36,13 +44,18 @@ impl Suite {
         if entries.is_empty() {
             return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
         }
+        let samples = AtomicUsize::new(0);
         let rows: Vec<_> = entries
             .into_par_iter()
             .map(|mut entry| {
-                let motion = motion(&mut entry, &files);
+                // Names in it may be of any length.
+                let motion = motion(&mut entry, &files, &samples).map_err(|why| shown::line(&why));
                 (entry, motion)
             })
             .collect();
+        if samples.into_inner() > MOST_SAMPLES {
+            return Err(SuiteError::Large { path: path.into(), most: MOST_SAMPLES });
+        }
         let mut suite = Suite { rows, unused };
         suite.leave_out_copies();
         if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
@@ -70,7 +83,7 @@ impl Suite {
             let read_as = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
             let key = (files.horizontal.sha256.clone(), vertical, read_as);
             if let Some(first) = known.get(&key) {
-                *motion = Err(format!("the same motion as {first}"));
+                *motion = Err(format!("the same motion as {}", shown::shown(first)));
             } else {
                 known.insert(key, entry.id.clone());
             }
@@ -92,17 +105,20 @@ impl Suite {
 
 /// The lines of a suite, and files that none of them has.
 fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), SuiteError> {
-    let refused = |path: &Path, problem| SuiteError::List { path: path.into(), problem };
+    let refused = |path: &Path, problem: String| SuiteError::List {
+        path: path.into(),
+        problem: shown::line(&problem),
+    };
     let is_list = path.is_file() && ending(&path.to_string_lossy(), "csv");
     if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
         let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
-        return Err(refused(path, problem.into()));
+        return Err(refused(path, problem.to_string()));
     }
-    let mut lists: Vec<&str> = Vec::new();
+    let mut lists: BTreeSet<&str> = BTreeSet::new();
     let mut listed: Vec<Entry> = Vec::new();
     if is_list {
-        let bytes =
-            std::fs::read(path).map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
+        let bytes = bounded::read(path, LARGEST_LIST)
+            .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = String::from_utf8_lossy(&bytes);
         let read = if peer::matches(&text) { peer::read } else { list::read };
         return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
@@ -116,18 +132,21 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
             _ => continue,
         };
         listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
-        lists.push(name);
+        lists.insert(name);
+        if listed.len() > MOST_FILES {
+            let problem = format!("with it there are more than {MOST_FILES} motions in all lists");
+            return Err(refused(&files.path(name), problem));
+        }
     }
-    let taken = |name: &str| {
-        listed
-            .iter()
-            .any(|entry| entry.horizontal == name || entry.vertical.as_deref() == Some(name))
+    let of_entry = |entry: &Entry| {
+        [Some(entry.horizontal.clone()), entry.vertical.clone()].into_iter().flatten()
     };
+    let taken: BTreeSet<String> = listed.iter().flat_map(of_entry).collect();
     let rest: Vec<&str> = files
         .names()
         .iter()
         .map(String::as_str)
-        .filter(|name| !taken(name) && !lists.contains(name))
+        .filter(|name| !taken.contains(*name) && !lists.contains(name))
         .collect();
     let (mut named, unused) = by_names(&rest);
     if !lists.is_empty() {
@@ -204,10 +223,14 @@ fn by_names(files: &[&str]) -> (Vec<Entry>, Vec<String>) {
     (entries, unused)
 }
 
-/// Reads the motion of a line, and says in the line what was decided.
-fn motion(entry: &mut Entry, files: &Files) -> Result<Motion, String> {
+/// Reads the motion of a line, and says in the line what was decided; its `samples` are added to those of the others, and
+/// none is read where these are too many already.
+fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Motion, String> {
     if let Some(missing) = &entry.missing {
         return Err(missing.clone());
+    }
+    if samples.load(Ordering::Relaxed) > MOST_SAMPLES {
+        return Err("the motions before have too many samples".into());
     }
     if entry.vertical.is_none() && !entry.horizontal_alone {
         return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
@@ -234,6 +257,7 @@ fn motion(entry: &mut Entry, files: &Files) -> Result<Motion, String> {
     let plain =
         |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
     let mut pair = pair.map_err(|error| format!("{}: {}", error.key, plain(&error.problem)))?;
+    samples.fetch_add(pair.len(), Ordering::Relaxed);
     entry.notes.extend(pair.notes.iter().cloned());
     if entry.scale != 1.0 {
         pair = pair.scaled(entry.scale);

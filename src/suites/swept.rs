@@ -9,6 +9,7 @@ use super::saved::SavedMotions;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
+use crate::scene::grid::Axis;
 use crate::scene::{Grid, Scene, SceneBuilder, SceneError};
 use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
@@ -53,6 +54,11 @@ pub struct SweptMotion {
     pub verified: Verified,
 }
 
+/// Most cells of all motions and levels together, 3.5 GiB with what is kept of each.
+pub const MOST_CELLS: usize = 1 << 28;
+/// Most sweeps: motions, each at every point of what is not known.
+pub const MOST_SWEEPS: usize = 1 << 20;
+
 /// The values of a motion's cells.
 pub type Values = fn(&SweptMotion) -> &[f32];
 
@@ -83,7 +89,7 @@ impl SuiteJob {
     /// Makes a scene, which has no excitation of its own, ready to run under motions.
     ///
     /// # Errors
-    /// Numbers that make no sense, a backend that cannot be had.
+    /// Numbers that make no sense, more cells than are held, a backend that cannot be had.
     pub fn open(
         scene: &SceneBuilder,
         wanted: Vec<WantedMotion>,
@@ -93,16 +99,17 @@ impl SuiteJob {
             let under = wanted.under(scene)?;
             Ok((wanted, under))
         };
-        // What is wrong with the scene is said before anything runs.
-        let all: Vec<(WantedMotion, Scene)> =
-            wanted.into_iter().map(under).collect::<Result<_, SceneError>>()?;
-        let Some((first, _)) = all.first() else {
+        let Some(first) = wanted.first() else {
             let problem = "no motion; give a suite that has one".into();
             return Err(SceneError { key: "suite", problem }.into());
         };
         // As it is given: what varies is told by its own value.
         let first = WantedMotion { settings: Vec::new(), ..first.clone() }.under(scene)?;
         let grid = Grid::of(&first);
+        check_size(&grid, &wanted, &settings)?;
+        // What is wrong with the scene is said before anything runs.
+        let all: Vec<(WantedMotion, Scene)> =
+            wanted.into_iter().map(under).collect::<Result<_, SceneError>>()?;
         let run = &settings.run;
         let opened = Arc::new(run.backend.open(run.method.precision, &run.adapters)?);
         Ok(SuiteJob { scene: first, grid, all, settings, opened })
@@ -124,6 +131,29 @@ impl SuiteJob {
         let count = self.all.len();
         self.settings.part.map_or(0..count, |part| part.cells(count))
     }
+}
+
+/// Refuses more than the memory holds: of the cells what is kept, and of the scenes their axes.
+fn check_size(
+    grid: &Grid,
+    wanted: &[WantedMotion],
+    settings: &SuiteSettings,
+) -> Result<(), SceneError> {
+    let refused = |problem| Err(SceneError::new("suite", problem));
+    let sweeps = wanted.len();
+    if sweeps > MOST_SWEEPS {
+        return refused(format!("{sweeps} sweeps are more than {MOST_SWEEPS}; give fewer motions"));
+    }
+    let own = settings.part.map_or(0..sweeps, |part| part.cells(sweeps));
+    let levels: usize = wanted[own].iter().map(|wanted| wanted.factors.len()).sum();
+    let cells = grid.len().saturating_mul(levels);
+    let axes: usize = grid.axes().iter().map(Axis::count).sum();
+    if cells.max(axes.saturating_mul(sweeps)) > MOST_CELLS {
+        return refused(format!(
+            "{cells} cells of {sweeps} motions and their levels are more than {MOST_CELLS}; give fewer points or levels"
+        ));
+    }
+    settings.run.verify.check(cells)
 }
 
 impl SuiteSweep {

@@ -6,7 +6,7 @@ use crate::model::CellEquations;
 use crate::model::block::{ROCKING_LEFT, ROCKING_RIGHT};
 use crate::model::precision::Precision;
 use crate::model::real::Real;
-use crate::scene::{Case, Scene};
+use crate::scene::{Case, Scene, SceneError};
 use crate::stepping::log::Log;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
@@ -66,9 +66,24 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
     Row { t, mode, u, du, v, dv, z, phi, dphi }
 }
 
-/// The motion by fixed steps: a row for each step, and one for each switch.
+/// Most rows of a motion: 640 MiB.
+const MOST_ROWS: usize = 1 << 23;
+
+/// Refuses a motion that was not told to its end, for it has too many rows.
+///
+/// # Errors
+/// The key `t_max`.
+pub fn check_rows(rows: &[Row]) -> Result<(), SceneError> {
+    if rows.len() > MOST_ROWS {
+        let problem = format!("the motion has more than {MOST_ROWS} steps; shorten it");
+        return Err(SceneError::new("t_max", problem));
+    }
+    Ok(())
+}
+
+/// The motion by fixed steps: a row for each step, and one for each switch. It is [checked](check_rows) before it is used.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
-    by_steps_while(R::PRECISION, plan, case, &|_| true)
+    by_steps_while(R::PRECISION, plan, case, &|rows| rows <= MOST_ROWS)
 }
 
 /// The same as long as `go_on` holds, which is asked at each step and told how many rows there are. A motion that was ended
@@ -109,7 +124,8 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     (rows.take(), plan.outcome(case, &state))
 }
 
-/// The motion by the reference: a row for each of its adaptive steps, and one for each switch.
+/// The motion by the reference: a row for each of its adaptive steps, and one for each switch. It is
+/// [checked](check_rows) before it is used.
 pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
     let mut rows = Vec::new();
     let name = |phase: Phase| match phase {
@@ -118,6 +134,9 @@ pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
         Some(Pole::Right) => "rocking_right",
     };
     let outcome = reference::observe(scene, case, &Settings::default(), &mut |instant| {
+        if rows.len() > MOST_ROWS {
+            return;
+        }
         let y = instant.y;
         rows.push(Row {
             t: instant.t,

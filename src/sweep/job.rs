@@ -120,6 +120,7 @@ impl Job {
         let plan = settings.method.plan(&scene)?;
         let grid = Grid::of(&scene);
         let saving = settings.saving.as_ref();
+        settings.verify.check(grid.len())?;
         let wanted = wanted(&grid, saving)?;
         let began = Instant::now();
         let opened = open()?;
@@ -213,12 +214,16 @@ impl Job {
     /// Runs what is left; `estimate` tells how many cells a batch may have.
     ///
     /// # Errors
-    /// [`SweepError`]; where something was saved, [`SweepError::Stopped`] says how much.
+    /// [`SweepError`]; more cells than memory holds where nothing is saved; where something was saved,
+    /// [`SweepError::Stopped`] says how much.
     pub fn run(
         self,
         estimate: Option<&Estimate>,
         observer: &dyn Observer,
     ) -> Result<SweepResult, SweepError> {
+        if self.settings.saving.is_none() {
+            check_held(&self.grid)?;
+        }
         let (outcomes, work) = self.collect(estimate, observer)?;
         let report = self.report(estimate, &work);
         let Job { plan, grid, settings, saved, opened, .. } = self;
@@ -365,6 +370,24 @@ impl Job {
             record: is_part.then(|| self.plan.scene.excitation.provenance().cloned()).flatten(),
         }
     }
+}
+
+/// Most cells of a map that is held in memory: its columns take some 15 GiB.
+const MOST_HELD: usize = 1 << 28;
+
+/// Refuses a map that is saved nowhere and has more cells than are held.
+///
+/// # Errors
+/// The key `out`.
+pub fn check_held(grid: &Grid) -> Result<(), SceneError> {
+    if grid.len() > MOST_HELD {
+        let problem = format!(
+            "{} cells are more than the {MOST_HELD} that are held in memory; give a directory, or fewer points",
+            grid.len()
+        );
+        return Err(SceneError::new("out", problem));
+    }
+    Ok(())
 }
 
 /// The cells to run.

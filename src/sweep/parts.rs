@@ -19,7 +19,10 @@ use crate::results::saved_tiles::SavedTiles;
 use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
-use crate::scene::{Excitation, Grid};
+use crate::scene::{Excitation, Grid, bounded, shown};
+
+/// Largest identity that is read, bytes: it has all samples of a record as text.
+const LARGEST_IDENTITY: u64 = 1 << 30;
 
 /// A finished part.
 #[derive(Debug)]
@@ -112,17 +115,22 @@ impl Parts {
 
 impl Piece {
     fn read(place: PathBuf, progress: &dyn Progress) -> Result<Piece, PartsError> {
-        let text = |name: &str| {
+        let text = |name: &str, most: u64| {
             let path = place.join(name);
-            let bytes = fs::read(&path).map_err(StoreError::file(&path))?;
+            let bytes = bounded::read(&path, most).map_err(StoreError::file(&path))?;
             Ok::<_, StoreError>(String::from_utf8_lossy(&bytes).into_owned())
         };
         let unreadable = |name: &str, e: serde_json::Error| PartsError::Unreadable {
             place: place.join(name),
-            reason: e.to_string(),
+            reason: shown::line(&e.to_string()),
         };
-        let written = text(IDENTITY)?;
+        let written = text(IDENTITY, LARGEST_IDENTITY)?;
         let content = Content::read(&written).map_err(|error| unreadable(IDENTITY, error))?;
+        // What a run has written was checked; what is there may be another's.
+        content.scene.check().map_err(|error| PartsError::Unreadable {
+            place: place.join(IDENTITY),
+            reason: error.to_string(),
+        })?;
         let identity = Identity::new(written, content.part);
         let grid = Grid::of(&content.scene);
         let found = SavedTiles::in_folder(&place, &Tiling::of(&grid), identity.tag(), &|cells| {
@@ -140,8 +148,8 @@ impl Piece {
             let cells = "its report and perhaps more".into();
             return Err(PartsError::Unfinished { place, cells });
         }
-        let report =
-            serde_json::from_str(&text(REPORT)?).map_err(|error| unreadable(REPORT, error))?;
+        let report = serde_json::from_str(&text(REPORT, bounded::DOCUMENT)?)
+            .map_err(|error| unreadable(REPORT, error))?;
         Ok(Piece { identity, content, report, cells, place })
     }
 }

@@ -61,10 +61,22 @@ impl Method {
     /// The plan of a scene.
     ///
     /// # Errors
-    /// Those of [`Plan::new`].
+    /// Those of [`Plan::new`], for the shortest steps that a cell runs in by this method.
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
         let plan = Plan::new(scene, self.largest_step)?;
-        Ok(if self.full_model { plan.full_model() } else { plan })
+        let plan = if self.full_model { plan.full_model() } else { plan };
+        self.finest(&plan).check_steps()?;
+        Ok(plan)
+    }
+
+    /// A plan in the shortest steps that a cell may run in: those of its number type; half of those in f64 where each
+    /// cell runs twice; a quarter where repaired cells run a third time. A device without f64 takes longer ones.
+    fn finest(&self, plan: &Plan) -> Plan {
+        match (self.repair, self.resolve) {
+            (true, _) => plan.at(Precision::F64).halved().halved(),
+            (false, true) => plan.at(Precision::F64).halved(),
+            (false, false) => plan.at(self.precision),
+        }
     }
 }
 
@@ -84,7 +96,23 @@ impl Default for VerifySettings {
     }
 }
 
+/// Most cells that the reference runs again.
+const MOST_VERIFIED: usize = 1 << 20;
+
 impl VerifySettings {
+    /// Refuses more cells than are held for it, of so many.
+    ///
+    /// # Errors
+    /// The key `verify`.
+    pub fn check(&self, of: usize) -> Result<(), SceneError> {
+        let cells = self.cells.min(of);
+        if cells > MOST_VERIFIED {
+            let problem = format!("{cells} cells are more than {MOST_VERIFIED}; give fewer");
+            return Err(SceneError::new("verify", problem));
+        }
+        Ok(())
+    }
+
     /// The part that each of so many sweeps has: a cell at least, where there is to be any.
     pub fn shared_out(self, sweeps: usize) -> VerifySettings {
         let sweeps = sweeps.max(1);

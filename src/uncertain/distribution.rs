@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::normal;
+use crate::scene::shown::shown;
 
 /// Points lie inside of (0, 1) at a multiple of this: no share that is smaller is ever drawn at either end.
 pub const LEAST_SHARE: f64 = 1.0 / 16_777_216.0;
@@ -128,6 +129,15 @@ impl Distribution {
         Distribution { form, cut: None }
     }
 
+    /// Checks what one that is read was checked for.
+    ///
+    /// # Errors
+    /// Numbers that are not finite, a spread or a median that is not above zero, ends in the wrong order.
+    pub fn check(&self) -> Result<(), DistributionError> {
+        // A number that is written has all its digits.
+        self.to_string().parse::<Distribution>().map(|_| ())
+    }
+
     /// The name of its form.
     pub fn name(&self) -> &'static str {
         self.form.text().0
@@ -182,7 +192,7 @@ impl FromStr for Distribution {
 
     fn from_str(text: &str) -> Result<Distribution, DistributionError> {
         let text = text.trim();
-        let unknown = || DistributionError::Form(text.into());
+        let unknown = || DistributionError::Form(shown(text));
         let inside = text.strip_suffix(')').and_then(|text| text.split_once('('));
         let (name, inside) = inside.ok_or_else(unknown)?;
         let name = name.trim();
@@ -190,23 +200,23 @@ impl FromStr for Distribution {
         let (name, meaning) = known.ok_or_else(unknown)?;
         let number = |part: &str| match part.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
-            _ => Err(DistributionError::Number(part.trim().into(), text.into())),
+            _ => Err(DistributionError::Number(shown(part), shown(text))),
         };
         let numbers: Vec<f64> = inside.split(',').map(number).collect::<Result<_, _>>()?;
         let (first, second, cut) = match numbers[..] {
             [first, second] => (first, second, None),
             [first, second, low, high] => (first, second, Some((low, high))),
             _ => {
-                return Err(DistributionError::Count(text.into(), numbers.len(), name, meaning));
+                return Err(DistributionError::Count(shown(text), numbers.len(), name, meaning));
             }
         };
         let positive = |what, value: f64| match value > 0.0 {
             true => Ok(value),
-            false => Err(DistributionError::NotPositive(what, value.to_string(), text.into())),
+            false => Err(DistributionError::NotPositive(what, value.to_string(), shown(text))),
         };
         let ordered = |(low, high): (f64, f64)| match low < high {
             true => Ok((low, high)),
-            false => Err(DistributionError::Order(low.to_string(), high.to_string(), text.into())),
+            false => Err(DistributionError::Order(low.to_string(), high.to_string(), shown(text))),
         };
         let form = match name {
             "normal" => Form::Normal { mean: first, deviation: positive("the deviation", second)? },
@@ -224,7 +234,7 @@ impl FromStr for Distribution {
         let [.., between] = distribution.shares();
         match cut {
             Some((low, high)) if !(between > f64::MIN_POSITIVE) => {
-                Err(DistributionError::Empty(low.to_string(), high.to_string(), text.into()))
+                Err(DistributionError::Empty(low.to_string(), high.to_string(), shown(text)))
             }
             _ => Ok(distribution),
         }

@@ -15,10 +15,14 @@ use crate::results::csv::Number;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
+use crate::sweep::job::check_held;
 use crate::sweep::observer::{Observer, Phase};
 use crate::sweep::run::sweep_outcomes;
 use crate::sweep::settings::RunSettings;
 use crate::sweep::several::OneOfSeveral;
+
+/// Most sweeps that tell a probability.
+pub const MOST_SAMPLES: u32 = 1 << 20;
 
 /// What is not known of a grid's cells, and how many sweeps are to tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -58,10 +62,14 @@ impl Uncertainty {
     /// The points of the sweeps, and the axes that are moved at them. Every scene is checked.
     ///
     /// # Errors
-    /// Parameters that cannot vary, axes without pixels, and numbers that make no sense together.
+    /// Parameters that cannot vary, too few or too many sweeps, axes without pixels, and numbers that make no sense together.
     pub fn check(&self, scene: &Scene, force: bool) -> Result<Points<'_>, SceneError> {
         // What is wrong with a distribution is said before anything else.
         Ensemble::of(scene, &self.vary, force)?;
+        if !(2..=MOST_SAMPLES).contains(&self.samples) {
+            let problem = format!("{} is not in 2 to {MOST_SAMPLES}", self.samples);
+            return Err(SceneError::new("samples", problem));
+        }
         let axes = if self.pixel { pixel::axes(scene)? } else { Vec::new() };
         let shares = shares(self.vary.len() + axes.len(), self.samples as usize, self.seed);
         let points = Points { vary: &self.vary, axes, shares, force };
@@ -120,6 +128,7 @@ impl Probabilities {
     ) -> Result<Probabilities, SweepError> {
         let points = uncertainty.check(scene, force)?;
         let grid = Grid::of(scene);
+        check_held(&grid)?;
         let samples = uncertainty.samples as usize;
         let runs = if settings.method.resolve { 2 } else { 1 };
         observer.begins(Phase::Sweeping, runs * samples * grid.len());

@@ -8,6 +8,7 @@ use serde::{Serialize, Serializer};
 
 use super::distribution::{Distribution, DistributionError, LEAST_SHARE};
 use crate::scene::parameters::Legal;
+use crate::scene::shown::shown;
 use crate::scene::{Parameter, SceneError};
 
 /// A parameter, and the distribution of its values.
@@ -41,6 +42,10 @@ impl Varied {
     pub fn check(&self, force: bool) -> Result<(), SceneError> {
         let entry = self.parameter.entry();
         let refused = |problem: String| Err(SceneError::new("vary", format!("{self}: {problem}")));
+        // One that was made, not read, may be none.
+        if let Err(error) = self.distribution.check() {
+            return Err(SceneError::new("vary", format!("{}: {error}", entry.key)));
+        }
         if let Legal::Whole(..) = entry.legal {
             return refused(format!(
                 "{} is a whole number, and a distribution has others; sweep it as a list",
@@ -78,10 +83,10 @@ impl FromStr for Varied {
 
     fn from_str(text: &str) -> Result<Varied, VariedError> {
         let (key, distribution) =
-            text.split_once('=').ok_or_else(|| VariedError::Text(text.into()))?;
+            text.split_once('=').ok_or_else(|| VariedError::Text(shown(text)))?;
         let key = key.trim();
         let parameter = Parameter::of_key(&key.replace('-', "_"))
-            .ok_or_else(|| VariedError::Key(key.into()))?;
+            .ok_or_else(|| VariedError::Key(shown(key)))?;
         match distribution.parse() {
             Ok(distribution) => Ok(Varied { parameter, distribution }),
             Err(error) => Err(VariedError::Distribution(parameter.key(), error)),

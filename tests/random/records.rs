@@ -61,5 +61,5 @@ pub fn pair(dice: &mut Dice, least_push: f64) -> Pair {
         let peak = GRAVITY * dice.over(0.05, 1.3);
         record("random, vertical", component(dice, dt, count, peak))
     });
-    Pair::new(horizontal, vertical)
+    Pair::new(horizontal, vertical).unwrap()
 }

@@ -2,6 +2,7 @@
 
 use super::lines::{Lines, after, free, number};
 use super::{Raw, RecordError, Units};
+use crate::scene::shown::shown;
 
 /// Lines among which the one with NPTS and DT is looked for.
 const HEADER: usize = 10;
@@ -46,7 +47,8 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         }
         if let Some(stated) = stated_units(&upper) {
             units = Some(Units::named(stated).ok_or_else(|| {
-                let problem = format!("units of {stated} are not read; convert the values to g");
+                let problem =
+                    format!("units of {} are not read; convert the values to g", shown(stated));
                 RecordError::line(number, problem)
             })?);
         }

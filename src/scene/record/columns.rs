@@ -3,6 +3,7 @@
 
 use super::lines::{MOST_SAMPLES, free, number};
 use super::{DIGITS, Raw, RecordError, Units, rounded};
+use crate::scene::shown::shown;
 
 /// Most lines of a heading.
 const HEADING: usize = 20;
@@ -104,7 +105,7 @@ fn units_in(heading: &str) -> Result<Option<Units>, String> {
             None if !is_time && (text.contains('/') || names(&["acc"])) => {
                 return Err(format!(
                     "units of '{}' are not read; convert the values to g, m/s2 or cm/s2",
-                    text.trim()
+                    shown(text)
                 ));
             }
             None => {}

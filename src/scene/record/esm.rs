@@ -2,6 +2,7 @@
 
 use super::lines::{Lines, free, number};
 use super::{Raw, RecordError, Units};
+use crate::scene::shown::shown;
 
 /// Lines of the header.
 const HEADER: usize = 64;
@@ -31,12 +32,12 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             "UNITS" => {
                 units = Units::named(value);
                 if units.is_none() {
-                    let problem = format!("'{value}' is no unit of acceleration");
+                    let problem = format!("'{}' is no unit of acceleration", shown(value));
                     return Err(RecordError::line(at, problem));
                 }
             }
             "DATA_TYPE" if value != "ACCELERATION" => {
-                let problem = format!("{value} is no acceleration; give the ACC file");
+                let problem = format!("{} is no acceleration; give the ACC file", shown(value));
                 return Err(RecordError::line(at, problem));
             }
             _ => {}

@@ -60,7 +60,8 @@ fn questioned(
 /// title is turned over. `force` accepts what is improbable.
 ///
 /// # Errors
-/// What makes the pair improbable: a vertical given as horizontal, two places, the same motion twice, units.
+/// What makes the pair improbable: a vertical given as horizontal, two places, the same motion twice, units. Those of
+/// [`Pair::new`].
 pub fn join(
     (horizontal, horizontal_file): (Record, RecordFile),
     vertical: Option<(Record, RecordFile)>,
@@ -77,7 +78,9 @@ pub fn join(
         vertical.samples.iter_mut().for_each(|a| *a = -*a);
         vertical.notes.push("positive down by its title: turned over".into());
     }
-    let mut pair = Pair::new(horizontal, vertical);
+    let key = if vertical.is_some() { "vertical" } else { "horizontal" };
+    let pair = Pair::new(horizontal, vertical);
+    let mut pair = pair.map_err(|error| SceneError::new(key, error.to_string()))?;
     let (horizontal, vertical) = (horizontal_file, vertical_file);
     let (dt, units) = (hints.dt, hints.units);
     pair.provenance = Some(Box::new(Provenance { horizontal, vertical, dt, units }));

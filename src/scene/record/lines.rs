@@ -1,19 +1,21 @@
 //! Lines of a file and the numbers in them.
 
+use std::iter::Peekable;
+
 use super::RecordError;
 
 /// Most samples that a record may have: 28 hours at 100 Hz.
 pub(crate) const MOST_SAMPLES: usize = 10_000_000;
 
-/// The lines of a file, with or without carriage returns.
+/// The lines of a file, with or without carriage returns. They are not held: a file may be nothing but line ends.
 pub(crate) struct Lines<'a> {
-    lines: Vec<&'a str>,
+    lines: Peekable<std::str::Lines<'a>>,
     next: usize,
 }
 
 impl<'a> Lines<'a> {
     pub fn of(text: &'a str) -> Lines<'a> {
-        Lines { lines: text.lines().collect(), next: 0 }
+        Lines { lines: text.lines().peekable(), next: 0 }
     }
 
     /// Number of the line that `next` gives, from 1.
@@ -22,8 +24,15 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line, without moving on.
-    pub fn peek(&self) -> Option<&'a str> {
-        self.lines.get(self.next).copied()
+    pub fn peek(&mut self) -> Option<&'a str> {
+        self.lines.peek().copied()
+    }
+
+    /// Moves on; at the end nothing happens.
+    fn advance(&mut self) {
+        if self.lines.next().is_some() {
+            self.next += 1;
+        }
     }
 
     /// The next line.
@@ -33,7 +42,7 @@ impl<'a> Lines<'a> {
     pub fn next(&mut self, what: &str) -> Result<&'a str, RecordError> {
         match self.peek() {
             Some(line) => {
-                self.next += 1;
+                self.advance();
                 Ok(line)
             }
             None => {
@@ -43,7 +52,12 @@ impl<'a> Lines<'a> {
     }
 
     pub fn skip(&mut self, count: usize) {
-        self.next = self.next.saturating_add(count).min(self.lines.len());
+        for _ in 0..count {
+            if self.peek().is_none() {
+                break;
+            }
+            self.advance();
+        }
     }
 
     /// Moves to the first line from here on that `test` holds for.
@@ -56,7 +70,7 @@ impl<'a> Lines<'a> {
             if test(line) {
                 return Ok(line);
             }
-            self.next += 1;
+            self.advance();
         }
         Err(RecordError::whole(format!("no {what} in the file; is it cut off?")))
     }
@@ -64,7 +78,7 @@ impl<'a> Lines<'a> {
     /// `count` numbers from here on, or all there are; each line is cut by `cut`.
     ///
     /// # Errors
-    /// A field that is no number, and fewer numbers than `count`.
+    /// A field that is no number, fewer numbers than `count`, and more than a record may have.
     pub fn numbers(
         &mut self,
         count: Option<usize>,
@@ -76,7 +90,7 @@ impl<'a> Lines<'a> {
             return Err(RecordError::line(self.number(), problem));
         }
         let mut values = Vec::new();
-        while values.len() < wanted {
+        while count.is_none() || values.len() < wanted {
             let Some(line) = self.peek() else { break };
             for field in cut(line) {
                 let value = number(field).ok_or_else(|| {
@@ -85,9 +99,12 @@ impl<'a> Lines<'a> {
                 })?;
                 if values.len() < wanted {
                     values.push(value);
+                } else if count.is_none() {
+                    let problem = format!("more than {MOST_SAMPLES} samples");
+                    return Err(RecordError::line(self.number(), problem));
                 }
             }
-            self.next += 1;
+            self.advance();
         }
         match count {
             Some(count) if values.len() < count => {

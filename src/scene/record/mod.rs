@@ -15,8 +15,11 @@ pub mod read;
 pub mod smc;
 pub mod synthetic;
 mod text;
+pub mod zips;
 
 use serde::{Deserialize, Serialize};
+
+use super::bounded;
 
 pub use pair::Pair;
 pub use provenance::{Provenance, RecordFile};
@@ -126,6 +129,12 @@ pub enum RecordError {
     /// Something is wrong with the whole.
     #[error("{0}")]
     Whole(String),
+    /// It is too large to be held; of a packed file what is in it.
+    #[error("larger than {size}; this is no record", size = bounded::size(*most))]
+    Large {
+        /// Most bytes that are read.
+        most: u64,
+    },
 }
 
 impl RecordError {

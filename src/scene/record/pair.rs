@@ -5,7 +5,8 @@ use std::sync::Arc;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Provenance, Record, time_of};
+use super::lines::MOST_SAMPLES;
+use super::{Provenance, Record, RecordError, time_of};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -46,7 +47,30 @@ fn none<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Arc<[f64]>, D::Err
 impl Pair {
     /// Brings a horizontal and a vertical record together: the finer time step of both, by linear
     /// interpolation; the longer duration, with zeros after the shorter one's end.
-    pub fn new(horizontal: Record, vertical: Option<Record>) -> Pair {
+    ///
+    /// # Errors
+    /// A record of fewer than two samples, a sample or a time step that makes no sense, and more samples of the pair than
+    /// a record may have: those of a step that is far finer than the other's, for example.
+    pub fn new(horizontal: Record, vertical: Option<Record>) -> Result<Pair, RecordError> {
+        let records = || [Some(&horizontal), vertical.as_ref()].into_iter().flatten();
+        for record in records() {
+            check(record.dt, &record.samples)?;
+        }
+        let dt = records().map(|record| record.dt).fold(f64::INFINITY, f64::min);
+        let duration = records().map(Record::duration).fold(0.0, f64::max);
+        let count = (duration / dt + ROUNDING).floor() + 1.0;
+        if !(count <= MOST_SAMPLES as f64) {
+            let problem = format!(
+                "{duration} s in steps of {dt} s, the finer of both components, are {count:.3e} samples, more than \
+                 {MOST_SAMPLES}; give components of the same step"
+            );
+            return Err(RecordError::Whole(problem));
+        }
+        Ok(Pair::brought(horizontal, vertical))
+    }
+
+    /// The same of records that are known to be some, and to have few samples together.
+    pub(super) fn brought(horizontal: Record, vertical: Option<Record>) -> Pair {
         let mut notes: Vec<String> = Vec::new();
         notes.extend(horizontal.notes.iter().map(|note| format!("horizontal: {note}")));
         let mut title = horizontal.title.clone();
@@ -58,8 +82,7 @@ impl Pair {
             dt = dt.min(vertical.dt);
             duration = duration.max(vertical.duration());
         }
-        // A thousandth of a step, so that a length that is a whole number of steps stays one.
-        let count = (duration / dt + 1.0e-3).floor() as usize + 1;
+        let count = (duration / dt + ROUNDING).floor() as usize + 1;
         let mut bring = |name: &str, record: &Record| -> Arc<[f64]> {
             if record.dt != dt {
                 notes.push(format!("{name} resampled from {} s to {dt} s", record.dt));
@@ -107,6 +130,20 @@ impl Pair {
         self
     }
 
+    /// Checks a motion that was made, not read.
+    ///
+    /// # Errors
+    /// Those of [`Pair::new`], and components of unequal lengths.
+    pub fn check(&self) -> Result<(), RecordError> {
+        if self.horizontal.len() != self.vertical.len() {
+            let [h, v] = [&self.horizontal, &self.vertical].map(|samples| samples.len());
+            let problem = format!("{h} horizontal samples and {v} vertical ones; give as many");
+            return Err(RecordError::Whole(problem));
+        }
+        check(self.dt, &self.horizontal)?;
+        check(self.dt, &self.vertical)
+    }
+
     fn measure(&mut self) {
         let peak = |samples: &[f64]| samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
         self.pga_h = peak(&self.horizontal);
@@ -126,6 +163,25 @@ impl Pair {
     /// False: a record has two samples at least.
     pub fn is_empty(&self) -> bool {
         self.horizontal.is_empty()
+    }
+}
+
+/// Of a step, so that a length that is a whole number of steps stays one.
+const ROUNDING: f64 = 1.0e-3;
+
+/// Checks what every motion has: a time step, and samples.
+fn check(dt: f64, samples: &[f64]) -> Result<(), RecordError> {
+    let refused = |problem: String| Err(RecordError::Whole(problem));
+    if !(dt > 0.0 && dt.is_finite()) {
+        return refused(format!("{dt} s is no time between samples; give a positive number"));
+    }
+    if !(2..=MOST_SAMPLES).contains(&samples.len()) {
+        let count = samples.len();
+        return refused(format!("{count} samples; a record has 2 to {MOST_SAMPLES}"));
+    }
+    match samples.iter().position(|sample| !sample.is_finite()) {
+        Some(place) => refused(format!("sample {} is not a finite number", place + 1)),
+        None => Ok(()),
     }
 }
 

@@ -1,12 +1,14 @@
 //! Where a record came from: its files, their checksums, and what was read in them.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::Units;
-use crate::scene::path_text;
+use super::text::LARGEST;
+use crate::scene::{bounded, path_text, shown};
 
 /// The files of a record.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -73,22 +75,26 @@ impl RecordFile {
         let places = folders.iter().map(|folder| folder.join(name));
         let mut changed = None;
         for place in std::iter::once(self.path.clone()).chain(places) {
-            match std::fs::read(&place) {
+            // A larger file was no record's.
+            match bounded::read(&place, LARGEST) {
                 Ok(bytes) if sha256(&bytes) == self.sha256 => return Ok(place),
                 Ok(_) => changed = changed.or(Some(place)),
+                Err(error) if error.kind() == ErrorKind::FileTooLarge => {
+                    changed = changed.or(Some(place));
+                }
                 Err(_) => {}
             }
         }
         Err(match changed {
             Some(place) => format!(
                 "{} has changed since that run; restore the file that it used (SHA-256 {})",
-                place.display(),
-                self.sha256
+                shown::line(&place.display().to_string()),
+                shown::shown(&self.sha256)
             ),
             None => format!(
                 "the record {} is not there; put it beside this file (SHA-256 {})",
-                self.path.display(),
-                self.sha256
+                shown::line(&self.path.display().to_string()),
+                shown::shown(&self.sha256)
             ),
         })
     }

@@ -1,13 +1,14 @@
 //! From bytes to a record: which format, which units, and is it plausible.
 
-use std::io::Read;
+use std::io::ErrorKind;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use super::provenance::sha256;
-use super::text::{self, LARGEST, printable};
+use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Units};
 use super::{at2, columns, cosmos, csmip, esm, knet, smc};
-use crate::scene::GRAVITY;
+use crate::scene::{GRAVITY, bounded};
 
 /// What the user says of a record file, where the file itself does not say it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -23,6 +24,9 @@ pub struct RecordHints {
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;
 
+/// Most letters of a title: a line may be a megabyte long.
+const TITLE: usize = 400;
+
 /// Longest time between samples that is still taken for a record's, s.
 const LONGEST_STEP: f64 = 0.25;
 
@@ -31,15 +35,10 @@ const LONGEST_STEP: f64 = 0.25;
 /// # Errors
 /// A [`RecordError`] that names the line at fault.
 pub fn file(path: &Path, hints: &RecordHints) -> Result<(Record, RecordFile), RecordError> {
-    let refused =
-        |e: std::io::Error| RecordError::whole(format!("{e}; give a file that can be read"));
-    // A device or a pipe has no length to be asked for.
-    let mut read = Vec::new();
-    let file = std::fs::File::open(path).map_err(refused)?;
-    file.take(LARGEST + 1).read_to_end(&mut read).map_err(refused)?;
-    if read.len() as u64 > LARGEST {
-        return Err(RecordError::whole("larger than 256 MiB; this is no record"));
-    }
+    let read = bounded::read(path, LARGEST).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => RecordError::Large { most: LARGEST },
+        _ => RecordError::whole(format!("{error}; give a file that can be read")),
+    })?;
     of_bytes(path, &read, hints)
 }
 
@@ -100,7 +99,24 @@ pub fn format_of(text: &str) -> Option<&'static str> {
 
 /// The record in the bytes of a file, the name of their format, and their units.
 fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, String, Units), RecordError> {
-    let (text, note) = text::of(bytes)?;
+    match text::of(bytes, SMALL) {
+        Err(RecordError::Large { .. }) => {
+            // What is stored is nothing, whoever panicked.
+            let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+            of_text(text::of(bytes, LARGEST)?, hints)
+        }
+        found => of_text(found?, hints),
+    }
+}
+
+/// Held while a large file is unpacked and read: of a suite's there is one at a time.
+static ALONE: Mutex<()> = Mutex::new(());
+
+/// The record in a text, with the note of how it was packed.
+fn of_text(
+    (text, note): (String, Option<String>),
+    hints: &RecordHints,
+) -> Result<(Record, String, Units), RecordError> {
     let [.., columns] = &FORMATS;
     let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
     let (record, units) = check(read(&text)?, hints)?;
@@ -111,7 +127,7 @@ fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, String, Units), 
 
 fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
     let Raw { title, dt, units, values, notes } = raw;
-    let title = printable(&title);
+    let title: String = printable(&title).chars().take(TITLE).collect();
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }

@@ -77,7 +77,7 @@ pub fn pair() -> Pair {
         }
         record
     };
-    Pair::new(read(TITLES[0], &HORIZONTAL), Some(read(TITLES[1], &VERTICAL)))
+    Pair::brought(read(TITLES[0], &HORIZONTAL), Some(read(TITLES[1], &VERTICAL)))
 }
 
 /// A number of a file.

@@ -1,28 +1,39 @@
 //! From the bytes of a file to its text: packed files are unpacked, other encodings turned into UTF-8.
 
-use std::io::{Cursor, Read};
+use std::io::{Cursor, ErrorKind, Read};
 
 use flate2::read::MultiGzDecoder;
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::RecordError;
+use super::{RecordError, zips};
+use crate::scene::bounded;
+use crate::scene::shown::{self, shown};
 
 /// Largest file that is read, bytes; of a packed one also what is in it.
 pub(crate) const LARGEST: u64 = 256 << 20;
+/// A file that is smaller, packed or not, may be read beside others: more of them at once would fill the memory.
+pub(crate) const SMALL: u64 = 8 << 20;
+/// Most bytes of a line: its fields are held together, and a record's lines are short.
+const LONGEST_LINE: usize = 1 << 24;
 
 /// The text of a file: of a gzip file what is packed, of a zip its one file; in UTF-8, UTF-16, or an older encoding of
-/// which only ASCII is told. Says what it had to decide.
+/// which only ASCII is told. Says what it had to decide. `most` bytes are read, packed or not.
 ///
 /// # Errors
 /// What it is, where it is no record, and what to do.
-pub(crate) fn of(bytes: &[u8]) -> Result<(String, Option<String>), RecordError> {
+pub(crate) fn of(bytes: &[u8], most: u64) -> Result<(String, Option<String>), RecordError> {
+    if bytes.len() as u64 > most {
+        return Err(RecordError::Large { most });
+    }
     let (unpacked, note) = match bytes {
-        bytes if bytes.starts_with(&GZIP) => (gunzipped(bytes)?, Some("unpacked from gzip".into())),
+        bytes if bytes.starts_with(&GZIP) => {
+            (gunzipped(bytes, most)?, Some("unpacked from gzip".into()))
+        }
         [b'P', b'K', 3, 4, ..] => {
-            let (bytes, name) = only_file(bytes)?;
-            let bytes = if bytes.starts_with(&GZIP) { gunzipped(&bytes)? } else { bytes };
-            (bytes, Some(format!("{} from a zip", printable(&name))))
+            let (bytes, name) = only_file(bytes, most)?;
+            let bytes = if bytes.starts_with(&GZIP) { gunzipped(&bytes, most)? } else { bytes };
+            (bytes, Some(format!("{} from a zip", shown(&name))))
         }
         _ => return Ok((decoded(bytes)?, None)),
     };
@@ -32,23 +43,20 @@ pub(crate) fn of(bytes: &[u8]) -> Result<(String, Option<String>), RecordError> 
 /// How a gzip file begins.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
-fn gunzipped(bytes: &[u8]) -> Result<Vec<u8>, RecordError> {
-    all(MultiGzDecoder::new(bytes), "gzip")
+fn gunzipped(bytes: &[u8], most: u64) -> Result<Vec<u8>, RecordError> {
+    all(MultiGzDecoder::new(bytes), most, "gzip")
 }
 
 /// All bytes of a packed stream.
-fn all(packed: impl Read, kind: &str) -> Result<Vec<u8>, RecordError> {
-    let mut bytes = Vec::new();
-    let damaged = |e| RecordError::whole(format!("a damaged {kind} file ({e}); download it again"));
-    packed.take(LARGEST + 1).read_to_end(&mut bytes).map_err(damaged)?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(RecordError::whole("more than 256 MiB are packed in it; this is no record"));
-    }
-    Ok(bytes)
+fn all(packed: impl Read, most: u64, kind: &str) -> Result<Vec<u8>, RecordError> {
+    bounded::all(packed, most).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => RecordError::Large { most },
+        _ => RecordError::whole(format!("a damaged {kind} file ({error}); download it again")),
+    })
 }
 
 /// The bytes and the name of the only file in a zip.
-fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
+fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> {
     let damaged = |error| {
         RecordError::whole(match error {
             ZipError::UnsupportedArchive(reason) => {
@@ -57,9 +65,15 @@ fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
             error if error.to_string().contains("not supported") => {
                 format!("a zip that is not read here ({error}); unpack it and give the file")
             }
-            error => format!("a damaged zip file ({error}); download it again"),
+            error => {
+                let error = shown::line(&error.to_string());
+                format!("a damaged zip file ({error}); download it again")
+            }
         })
     };
+    zips::check(bytes).map_err(|error| {
+        RecordError::whole(format!("a zip of {error}; unpack it and give the file"))
+    })?;
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
     let mut names = Vec::new();
     for name in archive.file_names() {
@@ -71,7 +85,7 @@ fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
         }
     }
     let [name] = &names[..] else {
-        let mut first: Vec<String> = names.iter().take(3).map(|name| printable(name)).collect();
+        let mut first: Vec<String> = names.iter().take(3).map(|name| shown(name)).collect();
         if names.len() > first.len() {
             first.push("…".into());
         }
@@ -84,7 +98,7 @@ fn only_file(bytes: &[u8]) -> Result<(Vec<u8>, String), RecordError> {
         return Err(RecordError::whole(problem));
     };
     let file = archive.by_name(name).map_err(damaged)?;
-    Ok((all(file, "zip")?, name.clone()))
+    Ok((all(file, most, "zip")?, name.clone()))
 }
 
 /// Bytes as text.
@@ -92,9 +106,10 @@ fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     let text = match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
-        _ => String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_string(),
+        _ => String::from_utf8_lossy(bytes.strip_prefix(MARK).unwrap_or(bytes)).into_owned(),
     };
-    let start = text.trim_start().get(..64).unwrap_or(text.trim_start()).to_ascii_lowercase();
+    let start: String = text.trim_start().chars().take(64).collect();
+    let start = start.to_ascii_lowercase();
     if ["<!doctype html", "<html", "<?xml", "<head", "<body"]
         .iter()
         .any(|tag| start.starts_with(tag))
@@ -109,8 +124,17 @@ fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     if text.chars().take(1024).any(|c| c == '\0') {
         return Err(RecordError::whole("a binary file, not a record; give a file of numbers"));
     }
+    let long = text.lines().position(|line| line.len() > LONGEST_LINE);
+    if let Some(before) = long {
+        let most = bounded::size(LONGEST_LINE as u64);
+        let problem = format!("longer than {most}; give the record with a few values a line");
+        return Err(RecordError::line(before + 1, problem));
+    }
     Ok(text)
 }
+
+/// What some programs put before a text in UTF-8.
+const MARK: &[u8] = "\u{feff}".as_bytes();
 
 fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
     let (units, _) = bytes.as_chunks::<2>();
@@ -148,25 +172,55 @@ mod tests {
         let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
         packed.write_all(b"1\n2\n").unwrap();
         let packed = packed.finish().unwrap();
-        assert_eq!(of(&packed).unwrap(), ("1\n2\n".into(), Some("unpacked from gzip".into())));
+        assert_eq!(
+            of(&packed, LARGEST).unwrap(),
+            ("1\n2\n".into(), Some("unpacked from gzip".into()))
+        );
         for cut in 2..packed.len() {
-            assert!(of(&packed[..cut]).is_err(), "cut to {cut}");
+            assert!(of(&packed[..cut], LARGEST).is_err(), "cut to {cut}");
         }
         let one = zipped(&[("dir/", ""), ("dir/a.at2", "1\n")]);
-        assert_eq!(of(&one).unwrap(), ("1\n".into(), Some("dir/a.at2 from a zip".into())));
-        let two = of(&zipped(&[("a.at2", "1"), ("b.at2", "2")])).unwrap_err().to_string();
+        assert_eq!(of(&one, LARGEST).unwrap(), ("1\n".into(), Some("dir/a.at2 from a zip".into())));
+        let two = of(&zipped(&[("a.at2", "1"), ("b.at2", "2")]), LARGEST).unwrap_err().to_string();
         assert!(two.contains("a zip of 2 files (a.at2, b.at2); unpack it"), "{two}");
-        assert!(of(&one[..one.len() - 9]).is_err());
+        assert!(of(&one[..one.len() - 9], LARGEST).is_err());
+    }
+
+    /// Of a gzip file that says so a thousandth lies on disk, and what a zip declares is not believed.
+    #[test]
+    fn what_is_packed_is_read_up_to_a_size() {
+        let large = vec![b'1'; 3000];
+        let mut gzip = GzEncoder::new(Vec::new(), Compression::fast());
+        gzip.write_all(&large).unwrap();
+        let gzip = gzip.finish().unwrap();
+        let mut zip = zipped(&[("a.at2", &"1".repeat(3000))]);
+        let plain = (b"1\n".repeat(1500), "1\n".repeat(1500));
+        assert!(gzip.len() < 200 && of(&gzip, 3000).is_ok() && of(&zip, 3000).is_ok());
+        assert_eq!(of(&plain.0, 3000).unwrap().0, plain.1);
+        // The size in the directory, at 24 bytes from its beginning, is said to be 5.
+        let directory = zip.windows(4).position(|bytes| bytes == b"PK\x01\x02").unwrap();
+        for packed in [&gzip, &zip, &plain.0] {
+            assert_eq!(of(packed, 2999), Err(RecordError::Large { most: 2999 }));
+        }
+        zip[directory + 24..directory + 28].copy_from_slice(&5_u32.to_le_bytes());
+        assert!(of(&zip, 2999).is_err());
+    }
+
+    #[test]
+    fn a_line_without_an_end_is_refused() {
+        let long = [b"1\n", &vec![b'1'; LONGEST_LINE + 1][..]].concat();
+        let error = of(&long, LARGEST).unwrap_err().to_string();
+        assert_eq!(error, "line 2: longer than 16 MiB; give the record with a few values a line");
     }
 
     #[test]
     fn other_encodings_are_read() {
         let text = "\u{feff}Erdbeben ä\n1\n";
-        let (read, _) = of(text.as_bytes()).unwrap();
+        let (read, _) = of(text.as_bytes(), LARGEST).unwrap();
         assert_eq!(read, "Erdbeben ä\n1\n");
         for order in [u16::to_le_bytes, u16::to_be_bytes] {
             let bytes: Vec<u8> = text.encode_utf16().flat_map(order).collect();
-            assert_eq!(of(&bytes).unwrap().0, "Erdbeben ä\n1\n");
+            assert_eq!(of(&bytes, LARGEST).unwrap().0, "Erdbeben ä\n1\n");
         }
     }
 
@@ -178,7 +232,7 @@ mod tests {
             (b"%PDF-1.7", "a PDF"),
             (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "a binary file"),
         ] {
-            let error = of(bytes).unwrap_err().to_string();
+            let error = of(bytes, LARGEST).unwrap_err().to_string();
             assert!(error.contains(said), "{error}");
         }
         assert_eq!(printable("a\u{1b}[31mb\u{7}"), "a[31mb");

@@ -1,0 +1,52 @@
+//! Files of a map, and what a map has besides its cells.
+
+use topple::results::own;
+
+/// A file that holds a whole map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum MapFile {
+    /// map.csv: a row a cell.
+    Csv,
+    /// map.npz: arrays for numpy.
+    Npz,
+    /// map.zarr: arrays in chunks, for xarray and dask.
+    Zarr,
+}
+
+impl MapFile {
+    /// Its name in the directory.
+    pub fn name(self) -> &'static str {
+        match self {
+            MapFile::Csv => "map.csv",
+            MapFile::Npz => "map.npz",
+            MapFile::Zarr => own::MAP,
+        }
+    }
+
+    /// Those among names of files.
+    pub fn among(names: &[String]) -> Vec<MapFile> {
+        let all = [MapFile::Csv, MapFile::Npz, MapFile::Zarr].into_iter();
+        all.filter(|file| names.iter().any(|name| name == file.name())).collect()
+    }
+
+    /// Those of a map of so many cells, unless others are asked for.
+    pub fn of(cells: usize) -> Vec<MapFile> {
+        if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
+    }
+}
+
+/// What a map has besides its cells: what an earlier one had.
+#[derive(Debug, Clone, Default)]
+pub struct Besides {
+    /// Levels that it was refined in.
+    pub refine: Option<u32>,
+    /// The share of their range that numbers were smooth to.
+    pub smooth: Option<f64>,
+    /// It was asked how sharp its boundaries are.
+    pub sharpness: bool,
+    /// Its files.
+    pub files: Vec<MapFile>,
+}
+
+/// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.
+const LARGE: usize = 1 << 24;

@@ -1,0 +1,39 @@
+//! What a message repeats of a text that was read: in one line, and not all of a long one.
+
+/// Most letters of a text that a message repeats: a checksum has as many.
+const SHOWN: usize = 64;
+/// Most letters of a message that another reader made of a text.
+const LINE: usize = 400;
+
+/// A text as a message repeats it.
+pub fn shown(text: &str) -> String {
+    cut(text.trim(), SHOWN)
+}
+
+/// A message of another reader, which may repeat all of a text, as a line.
+pub fn line(message: &str) -> String {
+    cut(message, LINE)
+}
+
+fn cut(text: &str, most: usize) -> String {
+    let mut letters = text.chars();
+    let plain = |letter: char| if letter.is_control() { ' ' } else { letter };
+    let mut cut: String = letters.by_ref().take(most).map(plain).collect();
+    if letters.next().is_some() {
+        cut.push('…');
+    }
+    cut
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{line, shown};
+
+    #[test]
+    fn a_text_is_repeated_in_one_short_line() {
+        assert_eq!(shown(" a\nb\u{1b}[31mc "), "a b [31mc");
+        assert_eq!(shown(&"\u{3c0}".repeat(65)), format!("{}…", "\u{3c0}".repeat(64)));
+        assert_eq!(line(&"x".repeat(400)), "x".repeat(400));
+        assert_eq!(line(&"x".repeat(900)).chars().count(), 401);
+    }
+}
