@@ -40,6 +40,14 @@ impl<'a, R: Real> Kept<'a, R> {
     }
 }
 
+/// Where a motion comes from.
+enum Source<'a, R> {
+    /// It is there: the motions and its number among them.
+    Known(&'a Motions<R>, usize),
+    /// It was integrated.
+    Sampled(&'a SampledMotion<R>),
+}
+
 /// Stores what motions of both directions have, in so many fields, of which `crest` and those from `inside` on are each
 /// direction's own; `others` stores the rest of one that was sampled. Those of `kept` that are missing were sampled.
 fn stored<R: Real>(
@@ -50,27 +58,27 @@ fn stored<R: Real>(
 ) -> Motions<R> {
     let count = kept.entries.count();
     let mut rest = sampled.iter();
-    let sources: Vec<Result<(&Motions<R>, usize), &SampledMotion<R>>> = (0..count)
+    let sources: Vec<Source<R>> = (0..count)
         .filter_map(|entry| match kept.known(entry) {
-            Some(known) => Some(Ok(known)),
-            None => rest.next().map(Err),
+            Some((motions, number)) => Some(Source::Known(motions, number)),
+            None => rest.next().map(Source::Sampled),
         })
         .collect();
     let lengths = sources.iter().map(|source| match source {
-        Ok((motions, number)) => motions.at(*number).length,
-        Err(each) => each.samples.len(),
+        Source::Known(motions, number) => motions.at(*number).length,
+        Source::Sampled(each) => each.samples.len(),
     });
     let mut motions = Motions::new(fields, lengths, kept.entries.clone());
     for (number, source) in sources.iter().enumerate() {
         let each = match source {
-            Ok((known, of)) => {
+            Source::Known(known, of) => {
                 let known = known.at(*of);
                 for field in 0..fields {
                     motions.fill(field, number, known.field(field).iter().copied());
                 }
                 continue;
             }
-            Err(each) => each,
+            Source::Sampled(each) => each,
         };
         let mut fill = |field, of: fn(&Sample<R>) -> R| {
             motions.fill(field, number, each.samples.iter().map(of));
