@@ -166,9 +166,23 @@ def test_every_number_has_a_unit(records):
         assert told["rates"]["rate"] == told["rates"]["missing_below"] == "1/year"
         # Only where theta is not known there is no bound.
         rates, theta = study["rates"], study["fits"]["theta"]
-        assert rates["missing_below"].notnull().equals(theta.notnull()) and (rates["missing_below"] > 0.0).any()
+        assert rates["missing_below"].notnull().equals(theta.notnull())
         assert ("capacities" in told) != ("points" in told)
     assert told["points"]["drawn_eccentricity"] == "1" and "sensitivity" in told
+
+
+def test_a_hazard_curve_that_begins_late_is_below_no_target(records):
+    """Two motions overturn the block from one level on: a step at theta, below the first level of the curve."""
+    (records / "late.csv").write_text("level,rate\n10,0.0001\n20,0.00001\n")
+    asked = {"backend": "cpu", "verify": 0, "bootstrap": 50, "estimator": "stripes", "hazard": records / "late.csv", "target": 0.0002}
+    study = topple.fragility(records / "list.csv", **(SCENE | {"t_h": 2.0, "t_v": 0.4}), **asked, levels="2:14:7")
+    one = {"limit_state": "overturning", "estimator": "stripes"}
+    fit, rate = (study[name].sel(one).squeeze() for name in ("fits", "rates"))
+    assert fit["separable"] == 1 and fit["theta"] < 10.0
+    # The rate grows tenfold from level to half of it.
+    more = 1e-4 * ((10.0 / fit["theta"].item()) ** np.log2(10.0) - 1.0)
+    assert rate["rate"].item() == pytest.approx(9e-5) and rate["missing_below"].item() == pytest.approx(more)
+    assert rate["rate"] + rate["missing_above"] < 2e-4 and rate["below_target"] == 0
 
 
 def test_levels_in_g(records):

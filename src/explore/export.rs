@@ -121,7 +121,7 @@ fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
         let begun = |entry: &fs::DirEntry| temporary::is_file(&entry.file_name().to_string_lossy());
         !entry.as_ref().is_ok_and(begun)
     };
-    match fs::read_dir(directory).map(|entries| entries.filter(is_whole).next()) {
+    match fs::read_dir(directory).map(|mut entries| entries.find(is_whole)) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(error) => return Err(failed(error)),
         Ok(None) => return Ok(Vec::new()),
