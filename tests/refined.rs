@@ -286,6 +286,43 @@ fn the_command_writes_pictures_and_leaves() {
     assert!(!out.join("leaves.csv").exists() && !out.join("refined.svg").exists());
 }
 
+/// Two columns of one name would be one array, and the archive has no two of a name.
+#[test]
+fn the_height_of_a_leaf_and_that_of_the_block_have_names_of_their_own() {
+    let dir = TempDir::new().unwrap();
+    let mut command = assert_cmd::Command::cargo_bin("topple").unwrap();
+    command.args([
+        "pulse",
+        "--half-width",
+        "0.1:0.4:9",
+        "--height",
+        "0.5:2:9",
+        "--isolation",
+        "none",
+    ]);
+    command.args([
+        "--omega",
+        "5",
+        "--a-h",
+        "4",
+        "--refine",
+        "2",
+        "--backend",
+        "cpu",
+        "--verify",
+        "none",
+    ]);
+    command.args(["--files", "csv,npz,zarr", "--out"]).arg(dir.path()).assert().success();
+    let mut table = csv::Reader::from_path(dir.path().join("leaves.csv")).unwrap();
+    let head: Vec<String> = table.headers().unwrap().iter().take(5).map(String::from).collect();
+    assert_eq!(head, ["half_width", "height", "level", "width", "leaf_height"]);
+    let rows: Vec<csv::StringRecord> = table.records().map(Result::unwrap).collect();
+    let side = |row: &csv::StringRecord, k: usize| row[k].parse::<usize>().unwrap();
+    let cells: usize = rows.iter().map(|row| side(row, 3) * side(row, 4)).sum();
+    assert_eq!(cells, 33 * 33);
+    assert!(dir.path().join("leaves.zarr/leaf_height/zarr.json").exists());
+}
+
 /// Chunks of the leaves' arrays, and what is left of an earlier run's.
 #[test]
 fn leaves_in_the_store_go_with_their_map() {
@@ -293,10 +330,10 @@ fn leaves_in_the_store_go_with_their_map() {
     let (out, leaves) = (dir.path(), dir.path().join("leaves.zarr"));
     pulse(out, &["--refine", "2", "--files", "csv,zarr"]).assert().success();
     let cells = std::fs::read(leaves.join("cell/c/0")).unwrap();
-    // What no run writes, and so what only an earlier one's folder has.
-    std::fs::write(leaves.join("of-the-first-run"), "").unwrap();
+    // A chunk that only an earlier run with more leaves has.
+    std::fs::write(leaves.join("cell/c/7"), "").unwrap();
     pulse(out, &["--refine", "3", "--files", "csv,zarr"]).assert().success();
-    assert!(!leaves.join("of-the-first-run").exists());
+    assert!(!leaves.join("cell/c/7").exists());
     assert_ne!(std::fs::read(leaves.join("cell/c/0")).unwrap(), cells);
     let left: Vec<String> = std::fs::read_dir(out)
         .unwrap()

@@ -149,6 +149,8 @@ impl RefinedMap {
             CountColumn { name, meaning, values }
         };
         let [level, width, height, beside, impacts_differ] = listed::COUNTS;
+        let is_an_axis = self.grid.axes().iter().any(|axis| axis.key() == height);
+        let height = if is_an_axis { listed::LEAF_HEIGHT } else { height };
         let counts = [
             count(level, "level of the leaf: 0 is between cells of the map", |leaf| {
                 leaf.level as usize

@@ -15,6 +15,9 @@ pub const CELL_MEANING: &str = "its first cell's number in the grid";
 /// The names of the counts that leaves of a refined map have, beside [`CELL`].
 pub const COUNTS: [&str; 5] = ["level", "width", "height", "beside", "impacts_differ"];
 
+/// The name of the count `height` where the block's height is an axis, which has that name.
+pub const LEAF_HEIGHT: &str = "leaf_height";
+
 /// A count that each of the cells has, such as the width of what it stands for.
 #[derive(Debug, Clone)]
 pub struct CountColumn {

@@ -6,7 +6,7 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::columns::TABLE;
-use super::listed::{CELL, COUNTS};
+use super::listed::{CELL, COUNTS, LEAF_HEIGHT};
 use super::temporary;
 use super::zarr::{CHUNKS, DOCUMENT, PROVED};
 use crate::scene::parameters::PARAMETERS;
@@ -79,7 +79,8 @@ fn of_group(path: &[&str], is_folder: bool) -> bool {
 
 /// True of the name of an array: a column, an axis, or what a list counts.
 fn is_array(name: &str) -> bool {
-    let columns = TABLE.iter().map(|entry| entry.name).chain([PROVED, CELL]).chain(COUNTS);
+    let columns =
+        TABLE.iter().map(|entry| entry.name).chain([PROVED, CELL, LEAF_HEIGHT]).chain(COUNTS);
     columns.chain(PARAMETERS.iter().map(|entry| entry.key)).any(|known| known == name)
 }
 
