@@ -290,7 +290,7 @@ fn the_command_writes_pictures_and_leaves() {
 #[test]
 fn the_height_of_a_leaf_and_that_of_the_block_have_names_of_their_own() {
     let dir = TempDir::new().unwrap();
-    let mut command = assert_cmd::Command::cargo_bin("topple").unwrap();
+    let mut command = Command::cargo_bin("topple").unwrap();
     command.args([
         "pulse",
         "--half-width",
