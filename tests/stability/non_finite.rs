@@ -173,17 +173,18 @@ fn in_a_motion() {
     }
 }
 
-/// In a record's sample, past the readers, which refuse such files.
+/// In a record's sample, past the readers and the pairing, which refuse such files.
 #[test]
 fn in_a_record() {
     for bad in BAD {
         let mut samples: Vec<f64> = (0..300).map(|k| 3.0 * f64::sin(0.06 * f64::from(k))).collect();
+        // The peak, from which the yield displacement follows, is that of the finite samples.
+        let mut scene = shaken(rocks(), 0.01, samples.clone());
         samples[150] = bad;
-        let mut scene = shaken(rocks(), 0.01, samples);
-        if let topple::scene::Excitation::Record(pair) = &mut scene.excitation {
-            // The peak that the yield displacement follows from, as if no one had noticed.
-            pair.pga_h = 3.0;
-        }
+        let topple::scene::Excitation::Record(pair) = &mut scene.excitation else {
+            panic!("a scene under a record");
+        };
+        pair.horizontal = samples.into();
         unresolved(&format!("a sample is {bad}"), &swept::<f32>(&scene));
         unresolved(&format!("a sample is {bad}"), &swept::<f64>(&scene));
     }
