@@ -6,7 +6,7 @@ use topple::map::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
-use topple::suites::swept::Values;
+use topple::suites::swept_motion::Values;
 use topple::suites::verified::Verified;
 use topple::suites::{envelope_curves, envelope_picture};
 

@@ -21,7 +21,8 @@ use topple::uncertain::Varied;
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
-use super::options::{CommonFlags, RunOptions, flag_error, number, seed};
+use super::numbers::seed;
+use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::output::Figure;
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};

@@ -110,3 +110,8 @@ pub fn in_order(given: impl Iterator<Item = (usize, Parameter, Values)>) -> Numb
     numbers.extend(given.into_iter().map(|(_, parameter, values)| (parameter, values)));
     numbers
 }
+
+/// A seed of what is drawn: the points of numbers that are not known have seeds of 32 bits.
+pub fn seed(text: &str) -> Result<u32, String> {
+    text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u32::MAX))
+}

@@ -423,11 +423,6 @@ pub fn share(text: &str) -> Result<f64, String> {
     parsed.ok_or_else(|| "must be a number above 0 and below 1".into())
 }
 
-/// A seed of what is drawn: the points of numbers that are not known have seeds of 32 bits.
-pub fn seed(text: &str) -> Result<u32, String> {
-    text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u32::MAX))
-}
-
 /// A time in seconds.
 fn seconds(text: &str) -> Result<Duration, String> {
     let parsed = text.parse::<f64>().ok().and_then(|s| Duration::try_from_secs_f64(s).ok());

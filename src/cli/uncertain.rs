@@ -4,7 +4,7 @@ use topple::scene::{Scene, SceneError};
 use topple::uncertain::probability::MOST_SAMPLES;
 use topple::uncertain::{Uncertainty, Varied};
 
-use super::options::seed;
+use super::numbers::seed;
 
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
 const NOT_BESIDE: [&str; 8] =

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 use crate::stepping::outcome::Class;
-use crate::suites::swept::{SweptMotion, Values};
+use crate::suites::swept_motion::{SweptMotion, Values};
 
 /// What a block is not to do. A block that overturns does the others, too.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,8 @@ use std::ops::Range;
 use super::limit_state::LimitState;
 use super::runs::{RecordRuns, Run};
 use crate::stepping::outcome::Class;
-use crate::suites::swept::{SuiteSweep, SweptMotion};
+use crate::suites::swept::SuiteSweep;
+use crate::suites::swept_motion::SweptMotion;
 
 /// A suite's sweep with the levels of its motions.
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 
 use super::columns::{self, TableColumn, number};
-use super::swept::{SuiteSweep, SweptMotion, Values};
+use super::swept::SuiteSweep;
+use super::swept_motion::{SweptMotion, Values};
 use crate::results::csv::Number;
 use crate::stepping::outcome::Class;
 

@@ -1,6 +1,6 @@
 //! From the map of a motion at some levels to the motion's cells.
 
-use super::swept::SweptMotion;
+use super::swept_motion::SweptMotion;
 use crate::results::columns::Column;
 use crate::scene::grid::AXES;
 use crate::scene::{Grid, Parameter};

@@ -30,6 +30,7 @@ mod runner;
 pub mod saved;
 pub mod spectrum;
 pub mod swept;
+pub mod swept_motion;
 pub mod table;
 pub mod verified;
 pub mod wanted;

@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 
 use super::gather::gather;
 use super::saved;
-use super::swept::{SuiteJob, SweptMotion};
+use super::swept::SuiteJob;
+use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::scene::{Parameter, Scene, SceneError, Values};

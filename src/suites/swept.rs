@@ -6,12 +6,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::saved::SavedMotions;
+use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::results::part::Part;
 use crate::scene::grid::Axis;
 use crate::scene::{Grid, Scene, SceneBuilder, SceneError};
-use crate::stepping::outcome::Class;
 use crate::sweep::error::SweepError;
 use crate::sweep::request::OpenBackends;
 use crate::sweep::settings::RunSettings;
@@ -35,32 +35,10 @@ pub struct SuiteSweep {
     pub(super) saved: Option<SavedMotions>,
 }
 
-/// The cells of a grid under a motion: level by level, in the grid's order.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweptMotion {
-    /// The motion's id.
-    pub id: String,
-    /// How much it counts.
-    pub weight: f64,
-    /// Outcomes.
-    pub outcomes: Vec<Class>,
-    /// max |u|, m.
-    pub max_u: Vec<f32>,
-    /// The largest displacement of v from its static position, m.
-    pub stroke_v: Vec<f32>,
-    /// The rocking index.
-    pub zeta: Vec<f32>,
-    /// What the reference says of a sample.
-    pub verified: Verified,
-}
-
 /// Most cells of all motions and levels together, 3.5 GiB with what is kept of each.
 pub const MOST_CELLS: usize = 1 << 28;
 /// Most sweeps: motions, each at every point of what is not known.
 pub const MOST_SWEEPS: usize = 1 << 20;
-
-/// The values of a motion's cells.
-pub type Values = fn(&SweptMotion) -> &[f32];
 
 /// How a suite is swept.
 #[derive(Debug, Clone, Default)]
