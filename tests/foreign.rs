@@ -88,6 +88,85 @@ fn what_no_run_wrote_is_refused_before_anything_is_computed() {
     }
 }
 
+/// A table, an array or a picture of somebody's own has the place of a run's: it is refused before anything is computed. That
+/// of an earlier run is replaced.
+#[test]
+fn a_file_of_a_runs_name_that_no_run_wrote_is_refused() {
+    let motions = TempDir::new().unwrap();
+    let list = suite(motions.path());
+    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
+    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
+    let fragility = [&["fragility", "--suite", &list, "--limit-u", "0.1"], &under[..]].concat();
+    let history = [&["history"], &CELL[..], &["--omega", "4", "--a-h", "5"]].concat();
+    let record = ["seismic", "--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
+    let synthetic = [&record[..], &["--verify", "none", "--files", "csv,npz,zarr"]].concat();
+    let one = |more: &[&'static str]| {
+        let cell = [&["pulse"], &CELL[..], &["--files", "csv", "--verify", "none"]].concat();
+        [&cell[..], more].concat()
+    };
+    let line = one(&["--omega", "3", "--a-h", "2:6:4"]);
+    let slices = one(&["--omega", "3:9:4", "--a-h", "2:6:4", "--eccentricity", "0,0.2"]);
+    let commands: [(&str, Vec<&str>, &[&str]); 9] = [
+        (
+            "refined",
+            pulse(&["--refine", "1", "--files", "csv,npz,zarr"]),
+            &["leaves.npz", "refined.svg"],
+        ),
+        ("line", line, &["map.svg"]),
+        ("slices", slices, &["map-01.png", "map-02.svg"]),
+        ("record", synthetic, &["boundaries.csv", "contact.svg", "stroke_v.png", "map.zarr"]),
+        ("history", history, &["history.png"]),
+        ("suite", vec!["suite", &list], &["suite.svg"]),
+        ("envelope", envelope, &["zeta.csv", "envelope.csv"]),
+        ("fragility", fragility, &["capacities.csv", "runs.csv", "fragility.png"]),
+        (
+            "probability",
+            pulse(&["--vary", "psi=uniform(0.2,0.4)", "--samples", "2"]),
+            &["probability.png"],
+        ),
+    ];
+    for (name, arguments, some) in commands {
+        let place = TempDir::new().unwrap();
+        let out = place.path().join("out");
+        // `suite` has no backend.
+        let run = |out: &Path| match name {
+            "suite" => Command::cargo_bin("topple")
+                .unwrap()
+                .args(&arguments)
+                .arg("--out")
+                .arg(out)
+                .assert(),
+            _ => topple(&arguments, out).assert(),
+        };
+        run(&out).success();
+        let said: serde_json::Value =
+            serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap();
+        let files: Vec<&str> =
+            said["files"].as_array().unwrap().iter().map(|file| file.as_str().unwrap()).collect();
+        assert!(some.iter().all(|file| files.contains(file)), "{name}: {files:?}");
+        for file in &files {
+            let mine = place.path().join(format!("{file}-mine"));
+            put(&mine.join(file), "mine");
+            let told = run(&mine).code(2);
+            let told = String::from_utf8(told.get_output().stderr.clone()).unwrap();
+            assert!(
+                told.lines().count() == 1 && told.contains("was written by no run"),
+                "{name}, {file}: {told}"
+            );
+            let left: Vec<_> = tree(&mine).into_values().collect();
+            assert_eq!(left, [Some(b"mine".to_vec())], "{name}, {file}");
+        }
+        // Its own files are replaced; those of a run that ended before its run.json was there are its own, too.
+        run(&out).success();
+        let names: Vec<String> = files.iter().map(|file| file.to_string()).collect();
+        fs::remove_file(out.join("run.json")).unwrap();
+        fs::write(out.join(".topple-about-to-write.json"), serde_json::to_vec(&names).unwrap())
+            .unwrap();
+        run(&out).success();
+        assert!(!out.join(".topple-about-to-write.json").exists());
+    }
+}
+
 /// What is not in the way of a command is left alone, by the command and when it clears up.
 #[test]
 fn what_is_beside_a_run_stays() {

@@ -98,8 +98,12 @@ def contents(path):
 
 def run(binary, place, out, arguments):
     """Runs a scene into the folder `out`; returns its files by name, or what it was refused with."""
-    command = [str(binary), *arguments, "--out", str(out), "--quiet"]
+    # Of one name for both: run.json has the paths of a synthetic pair.
+    same = place / "out"
+    command = [str(binary), *arguments, "--out", str(same), "--quiet"]
     done = subprocess.run(command, cwd=place, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    if same.exists():
+        same.rename(out)
     if done.returncode:
         return {"refused": f"{done.returncode}: {done.stderr.strip()}"}
     return {str(path.relative_to(out)): contents(path) for path in sorted(out.rglob("*")) if path.is_file()}

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use topple::drawing::render;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{self, Kind};
 use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple::suites::envelope::{self, CellEnvelope, Envelope, Limits};
@@ -13,6 +13,7 @@ use topple::suites::{envelope_curves, envelope_picture};
 use super::errors::sweep_error;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::output::picture_files;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Say;
 use super::{examples, output, suite};
@@ -61,6 +62,11 @@ struct Manifest<'a> {
     files: &'a [String],
 }
 
+/// The tables, and the name of the picture.
+const TABLE: &str = "envelope.csv";
+const ZETA: &str = "zeta.csv";
+const PICTURE: &str = "envelope";
+
 /// Best cells that are printed.
 const BEST: usize = 3;
 
@@ -74,6 +80,8 @@ impl EnvelopeCommand {
         let request = self.motions.request(&self.common, options, text)?;
         request.check().map_err(|error| flag_error(&error))?;
         request.check_envelope(&limits).map_err(|error| flag_error(&error))?;
+        let names = [TABLE, ZETA].map(String::from).into_iter().chain(picture_files(PICTURE));
+        self.motions.refuse_foreign(options, &earlier, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
         let say = Say::unless(options.quiet);
         suite::count(&suite, &say);
@@ -85,20 +93,19 @@ impl EnvelopeCommand {
         let mut envelope = Envelope::of(swept, limits);
         let swept = &envelope.sweep;
         let title = format!("Envelope of {} motions", swept.motions.len());
-        let mut files = vec!["envelope.csv".to_string()];
-        files.push("zeta.csv".into());
+        let mut files = [TABLE, ZETA].map(String::from).to_vec();
         let svg = match swept.grid.line() {
             Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title)),
             None => envelope_picture::draw(&envelope, &title)?,
         };
         if svg.is_some() {
-            files.extend(["envelope.svg".to_string(), "envelope.png".to_string()]);
+            files.extend(picture_files(PICTURE));
         }
-        output::replace(out.path(), &earlier, &files, &say)?;
-        out.write(&files[0], |w| envelope::write(&envelope, w))?;
-        out.write(&files[1], |w| envelope::write_zeta(&envelope, w))?;
+        output::replace(&out, &earlier, &files, &say)?;
+        out.write(TABLE, |w| envelope::write(&envelope, w))?;
+        out.write(ZETA, |w| envelope::write_zeta(&envelope, w))?;
         if let Some(svg) = &svg {
-            output::write_figure(&out, "envelope", svg, &render::png(svg)?)?;
+            output::write_figure(&out, PICTURE, svg, &render::png(svg)?)?;
         }
         let best = envelope.best();
         let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
@@ -111,14 +118,15 @@ impl EnvelopeCommand {
             verified: &swept.verified,
             files: &files,
         };
-        output::write_json(&out, &manifest)?;
+        earlier::finish(&out, &manifest)?;
         tell(&envelope, &best, &say);
         suite_run::tell_verified(swept, &say);
         envelope.sweep.discard_saved()?;
         if svg.is_some() {
-            say.line("picture", out.file("envelope.png").display());
+            let [_, png] = picture_files(PICTURE);
+            say.line("picture", out.file(&png).display());
         }
-        say.line("table", format!("{} with run.json", out.file(&files[0]).display()));
+        say.line("table", format!("{} with run.json", out.file(TABLE).display()));
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use topple::map::earlier::{Earlier, RUN};
+use topple::map::earlier::{self, Earlier, RUN};
 use topple::map::manifest::{Facts, Manifest, Steps, Timings};
 use topple::map::slices;
 use topple::map::thinned::DRAWN;
@@ -93,9 +93,8 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
     let figures = output::draw(&slices)?;
     took.drawing = lap(&mut began);
-    let mut names = output::names(&map, &slices, &figures, files);
-    names.extend(to.refined.iter().flat_map(|_| refined::names(files)));
-    output::replace(out.path(), to.earlier, &names, say)?;
+    let names = output::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
+    output::replace(out, to.earlier, &names, say)?;
     let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
         Err(_) if super::interrupt::asked() => {
@@ -118,7 +117,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
     let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, refined, sharpness };
-    output::write_json(out, &Manifest::of(&map, &facts, took))?;
+    earlier::finish(out, &Manifest::of(&map, &facts, took))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
     let thinned = match cells == all {
@@ -151,7 +150,7 @@ pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyh
     }
     let manifest = Manifest::of(&map, &facts, took);
     if map.verification.is_some() {
-        output::write_json(out, &manifest)?;
+        earlier::finish(out, &manifest)?;
     }
     if to.talk.verbose {
         say.line("time", words::phases(&manifest.timings));

@@ -10,7 +10,7 @@ use topple::fragility::limit_state::LimitState;
 use topple::fragility::request::{MANY, SAMPLES};
 use topple::fragility::study::Study;
 use topple::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, picture, tables};
-use topple::map::earlier::Kind;
+use topple::map::earlier::{self, Kind};
 use topple::scene::{Values, bounded, path_text};
 use topple::suites::SuiteRequest;
 use topple::suites::intensity::Intensity;
@@ -23,7 +23,7 @@ use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::numbers::seed;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
-use super::output::Figure;
+use super::output::{Figure, picture_files};
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Say;
@@ -145,6 +145,8 @@ const CAPACITIES: &str = "capacities.csv";
 const SENSITIVITY: &str = "sensitivity.csv";
 const POINTS: &str = "points.csv";
 const RATES: &str = "rates.csv";
+/// The picture, or that of overturning.
+const PICTURE: &str = "fragility";
 /// Each run by itself, of no more than [`MANY`] cells.
 const RUNS: &str = "runs.csv";
 
@@ -163,6 +165,7 @@ impl FragilityCommand {
         let say = Say::unless(options.quiet);
         suite::count(&suite, &say);
         let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
+        self.motions.refuse_foreign(options, &earlier, &self.names(&asked.states))?;
         let Some(swept) = self.motions.run(sweep, asked.times, options, &say)? else {
             return Ok(());
         };
@@ -184,8 +187,8 @@ impl FragilityCommand {
         let mut files: Vec<String> = files.into_iter().map(String::from).collect();
         let tables = files.len();
         let pictures = figures.iter().map(|(name, ..)| name);
-        files.extend(pictures.flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]));
-        output::replace(out.path(), &earlier, &files, &say)?;
+        files.extend(pictures.flat_map(|name| picture_files(name)));
+        output::replace(&out, &earlier, &files, &say)?;
         out.write(COUNTS, |w| tables::write_counts(&study, w))?;
         out.write(FITS, |w| tables::write_fits(&study, w))?;
         if varies {
@@ -220,7 +223,7 @@ impl FragilityCommand {
             verified: &swept.verified,
             files: &files,
         };
-        output::write_json(&out, &manifest)?;
+        earlier::finish(&out, &manifest)?;
         told::tell(&study, hazard.as_ref(), self.target, &say);
         suite_run::tell_verified(swept, &say);
         study.sweep.discard_saved()?;
@@ -229,6 +232,16 @@ impl FragilityCommand {
         }
         say.line("tables", format!("{} with run.json", told::listed(&out, &files[..tables])));
         Ok(())
+    }
+
+    /// The names of all files that the command may write.
+    fn names(&self, states: &[LimitState]) -> Vec<String> {
+        let of_study =
+            if self.vary.is_empty() { &[CAPACITIES, RUNS][..] } else { &[SENSITIVITY, POINTS] };
+        let tables =
+            [COUNTS, FITS].iter().chain(of_study).chain(self.hazard.as_ref().map(|_| &RATES));
+        let pictures = states.iter().flat_map(|state| picture_files(&picture_of(state)));
+        tables.map(|name| name.to_string()).chain(pictures).collect()
     }
 
     /// What is asked of a suite's request.
@@ -260,10 +273,10 @@ impl FragilityCommand {
             Ok((name, svg, png))
         };
         if grid.len() == 1 {
-            return Ok(vec![finish("fragility".into(), picture::curves(study, self.im))?]);
+            return Ok(vec![finish(PICTURE.into(), picture::curves(study, self.im))?]);
         }
         if let Some(axis) = grid.line() {
-            return Ok(vec![finish("fragility".into(), picture::along(study, axis, self.im))?]);
+            return Ok(vec![finish(PICTURE.into(), picture::along(study, axis, self.im))?]);
         }
         if grid.axes().len() != 2 {
             return Ok(Vec::new());
@@ -275,13 +288,17 @@ impl FragilityCommand {
                 fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.at_most())).collect()
             });
             let target = rates.as_deref().zip(self.target);
-            let name = match state {
-                LimitState::Overturning => "fragility".to_string(),
-                state => format!("fragility-{}", state.file()),
-            };
-            finish(name, picture::maps(study, number, self.im, target)?)
+            finish(picture_of(state), picture::maps(study, number, self.im, target)?)
         };
         states.map(figure).collect()
+    }
+}
+
+/// The name of a limit state's map.
+fn picture_of(state: &LimitState) -> String {
+    match state {
+        LimitState::Overturning => PICTURE.to_string(),
+        state => format!("{PICTURE}-{}", state.file()),
     }
 }
 

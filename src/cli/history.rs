@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use topple::drawing::render;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{self, Kind};
 use topple::map::figure::history as figure;
 use topple::map::history::{self as table};
 use topple::model::precision::Precision;
@@ -104,6 +104,8 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
     let earlier = output::refuse_other(&options.out, Kind::History)?;
+    let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
+    output::refuse_foreign(&options.out, &earlier, &files)?;
     let out = output::open(&options.out)?;
     let case = scene.case();
     let (rows, outcome) = match (options.backend(), options.precision()) {
@@ -114,8 +116,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
     let png = render::png(&svg)?;
-    let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
-    output::replace(out.path(), &earlier, &files, &Say::unless(options.quiet))?;
+    output::replace(&out, &earlier, &files, &Say::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;
     output::write_figure(&out, "history", &svg, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
@@ -129,7 +130,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         outcome: &outcome,
         files: &files,
     };
-    output::write_json(&out, &manifest)?;
+    earlier::finish(&out, &manifest)?;
     let say = Say::unless(options.quiet);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {

@@ -74,8 +74,9 @@ impl MergeCommand {
             false => self.files.clone(),
         };
         let grid = Grid::of(&parts.content.scene);
-        let names = output::places(&files(grid.len()), self.refine.is_some());
-        output::refuse_foreign(&out, &names)?;
+        let refines = self.refine.is_some();
+        let names = output::places(&parts.content.scene, &grid, &files(grid.len()), refines);
+        output::refuse_foreign(&self.out, &earlier, &names)?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = parts.store(&self.out).map_err(sweep_error)?;

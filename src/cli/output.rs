@@ -1,18 +1,21 @@
 //! The files of a map.
 
+use std::iter;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use topple::drawing::error::FigureError;
 use topple::drawing::render;
-use topple::map::earlier::{Earlier, Kind, RUN};
+use topple::map::earlier::{Earlier, Kind};
+use topple::map::figure::fields::Field;
 use topple::map::figure::{field, fields, main};
-use topple::map::slices::Slice;
+use topple::map::slices::{MOST, Slice};
 use topple::map::{self, Map};
 use topple::results::columns::Column;
-use topple::results::files::{Directory, WriteError, free};
+use topple::results::files::{Directory, WriteError};
 use topple::results::store::Store;
 use topple::results::{csv, npz};
+use topple::scene::{Grid, Scene};
 use topple::sweep::map::MapSweep;
 use topple::sweep::observed::ObservedOutcomes;
 use topple::sweep::observer::{Observer, Phase};
@@ -22,6 +25,8 @@ use super::progress::Screen;
 use super::words::Say;
 use super::{InputError, refined};
 
+/// How the names of the pictures of a map begin; that of a whole one has no more.
+const MAIN: &str = "map";
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
 
@@ -49,31 +54,52 @@ pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
     }
 }
 
-/// The names of a map's tables and arrays, and of those of a refined one.
-pub fn places(files: &[MapFile], refines: bool) -> Vec<String> {
-    let of_map = files.iter().map(|file| file.name().to_string());
+/// The names of the files that the map of a scene gets, those of a refined one among them.
+pub fn places(scene: &Scene, grid: &Grid, files: &[MapFile], refines: bool) -> Vec<String> {
+    let tables = files.iter().map(|file| file.name().to_string());
+    let boundaries = has_boundaries(scene, grid).then(|| BOUNDARIES.to_string());
+    let pictures = pictures(scene, grid).into_iter().flat_map(|name| picture_files(&name));
     let of_leaves = if refines { refined::names(files) } else { Vec::new() };
-    of_map.chain(of_leaves).collect()
+    tables.chain(boundaries).chain(pictures).chain(of_leaves).collect()
 }
 
-/// Refuses a directory in which something that no run wrote has the place of one of these files of a map.
-pub fn refuse_foreign(out: &Directory, names: &[String]) -> Result<(), InputError> {
-    let free = |name: &String| {
-        let path = out.file(name);
-        match path.extension().is_some_and(|ending| ending == "zarr") {
-            true => free(&path),
-            false if path.is_dir() => Err(WriteError::Foreign(path)),
-            false => Ok(()),
+/// The names of the pictures of a map.
+fn pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
+    match grid.slices() {
+        1 if scene.excitation.record().is_none() || grid.line().is_some() => vec![MAIN.into()],
+        1 => {
+            let [contact, _] = &fields::CONTACT;
+            let fields = fields_of(scene).map(|field| field.name);
+            iter::once(MAIN).chain(fields).chain([contact.name]).map(String::from).collect()
         }
-    };
-    let refused = |error: WriteError| InputError(format!("--out: {error}"));
-    names.iter().try_for_each(|name| free(name).map_err(refused))
+        slices if slices <= MOST => (0..slices).map(name_of).collect(),
+        _ => Vec::new(),
+    }
 }
 
-/// Removes what an earlier command left that a new one does not write, and says it.
-pub fn replace(out: &Path, earlier: &Earlier, files: &[String], say: &Say) -> anyhow::Result<()> {
-    let removed = earlier.remove_but(files, out);
-    let removed = removed.map_err(|error| anyhow::anyhow!("{}: {error}", out.display()))?;
+/// The files of a picture.
+pub fn picture_files(name: &str) -> [String; 2] {
+    [format!("{name}.svg"), format!("{name}.png")]
+}
+
+/// Refuses a directory in which something that no run wrote has the place of one of these files.
+pub fn refuse_foreign(out: &Path, earlier: &Earlier, names: &[String]) -> Result<(), InputError> {
+    let free = earlier.refuse_foreign(names, out);
+    free.map_err(|error| InputError(format!("--out: {error}")))
+}
+
+/// Makes the directory ready for these files: removes what an earlier command left that a new one does not write, and
+/// says it.
+pub fn replace(
+    out: &Directory,
+    earlier: &Earlier,
+    files: &[String],
+    say: &Say,
+) -> anyhow::Result<()> {
+    let removed = earlier.begin(files, out).map_err(|error| match error {
+        error @ WriteError::Foreign(_) => InputError(format!("--out: {error}")).into(),
+        error => anyhow::Error::from(error),
+    })?;
     if !removed.is_empty() {
         say.line("removed", format!("{} of the run before", removed.join(", ")));
     }
@@ -93,25 +119,8 @@ pub fn draw(slices: &[Slice]) -> Result<Vec<Figure>, FigureError> {
 }
 
 /// True where the boundaries between outcomes are written as curves: of a record's map with two axes.
-fn has_boundaries(map: &MapSweep, slices: &[Slice]) -> bool {
-    let grid = &map.grid;
-    matches!(slices, [_])
-        && map.plan.scene.excitation.record().is_some()
-        && grid.axes().len() == 2
-        && grid.line().is_none()
-}
-
-/// The names of a map's files, but run.json.
-pub fn names(
-    map: &MapSweep,
-    slices: &[Slice],
-    figures: &[Figure],
-    files: &[MapFile],
-) -> Vec<String> {
-    let pictures =
-        figures.iter().flat_map(|(name, ..)| [format!("{name}.svg"), format!("{name}.png")]);
-    let boundaries = has_boundaries(map, slices).then(|| BOUNDARIES.to_string());
-    files.iter().map(|file| file.name().to_string()).chain(boundaries).chain(pictures).collect()
+fn has_boundaries(scene: &Scene, grid: &Grid) -> bool {
+    scene.excitation.record().is_some() && grid.axes().len() == 2 && grid.line().is_none()
 }
 
 /// Writes the files of a map, but map.zarr and run.json; the paths of its pictures.
@@ -133,14 +142,14 @@ pub fn write(
         out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
     }
     if let [whole] = slices
-        && has_boundaries(map, slices)
+        && has_boundaries(&map.plan.scene, grid)
     {
         out.write(BOUNDARIES, |w| map::boundaries::write(&whole.map, w))?;
     }
     for (name, svg, png) in figures {
         write_figure(out, name, svg, png)?;
     }
-    let maps = figures.iter().filter(|(name, ..)| name.starts_with("map"));
+    let maps = figures.iter().filter(|(name, ..)| name.starts_with(MAIN));
     Ok(maps.map(|(name, ..)| out.file(&format!("{name}.png"))).collect())
 }
 
@@ -149,7 +158,13 @@ pub type Figure = (String, String, Vec<u8>);
 
 /// The name of a slice's picture.
 fn name_of(number: usize) -> String {
-    format!("map-{:02}", number + 1)
+    format!("{MAIN}-{:02}", number + 1)
+}
+
+/// The fields of a scene that have a picture each, beside the main one.
+fn fields_of(scene: &Scene) -> impl Iterator<Item = &'static Field> {
+    let directions = scene.isolation;
+    fields::FIELDS[1..].iter().filter(move |field| field.moves(directions))
 }
 
 /// The picture of a map that stands for all of it.
@@ -161,7 +176,7 @@ fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
 
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
 fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
-    let mut figures = vec![main_figure(map, "", "map")?];
+    let mut figures = vec![main_figure(map, "", MAIN)?];
     if map.scene.excitation.record().is_none() || map.grid.line().is_some() {
         return Ok(figures);
     }
@@ -169,9 +184,7 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         let png = render::png(&svg)?;
         Ok((name.into(), svg, png))
     };
-    let directions = map.scene.isolation;
-    let shown: Vec<_> =
-        fields::FIELDS[1..].iter().filter(|field| field.moves(directions)).collect();
+    let shown: Vec<_> = fields_of(map.scene).collect();
     let others: Vec<Figure> = shown
         .into_par_iter()
         .map(|field| finish(field.name, field::draw(map, field, "")?))
@@ -186,13 +199,8 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
 /// Writes a picture as NAME.svg and NAME.png.
 pub fn write_figure(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
     use std::io::Write;
-    out.write(&format!("{name}.svg"), |w| w.write_all(svg.as_bytes()))?;
-    out.write(&format!("{name}.png"), |w| w.write_all(png))?;
-    Ok(())
-}
-
-/// Writes run.json.
-pub fn write_json(out: &Directory, manifest: &impl serde::Serialize) -> Result<(), WriteError> {
-    out.write(RUN, |w| serde_json::to_writer_pretty(w, manifest))?;
+    let [of_svg, of_png] = picture_files(name);
+    out.write(&of_svg, |w| w.write_all(svg.as_bytes()))?;
+    out.write(&of_png, |w| w.write_all(png))?;
     Ok(())
 }

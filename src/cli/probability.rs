@@ -1,10 +1,11 @@
 //! A map of which something is not known: the probability of each outcome.
 
+use std::iter;
 use std::time::Instant;
 
 use serde::Serialize;
 use topple::drawing::render;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{self, Earlier, Kind};
 use topple::results::block::bytes_a_cell;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
@@ -14,6 +15,7 @@ use topple::uncertain::{Uncertainty, picture};
 
 use super::errors::sweep_error;
 use super::options::{MapOptions, Verify};
+use super::output::picture_files;
 use super::print::print_line;
 use super::progress::Screen;
 use super::words::{self, Say};
@@ -45,15 +47,23 @@ struct Manifest<'a> {
     files: &'a [String],
 }
 
+/// The table, and the name of the picture.
+const TABLE: &str = "probability.csv";
+const PICTURE: &str = "probability";
+
+/// The names of the files.
+pub fn names() -> Vec<String> {
+    iter::once(TABLE.to_string()).chain(picture_files(PICTURE)).collect()
+}
+
 /// Runs the sweeps of a checked scene and writes their probabilities.
-pub fn run(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
+pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Result<()> {
     let uncertainty = options.uncertain.uncertainty();
     let grid = Grid::of(scene);
     let columns = bytes_a_cell(options.run.precision()) + size_of::<[u32; 5]>();
     let needed = grid.len() as u64 * columns as u64;
     memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
     let say = Say::unless(options.run.quiet || options.talk.json);
-    let earlier = output::refuse_other(&options.run.out, Kind::Probability)?;
     words::scene(&say, scene, &grid);
     for varied in &uncertainty.vary {
         say.line("varies", varied);
@@ -70,16 +80,16 @@ pub fn run(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     screen.clear();
     let all = swept.map_err(sweep_error)?;
     let began = Instant::now();
-    let mut files = vec!["probability.csv".to_string()];
+    let mut files = vec![TABLE.to_string()];
     let svg = picture::draw(&all, &uncertainty)?;
     if svg.is_some() {
-        files.extend(["probability.svg".to_string(), "probability.png".to_string()]);
+        files.extend(picture_files(PICTURE));
     }
     let out = output::open(&options.run.out)?;
-    output::replace(out.path(), &earlier, &files, &say)?;
-    out.write(&files[0], |w| probability::write(&all, &uncertainty, w))?;
+    output::replace(&out, earlier, &files, &say)?;
+    out.write(TABLE, |w| probability::write(&all, &uncertainty, w))?;
     if let Some(svg) = &svg {
-        output::write_figure(&out, "probability", svg, &render::png(svg)?)?;
+        output::write_figure(&out, PICTURE, svg, &render::png(svg)?)?;
     }
     let cells = grid.len() * uncertainty.samples as usize;
     let manifest = Manifest {
@@ -99,7 +109,7 @@ pub fn run(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         verified: all.verified,
         files: &files,
     };
-    output::write_json(&out, &manifest)?;
+    earlier::finish(&out, &manifest)?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());
     say.line("sweep", format!("{samples}, {}, {}", all.backend, words::speed(cells, all.seconds)));
     let certain = 100.0 * all.certain();

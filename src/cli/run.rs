@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use topple::map::earlier::{Kind, RUN};
+use topple::map::earlier::{Earlier, Kind, RUN};
 use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;
@@ -29,7 +29,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     // What is wrong with the scene is told before anything is made.
     options.check(scene)?;
     if options.uncertain.asked() {
-        return probability::run(scene, options);
+        return probability::run(scene, options, &earlier(scene, options)?);
     }
     let settings = options.settings(scene);
     if options.dry_run {
@@ -37,12 +37,8 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     }
     interrupt::listen();
     let say = Say::unless(options.run.quiet || options.talk.json);
-    let earlier = output::refuse_other(&options.run.out, Kind::Map)?;
+    let earlier = earlier(scene, options)?;
     let out = output::open(&options.run.out)?;
-    if options.tile.is_none() {
-        let files = options.files(&Grid::of(scene));
-        output::refuse_foreign(&out, &output::places(&files, options.refine.is_some()))?;
-    }
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
@@ -118,6 +114,26 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             Ok(())
         }
     }
+}
+
+/// What an earlier command left in the directory of the results.
+///
+/// # Errors
+/// It holds something of another kind, or something that no run wrote has the place of a file of this one.
+pub fn earlier(scene: &Scene, options: &MapOptions) -> Result<Earlier, InputError> {
+    let kind = options.kind();
+    let earlier = output::refuse_other(&options.run.out, kind)?;
+    let names = match kind {
+        Kind::Probability => probability::names(),
+        _ => {
+            let (grid, refines) = (Grid::of(scene), options.refine.is_some());
+            output::places(scene, &grid, &options.files(&grid), refines)
+        }
+    };
+    if options.tile.is_none() {
+        output::refuse_foreign(&options.run.out, &earlier, &names)?;
+    }
+    Ok(earlier)
 }
 
 /// The map refined in so many levels, where that is asked for.

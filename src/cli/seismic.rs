@@ -54,7 +54,7 @@ impl SeismicCommand {
                 return run::run_map(&scene, &self.options);
             }
             self.options.check(&scene)?;
-            output::refuse_other(&self.options.run.out, self.options.kind())?;
+            run::earlier(&scene, &self.options)?;
             let out = output::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use topple::drawing::render;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{self, Kind};
 use topple::scene::path_text;
 use topple::scene::record::Provenance;
 use topple::suites::{Suite, SuiteError, picture, table};
@@ -71,9 +71,10 @@ impl SuiteCommand {
         let out = output::open(&self.out)?;
         let say = Say::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
+        output::refuse_foreign(&self.out, &earlier, &files.map(String::from))?;
         let svg = picture::draw(&suite);
         let png = render::png(&svg)?;
-        output::replace(out.path(), &earlier, &files.map(String::from), &say)?;
+        output::replace(&out, &earlier, &files.map(String::from), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;
         output::write_figure(&out, "suite", &svg, &png)?;
         let manifest = Manifest {
@@ -92,7 +93,7 @@ impl SuiteCommand {
             unused: &suite.unused,
             files: &files,
         };
-        output::write_json(&out, &manifest)?;
+        earlier::finish(&out, &manifest)?;
         tell(&suite, &say);
         say.line("picture", out.file(files[2]).display());
         say.line("table", format!("{} with run.json", out.file(files[0]).display()));

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use topple::map::earlier::Kind;
+use topple::map::earlier::{Earlier, Kind};
 use topple::results::part::Part;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
@@ -92,6 +92,20 @@ impl SuiteFlags {
         run.method = options.method();
         run.verify = Verify::settings(self.verify);
         Ok(request)
+    }
+
+    /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
+    /// written: not by a dry run, nor by a part.
+    pub fn refuse_foreign(
+        &self,
+        options: &RunOptions,
+        earlier: &Earlier,
+        names: &[String],
+    ) -> Result<(), InputError> {
+        if self.dry_run || self.tile.is_some() {
+            return Ok(());
+        }
+        output::refuse_foreign(&options.out, earlier, names)
     }
 
     /// Reads the suite; from here on Ctrl-C is heard.

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::results::files::WriteError;
+use crate::results::files::{self, Directory, WriteError};
+use crate::results::temporary::ABOUT_TO_WRITE;
 use crate::results::{own, zarr};
 use crate::scene::bounded;
 
@@ -52,7 +53,8 @@ pub struct Earlier {
     pub kind: Option<Kind>,
     /// What was run, in short: of a map the tag of its identity.
     pub tag: Option<u32>,
-    /// The names of its files, but run.json.
+    /// The names of its files, but run.json, and those that a run was about to write which ended before its run.json was
+    /// there.
     files: Vec<String>,
 }
 
@@ -77,23 +79,60 @@ impl Earlier {
     /// # Errors
     /// [`WriteError::Foreign`]: a run.json of something else, or one that cannot be read.
     pub fn of(directory: &Path) -> Result<Earlier, WriteError> {
+        let begun = bounded::read(&directory.join(ABOUT_TO_WRITE), bounded::DOCUMENT);
+        let mut begun: Vec<String> =
+            begun.ok().and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default();
         let path = directory.join(RUN);
         let text = match bounded::read(&path, bounded::DOCUMENT) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Earlier::default()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Ok(Earlier { files: begun, ..Earlier::default() });
+            }
             text => text.unwrap_or_default(),
         };
         match serde_json::from_slice::<Written>(&text) {
-            Ok(Written { kind, tag, files, .. }) => Ok(Earlier { kind: Some(kind), tag, files }),
+            Ok(Written { kind, tag, mut files, .. }) => {
+                begun.retain(|name| !files.contains(name));
+                files.append(&mut begun);
+                Ok(Earlier { kind: Some(kind), tag, files })
+            }
             Err(_) => Err(WriteError::Foreign(path)),
         }
     }
 
-    /// Removes its files that a new command does not write, and run.json first; those that were there. Of a folder
-    /// goes what a run wrote.
+    /// Refuses a directory in which something that no run wrote has the place of one of these files or folders.
     ///
     /// # Errors
-    /// Those of the disk.
-    pub fn remove_but(&self, new: &[String], directory: &Path) -> io::Result<Vec<String>> {
+    /// [`WriteError::Foreign`]; those of the disk.
+    pub fn refuse_foreign(&self, new: &[String], directory: &Path) -> Result<(), WriteError> {
+        for name in new {
+            let path = directory.join(name);
+            if FOLDERS.0.contains(&name.as_str()) {
+                files::free(&path)?;
+            } else if let Ok(there) = path.symlink_metadata()
+                && (there.is_dir() || !self.files.contains(name))
+            {
+                return Err(WriteError::Foreign(path));
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the directory ready for the files of a new command: says which they are, so that they are known as a run's
+    /// wherever the command ends, and removes what it does not write. The names of what was removed.
+    ///
+    /// # Errors
+    /// [`WriteError::Foreign`] as [`Earlier::refuse_foreign`], before anything is removed; those of the disk.
+    pub fn begin(&self, new: &[String], out: &Directory) -> Result<Vec<String>, WriteError> {
+        self.refuse_foreign(new, out.path())?;
+        let others = self.files.iter().filter(|name| !new.contains(name));
+        let all: Vec<&String> = new.iter().chain(others).collect();
+        out.write(ABOUT_TO_WRITE, |w| serde_json::to_writer(w, &all))?;
+        self.remove_but(new, out.path()).map_err(|error| WriteError::of(out.path(), &error))
+    }
+
+    /// Removes its files that a new command does not write, and run.json first; those that were there. Of a folder
+    /// goes what a run wrote.
+    fn remove_but(&self, new: &[String], directory: &Path) -> io::Result<Vec<String>> {
         // Files without it are a run's that was interrupted.
         match fs::remove_file(directory.join(RUN)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -114,6 +153,16 @@ impl Earlier {
         }
         Ok(removed)
     }
+}
+
+/// Writes run.json, which says that all files are there that [`Earlier::begin`] had said.
+///
+/// # Errors
+/// Those of the disk.
+pub fn finish(out: &Directory, manifest: &impl Serialize) -> Result<(), WriteError> {
+    out.write(RUN, |w| serde_json::to_writer_pretty(w, manifest))?;
+    let begun = out.file(ABOUT_TO_WRITE);
+    own::gone(fs::remove_file(&begun)).map_err(|error| WriteError::of(&begun, &error))
 }
 
 /// True of a file, or the folder of a map or of leaves, that a run of topple may have written into its directory: whatever

@@ -4,6 +4,8 @@
 const BEGINS: &str = ".topple-";
 /// How those of files end.
 const FILE: &str = ".part";
+/// The file in which a run says which files it is about to write, until its run.json says which it wrote.
+pub const ABOUT_TO_WRITE: &str = ".topple-about-to-write.json";
 /// Letters and digits before that, which no two files have alike.
 pub const RANDOM: usize = 6;
 
