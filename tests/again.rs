@@ -131,7 +131,10 @@ fn a_record_is_found_again_or_missed() {
     run(&["run", &array, "--backend", "cpu"], again.path());
     same_map(first.path(), again.path());
     fs::remove_file(first.path().join("mine.txt")).unwrap();
-    assert!(refused(&same).contains("mine.txt is not there; put it beside this file (SHA-256 "));
+    assert!(
+        refused(&same)
+            .contains("mine.txt is not there; put it into the directory of the results (SHA-256 ")
+    );
     // Another record of that name is another record.
     record(place.path(), 0.7);
     assert!(refused(&same).contains("mine.txt has changed since that run"));

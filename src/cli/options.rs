@@ -409,7 +409,7 @@ fn parameter(text: &str) -> Result<Parameter, String> {
 
 /// A number by itself.
 pub fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "no number; give it without its unit".into())
+    text.parse().map_err(|_| "no number such as 0.0004 or 4e-4; give it without its unit".into())
 }
 
 /// A number of threads.

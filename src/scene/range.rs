@@ -35,7 +35,7 @@ pub enum RangeError {
     #[error("'{0}' is not a finite number")]
     Number(String),
     /// A count that is no whole number from 1 to the largest.
-    #[error("'{0}' is not a whole number of points from 1 to {max}", max = Range::LARGEST_COUNT)]
+    #[error("'{0}' is not a whole number of points from 1 to {max}; a range is START:END:POINTS", max = Range::LARGEST_COUNT)]
     Count(String),
     /// Two ends with a single point.
     #[error("one point cannot include both {0} and {1}; give 2 points or more, or a single number")]
@@ -44,7 +44,7 @@ pub enum RangeError {
     #[error("between {0} and {1} there are values beyond what a number holds; give nearer ends")]
     Wide(String, String),
     /// Several points at one place.
-    #[error("{0} points from {1} to {1} are all the same; give a single number")]
+    #[error("{0} points from {1} to {1} are all the same; a range is START:END:POINTS")]
     NoExtent(u32, String),
 }
 

@@ -55,13 +55,13 @@ impl Varied {
         let ((low, high), _) = entry.legal.ends();
         let outside = |low, high| {
             let (below, above) = self.distribution.outside(low, high);
-            (below.max(above) > LEAST_SHARE).then_some(100.0 * (below + above))
+            (below.max(above) > LEAST_SHARE).then_some(percent(below + above))
         };
         let (name, [first, second]) = (self.distribution.name(), self.distribution.numbers());
         let remedy = format!("cut it off, as {name}({first},{second},LOW,HIGH)");
         if let Some(share) = outside(low, high) {
             return refused(format!(
-                "{share:.3} % of its values lie outside the range, for {} must {}; {remedy}",
+                "{share} % of its values lie outside the range, for {} must {}; {remedy}",
                 entry.key, entry.legal
             ));
         }
@@ -69,7 +69,7 @@ impl Varied {
         let (low, high) = (if low < 0.0 { -most } else { least }, most);
         match outside(low, high).filter(|_| !force) {
             Some(share) => refused(format!(
-                "{share:.3} % of its values are not plausible ({low} to {high}; {}); {remedy}, or `force` accepts \
+                "{share} % of its values are not plausible ({low} to {high}; {}); {remedy}, or `force` accepts \
                  them",
                 entry.perhaps
             )),
@@ -110,6 +110,13 @@ impl<'de> Deserialize<'de> for Varied {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Varied, D::Error> {
         String::deserialize(deserializer)?.parse().map_err(Error::custom)
     }
+}
+
+/// A share in percent, with two digits however small it is.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let decimals = (1.0 - percent.log10().floor()).clamp(1.0, 12.0) as usize;
+    format!("{percent:.decimals$}")
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl RecordFile {
                 shown::shown(&self.sha256)
             ),
             None => format!(
-                "the record {} is not there; put it beside this file (SHA-256 {})",
+                "the record {} is not there; put it into the directory of the results (SHA-256 {})",
                 shown::line(&self.path.display().to_string()),
                 shown::shown(&self.sha256)
             ),
