@@ -8,9 +8,6 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use topple::drawing::render;
-use topple::map::Map;
-use topple::map::figure::overturning;
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, pivot};
 use topple::model::precision::Precision;
@@ -91,21 +88,15 @@ fn writers(c: &mut Criterion) {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
-    let map = Map { scene: &scene, grid, outcomes: outcomes.into() };
     c.bench_function("writer, csv, 128 x 128", |b| {
-        b.iter(|| results::csv::write(&map.grid, &map, Vec::with_capacity(1 << 22)).unwrap());
+        b.iter(|| results::csv::write(&grid, &outcomes, Vec::with_capacity(1 << 22)).unwrap());
     });
     let source = Source { scene: &scene, precision: Precision::F32 };
     c.bench_function("writer, npz, 128 x 128", |b| {
         b.iter(|| {
             let into = Cursor::new(Vec::with_capacity(1 << 22));
-            results::npz::write(&map.grid, &map, source, into).unwrap()
+            results::npz::write(&grid, &outcomes, source, into).unwrap()
         });
-    });
-    c.bench_function("writer, svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
-    let svg = overturning::draw(&map, "").unwrap();
-    c.bench_function("writer, png of the svg", |b| {
-        b.iter(|| render::png(&svg).unwrap());
     });
 }
 

@@ -34,9 +34,8 @@
 //!
 //! # Features
 //!
-//! `cli` (default) is the command `topple`, with all others. A library user turns it off and chooses from
-//! `gpu` (the shader, by wgpu), `pictures` (figures of maps and of the paper) and `explore` (the page of
-//! `topple explore`, with both); without any, sweeps run on the CPU. `internals` opens the modules behind this page, which promise nothing.
+//! `gpu` (default) is the shader, by wgpu; without it, sweeps run on the CPU. `clap` makes what a scene is written with arguments of
+//! a command. Suites, fragilities, pictures, the page and the command `topple` are crates of their own, in `crates/`.
 //!
 //! # The way of the data
 //!
@@ -44,90 +43,13 @@
 //! scene -> grid -> cells -> backend -> outcomes -> columns -> files, pictures
 //! ```
 
-// What is not on this page serves the command and the tests.
-#![cfg_attr(not(feature = "internals"), allow(dead_code))]
-
-#[cfg(all(feature = "gpu", feature = "pictures"))]
-#[doc(hidden)]
-pub mod chart;
-#[cfg(feature = "explore")]
-#[doc(hidden)]
-pub mod explore;
-
-#[cfg(not(feature = "internals"))]
-mod drawing;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod drawing;
-#[cfg(feature = "pictures")]
-#[doc(hidden)]
-pub mod figures;
-#[cfg(feature = "pictures")]
-#[doc(hidden)]
-pub mod map;
-
-#[cfg(not(feature = "internals"))]
-mod fragility;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod fragility;
-
-#[cfg(not(feature = "internals"))]
-mod model;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod model;
-
-#[cfg(not(feature = "internals"))]
-mod refine;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod refine;
-
-#[cfg(not(feature = "internals"))]
-mod results;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod results;
-
-#[cfg(not(feature = "internals"))]
-mod scene;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod scene;
-
-#[cfg(not(feature = "internals"))]
-mod stepping;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod stepping;
-
-#[cfg(not(feature = "internals"))]
-mod suites;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod suites;
-
-#[cfg(not(feature = "internals"))]
-mod sweep;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
 pub mod sweep;
 
-#[cfg(not(feature = "internals"))]
-mod uncertain;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod uncertain;
-
-pub use fragility::limit_state::LimitState;
-pub use fragility::sensitivity::{Sensitivity, Unknown};
-pub use fragility::study::{Asked, CellStudy, StateStudy, Study as FragilityStudy};
-pub use fragility::{
-    AnnualRate, Bootstrap, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob,
-    FragilityRequest, Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,
-    estimate as estimate_fragility, in_50_years, share_that_stands_again,
-};
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
 pub use refine::leaves::Leaf;
@@ -151,14 +73,6 @@ pub use scene::{
     SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};
-pub use suites::envelope::{CellEnvelope, Envelope, Limits};
-pub use suites::intensity::{Intensity, IntensityError};
-pub use suites::measures::Measures;
-pub use suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};
-pub use suites::swept_motion::SweptMotion;
-pub use suites::verified::Verified;
-pub use suites::wanted::WantedMotion;
-pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError, SuiteRequest};
 pub use sweep::backend_error::BackendError;
 pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
@@ -175,10 +89,6 @@ pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;
 pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
-
-pub use uncertain::distribution::DistributionError;
-pub use uncertain::varied::VariedError;
-pub use uncertain::{Design, Distribution, Index, Probabilities, Uncertainty, Varied};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

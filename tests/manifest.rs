@@ -39,42 +39,39 @@ fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
     }
 }
 
-/// A library user without the command, pictures and the GPU builds none of their dependencies.
+/// A library user without pictures, the page and the GPU builds none of their dependencies.
 #[test]
-fn features_leave_their_dependencies_out() {
-    let tree = |features: &[&str]| -> Vec<String> {
+fn each_crate_leaves_out_what_is_of_others() {
+    let tree = |arguments: &[&str]| -> Vec<String> {
         let run = Command::new(env!("CARGO"))
-            .args([
-                "tree",
-                "--locked",
-                "--offline",
-                "--no-default-features",
-                "--edges",
-                "normal,build",
-            ])
+            .args(["tree", "--locked", "--offline", "--edges", "normal,build"])
             .args(["--prefix", "none", "--manifest-path"])
             .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
-            .args(features)
+            .args(arguments)
             .output()
             .unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
         let told = String::from_utf8(run.stdout).unwrap();
         told.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
     };
-    let (cli, gpu) =
-        (["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"], ["naga", "pollster", "wgpu"]);
-    let pictures = ["contour", "gif", "png", "resvg", "skrifa", "tiny-skia"];
+    let command = ["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"];
+    let gpu = ["naga", "pollster", "wgpu"];
+    let pictures = ["contour", "png", "resvg", "skrifa", "tiny-skia"];
+    let page = ["axum", "tokio"];
     let holds = |tree: &[String], names: &[&str]| -> usize {
         names.iter().filter(|name| tree.iter().any(|known| known == *name)).count()
     };
-    for (features, expected) in [
-        (&[][..], (0, 0, 0)),
-        (&["--features", "gpu"][..], (0, gpu.len(), 0)),
-        (&["--features", "pictures"][..], (0, 0, pictures.len())),
-        (&["--features", "cli"][..], (cli.len(), gpu.len(), pictures.len())),
+    let none = (0, 0, 0, 0);
+    for (arguments, expected) in [
+        (&["-p", "topple", "--no-default-features"][..], none),
+        (&["-p", "topple"][..], (0, gpu.len(), 0, 0)),
+        (&["-p", "topple-studies"][..], none),
+        (&["-p", "topple-pictures"][..], (0, 0, pictures.len(), 0)),
+        (&["-p", "topple-app"][..], (command.len(), gpu.len(), pictures.len(), page.len())),
     ] {
-        let tree = tree(features);
-        let found = (holds(&tree, &cli), holds(&tree, &gpu), holds(&tree, &pictures));
-        assert_eq!(found, expected, "{features:?}");
+        let tree = tree(arguments);
+        assert!(tree.len() > 20, "{arguments:?}: {tree:?}");
+        let of = |names: &[&str]| holds(&tree, names);
+        assert_eq!((of(&command), of(&gpu), of(&pictures), of(&page)), expected, "{arguments:?}");
     }
 }

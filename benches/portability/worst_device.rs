@@ -11,7 +11,6 @@ mod perturb;
 use std::time::Instant;
 
 use perturb::{Device, Fusing, Rounding};
-use topple::chart::bench::MAPS;
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
@@ -23,6 +22,7 @@ use topple::sweep::gpu::run::Sweeper;
 use topple::sweep::gpu::shader::{self, Switches};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
+use topple_lab::chart::bench::MAPS;
 
 /// What a device is to show.
 #[derive(Clone, Copy, PartialEq)]

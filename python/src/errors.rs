@@ -2,7 +2,8 @@
 
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use topple::{SceneError, SuiteError, SweepError};
+use topple::{SceneError, SweepError};
+use topple_studies::SuiteError;
 
 /// Bad input: a `ValueError` that begins with the keyword at fault.
 pub fn of_scene(error: SceneError) -> PyErr {

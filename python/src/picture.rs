@@ -4,8 +4,8 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
-use topple::drawing::palette::{DOTTED, FALLEN, Kind, is_dotted};
 use topple::results;
+use topple::results::palette::{DOTTED, FALLEN, Kind, is_dotted};
 use topple::scene::words;
 use topple::{Class, Outcome, Scene};
 

@@ -6,18 +6,18 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
-use topple::fragility::hazard;
-use topple::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
-use topple::fragility::tables as fragility_tables;
 use topple::results::about;
 use topple::scene::bounded;
-use topple::suites::columns::{ColumnUnit, TableColumn};
-use topple::suites::{envelope as envelope_tables, saved, table};
 use topple::sweep::threads::Threads;
-use topple::{
+use topple::{Saving, SceneError, StoreError, SweepError, Values};
+use topple_studies::fragility::hazard;
+use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
+use topple_studies::fragility::tables as fragility_tables;
+use topple_studies::suites::columns::{ColumnUnit, TableColumn};
+use topple_studies::suites::{envelope as envelope_tables, saved, table};
+use topple_studies::{
     Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve, Intensity,
-    Limits, Saving, SceneError, StoreError, Suite, SuiteJob, SuiteRequest, SuiteSweep, SweepError,
-    Values,
+    Limits, Suite, SuiteJob, SuiteRequest, SuiteSweep,
 };
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};

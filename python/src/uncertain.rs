@@ -4,7 +4,8 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value, json};
-use topple::{Axis, Class, Probabilities, RunSettings, Uncertainty, Varied};
+use topple::{Axis, Class, RunSettings};
+use topple_studies::{Probabilities, Uncertainty, Varied};
 
 use crate::errors::{of_keyword, of_scene, of_sweep};
 use crate::keywords::{REFINING, Request, taken, taken_number, value_of};

@@ -3,11 +3,13 @@
 
 // Chebyshev fits of sin(sqrt t)/sqrt t and cos(sqrt t) on 0 <= t <= 1.65^2, relative error 7e-9
 // and 4e-10 in f32, below 1e-21 in f64.
-pub(crate) const SINE_F32: [f64; 4] =
-    [2.589_973_2e-6, -1.980_214_1e-4, 8.332_954e-3, -0.166_666_54];
-pub(crate) const COSINE_F32: [f64; 5] =
+/// Coefficients of the sine in f32, the highest first.
+pub const SINE_F32: [f64; 4] = [2.589_973_2e-6, -1.980_214_1e-4, 8.332_954e-3, -0.166_666_54];
+/// Coefficients of the cosine in f32, the highest first.
+pub const COSINE_F32: [f64; 5] =
     [-2.589_922_4e-7, 2.475_126_5e-5, -1.388_818_2e-3, 4.166_662e-2, -0.5];
-pub(crate) const SINE_F64: [f64; 9] = [
+/// Coefficients of the sine in f64, the highest first.
+pub const SINE_F64: [f64; 9] = [
     -7.958_279_660_715_478e-18,
     2.809_947_197_035_375_4e-15,
     -7.647_115_487_080_588e-13,
@@ -18,7 +20,8 @@ pub(crate) const SINE_F64: [f64; 9] = [
     8.333_333_333_333_333e-3,
     -0.166_666_666_666_666_67,
 ];
-pub(crate) const COSINE_F64: [f64; 10] = [
+/// Coefficients of the cosine in f64, the highest first.
+pub const COSINE_F64: [f64; 10] = [
     3.979_132_564_561_097e-19,
     -1.561_086_776_882_122e-16,
     4.779_446_574_523_71e-14,
@@ -32,7 +35,8 @@ pub(crate) const COSINE_F64: [f64; 10] = [
 ];
 
 // Taylor's for e^-x: what they leave out at ln 2 is below 1e-8 in f32, below 1e-18 in f64.
-pub(crate) const EXPONENTIAL_F32: [f64; 9] = [
+/// Coefficients of the exponential in f32, the highest first.
+pub const EXPONENTIAL_F32: [f64; 9] = [
     -2.755_731_9e-6,
     2.480_158_7e-5,
     -0.000_198_412_7,
@@ -43,7 +47,8 @@ pub(crate) const EXPONENTIAL_F32: [f64; 9] = [
     0.5,
     -1.0,
 ];
-pub(crate) const EXPONENTIAL_F64: [f64; 17] = [
+/// Coefficients of the exponential in f64, the highest first.
+pub const EXPONENTIAL_F64: [f64; 17] = [
     -2.811_457_254_345_520_6e-15,
     4.779_477_332_387_385e-14,
     -7.647_163_731_819_816e-13,

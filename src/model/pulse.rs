@@ -11,7 +11,7 @@ use super::real::Vector;
 
 /// What a pulse looks like.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
     /// sin Ωt for one cycle, or for as many as cycles gives: (22)
@@ -34,7 +34,7 @@ pub enum Shape {
 
 /// What the third-order wavelet's formula comes to at its extrema: (3 - x^2) x exp(-x^2/2) for
 /// x^2 = 3 - sqrt 6.
-pub(crate) const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
+pub const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
 
 impl Shape {
     /// Every shape there is; the first is the default.

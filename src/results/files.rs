@@ -35,7 +35,7 @@ pub enum WriteError {
 
 impl WriteError {
     /// That of a file or a folder, by what the system says.
-    pub(crate) fn of(path: &Path, reason: &io::Error) -> WriteError {
+    pub fn of(path: &Path, reason: &io::Error) -> WriteError {
         WriteError::File { path: path.into(), reason: reason.to_string() }
     }
 }

@@ -7,8 +7,10 @@
 pub mod about;
 pub mod block;
 pub mod collector;
+pub mod colour;
 pub mod columns;
 pub mod csv;
+pub mod earlier;
 pub mod files;
 pub mod filling;
 pub mod group;
@@ -18,6 +20,7 @@ pub mod lock;
 pub mod npz;
 pub mod outcomes;
 pub mod own;
+pub mod palette;
 pub mod part;
 pub mod reader;
 pub mod replaced;
@@ -32,4 +35,6 @@ pub mod tally;
 pub mod temporary;
 pub mod tile;
 pub mod tiling;
+#[cfg(test)]
+mod vision;
 pub mod zarr;

@@ -45,7 +45,8 @@ pub enum StoreError {
 }
 
 impl StoreError {
-    pub(crate) fn file(path: &Path) -> impl Fn(io::Error) -> StoreError + '_ {
+    /// Says of which file an error of the disk is.
+    pub fn file(path: &Path) -> impl Fn(io::Error) -> StoreError + '_ {
         |reason| StoreError::File { path: path.to_path_buf(), reason }
     }
 }

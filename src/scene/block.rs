@@ -22,7 +22,7 @@ pub struct Block {
 }
 
 /// A block of Table 1 with the masses of its base's plates (section 3.3).
-pub(crate) struct Object {
+pub struct Object {
     half_width: f64,
     height: f64,
     mass: f64,
@@ -30,7 +30,8 @@ pub(crate) struct Object {
     plate: f64,
 }
 
-pub(crate) const OBJECTS: [Object; 3] = [
+/// The blocks of Table 1.
+pub const OBJECTS: [Object; 3] = [
     Object { half_width: 0.175, height: 0.95, mass: 895.0, inertia: 278.38, plate: 43.3 },
     Object { half_width: 0.3, height: 1.1, mass: 676.0, inertia: 292.93, plate: 254.3 },
     Object { half_width: 0.19, height: 0.82, mass: 68.0, inertia: 16.06, plate: 100.7 },
@@ -38,7 +39,7 @@ pub(crate) const OBJECTS: [Object; 3] = [
 
 impl Object {
     /// Its numbers.
-    pub(crate) fn numbers(&self) -> [(Parameter, f64); 6] {
+    pub fn numbers(&self) -> [(Parameter, f64); 6] {
         use Parameter::{HalfWidth, Height, Inertia, Mass, PlateH, PlateV};
         [
             (HalfWidth, self.half_width),

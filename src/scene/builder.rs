@@ -187,7 +187,7 @@ impl SceneBuilder {
 }
 
 /// A parser's message with its line and column, in one line.
-pub(crate) fn located(text: &str, error: &toml::de::Error) -> String {
+pub fn located(text: &str, error: &toml::de::Error) -> String {
     let place = error.span().map(|span| {
         let before = &text[..span.start.min(text.len())];
         let line = before.matches('\n').count() + 1;

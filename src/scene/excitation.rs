@@ -46,20 +46,20 @@ impl Excitation {
 
 /// The record as written, but for its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[cfg_attr(feature = "cli", derive(clap::Args))]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct RecordText {
     /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
     /// synthetic pair]
-    #[cfg_attr(feature = "cli", arg(long, value_name = "FILE"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub horizontal: Option<PathBuf>,
     /// Vertical record, positive up
-    #[cfg_attr(feature = "cli", arg(long, value_name = "FILE"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub vertical: Option<PathBuf>,
     /// Time between samples, s, where a file does not tell
-    #[cfg_attr(feature = "cli", arg(long, value_name = "S", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "S", allow_hyphen_values = true))]
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
-    #[cfg_attr(feature = "cli", arg(long, value_name = "g|m/s2|cm/s2"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "g|m/s2|cm/s2"))]
     pub units: Option<Units>,
 }
 
@@ -122,7 +122,7 @@ pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), 
 }
 
 /// The checked motion, scaled by the scene's factor or to its peak; files are looked for from `directory`.
-pub(crate) fn check_record(
+pub fn check_record(
     text: &RecordText,
     numbers: &Numbers,
     directory: &Path,
@@ -157,7 +157,7 @@ pub(crate) fn check_record(
 }
 
 /// A motion scaled by a scene's factor, or to its peak. Several factors or peaks are the cells' own.
-pub(crate) fn scaled(pair: Pair, numbers: &Numbers) -> Pair {
+pub fn scaled(pair: Pair, numbers: &Numbers) -> Pair {
     let single = |parameter| numbers.get(parameter).and_then(Values::single);
     match (single(Parameter::Scale), single(Parameter::Pga)) {
         (Some(scale), _) => pair.scaled(scale),

@@ -49,7 +49,7 @@ pub struct KelvinVoigt {
 
 /// The directions in which the base moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Directions {
     /// Horizontally and vertically.
@@ -87,7 +87,7 @@ impl Directions {
     }
 
     /// The numbers of the directions in which it does not move.
-    pub(crate) fn locked(self) -> impl Iterator<Item = Parameter> {
+    pub fn locked(self) -> impl Iterator<Item = Parameter> {
         let across = HORIZONTAL.iter().filter(move |_| !self.moves_h());
         across.chain(VERTICAL.iter().filter(move |_| !self.moves_v())).copied()
     }
@@ -143,7 +143,7 @@ impl Isolation {
 }
 
 /// Least period that is still taken for an isolation, s.
-pub(crate) const LEAST_PERIOD: f64 = 1.0e-4;
+pub const LEAST_PERIOD: f64 = 1.0e-4;
 
 fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
     let key = parameter.key();

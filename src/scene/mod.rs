@@ -13,7 +13,7 @@ pub mod excitation;
 pub mod grid;
 pub mod isolation;
 pub mod keys;
-#[cfg(feature = "cli")]
+#[cfg(feature = "clap")]
 pub mod manual;
 pub mod numbers;
 pub mod parameters;
@@ -45,7 +45,7 @@ pub const GRAVITY: f64 = 9.81;
 
 /// When a block counts as overturned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Overturn {
     /// |phi| reaches arctan((B +- e)/H), the paper's convention (section 2.6).
@@ -142,7 +142,8 @@ impl Scene {
 }
 
 impl SceneError {
-    pub(crate) fn new(key: &'static str, problem: impl Into<String>) -> SceneError {
+    /// That of a key: what is wrong, and what to do.
+    pub fn new(key: &'static str, problem: impl Into<String>) -> SceneError {
         SceneError { key, problem: problem.into() }
     }
 

@@ -226,7 +226,7 @@ pub enum Caption {
 }
 
 /// How what is improbable is accepted.
-pub(crate) const ACCEPTED: &str = "`force` accepts it";
+pub const ACCEPTED: &str = "`force` accepts it";
 
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 

@@ -68,7 +68,7 @@ impl SweepError {
     }
 
     /// The same of a run of which so many of its cells are saved in a folder; as it is where it says that already.
-    pub(crate) fn stopped(self, saved: usize, cells: usize, folder: &Path) -> SweepError {
+    pub fn stopped(self, saved: usize, cells: usize, folder: &Path) -> SweepError {
         if matches!(self, SweepError::Stopped { .. }) {
             return self;
         }

@@ -10,7 +10,7 @@ use crate::model::precision::Precision;
 
 /// The backend that a user asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum BackendRequest {
     /// A real GPU, else the CPU.

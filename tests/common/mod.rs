@@ -3,9 +3,7 @@
 #![allow(dead_code, clippy::unwrap_used)] // each test binary uses a part of it
 
 use std::io::Write;
-use std::sync::LazyLock;
 
-use assert_cmd::Command;
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::record::{Pair, Record, synthetic};
@@ -88,21 +86,6 @@ pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
     }
 }
 
-/// The lines that topple wrote to stderr, without those of a driver: some have a word to say to every
-/// program that looks at them.
-pub fn own_lines(stderr: &str) -> Vec<String> {
-    static DRIVERS: LazyLock<Vec<String>> = LazyLock::new(|| {
-        // A command that says nothing itself but where it fails.
-        let run = Command::cargo_bin("topple").unwrap().arg("adapters").assert().success();
-        lines(&String::from_utf8_lossy(&run.get_output().stderr))
-    });
-    lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
-}
-
-fn lines(text: &str) -> Vec<String> {
-    text.lines().map(String::from).collect()
-}
-
 /// A file of the strong-motion records that TOPPLE_RECORDS names the directory of. They are not
 /// this project's to ship: without them a test is skipped, and says so.
 pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
@@ -116,14 +99,6 @@ pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
         return None;
     }
     Some(path)
-}
-
-/// The line that a command is refused with, status 2.
-pub fn refused(arguments: &[&str]) -> String {
-    let run = Command::cargo_bin("topple").unwrap().args(arguments).assert().code(2);
-    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-    assert_eq!(said.lines().count(), 1, "{said}");
-    said
 }
 
 /// The values of a grid's first two axes at a cell.

@@ -65,19 +65,19 @@ pub fn rounded(number: f64, digits: usize) -> f64 {
 
 /// Units of the numbers in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Units {
     /// Multiples of 9.81 m/s^2.
     #[serde(rename = "g")]
-    #[cfg_attr(feature = "cli", value(name = "g"))]
+    #[cfg_attr(feature = "clap", value(name = "g"))]
     G,
     /// m/s^2.
     #[serde(rename = "m/s2")]
-    #[cfg_attr(feature = "cli", value(name = "m/s2"))]
+    #[cfg_attr(feature = "clap", value(name = "m/s2"))]
     MetresPerSecondSquared,
     /// cm/s^2, gal.
     #[serde(rename = "cm/s2", alias = "gal")]
-    #[cfg_attr(feature = "cli", value(name = "cm/s2", alias = "gal"))]
+    #[cfg_attr(feature = "clap", value(name = "cm/s2", alias = "gal"))]
     CentimetresPerSecondSquared,
 }
 

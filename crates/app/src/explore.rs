@@ -1,0 +1,102 @@
+//! `topple explore`.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use topple::results::files::WriteError;
+use topple::scene::builder::SceneBuilder;
+use topple::sweep::request::BackendRequest;
+use topple_explore::export::{ExportError, export};
+use topple_explore::records::Records;
+use topple_explore::server::Server;
+use topple_explore::session::{Session, Settings};
+use topple_explore::start;
+
+use super::errors::{not_exported, sweep_error};
+use super::scene::DEFAULT_SCENE;
+use super::words::{self, Say};
+use super::{InputError, examples, interrupt, load, options};
+
+/// Show a map alive, on a page in the browser.
+///
+/// The page is served on this machine alone, at an address that nobody guesses. Ctrl-C ends it.
+#[derive(clap::Args)]
+#[command(after_help = examples::EXPLORE)]
+pub struct ExploreCommand {
+    /// A scene's file (TOML) [default: the scene of topple alone]
+    #[arg(value_name = "SCENE.toml")]
+    scene: Option<PathBuf>,
+    /// Port of the page's address; 0 is any that is free
+    #[arg(long, default_value_t = 0)]
+    port: u16,
+    /// Open no browser
+    #[arg(long)]
+    no_open: bool,
+    /// Write the page to a folder and end: any static host serves it, and it computes in its reader's browser by WebGPU
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "no_open"])]
+    export: Option<PathBuf>,
+    /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
+    #[arg(long)]
+    backend: Option<BackendRequest>,
+    /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
+    #[arg(long, value_name = "N,...", value_delimiter = ',')]
+    adapter: Vec<usize>,
+    /// Accept numbers that are not plausible
+    #[arg(long)]
+    force: bool,
+    /// Threads of the CPU [default: as many as it has cores]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+}
+
+impl ExploreCommand {
+    /// Serves the page.
+    pub fn run(&self) -> anyhow::Result<()> {
+        options::set_threads(self.threads)?;
+        let (given, folder) = match &self.scene {
+            Some(path) => (load::given(path, self.force)?, path.parent().unwrap_or(Path::new(""))),
+            // The scene is part of the binary; a test reads it.
+            None => {
+                let scene = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
+                (scene, Path::new(""))
+            }
+        };
+        let scene = match &self.scene {
+            Some(path) => load::check(path, &given)?,
+            None => given.check().map_err(|error| options::flag_error(&error))?,
+        };
+        let records = Records::default();
+        let first = start::first(&records, &scene, &given, folder);
+        let backend = self.backend.unwrap_or(BackendRequest::Auto);
+        let settings = Settings { backend, adapters: self.adapter.clone() };
+        let session = Session::open(settings, records, first).map_err(sweep_error)?;
+        interrupt::listen();
+        if let Some(folder) = &self.export {
+            return write(folder, &session);
+        }
+        let server =
+            Server::bind(self.port).map_err(|error| InputError(format!("--port: {error}")))?;
+        let address = server.address();
+        Say::unless(false).line("explore", &address);
+        if !self.no_open && open::that_detached(&address).is_err() {
+            words::warn("no browser opens; open the address above");
+        }
+        server.serve(session, interrupt::asked)?;
+        Ok(())
+    }
+}
+
+/// Writes the page of a session to a folder.
+fn write(folder: &Path, session: &Session) -> anyhow::Result<()> {
+    let bytes = export(folder, session, interrupt::flag()).map_err(|error| match error {
+        ExportError::Occupied(_) | ExportError::Write(WriteError::Directory { .. }) => {
+            InputError(format!("--export: {error}")).into()
+        }
+        ExportError::Refused(refused) if refused.cancelled => not_exported(),
+        error => anyhow::Error::from(error),
+    })?;
+    let size = bytes.div_ceil(1 << 20);
+    Say::unless(false)
+        .line("page", format!("{} ({size} MiB): serve it by any web server", folder.display()));
+    Ok(())
+}

@@ -1,0 +1,162 @@
+//! From a finished sweep to files, and what is said about it.
+
+use std::time::{Duration, Instant};
+
+use crate::manifest::{Facts, Manifest, Steps, Timings};
+use topple::refine::refined::RefinedMap;
+use topple::results::earlier::{self, Earlier, RUN};
+use topple::results::files::Directory;
+use topple::scene::Parameter;
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::error::SweepError;
+use topple::sweep::map::MapSweep;
+use topple::sweep::settings::VerifySettings;
+use topple::sweep::verdict;
+use topple_pictures::map::slices;
+use topple_pictures::map::thinned::DRAWN;
+
+use super::errors::{not_verified, sweep_error};
+use super::map_file::MapFile;
+use super::options::Talk;
+use super::output;
+use super::print::print_line;
+use super::progress::Screen;
+use super::refined;
+use super::words::{self, Say};
+
+/// How a map is finished.
+pub struct Finish<'a> {
+    /// Where to.
+    pub out: &'a Directory,
+    /// The files of the whole map.
+    pub files: &'a [MapFile],
+    /// What an earlier command left there.
+    pub earlier: &'a Earlier,
+    /// The map refined, where that was asked for.
+    pub refined: Option<&'a RefinedMap>,
+    /// What the reference runs again.
+    pub verify: VerifySettings,
+    /// How long the estimate took.
+    pub estimate: Duration,
+    /// A checksum of what is run.
+    pub tag: Option<u32>,
+    /// How sharp the boundaries are is asked for.
+    pub sharpness: bool,
+    /// What is printed besides.
+    pub talk: Talk,
+}
+
+/// Seconds of what is done, which began at a time; the next begins now.
+fn lap(began: &mut Instant) -> f64 {
+    let seconds = began.elapsed().as_secs_f64();
+    *began = Instant::now();
+    seconds
+}
+
+/// Writes a map's files, and has the reference verify it.
+pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyhow::Result<()> {
+    let Finish { out, files, .. } = *to;
+    let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
+    let mut began = Instant::now();
+    if let Some(repair) = &map.repair {
+        say.line("repair", words::repair(repair, map.sweep_seconds()));
+    }
+    let tally = map.tally(screen).map_err(|error| sweep_error(map.stopped(error)))?;
+    // What lies on disk only is gone when its files are written.
+    let cells = if map.by_reference() { 0 } else { to.verify.cells };
+    let chosen = match cells {
+        0 => Vec::new(),
+        cells => map.choose(cells, screen).map_err(|error| sweep_error(map.stopped(error)))?,
+    };
+    screen.clear();
+    say.line("outcomes", words::shares(&tally, map.plan.scene.numbers.get(Parameter::Friction)));
+    let sharpness = match to.sharpness {
+        true => Some(map.sharpness(screen).map_err(|error| sweep_error(map.stopped(error)))?),
+        false => None,
+    };
+    screen.clear();
+    if let Some(sharpness) = &sharpness {
+        for (number, text) in words::sharpness(sharpness).iter().enumerate() {
+            say.line(if number == 0 { "sharpness" } else { "" }, text);
+        }
+    }
+    took.counting = lap(&mut began);
+    if let Some(refined) = to.refined {
+        for (number, text) in words::refined(&refined.report).iter().enumerate() {
+            say.line(if number == 0 { "refined" } else { "" }, text);
+        }
+    }
+    let slices = match to.refined {
+        Some(refined) => slices::of(&refined.scene, &refined.grid, refined)?,
+        None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
+    };
+    let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
+    let figures = output::draw(&slices)?;
+    took.drawing = lap(&mut began);
+    let names = output::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
+    output::replace(out, to.earlier, &names, say)?;
+    let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
+        Ok(pictures) => pictures,
+        Err(_) if super::interrupt::asked() => {
+            let cancelled: SweepError = BackendError::Cancelled.into();
+            return Err(sweep_error(map.stopped(cancelled)));
+        }
+        Err(error) => return Err(error),
+    };
+    if let Some(map) = to.refined {
+        refined::write(out, map, files)?;
+    }
+    screen.clear();
+    let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
+    drop((slices, figures));
+    if files.contains(&MapFile::Zarr) {
+        map.publish(&out.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
+        screen.clear();
+    }
+    took.writing = lap(&mut began);
+    let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
+    let refined = to.refined.map(|refined| &refined.report);
+    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, refined, sharpness };
+    earlier::finish(out, &Manifest::of(&map, &facts, took))?;
+    map.discard_saved().map_err(sweep_error)?;
+    let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
+    let thinned = match cells == all {
+        true => String::new(),
+        false => format!(", {DRAWN} cells a side of them"),
+    };
+    match &pictures[..] {
+        [] => {
+            let (count, most) = (map.grid.slices(), slices::MOST);
+            say.line("picture", format!("none: {count} slices, of which {most} at most are drawn"));
+        }
+        [picture] => say.line("picture", format!("{}{thinned}", picture.display())),
+        [first, .., last] => {
+            say.line("pictures", format!("{} to {}{thinned}", first.display(), last.display()));
+        }
+    }
+    let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
+    say.line("data", format!("{} with {}", out.file(data[0]).display(), data[1..].join(", ")));
+    if to.verify.cells > 0 && map.by_reference() {
+        say.line("reference", "it computed the map: there is nothing to verify");
+    } else if to.verify.cells > 0 {
+        let mut began = Instant::now();
+        let verified = map.verify_chosen(&chosen, to.verify.within, screen);
+        screen.clear();
+        let verification = verified.map_err(not_verified)?;
+        took.verification = Some(lap(&mut began));
+        say.line("reference", verdict::agreement(&verification, to.verify.within));
+        say.styled("", verdict::told(&verification), words::style(&verification));
+        map.verification = Some(verification);
+    }
+    let manifest = Manifest::of(&map, &facts, took);
+    if map.verification.is_some() {
+        earlier::finish(out, &manifest)?;
+    }
+    if to.talk.verbose {
+        say.line("time", words::phases(&manifest.timings));
+    }
+    if to.talk.json {
+        print_line!("{}", serde_json::to_string_pretty(&manifest)?);
+    }
+    Ok(())
+}

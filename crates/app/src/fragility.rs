@@ -1,0 +1,312 @@
+//! `topple fragility`.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use topple::results::earlier::{self, Kind};
+use topple::scene::{Values, bounded, path_text};
+use topple::sweep::backend_error::BackendError;
+use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::render;
+use topple_pictures::studies::fragility as picture;
+use topple_studies::fragility::hazard;
+use topple_studies::fragility::limit_state::LimitState;
+use topple_studies::fragility::request::{MANY, SAMPLES};
+use topple_studies::fragility::study::Study;
+use topple_studies::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, tables};
+use topple_studies::suites::SuiteRequest;
+use topple_studies::suites::intensity::Intensity;
+use topple_studies::suites::request::above_zero;
+use topple_studies::suites::verified::Verified;
+use topple_studies::uncertain::Varied;
+
+use super::errors::sweep_error;
+use super::fragility_words as told;
+use super::numbers::seed;
+use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::output::{Figure, picture_files};
+use super::progress::Screen;
+use super::suite_run::{self, SuiteFlags, SuiteManifest};
+use super::words::Say;
+use super::{InputError, examples, output, suite};
+
+/// How likely a block overturns under the motions of a suite, by their intensity.
+#[derive(clap::Args)]
+#[command(after_help = examples::FRAGILITY)]
+pub struct FragilityCommand {
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten)]
+    motions: SuiteFlags,
+    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
+    /// relative to the block
+    #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
+    im: Intensity,
+    /// Levels of it that each motion is scaled to, in SI units [default: each motion as it is]
+    #[arg(long, value_name = "LEVELS", help_heading = "Fragility", allow_hyphen_values = true)]
+    levels: Option<Values>,
+    /// The rocking index is not to exceed these
+    #[arg(
+        long,
+        value_name = "ZETA,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    limit_zeta: Vec<f64>,
+    /// max |u| is not to exceed these, m
+    #[arg(
+        long,
+        value_name = "M,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    limit_u: Vec<f64>,
+    /// The stroke of v is not to exceed these, m
+    #[arg(
+        long,
+        value_name = "M,...",
+        value_delimiter = ',',
+        help_heading = "Fragility",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    limit_v: Vec<f64>,
+    /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
+    estimator: Vec<Estimator>,
+    /// Sets of records that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
+    #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
+    bootstrap: Option<u32>,
+    /// Seed of what is drawn, up to 4294967295
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, help_heading = "Fragility")]
+    seed: u32,
+    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
+    /// at two more numbers LOW,HIGH
+    #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
+    vary: Vec<Varied>,
+    /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
+    samples: u32,
+    /// Hazard curve: a CSV level,rate with annual rates of exceedance
+    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
+    hazard: Option<PathBuf>,
+    /// Annual rate that is accepted, with what may be missing at both ends of the hazard curve; drawn on maps
+    #[arg(
+        long,
+        value_name = "RATE",
+        help_heading = "Fragility",
+        requires = "hazard",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    target: Option<f64>,
+    #[command(flatten, next_help_heading = "Computing")]
+    options: RunOptions,
+}
+
+fn estimator(text: &str) -> Result<Estimator, String> {
+    Estimator::named(text).ok_or_else(|| {
+        let known: Vec<&str> = Estimator::ALL.iter().map(|known| known.name()).collect();
+        format!("no estimator of this name; there are {}", known.join(", "))
+    })
+}
+
+/// run.json of a fragility.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    #[serde(flatten)]
+    suite: SuiteManifest<'a>,
+    im: Intensity,
+    /// Levels; none where each motion is as it is.
+    levels: Option<Vec<f64>>,
+    limit_states: &'a [LimitState],
+    estimators: Vec<&'static str>,
+    replicates: u32,
+    seed: u32,
+    vary: &'a [Varied],
+    samples: Option<u32>,
+    #[serde(serialize_with = "path_text::serialize_some")]
+    hazard: Option<&'a Path>,
+    target: Option<f64>,
+    /// Runs of which nothing is known: they are left out.
+    unresolved: usize,
+    /// What the reference says of a sample.
+    verified: &'a Verified,
+    files: &'a [String],
+}
+
+/// The tables.
+const COUNTS: &str = "fragility.csv";
+const FITS: &str = "fits.csv";
+const CAPACITIES: &str = "capacities.csv";
+const SENSITIVITY: &str = "sensitivity.csv";
+const POINTS: &str = "points.csv";
+const RATES: &str = "rates.csv";
+/// The picture, or that of overturning.
+const PICTURE: &str = "fragility";
+/// Each run by itself, of no more than [`MANY`] cells.
+const RUNS: &str = "runs.csv";
+
+impl FragilityCommand {
+    /// Runs the sweeps and writes the fragility.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        let earlier = output::refuse_other(&options.out, Kind::Fragility)?;
+        let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
+        let text = self.common.text(Some("Fragility"), std::iter::empty());
+        let request = self.request(self.motions.request(&self.common, options, text)?);
+        let targets = self.target.as_slice();
+        let checked = request.check().and_then(|()| above_zero("target", targets));
+        checked.map_err(|error| flag_error(&error))?;
+        let suite = self.motions.read()?;
+        let say = Say::unless(options.quiet);
+        suite::count(&suite, &say);
+        let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
+        self.motions.refuse_foreign(options, &earlier, &self.names(&asked.states))?;
+        let Some(swept) = self.motions.run(sweep, asked.times, options, &say)? else {
+            return Ok(());
+        };
+        let cells = swept.grid.len();
+        let screen = Screen::new(options.quiet);
+        let Some(mut study) = Study::of(swept, asked, &screen) else {
+            return Err(sweep_error(BackendError::Cancelled.into()));
+        };
+        screen.clear();
+        let swept = &study.sweep;
+        let out = output::open(&options.out)?;
+        let figures = self.figures(&study, hazard.as_ref())?;
+        let varies = study.asked.unknown.is_some();
+        let mut files = vec![COUNTS, FITS];
+        files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
+        let told_one_by_one = !varies && cells <= MANY;
+        files.extend(told_one_by_one.then_some(RUNS));
+        files.extend(hazard.as_ref().map(|_| RATES));
+        let mut files: Vec<String> = files.into_iter().map(String::from).collect();
+        let tables = files.len();
+        let pictures = figures.iter().map(|(name, ..)| name);
+        files.extend(pictures.flat_map(|name| picture_files(name)));
+        output::replace(&out, &earlier, &files, &say)?;
+        out.write(COUNTS, |w| tables::write_counts(&study, w))?;
+        out.write(FITS, |w| tables::write_fits(&study, w))?;
+        if varies {
+            out.write(SENSITIVITY, |w| tables::write_sensitivity(&study, w))?;
+            out.write(POINTS, |w| tables::write_points(&study, w))?;
+        } else {
+            out.write(CAPACITIES, |w| tables::write_capacities(&study, w))?;
+        }
+        if told_one_by_one {
+            out.write(RUNS, |w| tables::write_runs(&study, w))?;
+        }
+        if let Some(hazard) = &hazard {
+            out.write(RATES, |w| tables::write_rates(&study, hazard, self.target, w))?;
+        }
+        for (name, svg, png) in &figures {
+            output::write_figure(&out, name, svg, png)?;
+        }
+        let records = study.records().collect();
+        let manifest = Manifest {
+            suite: self.motions.manifest(Kind::Fragility, swept, records, options),
+            im: self.im,
+            levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
+            limit_states: &study.asked.states,
+            estimators: study.asked.estimators.iter().map(|one| one.name()).collect(),
+            replicates: study.asked.bootstrap.replicates,
+            seed: self.seed,
+            vary: &self.vary,
+            samples: varies.then_some(self.samples),
+            hazard: self.hazard.as_deref(),
+            target: self.target,
+            unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
+            verified: &swept.verified,
+            files: &files,
+        };
+        earlier::finish(&out, &manifest)?;
+        told::tell(&study, hazard.as_ref(), self.target, &say);
+        suite_run::tell_verified(swept, &say);
+        study.sweep.discard_saved()?;
+        for (name, ..) in &figures {
+            say.line("picture", out.file(&format!("{name}.png")).display());
+        }
+        say.line("tables", format!("{} with run.json", told::listed(&out, &files[..tables])));
+        Ok(())
+    }
+
+    /// The names of all files that the command may write.
+    fn names(&self, states: &[LimitState]) -> Vec<String> {
+        let of_study =
+            if self.vary.is_empty() { &[CAPACITIES, RUNS][..] } else { &[SENSITIVITY, POINTS] };
+        let tables =
+            [COUNTS, FITS].iter().chain(of_study).chain(self.hazard.as_ref().map(|_| &RATES));
+        let pictures = states.iter().flat_map(|state| picture_files(&picture_of(state)));
+        tables.map(|name| name.to_string()).chain(pictures).collect()
+    }
+
+    /// What is asked of a suite's request.
+    fn request(&self, suite: SuiteRequest) -> FragilityRequest {
+        FragilityRequest {
+            im: self.im,
+            levels: self.levels.clone(),
+            limit_zeta: self.limit_zeta.clone(),
+            limit_u: self.limit_u.clone(),
+            limit_v: self.limit_v.clone(),
+            estimators: self.estimator.clone(),
+            bootstrap: self.bootstrap,
+            seed: self.seed,
+            vary: self.vary.clone(),
+            samples: self.samples,
+            ..FragilityRequest::new(suite)
+        }
+    }
+
+    /// The pictures of a study.
+    fn figures(
+        &self,
+        study: &Study,
+        hazard: Option<&HazardCurve>,
+    ) -> Result<Vec<Figure>, FigureError> {
+        let grid = &study.sweep.grid;
+        let finish = |name: String, svg: String| -> Result<Figure, FigureError> {
+            let png = render::png(&svg)?;
+            Ok((name, svg, png))
+        };
+        if grid.len() == 1 {
+            return Ok(vec![finish(PICTURE.into(), picture::curves(study, self.im))?]);
+        }
+        if let Some(axis) = grid.line() {
+            return Ok(vec![finish(PICTURE.into(), picture::along(study, axis, self.im))?]);
+        }
+        if grid.axes().len() != 2 {
+            return Ok(Vec::new());
+        }
+        let states = study.asked.states.iter().enumerate();
+        let figure = |(number, state): (usize, &LimitState)| {
+            let rates: Option<Vec<Option<f64>>> = hazard.map(|hazard| {
+                let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
+                fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.at_most())).collect()
+            });
+            let target = rates.as_deref().zip(self.target);
+            finish(picture_of(state), picture::maps(study, number, self.im, target)?)
+        };
+        states.map(figure).collect()
+    }
+}
+
+/// The name of a limit state's map.
+fn picture_of(state: &LimitState) -> String {
+    match state {
+        LimitState::Overturning => PICTURE.to_string(),
+        state => format!("{PICTURE}-{}", state.file()),
+    }
+}
+
+/// Reads a hazard curve.
+fn read_hazard(path: &Path) -> Result<HazardCurve, InputError> {
+    let named = |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
+    let bytes = bounded::read(path, hazard::LARGEST)
+        .map_err(|e| named(format!("{e}; give a file that can be read")))?;
+    HazardCurve::parse(&String::from_utf8_lossy(&bytes)).map_err(|error| named(error.to_string()))
+}

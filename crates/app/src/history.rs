@@ -1,0 +1,147 @@
+//! `topple history`.
+
+use std::path::PathBuf;
+
+use crate::history_table as table;
+use serde::Serialize;
+use topple::model::precision::Precision;
+use topple::results::earlier::{self, Kind};
+use topple::scene::builder::SceneBuilder;
+use topple::scene::excitation::RecordText;
+use topple::scene::record::Provenance;
+use topple::scene::{Grid, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::sweep::history as motion;
+use topple::sweep::request::BackendRequest;
+use topple::sweep::settings::Method;
+use topple_pictures::drawing::render;
+use topple_pictures::map::figure::history as figure;
+
+use super::load::load;
+use super::numbers::{PulseFlags, RecordNumbers};
+use super::options::{CommonFlags, RunOptions, flag_error};
+use super::output;
+use super::save::save;
+use super::words::{self, Say};
+use super::{InputError, examples};
+
+/// The motion of one cell: every parameter a single number.
+#[derive(clap::Args)]
+#[command(after_help = examples::HISTORY)]
+pub struct HistoryCommand {
+    /// A scene's file (TOML), in the place of flags
+    #[arg(value_name = "SCENE.toml")]
+    scene: Option<PathBuf>,
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten)]
+    pulse: PulseFlags,
+    #[command(flatten, next_help_heading = "Record")]
+    record: RecordText,
+    #[command(flatten)]
+    scale: RecordNumbers,
+    #[command(flatten, next_help_heading = "Computing")]
+    options: RunOptions,
+}
+
+/// run.json of a history.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    scene: &'a Scene,
+    backend: &'static str,
+    record: Option<&'a Provenance>,
+    #[serde(flatten)]
+    method: Method,
+    outcome: &'a Outcome,
+    files: &'a [String],
+}
+
+impl HistoryCommand {
+    /// Runs the cell.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
+        let text = SceneBuilder {
+            force: options.force,
+            shape: self.pulse.shape,
+            record: (self.record != RecordText::default()).then(|| self.record.clone()),
+            ..self.common.text(Some("Time history"), numbers)
+        };
+        let none =
+            SceneBuilder { title: text.title.clone(), force: text.force, ..Default::default() };
+        if let Some(path) = &self.scene {
+            if text != none {
+                let problem = "give a scene's file or the flags of a scene, not both";
+                return Err(InputError(format!("{}: {problem}", path.display())).into());
+            }
+            return run_cell(&load(path, options.force)?, options);
+        }
+        let scene = text.check().map_err(|error| flag_error(&error))?;
+        if let Some(path) = &self.common.save_scene {
+            return save(path, text, "history");
+        }
+        run_cell(&scene, options)
+    }
+}
+
+/// Runs a cell and writes its history.
+pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
+    options.set_threads()?;
+    if let Some(swept) = scene.swept().first() {
+        let flag = swept.entry().flag();
+        let problem = format!("{flag}: a history is of one cell; give a single number");
+        return Err(InputError(problem).into());
+    }
+    if options.backend() == BackendRequest::Gpu {
+        let problem = "--backend: the shader keeps no history; use cpu or reference";
+        return Err(InputError(problem.into()).into());
+    }
+    let mut plan = options.plan(scene).map_err(|e| flag_error(&e))?;
+    // A history is the motion to its end, proved or not.
+    plan.reductions.certificate = false;
+    words::warn_of_cut_pulses(&Grid::of(scene));
+    words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
+    let earlier = output::refuse_other(&options.out, Kind::History)?;
+    let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
+    output::refuse_foreign(&options.out, &earlier, &files)?;
+    let out = output::open(&options.out)?;
+    let case = scene.case();
+    let (rows, outcome) = match (options.backend(), options.precision()) {
+        (BackendRequest::Reference, _) => motion::by_reference(scene, &case),
+        (_, Precision::F32) => motion::by_steps::<f32>(&plan.at(Precision::F32), &case),
+        (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
+    };
+    motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
+    let svg = figure::draw(scene, &case, &rows, &outcome)?;
+    let png = render::png(&svg)?;
+    output::replace(&out, &earlier, &files, &Say::unless(options.quiet))?;
+    out.write("history.csv", |w| table::write(&rows, w))?;
+    output::write_figure(&out, "history", &svg, &png)?;
+    let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
+    let manifest = Manifest {
+        kind: Kind::History,
+        version: env!("CARGO_PKG_VERSION"),
+        scene,
+        backend,
+        record: scene.excitation.provenance(),
+        method: options.method(),
+        outcome: &outcome,
+        files: &files,
+    };
+    earlier::finish(&out, &manifest)?;
+    let say = Say::unless(options.quiet);
+    let name = outcome.class.name().replace('_', " ");
+    let impacts = match outcome.impacts {
+        1 => "1 impact".into(),
+        impacts => format!("{impacts} impacts"),
+    };
+    say.line("outcome", format!("{name} after {impacts}, t_end = {:.6} s", outcome.t_end));
+    if let Some(t) = outcome.t_uplift {
+        say.line("uplift", format!("{t:.6} s, zeta = {:.6}", outcome.zeta));
+    }
+    say.line("picture", out.file("history.png").display());
+    say.line("data", format!("{} with history.svg, run.json", out.file("history.csv").display()));
+    Ok(())
+}

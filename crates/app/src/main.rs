@@ -1,0 +1,178 @@
+//! The `topple` command. Exit status: 0 done; 1 a run that failed; 2 bad input; 130 ended by Ctrl-C.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)] // a closed pipe is no failure
+
+mod adapters;
+mod again;
+mod bench;
+mod chart;
+mod completions;
+mod disk;
+mod envelope;
+mod errors;
+mod estimate;
+mod examples;
+mod explore;
+mod figures;
+mod finish;
+mod fragility;
+mod fragility_words;
+mod history;
+mod history_table;
+mod interrupt;
+mod licences;
+mod load;
+mod manifest;
+mod map_file;
+mod memory;
+mod merge;
+mod numbers;
+mod options;
+mod output;
+mod print;
+mod probability;
+mod progress;
+mod pulse;
+mod ratios;
+mod refined;
+mod run;
+mod save;
+mod scene;
+mod seismic;
+mod suite;
+mod suite_run;
+mod template;
+mod uncertain;
+mod words;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use errors::Interrupted;
+use interrupt::STATUS as INTERRUPTED;
+use print::error_line;
+
+/// Bad input, in one line: what is wrong, where, and what to do. Exit status 2.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct InputError(pub String);
+
+/// Overturning and rocking maps of rigid blocks on an isolated base.
+///
+/// Without a command, runs the default scene into ./topple-out.
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: options::MapOptions,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Map the outcomes of pulses over any of their numbers, for example (omega, a_h)
+    Pulse(pulse::PulseCommand),
+    /// Map the response to a ground-motion record, for example over (t_h, t_v)
+    Seismic(seismic::SeismicCommand),
+    /// Read a set of records as one suite: which belong together, their intensity measures
+    Suite(suite::SuiteCommand),
+    /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes
+    Envelope(envelope::EnvelopeCommand),
+    /// How likely the block overturns under a suite, by the intensity of its motions
+    Fragility(Box<fragility::FragilityCommand>),
+    /// Join the parts of a map made with --tile
+    Merge(merge::MergeCommand),
+    /// Integrate the motion of one cell: every parameter a single number
+    History(history::HistoryCommand),
+    /// Run a scene from a file, or an earlier run again
+    Run(scene::RunCommand),
+    /// Show a map alive, on a page in the browser
+    Explore(explore::ExploreCommand),
+    /// Chart speed against accuracy: every method, over its steps or tolerances
+    Chart(chart::ChartCommand),
+    /// Draw every figure of the paper, and further ones
+    Figures(figures::FiguresCommand),
+    /// Measure every backend of this machine on the same maps, and print the table
+    Bench(bench::BenchCommand),
+    /// Print a scene file to start from, with every key
+    Scene,
+    /// List the GPU adapters of this machine
+    Adapters,
+    /// Print the completions of a shell
+    Completions(completions::CompletionsCommand),
+    /// Print the manual page of topple or of one of its commands
+    Man(completions::ManCommand),
+    /// Print the licences of topple and of the font of its pictures
+    Licences,
+}
+
+/// Parses the command line and does what it says.
+fn run() -> anyhow::Result<()> {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => return Err(InputError(one_line(&error)).into()),
+        Err(help) => {
+            // As with every other line, a reader that is gone is no failure.
+            let _ = help.print();
+            return Ok(());
+        }
+    };
+    let done = match arguments.command {
+        Some(Command::Pulse(command)) => command.run(),
+        Some(Command::Seismic(command)) => command.run(),
+        Some(Command::Suite(command)) => command.run(),
+        Some(Command::Envelope(command)) => command.run(),
+        Some(Command::Fragility(command)) => command.run(),
+        Some(Command::Merge(command)) => command.run(),
+        Some(Command::History(command)) => command.run(),
+        Some(Command::Run(command)) => command.run(),
+        Some(Command::Explore(command)) => command.run(),
+        Some(Command::Chart(command)) => command.run(),
+        Some(Command::Figures(command)) => command.run(),
+        Some(Command::Bench(command)) => command.run(),
+        Some(Command::Scene) => {
+            template::run();
+            Ok(())
+        }
+        Some(Command::Adapters) => adapters::run(),
+        Some(Command::Completions(command)) => command.run(),
+        Some(Command::Man(command)) => command.run(),
+        Some(Command::Licences) => {
+            licences::run();
+            Ok(())
+        }
+        None => scene::run_default(&arguments.options),
+    };
+    done?;
+    // Files are what a run is for; what it says is lost all the same.
+    print::end().map_err(anyhow::Error::msg)
+}
+
+/// A parser's message on one line, without its usage.
+fn one_line(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    let said = text.split("Usage:").next().unwrap_or_default();
+    let said = said.split("For more information").next().unwrap_or_default();
+    let words: Vec<&str> = said.split_whitespace().collect();
+    let line = words.join(" ").replace(" tip: ", "; ");
+    let line = line.strip_prefix("error: ").unwrap_or(&line);
+    let command =
+        std::env::args().nth(1).filter(|name| Arguments::command().find_subcommand(name).is_some());
+    let command = command.map(|name| format!(" {name}")).unwrap_or_default();
+    format!("{line}; see topple{command} --help")
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            error_line(format_args!("{error:#}"));
+            ExitCode::from(match &error {
+                error if error.is::<InputError>() => 2,
+                error if error.is::<Interrupted>() => INTERRUPTED,
+                _ => 1,
+            })
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! run.json: what was run, on what, and how well it agrees with the reference.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use topple::refine::report::RefineReport;
+use topple::results::earlier::Kind;
+use topple::results::sharpness::Sharpness;
+use topple::results::tally::Tally;
+use topple::scene::record::Provenance;
+use topple::scene::{Grid, Scene, path_text};
+use topple::sweep::description::AdapterDescription;
+use topple::sweep::map::MapSweep;
+use topple::sweep::plan::Plan;
+use topple::sweep::repaired::Repair;
+use topple::sweep::report::{Report, threads};
+use topple::sweep::settings::Method;
+use topple::sweep::shortcuts::Shortcuts;
+use topple::sweep::verification::Verification;
+
+/// Everything about a run that its data do not hold.
+#[derive(Debug, Serialize)]
+pub struct Manifest<'a> {
+    /// What the files are of.
+    pub kind: Kind,
+    /// A checksum of all that the map depends on; none of a map that was joined.
+    pub tag: Option<u32>,
+    /// Version of topple.
+    pub version: &'static str,
+    /// The scene as run, defaults filled in.
+    pub scene: &'a Scene,
+    /// Where its record came from, if it has one that was read from files.
+    pub record: Option<&'a Provenance>,
+    /// Number of cells.
+    pub cells: usize,
+    /// Cells that an earlier, interrupted run had done.
+    pub resumed_cells: usize,
+    /// gpu, cpu or reference; of parts that differ all of them, as in cpu+gpu.
+    pub backend: String,
+    /// The adapter, for a GPU, if all parts have run on the same.
+    pub adapter: Option<&'a AdapterDescription>,
+    /// Threads of the CPU.
+    pub threads: usize,
+    /// How its cells were computed.
+    #[serde(flatten)]
+    pub method: Method,
+    /// Steps of the sweep.
+    pub steps: Steps,
+    /// Seconds of each part of the run.
+    pub timings: Timings,
+    /// Cells a second of the sweep.
+    pub cells_per_second: f64,
+    /// Cells of each outcome.
+    pub outcomes: BTreeMap<&'static str, usize>,
+    /// Cells in which the contact force turned tensile, where the model does not hold.
+    pub tensile_cells: usize,
+    /// Cells that ask for more friction than the scene's coefficient, if it has one.
+    pub sliding_cells: Option<usize>,
+    /// How cells beside boundaries were repaired; none where it was not asked for.
+    pub repaired: Option<&'a Repair>,
+    /// How the map was refined, and how much of it that may have missed; none where it was not asked for.
+    pub refined: Option<&'a RefineReport>,
+    /// How sharp the boundaries between outcomes are; none where it was not asked for.
+    pub sharpness: Option<&'a Sharpness>,
+    /// What was left out of the model.
+    pub model: Reduced,
+    /// The sample that the reference ran again; none before, and where none was asked for.
+    pub verification: Option<&'a Verification>,
+    /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
+    pub drawn: (usize, usize),
+    /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
+    pub parts: Vec<Origin<'a>>,
+    /// The files beside this one.
+    pub files: &'a [String],
+}
+
+/// A run of cells and what ran them.
+#[derive(Debug, Serialize)]
+pub struct Origin<'a> {
+    /// The part's folder; none for what this run ran.
+    #[serde(serialize_with = "path_text::serialize_some")]
+    pub folder: Option<&'a Path>,
+    /// The cells, and what ran them.
+    #[serde(flatten)]
+    pub report: &'a Report,
+}
+
+/// Steps of a sweep, s.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Steps {
+    /// Largest step allowed.
+    pub largest: f64,
+    /// Shortest free step of any cell.
+    pub shortest: f64,
+    /// Most steps of any cell.
+    pub most: u32,
+}
+
+/// The model that was run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Reduced {
+    /// Coordinates that are integrated.
+    pub state: Vec<&'static str>,
+    /// What is left out where it has no say in the result; all false with --full-model.
+    pub reductions: Shortcuts,
+    /// Cells that ended early, their results proved final.
+    pub proved_cells: usize,
+    /// Mean time simulated by a cell that stands, s.
+    pub mean_time: f64,
+}
+
+/// What is known of a map beside its sweep: it stays the same while files are written and cells verified.
+#[derive(Debug)]
+pub struct Facts<'a> {
+    /// How its cells were counted.
+    pub tally: Tally,
+    /// The steps of its cells.
+    pub steps: Steps,
+    /// Columns and rows that are drawn.
+    pub drawn: (usize, usize),
+    /// The files beside run.json.
+    pub files: &'a [String],
+    /// A checksum of all that it depends on.
+    pub tag: Option<u32>,
+    /// How it was refined, where that was asked for.
+    pub refined: Option<&'a RefineReport>,
+    /// How sharp its boundaries are, where that was asked for.
+    pub sharpness: Option<Sharpness>,
+}
+
+impl<'a> Manifest<'a> {
+    /// What is known of a map; `took` has the times of what came beside the sweep.
+    pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
+        let Facts { tally, steps, drawn, files, tag, refined, sharpness } = facts;
+        let MapSweep { plan, grid, method, parts, .. } = map;
+        let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
+        let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
+        let timings = Timings {
+            start: sum(|report| report.start),
+            sweep: sum(|report| report.sweep),
+            ..took
+        };
+        let mut backends: Vec<&str> =
+            parts.iter().map(|(_, report)| report.backend.as_str()).collect();
+        backends.sort_unstable();
+        backends.dedup();
+        // One that all parts share, if they do; a map has one part at least.
+        let adapter = parts[0].1.adapter.as_ref();
+        let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
+        Manifest {
+            kind: Kind::Map,
+            tag: *tag,
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &plan.scene,
+            record: plan.scene.excitation.provenance(),
+            cells: grid.len(),
+            resumed_cells,
+            backend: backends.join("+"),
+            adapter: adapter.filter(|_| shared),
+            threads: threads(),
+            method: *method,
+            steps: *steps,
+            cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
+            timings,
+            outcomes: tally.classes(),
+            tensile_cells: tally.tensile,
+            sliding_cells: tally.sliding,
+            repaired: map.repair.as_ref(),
+            refined: *refined,
+            sharpness: sharpness.as_ref(),
+            model: Reduced::of(plan, tally),
+            verification: map.verification.as_ref(),
+            drawn: *drawn,
+            parts: parts
+                .iter()
+                .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
+                .collect(),
+            files,
+        }
+    }
+}
+
+impl Steps {
+    /// The steps of a grid's cells. It goes through all of them.
+    pub fn of(plan: &Plan, grid: &Grid) -> Steps {
+        let of = |cell: usize| {
+            let clock = plan.clock(&grid.case(cell));
+            let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };
+            (step, clock.steps)
+        };
+        let extreme = |(short, most): (f64, u32), (step, steps): (f64, u32)| {
+            (short.min(step), most.max(steps))
+        };
+        let none = || (f64::INFINITY, 0);
+        let (shortest, most) = (0..grid.len()).into_par_iter().map(of).reduce(none, extreme);
+        Steps { largest: plan.resolution.largest_step, shortest, most }
+    }
+}
+
+impl Reduced {
+    /// The model of a plan, and how far its map had to be simulated.
+    pub fn of(plan: &Plan, tally: &Tally) -> Reduced {
+        let variant = plan.variant();
+        let state = [
+            (variant.isolated_h, "u"),
+            (variant.isolated_v, "v"),
+            (variant.yields, "z"),
+            (true, "phi"),
+        ];
+        Reduced {
+            state: state.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect(),
+            reductions: plan.reductions,
+            proved_cells: tally.proved,
+            mean_time: tally.mean_time,
+        }
+    }
+}
+
+/// Seconds of each part of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Timings {
+    /// Opening the backend and compiling the shader.
+    pub start: f64,
+    /// The estimate of what the sweep will take, from a sample of cells.
+    pub estimate: f64,
+    /// The sweep.
+    pub sweep: f64,
+    /// Counting outcomes, and choosing the reference's sample.
+    pub counting: f64,
+    /// Drawing the pictures.
+    pub drawing: f64,
+    /// Writing the files.
+    pub writing: f64,
+    /// The reference's sample; none before, and where none was asked for.
+    pub verification: Option<f64>,
+}

@@ -1,0 +1,125 @@
+//! `topple merge`.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use topple::refine::run as refine;
+use topple::results::earlier::Kind;
+use topple::results::size::FileSizes;
+use topple::scene::Grid;
+use topple::sweep::backend::Backend;
+use topple::sweep::map::MapSweep;
+use topple::sweep::parts::Parts;
+use topple::sweep::request::BackendRequest;
+use topple_pictures::map::thinned::thinned;
+
+use super::disk::{self, size};
+use super::errors::sweep_error;
+use super::finish::{self, Finish};
+use super::map_file::MapFile;
+use super::options::{Talk, Verify, flag_error, share};
+use super::progress::{Bar, Screen};
+use super::words::{self, Say, with_flags};
+use super::{InputError, examples, interrupt, output};
+
+/// Points of an axis of the sample that tells how large the files will be.
+const SAMPLE: usize = 96;
+
+/// Join the parts of a map made with --tile, and write its files.
+#[derive(clap::Args)]
+#[command(after_help = examples::MERGE)]
+pub struct MergeCommand {
+    /// Directories of the runs with --tile, or the parts' own
+    #[arg(value_name = "DIR", required = true)]
+    parts: Vec<PathBuf>,
+    /// Directory for the map; made if need be
+    #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
+    out: PathBuf,
+    /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
+    #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
+    files: Vec<MapFile>,
+    /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
+    verify: Option<Verify>,
+    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv, .npz and .zarr
+    #[arg(long, value_name = "K")]
+    refine: Option<u32>,
+    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
+    /// share of its range
+    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
+    smooth: Option<f64>,
+    /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    #[arg(long)]
+    sharpness: bool,
+    /// Print nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+    #[command(flatten)]
+    talk: Talk,
+}
+
+impl MergeCommand {
+    /// Joins the parts.
+    pub fn run(&self) -> anyhow::Result<()> {
+        interrupt::listen();
+        // What is wrong with the parts is wrong with what was given.
+        let bar = Bar::checking(self.quiet);
+        let joined = Parts::join(&self.parts, &bar);
+        bar.finish();
+        let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
+        let earlier = output::refuse_other(&self.out, Kind::Map)?;
+        let out = output::open(&self.out)?;
+        let files = |cells: usize| match self.files.is_empty() {
+            true => MapFile::of(cells),
+            false => self.files.clone(),
+        };
+        let grid = Grid::of(&parts.content.scene);
+        let refines = self.refine.is_some();
+        let names = output::places(&parts.content.scene, &grid, &files(grid.len()), refines);
+        output::refuse_foreign(&self.out, &earlier, &names)?;
+        // Nobody else is to write there, and a run of something else that was interrupted there is not to be
+        // lost.
+        let store = parts.store(&self.out).map_err(sweep_error)?;
+        let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
+        let grid = map.grid.clone();
+        let grid = &grid;
+        Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
+        let files = files(grid.len());
+        let (slice, _) = grid.slice(0);
+        let sample = thinned(&map.plan.scene, (&slice, 0), &*map.outcomes, SAMPLE)?;
+        let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
+        let bytes = disk::of_files(&sizes, &files);
+        disk::fits(bytes, &self.out)?;
+        let say = Say::unless(self.quiet || self.talk.json);
+        words::scene(&say, &map.plan.scene, grid);
+        for (folder, report) in &map.parts {
+            let folder = folder.as_ref().map(|folder| folder.display().to_string());
+            say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
+        }
+        say.line("takes", format!("{} of disk", size(bytes)));
+        let screen = Screen::new(self.quiet);
+        if let Some(levels) = self.refine {
+            refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
+        }
+        let mut refined = None;
+        // A part does not know its neighbours.
+        if map.method.repair || self.refine.is_some() {
+            let on_cpu = map.parts.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
+            let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
+            let opened = request.open(map.method.precision, &[]);
+            let opened = opened.map_err(|error| sweep_error(error.into()))?;
+            if map.method.repair {
+                let repaired = map.repair(&opened.backends, &screen);
+                repaired.map_err(|error| sweep_error(map.stopped(error)))?;
+            }
+            refined =
+                super::run::refine(&map, &opened.backends, (self.refine, self.smooth), &screen)?;
+        }
+        let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
+        let (out, files, earlier) = (&out, &files[..], &earlier);
+        let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
+        let refined = refined.as_ref();
+        let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
+        finish::write(map, &to, &say, &screen)
+    }
+}

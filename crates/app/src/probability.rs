@@ -1,0 +1,143 @@
+//! A map of which something is not known: the probability of each outcome.
+
+use std::iter;
+use std::time::Instant;
+
+use serde::Serialize;
+use topple::results::block::bytes_a_cell;
+use topple::results::earlier::{self, Earlier, Kind};
+use topple::scene::record::Provenance;
+use topple::scene::{Grid, Scene};
+use topple::sweep::settings::Method;
+use topple_pictures::drawing::render;
+use topple_pictures::studies::probability as picture;
+use topple_studies::uncertain::Uncertainty;
+use topple_studies::uncertain::probability::{self, Probabilities};
+
+use super::errors::sweep_error;
+use super::options::{MapOptions, Verify};
+use super::output::picture_files;
+use super::print::print_line;
+use super::progress::Screen;
+use super::words::{self, Say};
+use super::{memory, output};
+
+/// run.json of a probability map.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    /// The scene, numbers that vary at their own values.
+    scene: &'a Scene,
+    record: Option<&'a Provenance>,
+    #[serde(flatten)]
+    uncertainty: &'a Uncertainty,
+    backend: &'a str,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    cells_per_second: f64,
+    /// The probability of overturning, its mean over the cells.
+    mean_probability: f64,
+    /// Share of the cells that have one outcome in all samples.
+    certain: f64,
+    largest_standard_error: f64,
+    /// Cells that the reference ran again, and those of another outcome.
+    verified: [usize; 2],
+    files: &'a [String],
+}
+
+/// The table, and the name of the picture.
+const TABLE: &str = "probability.csv";
+const PICTURE: &str = "probability";
+
+/// The names of the files.
+pub fn names() -> Vec<String> {
+    iter::once(TABLE.to_string()).chain(picture_files(PICTURE)).collect()
+}
+
+/// Runs the sweeps of a checked scene and writes their probabilities.
+pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Result<()> {
+    let uncertainty = options.uncertain.uncertainty();
+    let grid = Grid::of(scene);
+    let columns = bytes_a_cell(options.run.precision()) + size_of::<[u32; 5]>();
+    let needed = grid.len() as u64 * columns as u64;
+    memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
+    let say = Say::unless(options.run.quiet || options.talk.json);
+    words::scene(&say, scene, &grid);
+    for varied in &uncertainty.vary {
+        say.line("varies", varied);
+    }
+    if uncertainty.pixel {
+        say.line("varies", "the axes, within the pixel of each cell");
+    }
+    words::warn_of_cut_pulses(&grid);
+    let mut settings = options.settings(scene);
+    (settings.saving, settings.verify) = (None, Verify::settings(options.verify));
+    let screen = Screen::new(options.run.quiet);
+    let force = options.run.force;
+    let swept = Probabilities::run(scene, &uncertainty, force, &settings, &screen);
+    screen.clear();
+    let all = swept.map_err(sweep_error)?;
+    let began = Instant::now();
+    let mut files = vec![TABLE.to_string()];
+    let svg = picture::draw(&all, &uncertainty)?;
+    if svg.is_some() {
+        files.extend(picture_files(PICTURE));
+    }
+    let out = output::open(&options.run.out)?;
+    output::replace(&out, earlier, &files, &say)?;
+    out.write(TABLE, |w| probability::write(&all, &uncertainty, w))?;
+    if let Some(svg) = &svg {
+        output::write_figure(&out, PICTURE, svg, &render::png(svg)?)?;
+    }
+    let cells = grid.len() * uncertainty.samples as usize;
+    let manifest = Manifest {
+        kind: Kind::Probability,
+        version: env!("CARGO_PKG_VERSION"),
+        scene,
+        record: scene.excitation.provenance(),
+        uncertainty: &uncertainty,
+        backend: &all.backend,
+        method: settings.method,
+        cells: grid.len(),
+        sweep_seconds: all.seconds,
+        cells_per_second: cells as f64 / all.seconds.max(1.0e-9),
+        mean_probability: all.mean(),
+        certain: all.certain(),
+        largest_standard_error: all.largest_error(),
+        verified: all.verified,
+        files: &files,
+    };
+    earlier::finish(&out, &manifest)?;
+    let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());
+    say.line("sweep", format!("{samples}, {}, {}", all.backend, words::speed(cells, all.seconds)));
+    let certain = 100.0 * all.certain();
+    let one = format!("{certain:.1} % of the cells have one outcome in all samples");
+    let mean = format!("overturning has a mean probability of {:.4}", all.mean());
+    say.line("outcomes", format!("{one}; {mean}"));
+    let error = format!("{:.3} at the most, that of independent samples", all.largest_error());
+    say.line("error", format!("the standard error of a probability is {error}"));
+    let [sampled, differ] = all.verified;
+    if sampled > 0 {
+        let inside = all.differ_inside;
+        let text = format!(
+            "{sampled} cells again, {differ} differ in outcome, {inside} of them amid one outcome"
+        );
+        say.line("reference", text);
+    }
+    match svg {
+        Some(_) => say.line("picture", out.file("probability.png").display()),
+        None => say.line("picture", "none: it has one axis or two of several values"),
+    }
+    say.line("table", format!("{} with run.json", out.file(&files[0]).display()));
+    if options.talk.verbose {
+        let rest = began.elapsed().as_secs_f64();
+        say.line("time", format!("sweep {:.2} s, files {rest:.2} s", all.seconds));
+    }
+    if options.talk.json {
+        print_line!("{}", serde_json::to_string_pretty(&manifest)?);
+    }
+    Ok(())
+}

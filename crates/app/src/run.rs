@@ -1,0 +1,171 @@
+//! From a scene to files: a map, or a part of one.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use topple::refine::refined::RefinedMap;
+use topple::refine::run as refine;
+use topple::refine::settings::RefineSettings;
+use topple::results::earlier::{Earlier, Kind, RUN};
+use topple::scene::{Grid, Scene};
+use topple::sweep::backend::Backend;
+use topple::sweep::job::{Job, SweepResult};
+use topple::sweep::map::MapSweep;
+
+use super::errors::sweep_error;
+use super::finish::{self, Finish};
+use super::options::{MapOptions, Verify};
+use super::progress::Screen;
+use super::words::{self, Say};
+use super::{InputError, disk, estimate, interrupt, output, probability};
+
+/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
+pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
+    options.run.set_threads()?;
+    if options.uncertain.asked() {
+        // A scene a sample is checked, which takes its time, too.
+        interrupt::listen();
+    }
+    // What is wrong with the scene is told before anything is made.
+    options.check(scene)?;
+    if options.uncertain.asked() {
+        return probability::run(scene, options, &earlier(scene, options)?);
+    }
+    let settings = options.settings(scene);
+    if options.dry_run {
+        return estimate::tell(scene, options, &settings);
+    }
+    interrupt::listen();
+    let say = Say::unless(options.run.quiet || options.talk.json);
+    let earlier = earlier(scene, options)?;
+    let out = output::open(&options.run.out)?;
+    let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
+    options.run.warn_of(job.passed_over(), &job.backends()[0]);
+    let tag = job.tag();
+    // A finished map may have been refined otherwise, or not at all.
+    let whole = options.tile.is_none() && options.refine.is_none();
+    if options.resume && whole && job.left() == job.wanted.len() {
+        match earlier.tag {
+            Some(finished) if Some(finished) == tag => {
+                say.line(
+                    "resumed",
+                    format!("nothing to do: {} is finished", out.file(RUN).display()),
+                );
+                return Ok(());
+            }
+            Some(_) => {
+                let problem = format!(
+                    "--resume: {} holds a finished map of another run; leave --resume out to replace it",
+                    options.run.out.display()
+                );
+                return Err(InputError(problem).into());
+            }
+            None => {}
+        }
+    }
+    let screen = Screen::new(options.run.quiet);
+    let sampling = Instant::now();
+    let estimate = job.estimate_if_long(&screen).map_err(sweep_error)?;
+    let sampling = sampling.elapsed();
+    let files = options.files(&job.grid);
+    if let Some(estimate) = &estimate {
+        disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
+    }
+    words::head(&say, &job.plan, &job.grid, job.backends(), options.run.precision());
+    words::warn_of_cut_pulses(&job.grid);
+    words::warn_of_lossless_impacts(&job.plan, &job.grid);
+    begin(&say, &job, options);
+    let left = job.left();
+    if left > 0 {
+        say.line("takes", estimate::line(&job, estimate.as_ref(), options));
+    }
+    let opened = Arc::clone(job.opened());
+    let ended = job.run(estimate.as_ref(), &screen).map_err(sweep_error)?;
+    screen.clear();
+    let lost = match &ended {
+        SweepResult::Map(map) => &map.lost,
+        SweepResult::Part(part) => &part.lost,
+    };
+    for (number, error) in lost {
+        let error = words::with_flags(&error.to_string());
+        say.line("lost", format!("GPU {number}: {error}; the others did its cells"));
+    }
+    let seconds = match &ended {
+        SweepResult::Map(map) => map.parts[0].1.sweep,
+        SweepResult::Part(part) => part.report.sweep,
+    };
+    if left > 0 {
+        say.line("sweep", words::speed(left, seconds));
+    }
+    match ended {
+        SweepResult::Map(map) => {
+            let (verify, estimate) = (Verify::settings(options.verify), sampling);
+            let (out, files, earlier) = (&out, &files[..], &earlier);
+            let (sharpness, talk) = (options.sharpness, options.talk);
+            let refined =
+                refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
+            let refined = refined.as_ref();
+            let to =
+                Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
+            finish::write(*map, &to, &say, &screen)
+        }
+        SweepResult::Part(part) => {
+            say.line("tiles", format!("{}; topple merge joins the parts", part.folder.display()));
+            Ok(())
+        }
+    }
+}
+
+/// What an earlier command left in the directory of the results.
+///
+/// # Errors
+/// It holds something of another kind, or something that no run wrote has the place of a file of this one.
+pub fn earlier(scene: &Scene, options: &MapOptions) -> Result<Earlier, InputError> {
+    let kind = options.kind();
+    let earlier = output::refuse_other(&options.run.out, kind)?;
+    let names = match kind {
+        Kind::Probability => probability::names(),
+        _ => {
+            let (grid, refines) = (Grid::of(scene), options.refine.is_some());
+            output::places(scene, &grid, &options.files(&grid), refines)
+        }
+    };
+    if options.tile.is_none() {
+        output::refuse_foreign(&options.run.out, &earlier, &names)?;
+    }
+    Ok(earlier)
+}
+
+/// The map refined in so many levels, where that is asked for.
+pub fn refine(
+    map: &MapSweep,
+    backends: &[Backend],
+    (levels, smooth): (Option<u32>, Option<f64>),
+    screen: &Screen,
+) -> anyhow::Result<Option<RefinedMap>> {
+    let Some(levels) = levels else { return Ok(None) };
+    let mut settings = RefineSettings::levels(levels);
+    settings.smooth = smooth;
+    let refined = refine::refine_on(map, backends, &settings, screen);
+    let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
+    screen.clear();
+    Ok(Some(refined))
+}
+
+/// Says where the run begins.
+fn begin(say: &Say, job: &Job, options: &MapOptions) {
+    for (path, reason) in job.broken() {
+        say.line("again", format!("{}: {reason}", path.display()));
+    }
+    let wanted = &job.wanted;
+    if let Some(part) = options.tile {
+        let (count, first) = (wanted.len(), wanted.start);
+        say.line("part", format!("{part}, {count} cells from number {first} on"));
+    }
+    let done = wanted.len() - job.left();
+    if done > 0 {
+        say.line("resumed", format!("{done} of {} cells were done", wanted.len()));
+    } else if options.resume {
+        say.line("resumed", "nothing: no cell of this run was saved; it begins at the start");
+    }
+}

@@ -1,0 +1,84 @@
+//! `topple run`, and `topple` alone.
+
+use std::path::PathBuf;
+
+use anyhow::Context;
+use topple::results::earlier::{Kind, RUN};
+use topple::scene::builder::SceneBuilder;
+
+use super::again::{self, Again};
+use super::load::load;
+use super::options::MapOptions;
+use super::{InputError, examples, history, run, words};
+
+/// The scene that `topple` alone runs.
+pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
+
+/// Run a scene from a file, or an earlier run again.
+///
+/// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
+/// the same backend (cpu or reference), with the same precision, step and shortcuts, repaired, refined and smooth as then,
+/// with its sharpness and its files where no flag says otherwise. map.npz and map.zarr tell the scene alone.
+#[derive(clap::Args)]
+#[command(after_help = examples::RUN)]
+pub struct RunCommand {
+    /// A scene's file (TOML); a run.json, a map or a directory of results
+    #[arg(value_name = "SCENE.toml|RESULTS")]
+    scene: PathBuf,
+    #[command(flatten)]
+    options: MapOptions,
+}
+
+impl RunCommand {
+    /// Runs the scene.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let path = self.scene.display();
+        let refused = |reason: String| InputError(format!("{path}: {reason}"));
+        if let Some(earlier) = again::at(&self.scene) {
+            let Again { kind, scene, method, backend, uncertainty, besides } =
+                earlier.map_err(refused)?;
+            let mut options = self.options.clone();
+            let meaningless = match kind {
+                Kind::History => options.not_of_a_history(),
+                Kind::Probability if !options.uncertain.asked() => options.of_a_map(),
+                _ => Vec::new(),
+            };
+            if let [flag, ..] = meaningless[..] {
+                let problem = format!("{} has no {flag}; leave that out", kind.name());
+                return Err(refused(problem).into());
+            }
+            if method.is_none() {
+                let problem = format!(
+                    "it tells the scene, not how it was computed; {RUN} tells --precision, --step, --refine and so on"
+                );
+                words::warn(format!("{path}: {problem}"));
+            }
+            for flag in options.adopt(backend.as_deref(), method, &besides) {
+                let problem = format!("{flag} of that run cannot stand beside the flags given");
+                words::warn(format!("{path}: {problem}; it is left out"));
+            }
+            match uncertainty {
+                Some(uncertainty) => options.uncertain.adopt(uncertainty),
+                None if kind == Kind::Probability && !options.uncertain.asked() => {
+                    let problem = "it does not say what was not known; give --vary or --pixel";
+                    return Err(refused(problem.into()).into());
+                }
+                None => {}
+            }
+            return match kind {
+                Kind::History => history::run_cell(&scene, &options.run),
+                _ => run::run_map(&scene, &options),
+            };
+        }
+        let scene = load(&self.scene, self.options.run.force)?;
+        run::run_map(&scene, &self.options)
+    }
+}
+
+/// Runs the default scene.
+pub fn run_default(options: &MapOptions) -> anyhow::Result<()> {
+    // The scene is part of the binary; a test reads it.
+    let text = SceneBuilder::from_toml(DEFAULT_SCENE).map_err(anyhow::Error::msg)?;
+    let scene = text.check().context("the default scene")?;
+    run::run_map(&scene, options)
+}

@@ -1,0 +1,165 @@
+//! `topple suite`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde::Serialize;
+use topple::results::earlier::{self, Kind};
+use topple::scene::path_text;
+use topple::scene::record::Provenance;
+use topple_pictures::drawing::render;
+use topple_pictures::studies::suite as picture;
+use topple_studies::suites::{Suite, SuiteError, table};
+
+use super::words::{Say, with_columns};
+use super::{InputError, examples, output};
+
+/// Read a folder, a zip or a list of records as one suite, and tell what is in it.
+///
+/// Each horizontal component is paired with the vertical of its station. What is missing or ambiguous is a line of
+/// the table without numbers, which says why.
+#[derive(clap::Args)]
+#[command(after_help = examples::SUITE)]
+pub struct SuiteCommand {
+    /// A folder or a zip of records (PEER, ESM, K-NET, KiK-net), or a list (CSV) beside them
+    #[arg(value_name = "PATH")]
+    path: PathBuf,
+    /// Directory for the results; made if need be
+    #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
+    out: PathBuf,
+    /// Refuse a suite in which anything is missing or ambiguous
+    #[arg(long)]
+    strict: bool,
+    /// Print nothing but warnings and errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// run.json of a suite.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    #[serde(serialize_with = "path_text::serialize")]
+    suite: &'a std::path::Path,
+    motions: usize,
+    /// Where each motion came from, its factor and its weight, by its id.
+    records: BTreeMap<&'a str, Source<'a>>,
+    /// Why lines have no motion, by their ids.
+    left_out: BTreeMap<&'a str, &'a str>,
+    /// Files that are no part of any line.
+    unused: &'a [String],
+    files: &'a [&'a str],
+}
+
+/// Where a motion came from.
+#[derive(Serialize)]
+struct Source<'a> {
+    #[serde(flatten)]
+    files: Option<&'a Provenance>,
+    scale: f64,
+    weight: f64,
+}
+
+/// Most reasons that are printed one by one.
+const SHOWN: usize = 10;
+
+impl SuiteCommand {
+    /// Reads the suite and writes its table.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
+        let earlier = output::refuse_other(&self.out, Kind::Suite)?;
+        let out = output::open(&self.out)?;
+        let say = Say::unless(self.quiet);
+        let files = ["suite.csv", "suite.svg", "suite.png"];
+        output::refuse_foreign(&self.out, &earlier, &files.map(String::from))?;
+        let svg = picture::draw(&suite);
+        let png = render::png(&svg)?;
+        output::replace(&out, &earlier, &files.map(String::from), &say)?;
+        out.write(files[0], |w| table::write(&suite, w))?;
+        output::write_figure(&out, "suite", &svg, &png)?;
+        let manifest = Manifest {
+            kind: Kind::Suite,
+            version: env!("CARGO_PKG_VERSION"),
+            suite: &self.path,
+            motions: suite.motions().count(),
+            records: suite
+                .motions()
+                .map(|(entry, motion)| {
+                    let files = motion.pair.provenance.as_deref();
+                    (entry.id.as_str(), Source { files, scale: entry.scale, weight: entry.weight })
+                })
+                .collect(),
+            left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
+            unused: &suite.unused,
+            files: &files,
+        };
+        earlier::finish(&out, &manifest)?;
+        tell(&suite, &say);
+        say.line("picture", out.file(files[2]).display());
+        say.line("table", format!("{} with run.json", out.file(files[0]).display()));
+        Ok(())
+    }
+}
+
+/// Says how many motions a suite has, and how many lines have none.
+pub fn count(suite: &Suite, say: &Say) {
+    let left_out = suite.left_out().count();
+    let text = match left_out {
+        0 => counted(suite.motions().count(), "motion"),
+        some => format!(
+            "{}; {} without one, topple suite tells why",
+            counted(suite.motions().count(), "motion"),
+            counted(some, "line")
+        ),
+    };
+    say.line("suite", text);
+}
+
+/// Says what is in a suite.
+fn tell(suite: &Suite, say: &Say) {
+    let motions: Vec<_> = suite.motions().collect();
+    let mut recordings: Vec<_> =
+        motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();
+    recordings.sort();
+    recordings.dedup();
+    let (motions, recordings) =
+        (counted(motions.len(), "motion"), counted(recordings.len(), "recording"));
+    say.line("suite", format!("{motions} of {recordings}"));
+    let noted = suite.motions().filter(|(entry, _)| !entry.notes.is_empty()).count();
+    if noted > 0 {
+        say.line(
+            "",
+            format!(
+                "the table has notes on {noted} of them: resampled, padded, scaled, a sign changed, and others"
+            ),
+        );
+    }
+    let left_out: Vec<_> = suite.left_out().collect();
+    if !left_out.is_empty() {
+        say.line("left out", counted(left_out.len(), "line"));
+    }
+    for (entry, why) in left_out.iter().take(SHOWN) {
+        say.line("", format!("{}: {why}", entry.id));
+    }
+    if left_out.len() > SHOWN {
+        say.line("", format!("and {} more, in the table", left_out.len() - SHOWN));
+    }
+    if !suite.unused.is_empty() {
+        let (count, first) = (suite.unused.len(), &suite.unused[0]);
+        say.line(
+            "unused",
+            format!("{} whose names tell no component, the first {first}", counted(count, "file")),
+        );
+    }
+}
+
+/// So many things: `1 motion`, `2 motions`.
+pub fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A suite's error in terms of the command line: all of it is what was given.
+pub fn input_error(error: SuiteError) -> InputError {
+    InputError(with_columns(&error.to_string()))
+}

@@ -1,0 +1,235 @@
+//! What commands have that sweep a scene under a suite: their flags, and the way from them to the sweep.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use topple::results::earlier::{Earlier, Kind};
+use topple::results::part::Part;
+use topple::results::store_error::StoreError;
+use topple::scene::builder::SceneBuilder;
+use topple::scene::{Scene, path_text};
+use topple::sweep::error::SweepError;
+use topple::sweep::settings::Method;
+use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
+use topple_studies::suites::verified::Verified;
+use topple_studies::suites::{Suite, SuiteRequest, saved};
+
+use super::errors::sweep_error;
+use super::estimate::duration;
+use super::options::{CommonFlags, RunOptions, Verify, flag_error};
+use super::progress::Screen;
+use super::words::Say;
+use super::{InputError, interrupt, output, suite};
+
+/// Which motions, and how they are run.
+#[derive(clap::Args)]
+pub struct SuiteFlags {
+    /// A folder, a zip or a list of records, as of topple suite
+    #[arg(long, value_name = "PATH", help_heading = "Suite")]
+    suite: PathBuf,
+    /// Refuse a suite in which anything is missing or ambiguous
+    #[arg(long, help_heading = "Suite")]
+    strict: bool,
+    /// Take each motion twice, its horizontal component in both directions
+    #[arg(long, help_heading = "Suite")]
+    both_directions: bool,
+    /// Cells that the reference runs again, of all motions together, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
+    verify: Option<Verify>,
+    /// Go on with an interrupted run in the same directory, or with parts that --tile has left there
+    #[arg(long)]
+    resume: bool,
+    /// Run the k-th of n parts of the motions only, and leave it in the directory for --resume
+    #[arg(long, value_name = "K/N")]
+    tile: Option<Part>,
+    /// Print the expected time, and run a sample only
+    #[arg(long)]
+    dry_run: bool,
+}
+
+/// Numbers of run.json that every command with a suite has.
+#[derive(Serialize)]
+pub struct SuiteManifest<'a> {
+    kind: Kind,
+    version: &'static str,
+    /// The scene under the first motion.
+    scene: &'a Scene,
+    #[serde(serialize_with = "path_text::serialize")]
+    suite: &'a Path,
+    motions: Vec<&'a str>,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    records_times_cells_per_second: f64,
+}
+
+impl SuiteFlags {
+    /// Checks what is said of the run, and makes a request of a scene.
+    pub fn request(
+        &self,
+        common: &CommonFlags,
+        options: &RunOptions,
+        text: SceneBuilder,
+    ) -> anyhow::Result<SuiteRequest> {
+        options.set_threads()?;
+        options.check_step().map_err(|error| flag_error(&error))?;
+        if common.save_scene.is_some() {
+            let problem = "--save-scene: a scene's file has no suite; leave it out";
+            return Err(InputError(problem.into()).into());
+        }
+        if saved::is_begun(&options.out) && !self.resume && self.tile.is_none() && !self.dry_run {
+            let error = SweepError::Folder(StoreError::Unfinished(options.out.clone()));
+            return Err(sweep_error(error));
+        }
+        let mut request = SuiteRequest::new(SceneBuilder { force: options.force, ..text });
+        request.both_directions = self.both_directions;
+        request.settings.saving = (!self.dry_run).then(|| saved::folder(&options.out));
+        request.settings.part = self.tile;
+        let run = &mut request.settings.run;
+        run.backend = options.backend();
+        run.adapters.clone_from(&options.adapter);
+        run.method = options.method();
+        run.verify = Verify::settings(self.verify);
+        Ok(request)
+    }
+
+    /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
+    /// written: not by a dry run, nor by a part.
+    pub fn refuse_foreign(
+        &self,
+        options: &RunOptions,
+        earlier: &Earlier,
+        names: &[String],
+    ) -> Result<(), InputError> {
+        if self.dry_run || self.tile.is_some() {
+            return Ok(());
+        }
+        output::refuse_foreign(&options.out, earlier, names)
+    }
+
+    /// Reads the suite; from here on Ctrl-C is heard.
+    pub fn read(&self) -> Result<Suite, InputError> {
+        interrupt::listen();
+        Suite::read(&self.suite, self.strict).map_err(suite::input_error)
+    }
+
+    /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
+    /// and of a part.
+    pub fn run(
+        &self,
+        job: SuiteJob,
+        points: usize,
+        options: &RunOptions,
+        say: &Say,
+    ) -> anyhow::Result<Option<SuiteSweep>> {
+        let screen = Screen::new(options.quiet);
+        options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
+        if self.resume && job.finds_others().map_err(sweep_error)? {
+            let folder = saved::folder(&options.out);
+            let problem = format!(
+                "--resume: {} holds motions of another run; give the flags of that run, or another directory",
+                folder.display()
+            );
+            return Err(InputError(problem).into());
+        }
+        let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
+        let levels = cells / (each * count).max(1);
+        let size = size(&job, points, levels);
+        if self.dry_run {
+            let seconds = job.estimate(&screen).map_err(sweep_error)?;
+            screen.clear();
+            // What is asked for is told, however quiet.
+            let say = Say::unless(false);
+            say.line("cells", format!("{size}, {cells} together"));
+            say.line("time", format!("about {} of sweep", duration(seconds)));
+            return Ok(None);
+        }
+        output::open(&options.out)?;
+        let swept = job.run(&screen).map_err(sweep_error)?;
+        screen.clear();
+        if self.resume {
+            say.line("resumed", format!("{} of {count} motions were done", swept.resumed));
+        }
+        let ran = cells - swept.resumed * each * levels;
+        if ran > 0 {
+            let speed = ran as f64 / swept.seconds.max(1.0e-9);
+            let text =
+                format!("{size}, {:.2} s, {speed:.0} records x cells a second", swept.seconds);
+            say.line("sweep", text);
+        }
+        if let Some(part) = self.tile {
+            tell_verified(&swept, say);
+            let folder = saved::folder(&options.out);
+            let joins = "the same command without --tile and with --resume joins the parts";
+            say.line("motions", format!("part {part} in {}; {joins}", folder.display()));
+            return Ok(None);
+        }
+        Ok(Some(swept))
+    }
+
+    /// What run.json says of a sweep, each of its records once.
+    pub fn manifest<'a>(
+        &'a self,
+        kind: Kind,
+        swept: &'a SuiteSweep,
+        motions: Vec<&'a str>,
+        options: &RunOptions,
+    ) -> SuiteManifest<'a> {
+        let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
+        SuiteManifest {
+            kind,
+            version: env!("CARGO_PKG_VERSION"),
+            scene: &swept.scene,
+            suite: &self.suite,
+            motions,
+            method: options.method(),
+            cells: swept.grid.len(),
+            sweep_seconds: swept.seconds,
+            records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+        }
+    }
+}
+
+/// How much is swept, in words: cells, motions, levels.
+fn size(job: &SuiteJob, points: usize, levels: usize) -> String {
+    let counts: Vec<String> = job
+        .grid
+        .axes()
+        .iter()
+        .filter(|axis| axis.count() > 1)
+        .map(|axis| axis.count().to_string())
+        .collect();
+    let cells = match counts.is_empty() {
+        true => "1 cell".to_string(),
+        false => format!("{} cells", counts.join(" x ")),
+    };
+    let motions = job.motions().len() / points;
+    let mut text = format!("{cells} under {}", suite::counted(motions, "motion"));
+    if points > 1 {
+        text += &format!(" with {points} sets of numbers");
+    }
+    if levels > 1 {
+        text += &format!(" at {levels} levels");
+    }
+    text
+}
+
+/// Says what the reference says.
+pub fn tell_verified(swept: &SuiteSweep, say: &Say) {
+    let Verified { sampled, differ, inside, wrong } = &swept.verified;
+    if *sampled == 0 {
+        return;
+    }
+    let verdict = match inside {
+        0 => "none amid cells of one outcome".to_string(),
+        some => format!("{some} amid cells of one outcome: wrong there, or chaotic"),
+    };
+    say.line("reference", format!("{sampled} cells again, {differ} differ in outcome, {verdict}"));
+    for place in wrong.iter().take(SHOWN) {
+        say.line("", place);
+    }
+}
+
+/// Wrong cells that are printed.
+const SHOWN: usize = 3;

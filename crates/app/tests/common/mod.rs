@@ -1,0 +1,40 @@
+//! What the tests of the command share, and what those of the engine do.
+
+#![allow(dead_code, unused_imports, clippy::unwrap_used)] // each test binary uses a part of it
+
+#[path = "../../../../tests/common/mod.rs"]
+mod engine;
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use assert_cmd::Command;
+pub use engine::*;
+
+/// A file or a folder of the repository.
+pub fn of_repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// The lines that topple wrote to stderr, without those of a driver: some have a word to say to every
+/// program that looks at them.
+pub fn own_lines(stderr: &str) -> Vec<String> {
+    static DRIVERS: LazyLock<Vec<String>> = LazyLock::new(|| {
+        // A command that says nothing itself but where it fails.
+        let run = Command::cargo_bin("topple").unwrap().arg("adapters").assert().success();
+        lines(&String::from_utf8_lossy(&run.get_output().stderr))
+    });
+    lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
+}
+
+fn lines(text: &str) -> Vec<String> {
+    text.lines().map(String::from).collect()
+}
+
+/// The line that a command is refused with, status 2.
+pub fn refused(arguments: &[&str]) -> String {
+    let run = Command::cargo_bin("topple").unwrap().args(arguments).assert().code(2);
+    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert_eq!(said.lines().count(), 1, "{said}");
+    said
+}

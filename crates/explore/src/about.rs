@@ -1,0 +1,181 @@
+//! What the page has to know: the tables of parameters and columns, words, colours, and the first scene.
+
+use serde_json::{Value, json};
+
+use super::frame::type_of;
+use super::session::Session;
+use super::stages::MOST;
+use topple::model::precision::Precision;
+use topple::model::pulse::Shape;
+use topple::results::colour::Colour;
+use topple::results::columns::{Column, TABLE};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
+use topple::scene::parameters::{Legal, PARAMETERS, Section};
+use topple::scene::{Directions, Overturn};
+use topple::sweep::report::threads;
+
+/// A colour as a page writes it.
+fn hex([r, g, b]: Colour) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// An end of a range; none where there is none.
+fn end(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// The parameters of a scene.
+fn parameters() -> Vec<Value> {
+    let told = PARAMETERS.iter().map(|entry| {
+        let ((low, high), (has_low, has_high)) = entry.legal.ends();
+        json!({
+            "key": entry.key,
+            "symbol": entry.symbol,
+            "unit": entry.unit,
+            "label": entry.label(),
+            "section": entry.section.key(),
+            "meaning": entry.meaning,
+            "source": entry.source,
+            "default": entry.default,
+            "low": end(low),
+            "high": end(high),
+            "lowIncluded": has_low,
+            "highIncluded": has_high,
+            "integer": matches!(entry.legal, Legal::Whole(..)),
+            "plausible": [entry.plausible.0, end(entry.plausible.1)],
+            "range": entry.range(),
+        })
+    });
+    told.collect()
+}
+
+/// A choice of words: the key, its section, and each word with what it means.
+fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
+    let told = words.iter().map(|(word, label)| json!({ "value": word, "label": label }));
+    json!({ "key": key, "section": section.key(), "values": told.collect::<Vec<Value>>() })
+}
+
+/// The choices of a scene that are no numbers.
+fn words() -> Vec<Value> {
+    let shapes = Shape::ALL.map(|shape| (json!(shape), shape.words()));
+    vec![
+        choice(
+            Section::Block,
+            "object",
+            &[
+                (json!("1"), "caryatid"),
+                (json!("2"), "server cabinet"),
+                (json!("3"), "hospital cabinet"),
+            ],
+        ),
+        choice(
+            Section::Base,
+            "isolation",
+            &[
+                (json!(Directions::Dual), "horizontal and vertical"),
+                (json!(Directions::Horizontal), "horizontal alone"),
+                (json!(Directions::Vertical), "vertical alone"),
+                (json!(Directions::None), "none: a block on the ground"),
+            ],
+        ),
+        choice(Section::Pulse, "shape", &shapes),
+        choice(
+            Section::Run,
+            "overturn",
+            &[
+                (json!(Overturn::CriticalAngle), "at the critical angle"),
+                (json!(Overturn::QuarterTurn), "at 90°"),
+            ],
+        ),
+    ]
+}
+
+/// The columns of a map.
+fn columns() -> Vec<Value> {
+    let told = TABLE.iter().map(|entry| {
+        json!({
+            "name": entry.name,
+            "unit": entry.unit,
+            "meaning": entry.meaning,
+            "type": type_of(entry.holds),
+        })
+    });
+    told.collect()
+}
+
+/// The colours of outcomes.
+fn kinds() -> Vec<Value> {
+    let told = Kind::all().into_iter().map(|kind| {
+        let colour = kind.colour();
+        json!({ "label": kind.label(), "colour": hex(colour), "dots": hex(dots(colour)) })
+    });
+    told.collect()
+}
+
+/// The columns that are drawn as shades.
+const QUANTITIES: [Column; 6] = [
+    Column::Zeta,
+    Column::MaxU,
+    Column::MaxV,
+    Column::StrokeV,
+    Column::MinContact,
+    Column::Friction,
+];
+
+/// All that does not hang on a session.
+pub fn tables() -> Value {
+    let sections = Section::ALL.map(|own| json!({ "key": own.key(), "heading": own.heading() }));
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "sections": sections,
+        "parameters": parameters(),
+        "words": words(),
+        "columns": columns(),
+        "kinds": kinds(),
+        "dotted": DOTTED,
+        "hatched": "contact force tensile, or friction beyond what is given: the model does not hold",
+        "quantities": QUANTITIES.map(|column| column.entry().name),
+        "shades": { "fallen": hex(FALLEN), "curves": CURVES.map(hex) },
+        "limits": { "cells": MOST },
+    })
+}
+
+/// What the page of a session has to know.
+pub fn about(session: &Session) -> Value {
+    let mut about = tables();
+    let opened = session.opened(Precision::F32).ok();
+    let backend = opened.as_ref().map(|opened| &opened.backends[0]);
+    let adapter = backend.and_then(|backend| backend.adapter());
+    let entries = [
+        ("engine", json!("server")),
+        ("backend", json!(backend.map(|backend| backend.name()))),
+        ("adapter", json!(adapter.map(|adapter| &adapter.name))),
+        ("cores", json!(threads())),
+        ("precision", json!([Precision::F32, Precision::F64])),
+        ("scene", json!(session.first)),
+    ];
+    for (key, value) in entries {
+        about[key] = value;
+    }
+    about
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use topple::scene::keys;
+
+    /// The words of a scene that the page offers are those that its file has, but for the record's files and what
+    /// a page has no use for.
+    #[test]
+    fn every_choice_of_a_scene_is_offered() {
+        let offered: Vec<String> =
+            words().iter().map(|word| word["key"].as_str().unwrap().to_string()).collect();
+        let not_offered = ["horizontal", "vertical", "dt", "units", "force", "x", "y"];
+        for section in Section::ALL {
+            for key in keys::words(section).iter().filter(|key| !not_offered.contains(key)) {
+                assert!(offered.iter().any(|own| own == key), "{key}");
+            }
+        }
+    }
+}

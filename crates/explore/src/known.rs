@@ -1,0 +1,176 @@
+//! What the exported page's engine knows of the model: constants, the parameter table, the blocks of Table 1. Its modules
+//! read it from model.json, so that no number is written in them a second time.
+
+use serde_json::{Map, Value, json};
+
+use super::asked::SYNTHETIC;
+use super::frame::type_of;
+use topple::model::block::Model;
+use topple::model::excitation::Cell;
+use topple::model::polynomials::SINE_F64;
+use topple::model::pulse::{ANTISYMMETRIC_PEAK, Shape};
+use topple::results::columns::{STATUS_NAMES, TABLE};
+use topple::results::palette::{Kind, OPEN};
+use topple::scene::block::OBJECTS;
+use topple::scene::isolation::LEAST_PERIOD;
+use topple::scene::parameters::{Legal, PARAMETERS};
+use topple::scene::record::Pair;
+use topple::scene::{Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError};
+use topple::stepping::outcome::Class;
+use topple::stepping::state::{
+    EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
+};
+use topple::sweep::clock;
+use topple::sweep::gpu::pace::CHUNK;
+use topple::sweep::gpu::pipelines::WORKGROUP;
+use topple::sweep::groups::FLIGHTS_A_STEP;
+use topple::sweep::plan::RIGID_SHARE;
+
+/// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
+///
+/// # Errors
+/// None: a scene from whose completion the defaults are read is a valid one.
+pub fn known(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
+    Ok(json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "gravity": GRAVITY,
+        "least_period": LEAST_PERIOD,
+        "rigid_share": RIGID_SHARE,
+        "sine": SINE_F64,
+        "antisymmetric_peak": ANTISYMMETRIC_PEAK,
+        "objects": objects(),
+        "parameters": PARAMETERS.iter().map(parameter).collect::<Vec<_>>(),
+        "defaults": defaults()?,
+        "words": {
+            "isolation": [
+                Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None,
+            ],
+            "overturn": [Overturn::CriticalAngle, Overturn::QuarterTurn],
+            "shape": Shape::ALL,
+        },
+        "shapes": Shape::ALL.map(shape),
+        "steps": {
+            "largest_step": clock::DEFAULT_STEP,
+            "steps_a_period": clock::STEPS_A_PERIOD,
+            "finest": clock::FINEST_STEPS_A_PERIOD[0],
+            "most": clock::FINEST_STEPS_A_PERIOD[1],
+            "short_period": clock::SHORT_PERIOD,
+            "stiff_period": clock::STIFF_PERIOD,
+            "steps_a_pulse": clock::STEPS_A_PULSE,
+            "flights_a_step": FLIGHTS_A_STEP,
+        },
+        "kinds": kinds(),
+        "codes": { "outcome": Class::ALL.map(Class::name), "status": STATUS_NAMES },
+        "columns": columns(),
+        "status": {
+            "running": RUNNING,
+            "finished": FINISHED,
+            "overturned_left": OVERTURNED_LEFT,
+            "overturned_right": OVERTURNED_RIGHT,
+            "event_limit": EVENT_LIMIT,
+            "proved": PROVED,
+        },
+        "words_of": {
+            "cell": size_of::<Cell<f32>>() / 4,
+            "state": size_of::<State<f32>>() / 4,
+            "model": size_of::<Model<f32>>() / 4,
+        },
+        "workgroup": WORKGROUP,
+        "chunk": CHUNK,
+        "record": record.map(samples),
+    }))
+}
+
+/// The blocks of Table 1 by the keys of their numbers.
+fn objects() -> Value {
+    let of = |object: &topple::scene::block::Object| {
+        let mut numbers = Map::new();
+        for (parameter, value) in object.numbers() {
+            numbers.insert(parameter.key().into(), json!(value));
+        }
+        Value::Object(numbers)
+    };
+    OBJECTS.iter().map(of).collect()
+}
+
+fn parameter(entry: &topple::scene::parameters::Entry) -> Value {
+    let (kind, ends) = match entry.legal {
+        Legal::Finite => ("finite", None),
+        Legal::NotZero => ("not_zero", None),
+        Legal::Positive => ("positive", None),
+        Legal::NotNegative => ("not_negative", None),
+        Legal::Within(low, high) => ("within", Some((low, high))),
+        Legal::InBase => ("in_base", None),
+        Legal::AboveUpTo(low, high) => ("above_up_to", Some((low, high))),
+        Legal::Whole(low, high) => ("whole", Some((f64::from(low), f64::from(high)))),
+    };
+    json!({
+        "key": entry.key,
+        "unit": entry.unit,
+        "section": entry.section.key(),
+        "legal": { "kind": kind, "low": ends.map(|(low, _)| low), "high": ends.map(|(_, high)| high) },
+        "must": entry.legal.to_string(),
+        // An end that is infinite is null.
+        "plausible": [entry.plausible.0, entry.plausible.1],
+        "perhaps": entry.perhaps,
+    })
+}
+
+fn shape(shape: Shape) -> Value {
+    json!({
+        "name": shape,
+        "code": shape as u8,
+        "words": shape.words(),
+        "has_cycles": shape.has_cycles(),
+        "is_modulated": shape.is_modulated(),
+        // Of those that neither cycles nor gamma make.
+        "periods": shape.periods(1.0, 1.0),
+    })
+}
+
+/// What a scene has where nothing is said, read off one that was completed.
+fn defaults() -> Result<Value, SceneError> {
+    use Parameter::{AH, Omega, TH, TV};
+    let given = [(TH, 1.0), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];
+    let scene = SceneBuilder::object(1).pulse(Shape::MavroeidisPapageorgiou);
+    let scene =
+        given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value)).check()?;
+    let own = scene.numbers.iter().filter(|(of, _)| given.iter().all(|(known, _)| known != of));
+    Ok(own.map(|(of, values)| (of.key().to_string(), json!(values.first()))).collect())
+}
+
+/// The places of kinds in the list of all.
+fn kinds() -> Value {
+    let all = Kind::all();
+    let place = |kind: Kind| all.iter().position(|known| *known == kind);
+    json!({
+        "full_contact": place(Kind::FullContact),
+        "rocking": place(Kind::Rocking),
+        "overturned_left": place(Kind::DirectLeft),
+        "overturned_right": place(Kind::DirectRight),
+        "impacts": place(Kind::Impacts(1)),
+        "more": place(Kind::More),
+        "unresolved": place(Kind::Unresolved),
+        "counted": OPEN,
+    })
+}
+
+/// The types of columns in f32, by their names.
+fn columns() -> Value {
+    TABLE.iter().map(|entry| (entry.name.to_string(), json!(type_of(entry.holds)))).collect()
+}
+
+/// A record: both components of each sample.
+fn samples((id, pair): (&str, &Pair)) -> Value {
+    let both = pair.horizontal.iter().zip(pair.vertical.iter());
+    json!({
+        "id": id,
+        "synthetic": id == SYNTHETIC,
+        "dt": pair.dt,
+        "length": pair.len(),
+        "duration": pair.duration(),
+        "factor": pair.factor,
+        "pga_h": pair.pga_h,
+        "samples": both.flat_map(|(h, v)| [*h, *v]).collect::<Vec<f64>>(),
+    })
+}

@@ -1,0 +1,296 @@
+//! The records of a session: the file that the first scene has, and files that were dropped on the page.
+
+use std::collections::{BTreeMap, HashMap};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::asked::SYNTHETIC;
+use super::refused::Refused;
+use topple::scene::excitation::{RecordText, check_record};
+use topple::scene::record::{Pair, Units, synthetic};
+use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded};
+
+/// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
+/// they are scaled to.
+type Key = (RecordTextKey, Option<u64>);
+type RecordTextKey = (Option<PathBuf>, Option<PathBuf>, Option<u64>, Option<String>);
+
+/// Motions that are kept read, and samples of all of them, 512 MiB with both components.
+const KEPT: (usize, usize) = (8, 1 << 25);
+/// Most bytes of all files that are dropped in a session.
+const MOST: u64 = 4 << 30;
+
+/// Files of records by names, and the motions that were read from them.
+#[derive(Default)]
+pub struct Records {
+    /// Where dropped files lie: made for the first one, and taken away with the session.
+    folder: Mutex<Option<TempDir>>,
+    places: Mutex<BTreeMap<String, PathBuf>>,
+    /// Bytes of the files that were dropped.
+    dropped: AtomicU64,
+    read: Mutex<HashMap<Key, Pair>>,
+}
+
+/// Bytes of a name at most: the system's limit, less what tells names apart.
+const LONGEST: usize = 200;
+
+/// The last part of a name that a browser gave, without what a file's name cannot have on some system.
+pub fn plain_name(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let kept = |c: &char| !c.is_control() && !"<>:\"|?*".contains(*c);
+    let mut plain = String::new();
+    for letter in last.chars().filter(kept) {
+        if plain.len() + letter.len_utf8() > LONGEST {
+            break;
+        }
+        plain.push(letter);
+    }
+    let name = plain.trim_matches([' ', '.']).to_string();
+    if name.is_empty() { "record".into() } else { name }
+}
+
+/// The first name, of that given and those with numbers before it, that is free, or whose file `is_it`.
+fn name_for(
+    places: &BTreeMap<String, PathBuf>,
+    plain: &str,
+    is_it: impl Fn(&Path) -> bool,
+) -> String {
+    let numbered = (2_u64..).map(|number| format!("{number}-{plain}"));
+    let is_free = |id: &String| id != SYNTHETIC && places.get(id).is_none_or(|place| is_it(place));
+    // There are more numbers than files.
+    std::iter::once(plain.to_string()).chain(numbered).find(is_free).unwrap_or_default()
+}
+
+impl Records {
+    /// The folder that goes with the session.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn folder(&self) -> io::Result<PathBuf> {
+        // What is stored is whole, whoever panicked.
+        let mut folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(folder) = &*folder {
+            return Ok(folder.path().into());
+        }
+        let made = tempfile::Builder::new().prefix("topple-explore-").tempdir()?;
+        Ok(folder.insert(made).path().into())
+    }
+
+    /// True of a file that was dropped.
+    fn is_dropped(&self, place: &Path) -> bool {
+        let folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
+        folder.as_ref().is_some_and(|folder| place.starts_with(folder.path()))
+    }
+
+    /// Takes the folder away, whoever still computes with what was in it.
+    pub fn forget(&self) {
+        drop(self.folder.lock().unwrap_or_else(PoisonError::into_inner).take());
+    }
+
+    /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
+    ///
+    /// # Errors
+    /// Those of the disk, and more bytes than a session keeps.
+    pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
+        let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
+        let id = name_for(&places, &plain_name(name), is_it);
+        if !places.contains_key(&id) {
+            let before = self.dropped.fetch_add(bytes.len() as u64, Ordering::Relaxed);
+            if before.saturating_add(bytes.len() as u64) > MOST {
+                self.dropped.fetch_sub(bytes.len() as u64, Ordering::Relaxed);
+                return Err(Refused::told(format!(
+                    "the files dropped so far have {} with this one; start topple explore again",
+                    bounded::size(MOST)
+                )));
+            }
+            let place = self.folder()?.join(&id);
+            fs::write(&place, bytes)?;
+            places.insert(id.clone(), place);
+        }
+        Ok(id)
+    }
+
+    /// Knows a file where it lies; its name here.
+    pub fn know(&self, path: &Path) -> String {
+        let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into());
+        let place = std::path::absolute(path).unwrap_or_else(|_| path.into());
+        let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        let id = name_for(&places, &plain_name(&name), |known| known == place);
+        places.insert(id.clone(), place);
+        id
+    }
+
+    /// Where a file lies.
+    ///
+    /// # Errors
+    /// A name that is not known.
+    fn place(&self, key: &str, id: &Path) -> Result<PathBuf, Refused> {
+        let places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        let place = id.to_str().and_then(|id| places.get(id));
+        place.cloned().ok_or_else(|| {
+            Refused::of(
+                key,
+                format!("{} is not here; drop the record's file on the page", id.display()),
+            )
+        })
+    }
+
+    /// The file as a command line names it: where it lay before it was dropped is not known.
+    pub fn written(&self, id: &Path) -> PathBuf {
+        match self.place("", id) {
+            Ok(place) if !self.is_dropped(&place) => place,
+            _ => id.into(),
+        }
+    }
+
+    /// Checks a scene, under its record where it has one.
+    ///
+    /// # Errors
+    /// The first key at fault.
+    pub fn check(&self, given: &SceneBuilder) -> Result<Scene, Refused> {
+        let Some(text) = &given.record else { return Ok(given.check()?) };
+        if text.horizontal.as_deref() == Some(Path::new(SYNTHETIC)) {
+            return Ok(given.check_under_motion(synthetic::pair())?);
+        }
+        let pair = self.pair(text, &given.numbers, given.force)?;
+        Ok(given.check_under_motion(pair)?)
+    }
+
+    /// A record's motion, as it is in its files.
+    fn pair(&self, text: &RecordText, numbers: &Numbers, force: bool) -> Result<Pair, Refused> {
+        // Files without units are read where a peak is given.
+        let pga = numbers.get(Parameter::Pga).map(topple::scene::Values::first);
+        let files = (
+            text.horizontal.clone(),
+            text.vertical.clone(),
+            text.dt.map(f64::to_bits),
+            text.units.map(|units| format!("{units:?}")),
+        );
+        let key = (files, pga.map(f64::to_bits));
+        if let Some(pair) = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+            return Ok(pair.clone());
+        }
+        let place =
+            |key, id: &Option<PathBuf>| id.as_deref().map(|id| self.place(key, id)).transpose();
+        let places = RecordText {
+            horizontal: place("horizontal", &text.horizontal)?,
+            vertical: place("vertical", &text.vertical)?,
+            ..text.clone()
+        };
+        let peak =
+            pga.map_or_else(Numbers::default, |pga| Numbers::default().with(Parameter::Pga, pga));
+        let pair = check_record(&places, &peak, Path::new(""), force).map_err(|error| {
+            // A file is told by its name, not by where it lies.
+            let names =
+                [(&places.horizontal, &text.horizontal), (&places.vertical, &text.vertical)];
+            let problem = names.into_iter().fold(error.problem, |problem, names| match names {
+                (Some(place), Some(id)) => {
+                    problem.replace(&*place.to_string_lossy(), &id.to_string_lossy())
+                }
+                _ => problem,
+            });
+            Refused::of(error.key, problem)
+        })?;
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let samples: usize = read.values().map(Pair::len).sum();
+        let (motions, most) = KEPT;
+        if read.len() >= motions || samples.saturating_add(pair.len()) > most {
+            read.clear();
+        }
+        read.insert(key, pair.clone());
+        Ok(pair)
+    }
+
+    /// What a dropped file is: its title, duration and peaks; or what it `needs` beside it, `dt` or `units`.
+    ///
+    /// # Errors
+    /// The key `horizontal`, with what is wrong with the file.
+    pub fn told(&self, id: &str) -> Result<Value, Refused> {
+        let with = |(dt, units): (Option<f64>, Option<Units>)| {
+            let text =
+                RecordText { horizontal: Some(id.into()), dt, units, ..RecordText::default() };
+            self.pair(&text, &Numbers::default(), true)
+        };
+        let pair = match with((None, None)) {
+            Ok(pair) => pair,
+            Err(error) => {
+                // Any will do to see what is missing.
+                let (dt, units) = (Some(0.01), Some(Units::G));
+                let tries = [
+                    ((dt, None), &["dt"][..]),
+                    ((None, units), &["units"]),
+                    ((dt, units), &["dt", "units"]),
+                ];
+                let needs = tries.into_iter().find(|(given, _)| with(*given).is_ok());
+                let (_, needs) = needs.ok_or_else(|| error.clone())?;
+                return Ok(json!({ "id": id, "title": id, "needs": needs, "line": error.line }));
+            }
+        };
+        let (peak, duration) = (pair.pga_h, pair.duration());
+        Ok(json!({
+            "id": id,
+            "title": pair.title,
+            "dt": pair.dt,
+            "duration": duration,
+            "peak_h": peak,
+            "peak_v": pair.pga_v,
+            "line": format!("{}: {duration:.2} s, largest acceleration {peak:.3} m/s²", pair.title),
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::{Records, plain_name};
+
+    #[test]
+    fn a_name_leads_nowhere_else() {
+        for (name, plain) in [
+            ("../../etc/passwd", "passwd"),
+            ("C:\\records\\h.at2", "h.at2"),
+            ("..", "record"),
+            ("a\0b.txt", "ab.txt"),
+            ("H+90 (1).AT2", "H+90 (1).AT2"),
+            ("", "record"),
+        ] {
+            assert_eq!(plain_name(name), plain);
+        }
+    }
+
+    #[test]
+    fn a_file_is_kept_once_and_another_of_its_name_beside_it() {
+        let records = Records::default();
+        assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
+        assert_eq!(records.add("h.at2", b"one").unwrap(), "h.at2");
+        assert_eq!(records.add("x/h.at2", b"two").unwrap(), "2-h.at2");
+        // The word of the pair that is made.
+        assert_eq!(records.add("synthetic", b"two").unwrap(), "2-synthetic");
+        let long = "\u{6f22}".repeat(128);
+        assert!(records.add(&long, b"one").unwrap().len() <= 256);
+        assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
+        assert_eq!(records.know("b/rec.txt".as_ref()), "2-rec.txt");
+        assert_eq!(records.know("a/rec.txt".as_ref()), "rec.txt");
+    }
+
+    #[test]
+    fn the_folder_comes_with_the_first_file_and_goes() {
+        let records = Records::default();
+        records.know("a/rec.txt".as_ref());
+        assert!(records.folder.lock().unwrap().is_none());
+        let id = records.add("h.at2", b"one").unwrap();
+        assert_eq!(records.written(id.as_ref()), id.as_ref() as &Path);
+        let folder = records.folder().unwrap();
+        assert!(folder.join("h.at2").exists());
+        records.forget();
+        assert!(!folder.exists());
+    }
+}

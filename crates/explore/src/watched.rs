@@ -1,0 +1,88 @@
+//! How far a stage of a view is: told now and then while its cells run.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use serde_json::json;
+
+use super::frame::frame;
+use topple::sweep::observer::{Observer, Phase};
+use topple::sweep::progress::Progress;
+
+/// Time between two words, and before the first one: a stage that is quick is not talked about.
+const BETWEEN: Duration = Duration::from_millis(300);
+
+/// Watches a stage of a view.
+pub struct Watched<'a> {
+    stop: &'a AtomicBool,
+    stage: &'a str,
+    tell: &'a (dyn Fn(Vec<u8>) + Sync),
+    done: AtomicUsize,
+    total: AtomicUsize,
+    told: Mutex<Instant>,
+}
+
+impl<'a> Watched<'a> {
+    /// From the beginning of a stage on; `stop` ends it, `tell` is handed frames.
+    pub fn new(
+        stage: &'a str,
+        stop: &'a AtomicBool,
+        tell: &'a (dyn Fn(Vec<u8>) + Sync),
+    ) -> Watched<'a> {
+        let [done, total] = [AtomicUsize::new(0), AtomicUsize::new(0)];
+        Watched { stop, stage, tell, done, total, told: Mutex::new(Instant::now()) }
+    }
+}
+
+impl Progress for Watched<'_> {
+    fn advance(&self, cells: usize) {
+        let done = self.done.fetch_add(cells, Ordering::Relaxed) + cells;
+        // Another thread tells it just now.
+        let Ok(mut told) = self.told.try_lock() else { return };
+        let total = self.total.load(Ordering::Relaxed);
+        if told.elapsed() < BETWEEN || done > total {
+            return;
+        }
+        *told = Instant::now();
+        let progress = json!({ "stage": self.stage, "done": done, "of": total });
+        (self.tell)(frame(json!({ "progress": progress }), &[]));
+    }
+
+    fn cancelled(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+impl Observer for Watched<'_> {
+    fn begins(&self, _: Phase, total: usize) {
+        // What is stored is whole, whoever panicked.
+        let _told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        self.done.store(0, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slow_stage_is_told_and_a_quick_one_is_not() {
+        let (stop, frames) = (AtomicBool::new(false), Mutex::new(Vec::new()));
+        let tell = |frame: Vec<u8>| frames.lock().unwrap().push(frame);
+        let watched = Watched::new("fine", &stop, &tell);
+        watched.begins(Phase::Sweeping, 100);
+        watched.advance(10);
+        assert!(frames.lock().unwrap().is_empty());
+        std::thread::sleep(BETWEEN);
+        watched.advance(30);
+        watched.advance(1);
+        let frames = frames.lock().unwrap();
+        assert_eq!(frames.len(), 1);
+        let text = String::from_utf8_lossy(&frames[0][4..]).into_owned();
+        assert!(text.contains(r#""done":40"#) && text.contains(r#""of":100"#), "{text}");
+        stop.store(true, Ordering::Relaxed);
+        assert!(watched.cancelled());
+    }
+}

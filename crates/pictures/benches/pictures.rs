@@ -1,0 +1,33 @@
+//! What the picture of a map costs.
+//!
+//! `cargo bench -p topple-pictures`
+
+#![allow(missing_docs, clippy::unwrap_used)] // a bench
+
+#[path = "../../../benches/common/mod.rs"]
+mod common;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use topple::scene::Grid;
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::cpu;
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+use topple_pictures::drawing::render;
+use topple_pictures::map::Map;
+use topple_pictures::map::figure::overturning;
+
+fn pictures(c: &mut Criterion) {
+    let scene = common::pulse(128);
+    let grid = Grid::of(&scene);
+    let cells: Vec<usize> = (0..grid.len()).collect();
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+    let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
+    let map = Map { scene: &scene, grid, outcomes: outcomes.into() };
+    c.bench_function("svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
+    let svg = overturning::draw(&map, "").unwrap();
+    c.bench_function("png of the svg", |b| b.iter(|| render::png(&svg).unwrap()));
+}
+
+criterion_group!(benches, pictures);
+criterion_main!(benches);

@@ -1,0 +1,255 @@
+//! The SVG document that pictures are drawn into.
+
+use std::fmt::Write as _;
+
+use super::raster::data_url;
+use super::text::{self, Anchor, Style};
+use super::{LEADING, MILLIMETRE};
+use topple::results::colour::Colour;
+
+/// A place in a document, points from its upper left corner.
+pub type Point = (f64, f64);
+
+/// A rectangle of the document, points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Left edge.
+    pub x: f64,
+    /// Upper edge.
+    pub y: f64,
+    /// Width.
+    pub width: f64,
+    /// Height.
+    pub height: f64,
+}
+
+impl Place {
+    /// Its right edge.
+    pub fn right(&self) -> f64 {
+        self.x + self.width
+    }
+
+    /// Its lower edge.
+    pub fn bottom(&self) -> f64 {
+        self.y + self.height
+    }
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width, points.
+    pub width: f64,
+    /// Lengths of dashes and of the gaps between; none of a whole line.
+    pub dash: Option<(f64, f64)>,
+}
+
+/// A whole line.
+pub const fn stroke(colour: Colour, width: f64) -> Stroke {
+    Stroke { colour, width, dash: None }
+}
+
+/// A dashed line.
+pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
+    Stroke { colour, width, dash: Some(dash) }
+}
+
+/// A document of a width, drawn from the top downwards; its height is known when it is finished.
+#[derive(Debug, Clone)]
+pub struct Canvas {
+    width: f64,
+    body: String,
+    clips: usize,
+}
+
+/// A colour as SVG writes it.
+fn hex([r, g, b]: Colour) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A length with the digits that a print shows: hundredths of a point.
+fn short(length: f64) -> String {
+    let text = format!("{length:.2}");
+    let plain = text.trim_end_matches('0').trim_end_matches('.');
+    if plain == "-0" { "0".into() } else { plain.into() }
+}
+
+/// Points nearer to each other than this are one in print.
+const NEAR: f64 = 0.04;
+
+fn path(points: impl IntoIterator<Item = Point>) -> String {
+    let mut path = String::new();
+    let mut points = points.into_iter().peekable();
+    let mut before: Option<Point> = None;
+    while let Some((x, y)) = points.next() {
+        let near = before.is_some_and(|(a, b)| (a - x).abs() < NEAR && (b - y).abs() < NEAR);
+        if near && points.peek().is_some() {
+            continue;
+        }
+        let letter = if before.is_none() { "M" } else { "L" };
+        // Writing into a string cannot fail.
+        let _ = write!(path, "{letter}{} {}", short(x), short(y));
+        before = Some((x, y));
+    }
+    path
+}
+
+impl Stroke {
+    fn attributes(&self) -> String {
+        let dash = self.dash.map_or(String::new(), |(dash, gap)| {
+            format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap))
+        });
+        format!("stroke=\"{}\" stroke-width=\"{}\"{dash}", hex(self.colour), short(self.width))
+    }
+}
+
+impl Canvas {
+    /// An empty document of a width, points.
+    pub fn new(width: f64) -> Canvas {
+        Canvas { width, body: String::new(), clips: 0 }
+    }
+
+    /// Its width, points.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// The document on white paper of a height, points.
+    pub fn finish(self, height: f64) -> String {
+        let Canvas { width, body, .. } = self;
+        let (w, h) = (short(width), short(height));
+        let (mm_w, mm_h) = (short(width / MILLIMETRE), short(height / MILLIMETRE));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_w}mm\" height=\"{mm_h}mm\" \
+             viewBox=\"0 0 {w} {h}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{body}</svg>\n"
+        )
+    }
+
+    fn push(&mut self, element: &str) {
+        self.body.push_str(element);
+        self.body.push('\n');
+    }
+
+    /// A filled rectangle.
+    pub fn fill(&mut self, place: Place, colour: Colour) {
+        self.fill_through(place, colour, 1.0);
+    }
+
+    /// A filled rectangle of an opacity.
+    pub fn fill_through(&mut self, place: Place, colour: Colour, opacity: f64) {
+        let Place { x, y, width, height } = place;
+        let through = match opacity {
+            1.0 => String::new(),
+            opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
+        };
+        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
+        let fill = hex(colour);
+        self.push(&format!(
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{through}/>"
+        ));
+    }
+
+    /// The outline of a rectangle.
+    pub fn outline(&mut self, place: Place, stroke: Stroke) {
+        let Place { x, y, width, height } = place;
+        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
+        self.push(&format!(
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"none\" {}/>",
+            stroke.attributes()
+        ));
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, points: impl IntoIterator<Item = Point>, stroke: Stroke) {
+        let path = path(points);
+        if !path.is_empty() {
+            let attributes = stroke.attributes();
+            self.push(&format!(
+                "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>"
+            ));
+        }
+    }
+
+    /// A filled polygon.
+    pub fn polygon(&mut self, points: impl IntoIterator<Item = Point>, colour: Colour) {
+        self.push(&format!("<path d=\"{}Z\" fill=\"{}\"/>", path(points), hex(colour)));
+    }
+
+    /// A filled circle.
+    pub fn disc(&mut self, (x, y): Point, radius: f64, colour: Colour) {
+        let (x, y, radius) = (short(x), short(y), short(radius));
+        self.push(&format!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{}\"/>",
+            hex(colour)
+        ));
+    }
+
+    /// The outline of a circle.
+    pub fn ring(&mut self, (x, y): Point, radius: f64, stroke: Stroke) {
+        let (x, y, radius) = (short(x), short(y), short(radius));
+        let attributes = stroke.attributes();
+        self.push(&format!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"none\" {attributes}/>"
+        ));
+    }
+
+    /// A PNG stretched over a place; with `sharp` its pixels are cells and stay so.
+    pub fn image(&mut self, place: Place, png: &[u8], sharp: bool) {
+        let Place { x, y, width, height } = place;
+        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
+        let style = if sharp { " style=\"image-rendering:pixelated\"" } else { "" };
+        let url = data_url(png);
+        self.push(&format!(
+            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
+             preserveAspectRatio=\"none\"{style} href=\"{url}\"/>"
+        ));
+    }
+
+    /// A line of text; of `at` the second number is that of its foot.
+    pub fn text(&mut self, at: Point, style: Style, text: &str) {
+        let (x, y) = (short(at.0), short(at.1));
+        let anchor = match style.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let turned = if style.upwards {
+            format!(" transform=\"rotate(-90 {x} {y})\"")
+        } else {
+            String::new()
+        };
+        let (size, fill) = (short(style.size), hex(style.colour));
+        let text = text::marked_up(text, style.size);
+        self.push(&format!(
+            "<text x=\"{x}\" y=\"{y}\" font-family=\"{}\" font-weight=\"300\" font-size=\"{size}\" \
+             fill=\"{fill}\"{anchor}{turned}>{text}</text>",
+            super::font::FAMILY
+        ));
+    }
+
+    /// What `paint` draws, cut at the edge of a place.
+    pub fn clipped(&mut self, place: Place, paint: impl FnOnce(&mut Canvas)) {
+        let Place { x, y, width, height } = place;
+        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
+        let name = format!("clip{}", self.clips);
+        self.clips += 1;
+        self.push(&format!(
+            "<clipPath id=\"{name}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>\
+             <g clip-path=\"url(#{name})\">"
+        ));
+        paint(self);
+        self.push("</g>");
+    }
+}
+
+/// Writes lines one below the other from the top at `at`; returns where they end.
+pub fn write(canvas: &mut Canvas, at: Point, style: Style, lines: &[String]) -> f64 {
+    let mut y = at.1;
+    for line in lines {
+        canvas.text((at.0, y + style.size), style, line);
+        y += LEADING * style.size;
+    }
+    y
+}

@@ -1,0 +1,35 @@
+//! How every picture is drawn: maps, curves, histories, the paper's figures and charts.
+//!
+//! A picture is an SVG in points of its printed size, [`COLUMN`] wide where it is to stand in a column of a
+//! journal, and a PNG of the same with 300 pixels an inch. Letters are of [`FONT`] or larger, indices of
+//! [`SMALLEST`], as journals ask for. The colours of outcomes are there for other pictures, too.
+
+pub mod canvas;
+pub mod caption;
+pub mod error;
+pub mod font;
+pub mod frame;
+pub mod legend;
+pub mod raster;
+pub mod render;
+pub mod scale;
+pub mod swatch;
+pub mod text;
+pub mod ticks;
+
+/// Points of a millimetre.
+pub const MILLIMETRE: f64 = 72.0 / 25.4;
+/// Width of a picture for a column of a journal: 90 mm.
+pub const COLUMN: f64 = 90.0 * MILLIMETRE;
+/// Width of a picture across both columns: 190 mm.
+pub const PAGE: f64 = 190.0 * MILLIMETRE;
+/// Size of letters, points.
+pub const FONT: f64 = 7.0;
+/// Size of a title's letters.
+pub const TITLE: f64 = 8.0;
+/// Size of the letters of an index: the least that journals accept.
+pub const SMALLEST: f64 = 6.0;
+/// From one line of text to the next, over its size.
+pub const LEADING: f64 = 1.3;
+/// White margin around a picture.
+pub const MARGIN: f64 = 5.0;

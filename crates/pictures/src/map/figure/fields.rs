@@ -1,0 +1,89 @@
+//! The values of a cell that maps show, with their titles and scales.
+
+use topple::scene::Directions;
+use topple::stepping::outcome::Outcome;
+
+/// A value that is drawn over the grid.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// Name of the files.
+    pub name: &'static str,
+    /// Title of the figure.
+    pub title: &'static str,
+    /// Symbol and unit at the scale.
+    pub label: &'static str,
+    /// The value of a cell.
+    pub value: fn(&Outcome) -> f64,
+    /// Fixed ends of the scale; those of the values where there are none.
+    pub ends: Option<(f64, f64)>,
+}
+
+/// The rocking index, the displacements and the vertical stroke, a figure each.
+pub const FIELDS: [Field; 4] = [
+    Field {
+        name: "map",
+        title: "rocking index",
+        label: "ζ = max |φ| / α",
+        value: |cell| cell.zeta,
+        ends: Some((0.0, 1.0)),
+    },
+    Field {
+        name: "displacement_u",
+        title: "horizontal displacement of the base",
+        label: "max |u| [m]",
+        value: |cell| cell.max_u,
+        ends: None,
+    },
+    Field {
+        name: "displacement_v",
+        title: "vertical displacement of the base",
+        label: "max |v| [m]",
+        value: |cell| cell.max_v,
+        ends: None,
+    },
+    Field {
+        name: "stroke_v",
+        title: "vertical stroke of the base about its static position",
+        label: "max |v + g/ω_v²| [m]",
+        value: |cell| cell.stroke_v,
+        ends: None,
+    },
+];
+
+/// The contact forces, the two halves of a figure.
+pub const CONTACT: [Field; 2] = [
+    Field {
+        name: "contact",
+        title: "least contact force",
+        label: "min N/M [m/s²]",
+        value: |cell| cell.min_contact,
+        ends: Some((0.0, 10.0)),
+    },
+    Field {
+        name: "friction",
+        title: "friction needed",
+        label: "max |S|/N (up to 1)",
+        value: |cell| cell.friction.min(FRICTION),
+        ends: None,
+    },
+];
+
+/// Friction above which all values are alike: nothing holds there.
+const FRICTION: f64 = 1.0;
+
+impl Field {
+    /// True where it changes at all: a direction that is locked has no displacement.
+    pub fn moves(&self, directions: Directions) -> bool {
+        match self.name {
+            "displacement_u" => directions.moves_h(),
+            "displacement_v" | "stroke_v" => directions.moves_v(),
+            _ => true,
+        }
+    }
+
+    /// True where a cell's value has a place on the scale: that of an overturned cell tells how far it came,
+    /// not how far it can.
+    pub fn counts(cell: &Outcome) -> bool {
+        cell.class.stands()
+    }
+}

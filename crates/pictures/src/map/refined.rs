@@ -1,0 +1,247 @@
+//! Pictures of a refined map at its full resolution: a pixel a cell, and the outlines of its outcomes.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+
+use crate::drawing::error::FigureError;
+use topple::refine::refined::RefinedMap;
+use topple::results::columns::Column;
+use topple::results::outcomes::Outcomes;
+use topple::results::palette::Kind;
+
+/// The columns that a cell's colour depends on.
+const COLOUR: [Column; 3] = [Column::Outcome, Column::Impacts, Column::Uplifts];
+
+/// The places of the kinds of a row's cells among all kinds.
+fn kinds_of(map: &RefinedMap, all: &[Kind], row: usize) -> io::Result<Vec<u8>> {
+    let columns = map.report.shape.0;
+    let outcomes = map.read(row * columns..(row + 1) * columns, &COLOUR)?;
+    let place = |kind| all.iter().position(|other| *other == kind).unwrap_or(0) as u8;
+    let mut kinds: Vec<u8> = Vec::with_capacity(columns);
+    // Most cells are like the one before.
+    for alike in
+        outcomes.chunk_by(|a, b| (a.class, a.impacts, a.uplifts) == (b.class, b.impacts, b.uplifts))
+    {
+        kinds.resize(kinds.len() + alike.len(), place(Kind::of(&alike[0])));
+    }
+    Ok(kinds)
+}
+
+/// Writes the map as a PNG of a pixel a cell, the last row of the second axis at the top: nothing but the colours of
+/// the outcomes.
+///
+/// # Errors
+/// Those of the writer and of the format.
+pub fn write_png(map: &RefinedMap, writer: impl Write) -> Result<(), FigureError> {
+    let failed = |e: &dyn std::fmt::Display| FigureError::Encode(e.to_string());
+    let all = Kind::all();
+    let (columns, rows) = map.report.shape;
+    let side = |n: usize| u32::try_from(n).map_err(|e| failed(&e));
+    let mut encoder = png::Encoder::new(writer, side(columns)?, side(rows)?);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_palette(all.iter().flat_map(|kind| kind.colour()).collect::<Vec<u8>>());
+    let mut writer = encoder.write_header().map_err(|e| failed(&e))?;
+    let mut stream = writer.stream_writer().map_err(|e| failed(&e))?;
+    for row in (0..rows).rev() {
+        let kinds = kinds_of(map, &all, row).map_err(|e| failed(&e))?;
+        stream.write_all(&kinds).map_err(|e| failed(&e))?;
+    }
+    stream.finish().map_err(|e| failed(&e))?;
+    writer.finish().map_err(|e| failed(&e))
+}
+
+/// Writes the map as an SVG of the exact outlines of its outcomes, one path a colour; a unit is a cell.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
+    let all = Kind::all();
+    let (columns, rows) = map.report.shape;
+    let mut outlines = Outlines::default();
+    // From the top: a row above the first and one below the last are of no kind.
+    let mut above = vec![None; columns];
+    for line in 0..=rows {
+        let below: Vec<Option<u8>> = match rows.checked_sub(line + 1) {
+            Some(row) => kinds_of(map, &all, row)?.into_iter().map(Some).collect(),
+            None => vec![None; columns],
+        };
+        outlines.line(line, &above, &below);
+        above = below;
+    }
+    writeln!(
+        writer,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {columns} {rows}\" \
+         shape-rendering=\"crispEdges\">"
+    )?;
+    for (number, paths) in outlines.paths() {
+        let [r, g, b] = all[usize::from(number)].colour();
+        let label = all[usize::from(number)].label();
+        writeln!(
+            writer,
+            "<path fill=\"#{r:02x}{g:02x}{b:02x}\" d=\"{paths}\"><title>{label}</title></path>"
+        )?;
+    }
+    writeln!(writer, "</svg>")
+}
+
+/// A corner of cells: its column and its line from the top.
+type Corner = (u32, u32);
+
+/// Borders of regions of one kind, piece by piece, each with the region on its right.
+#[derive(Default)]
+struct Outlines {
+    /// By kind: from a corner to the next ones, of which there are two where regions touch in it.
+    next: HashMap<u8, HashMap<Corner, Vec<Corner>>>,
+    /// Vertical pieces that are still growing, by column: where they begin, and the kinds left and right.
+    open: HashMap<u32, (u32, Option<u8>, Option<u8>)>,
+}
+
+impl Outlines {
+    fn add(&mut self, kind: Option<u8>, from: Corner, to: Corner) {
+        if let Some(kind) = kind {
+            self.next.entry(kind).or_default().entry(from).or_default().push(to);
+        }
+    }
+
+    /// Adds the horizontal pieces of a line, and the vertical ones that end on it.
+    fn line(&mut self, line: usize, above: &[Option<u8>], below: &[Option<u8>]) {
+        // A grid has fewer than 2^32 columns and rows.
+        let y = line as u32;
+        let mut column = 0;
+        while column < above.len() {
+            let pair = (above[column], below[column]);
+            let from = column;
+            // A piece ends where a vertical one begins or ends, too.
+            while column < above.len() && (above[column], below[column]) == pair {
+                column += 1;
+            }
+            if pair.0 != pair.1 {
+                let (x, end) = (from as u32, column as u32);
+                self.add(pair.1, (x, y), (end, y));
+                self.add(pair.0, (end, y), (x, y));
+            }
+        }
+        let at = |row: &[Option<u8>], column: usize| -> (Option<u8>, Option<u8>) {
+            let left = column.checked_sub(1).and_then(|before| row[before]);
+            (left, row.get(column).copied().flatten())
+        };
+        for column in 0..=above.len() {
+            let x = column as u32;
+            let (old, new) = (at(above, column), at(below, column));
+            if old == new && old.0 != old.1 {
+                // It goes straight on, unless a horizontal piece meets it; both sides' kinds are as before.
+                continue;
+            }
+            if let Some((start, left, right)) = self.open.remove(&x) {
+                self.add(right, (x, y), (x, start));
+                self.add(left, (x, start), (x, y));
+            }
+            if new.0 != new.1 {
+                self.open.insert(x, (y, new.0, new.1));
+            }
+        }
+    }
+
+    /// The closed outlines of each kind as the data of a path, kinds in order.
+    fn paths(mut self) -> Vec<(u8, String)> {
+        let mut kinds: Vec<u8> = self.next.keys().copied().collect();
+        kinds.sort_unstable();
+        kinds
+            .into_iter()
+            .map(|kind| (kind, path(self.next.remove(&kind).unwrap_or_default())))
+            .collect()
+    }
+}
+
+/// Joins the pieces to closed outlines.
+fn path(mut next: HashMap<Corner, Vec<Corner>>) -> String {
+    use std::fmt::Write;
+    let mut starts: Vec<Corner> = next.keys().copied().collect();
+    starts.sort_unstable_by_key(|(x, y)| (*y, *x));
+    let mut data = String::new();
+    for start in starts {
+        while let Some(first) = next.get_mut(&start).and_then(Vec::pop) {
+            // Nothing that is written to a text fails.
+            let _ = write!(data, "M{} {}", start.0, start.1);
+            let (mut from, mut at) = (start, first);
+            while at != start {
+                let _ = match from.1 == at.1 {
+                    true => write!(data, "H{}", at.0),
+                    false => write!(data, "V{}", at.1),
+                };
+                let Some(to) = next.get_mut(&at).and_then(Vec::pop) else { break };
+                (from, at) = (at, to);
+            }
+            data.push('Z');
+        }
+    }
+    data
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Draws outlines again by the even-odd rule: along a row each vertical piece left of a cell counts.
+    fn filled(paths: &[(u8, String)], (columns, rows): (usize, usize)) -> Vec<Vec<Option<u8>>> {
+        let mut cells = vec![vec![None; columns]; rows];
+        for (kind, data) in paths {
+            let mut crossings = vec![vec![0; columns + 1]; rows];
+            for outline in data.split('Z').filter(|outline| !outline.is_empty()) {
+                let text = outline.replace('H', " H ").replace('V', " V ").replace('M', "");
+                let words: Vec<&str> = text.split_whitespace().collect();
+                let (x, y): (usize, usize) = (words[0].parse().unwrap(), words[1].parse().unwrap());
+                let mut corners = vec![(x, y)];
+                for pair in words[2..].chunks(2) {
+                    let (x, y) = corners[corners.len() - 1];
+                    let to: usize = pair[1].parse().unwrap();
+                    corners.push(if pair[0] == "H" { (to, y) } else { (x, to) });
+                }
+                corners.push((x, y));
+                for piece in corners.windows(2) {
+                    if piece[0].0 == piece[1].0 {
+                        let ends = (piece[0].1.min(piece[1].1), piece[0].1.max(piece[1].1));
+                        (ends.0..ends.1).for_each(|row| crossings[row][piece[0].0] += 1);
+                    }
+                }
+            }
+            for (row, crossings) in crossings.iter().enumerate() {
+                let mut inside = 0;
+                for column in 0..columns {
+                    inside += crossings[column];
+                    if inside % 2 == 1 {
+                        assert_eq!(cells[row][column], None, "two kinds in one cell");
+                        cells[row][column] = Some(*kind);
+                    }
+                }
+            }
+        }
+        cells
+    }
+
+    #[test]
+    fn outlines_hold_the_cells_and_no_others() {
+        // With a hole, a corner in which regions touch, and a region at each border.
+        for picture in
+            ["0000,0110,0100,0001", "01,10", "7", "0120,0120,3333", "0000,0111,0101,0111"]
+        {
+            let rows: Vec<Vec<Option<u8>>> = picture
+                .split(',')
+                .map(|row| row.bytes().map(|b| Some(b - b'0')).collect())
+                .collect();
+            let columns = rows[0].len();
+            let mut outlines = Outlines::default();
+            let mut above = vec![None; columns];
+            for line in 0..=rows.len() {
+                let below = rows.get(line).cloned().unwrap_or(vec![None; columns]);
+                outlines.line(line, &above, &below);
+                above = below;
+            }
+            assert!(outlines.open.is_empty());
+            let paths = outlines.paths();
+            assert_eq!(filled(&paths, (columns, rows.len())), rows, "{picture}: {paths:?}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The picture of an envelope: the share of the motions under which the block stands, the limits, and what is
+//! feasible.
+
+use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH};
+use crate::drawing::legend::{self, entry};
+use crate::drawing::raster::png;
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::{COLUMN, MARGIN, caption, scale};
+use crate::map::boundaries::{Line, contours};
+use crate::map::figure::layout::{SIDE, frame};
+use topple::results::colour::{BLACK, Colour};
+use topple::scene::words;
+use topple_studies::suites::envelope::Envelope;
+
+/// The feasible cells.
+const FEASIBLE: Colour = [0x7f, 0xc9, 0x7f];
+/// Greys of a share of none and of all motions.
+const NONE: f64 = 70.0;
+const ALL: f64 = 248.0;
+/// Lines of the limits.
+const STANDING: Stroke = stroke(BLACK, 0.9);
+const LIMIT_U: Stroke = dashed([0x1f, 0x3f, 0x9f], 0.9, (3.2, 2.0));
+const LIMIT_V: Stroke = dashed([0xb0, 0x20, 0x20], 0.9, (1.2, 1.6));
+
+/// Draws an envelope over two axes as SVG; none where there are not two of several values.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureError> {
+    let grid = &envelope.sweep.grid;
+    let (columns, rows) = grid.shape();
+    if grid.axes().len() != 2 || columns < 2 || rows < 2 {
+        return Ok(None);
+    }
+    let most = COLUMN - 2.0 * MARGIN;
+    let mut canvas = Canvas::new(COLUMN);
+    let top = caption::titled(&mut canvas, title, &words::fixed(&envelope.sweep.scene)) + MARGIN;
+    let (x, side) = SIDE;
+    let place = Place { x, y: top, width: side, height: side };
+    let frame = frame(place, grid);
+    // From a tenth below the least share on, so that large ones are told apart.
+    let least = envelope.cells.iter().map(|cell| cell.standing).fold(1.0, f64::min);
+    let from = ((10.0 * least).floor() / 10.0).min(0.9);
+    let grey = |share: f64| (NONE + (ALL - NONE) * (share - from) / (1.0 - from)) as u8;
+    let image = png((columns, rows), |column, row| {
+        let cell = &envelope.cells[(rows - 1 - row) * columns + column];
+        match cell.feasible {
+            true => [FEASIBLE[0], FEASIBLE[1], FEASIBLE[2], 255],
+            false => [grey(cell.standing), grey(cell.standing), grey(cell.standing), 255],
+        }
+    })?;
+    canvas.image(place, &image, true);
+    let limits = envelope.limits;
+    let lines = |value: fn(&topple_studies::suites::envelope::CellEnvelope) -> f64,
+                 level: f64|
+     -> Vec<Line> {
+        let known: Vec<Option<f64>> =
+            envelope.cells.iter().map(|cell| Some(value(cell)).filter(|v| !v.is_nan())).collect();
+        contours(grid, &known, &[level]).pop().unwrap_or_default()
+    };
+    // A share that is just reached lies on its line: half a motion below it there is one.
+    let least = 0.5 / envelope.sweep.motions.len() as f64;
+    let all = [
+        (lines(|cell| cell.standing, limits.standing - least), STANDING),
+        (limits.u.map_or(Vec::new(), |u| lines(|cell| cell.max_u[2], u)), LIMIT_U),
+        (limits.v.map_or(Vec::new(), |v| lines(|cell| cell.stroke_v[2], v)), LIMIT_V),
+    ];
+    let best = envelope.best().first().map(|cell| grid.place(*cell));
+    canvas.clipped(place, |canvas| {
+        for (lines, stroke) in &all {
+            for line in lines {
+                canvas.line(line.iter().map(|point| frame.at(*point)), *stroke);
+            }
+        }
+        if let Some(at) = best {
+            let coordinate = |axis: usize| grid.axes()[axis].values.coordinate(at[axis] as f64);
+            let point: Point = (coordinate(0), coordinate(1));
+            Mark::Disc.draw(canvas, frame.at(point), 2.0, BLACK);
+        }
+    });
+    frame.draw(&mut canvas, BOTH);
+    let axis = Axis::new(from, 1.0, "share of the motions under which the block stands");
+    let at = (place.x, place.bottom() + BELOW + MARGIN);
+    let shade = |share: f64| [grey(from + (1.0 - from) * share); 3];
+    let bottom = scale::draw(&mut canvas, at, side, axis, shade)?;
+    let standing = match limits.standing {
+        1.0 => "border of standing under all motions".to_string(),
+        share => format!("border of standing under {} % of them", 100.0 * share),
+    };
+    let [around, of_u, of_v] = all.each_ref().map(|(lines, _)| !lines.is_empty());
+    let feasible = best.is_some();
+    let mut entries = Vec::new();
+    entries.extend(feasible.then(|| entry(Swatch::Fill(FEASIBLE), "all limits are kept")));
+    entries.extend(around.then(|| entry(Swatch::Line(STANDING), standing)));
+    let limit = |of: &str, limit: f64| format!("largest {of} = {limit} m");
+    let u = limits.u.filter(|_| of_u);
+    entries.extend(u.map(|u| entry(Swatch::Line(LIMIT_U), limit("|u|", u))));
+    let v = limits.v.filter(|_| of_v);
+    entries.extend(v.map(|v| entry(Swatch::Line(LIMIT_V), limit("stroke of v", v))));
+    if !feasible {
+        entries.push(entry(Swatch::None, "No cell keeps all limits."));
+    }
+    entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), "least |u| of these")));
+    let at = (MARGIN, bottom + MARGIN);
+    let end = legend::draw(&mut canvas, &entries, at, most, 2);
+    Ok(Some(canvas.finish(end + MARGIN)))
+}

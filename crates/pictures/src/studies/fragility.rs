@@ -1,0 +1,243 @@
+//! The pictures of a study: curves of one cell, medians along one axis, maps of theta and beta over two.
+
+use crate::drawing::canvas::{Canvas, Place, Point, stroke};
+use crate::drawing::error::FigureError;
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
+use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::swatch::{Mark, Swatch};
+use crate::drawing::{COLUMN, FONT, MARGIN, caption};
+use topple::results::colour::{BLACK, Colour};
+use topple::scene::grid;
+use topple::scene::words;
+use topple_studies::fragility::estimate::Estimate;
+use topple_studies::fragility::fit::Lognormal;
+use topple_studies::fragility::study::{StateStudy, Study};
+use topple_studies::suites::intensity::Intensity;
+
+/// Height of a plot of curves.
+const HEIGHT: f64 = 150.0;
+/// Colours of limit states and bands of their intervals.
+const COLOURS: [(Colour, Colour); 4] = [
+    ([0xb0, 0x20, 0x20], [0xf3, 0xd9, 0xd9]),
+    ([0x2c, 0x5f, 0xb8], [0xd6, 0xe2, 0xf5]),
+    ([0x2f, 0x7d, 0x32], [0xd8, 0xec, 0xd9]),
+    ([0x6a, 0x51, 0xa3], [0xe3, 0xde, 0xf0]),
+];
+const MARKS: [Mark; 4] = [Mark::Disc, Mark::Triangle, Mark::Cross, Mark::Circle];
+/// Points of a curve.
+const POINTS: u32 = 200;
+
+/// The title, what is fixed, and where the plot below begins.
+pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
+    let mut canvas = Canvas::new(COLUMN);
+    let mut parts = words::fixed(&study.sweep.scene);
+    if let Some(unknown) = &study.asked.unknown {
+        let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
+        parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));
+    }
+    let top = caption::titled(&mut canvas, title, &parts);
+    (canvas, top + MARGIN)
+}
+
+/// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
+/// estimator makes of them.
+pub fn curves(study: &Study, intensity: Intensity) -> String {
+    let title = format!("Fragility under {} motions", study.records().count());
+    let (mut canvas, top) = begin(study, &title);
+    let x = MARGIN + LEFT;
+    let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+    let levels = study.asked.levels.iter().flatten();
+    let (low, high) =
+        levels.fold((f64::MAX, 0.0_f64), |(low, high), level| (low.min(*level), high.max(*level)));
+    let (low, high) = if high > 1.05 * low { (low, high) } else { (0.8 * low, 1.25 * high) };
+    let axis = Axis::log(low, high, intensity.label());
+    let frame = Frame::new(place, axis, Axis::new(0.0, 1.0, "probability"));
+    let mut entries: Vec<Entry> = Vec::new();
+    let level = |k: u32| low * (high / low).powf(f64::from(k) / f64::from(POINTS));
+    let curve = |theta: f64, beta: f64| -> Vec<Point> {
+        let fragility = Lognormal { theta, beta };
+        let points = (0..=POINTS).map(level);
+        points.map(|x| frame.at((x.log10(), fragility.probability(x)))).collect()
+    };
+    let one = study.cells[0].states.iter().zip(&study.asked.states);
+    canvas.clipped(place, |canvas| {
+        for (k, (of, _)) in one.clone().enumerate() {
+            let fit = &of.estimates[0];
+            // Curves between theta's bounds: beta is that of the fit.
+            if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
+                let (left, right) = (curve(low, beta), curve(high, beta));
+                let band = COLOURS[k % COLOURS.len()].1;
+                canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
+            }
+        }
+        for (k, (of, state)) in one.clone().enumerate() {
+            let (colour, _) = COLOURS[k % COLOURS.len()];
+            let fit = &of.estimates[0];
+            if let Some(theta) = fit.theta {
+                canvas.line(curve(theta, fit.beta.unwrap_or(0.0)), stroke(colour, 1.1));
+            }
+            entries.push(entry(
+                Swatch::Line(stroke(colour, 1.1)),
+                format!("{}: {}", state.words(), told(fit)),
+            ));
+        }
+    });
+    frame.draw(&mut canvas, BOTH);
+    // Marks lie above the bands and the lines of all limit states, and whole on the frame.
+    for (k, (of, _)) in one.enumerate().filter(|(_, (of, _))| has_shares(of)) {
+        let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        for stripe in &of.stripes {
+            let at = frame.at((stripe.level.log10(), stripe.z / stripe.n));
+            mark.draw(&mut canvas, at, 1.6, colour);
+        }
+    }
+    let by = study.asked.estimators[0].name();
+    let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
+        (false, _) => "",
+        (true, false) => "Marks: shares of the motions. ",
+        (true, true) => "Marks: shares of the motions by weight. ",
+    };
+    entries.push(entry(Swatch::None, format!("{marks}Lines by {by}; bands: 95 % of θ.")));
+    let at = (MARGIN, place.bottom() + BELOW + MARGIN);
+    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 1);
+    canvas.finish(end + MARGIN)
+}
+
+/// True where levels have several runs, as stripes: one of a record at its own level is no share.
+fn has_shares(of: &StateStudy) -> bool {
+    of.counts.iter().any(|(_, records, _)| *records > 1)
+}
+
+/// A fit in words, two digits of beta.
+fn told(fit: &Estimate) -> String {
+    match (fit.theta, fit.beta) {
+        (Some(theta), Some(beta)) => format!("θ = {}, β = {beta:.2}", digits(theta)),
+        (Some(_), None) => match (fit.theta_low, fit.theta_high) {
+            (Some(low), Some(high)) => format!("θ from {} to {}", digits(low), digits(high)),
+            _ => "separable".into(),
+        },
+        _ => "no curve".into(),
+    }
+}
+
+/// A number of three digits.
+pub(super) fn digits(value: f64) -> String {
+    topple::scene::record::rounded(value, 3).to_string()
+}
+
+/// Draws theta of each limit state along an axis, with its interval.
+pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
+    let title = format!("Median fragility under {} motions", study.records().count());
+    let (mut canvas, top) = begin(study, &title);
+    let x = MARGIN + LEFT;
+    let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+    let fits = |state: usize| study.cells.iter().map(move |cell| &cell.states[state].estimates[0]);
+    let states = &study.asked.states;
+    let most = (0..states.len())
+        .flat_map(|state| fits(state).filter_map(|fit| fit.theta))
+        .fold(0.0_f64, f64::max);
+    let most = if most > 0.0 { 1.15 * most } else { 1.0 };
+    let frame = Frame::new(
+        place,
+        Axis::of(Some(axis)),
+        Axis::new(0.0, most, format!("θ: {}", intensity.label())),
+    );
+    let mut entries: Vec<Entry> = Vec::new();
+    let place_of = |cell: usize, value: f64| frame.at((axis.values.coordinate(cell as f64), value));
+    canvas.clipped(place, |canvas| {
+        for k in 0..states.len() {
+            let (_, band) = COLOURS[k % COLOURS.len()];
+            for (cell, fit) in fits(k).enumerate() {
+                if let (Some(low), Some(high)) = (fit.theta_low, fit.theta_high) {
+                    canvas.line([place_of(cell, low), place_of(cell, high)], stroke(band, 2.0));
+                }
+            }
+        }
+        let points = |k: usize| -> Vec<Option<Point>> {
+            let place = |(cell, fit): (usize, &Estimate)| Some(place_of(cell, fit.theta?));
+            fits(k).enumerate().map(place).collect()
+        };
+        for (k, state) in states.iter().enumerate() {
+            let (colour, _) = COLOURS[k % COLOURS.len()];
+            for part in points(k).split(Option::is_none) {
+                canvas.line(part.iter().flatten().copied(), stroke(colour, 0.9));
+            }
+            entries.push(entry(Swatch::Line(stroke(colour, 0.9)), state.words()));
+        }
+        // Marks lie above the bars and the lines of all limit states.
+        for k in 0..states.len() {
+            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+            for point in points(k).into_iter().flatten() {
+                mark.draw(canvas, point, 1.4, colour);
+            }
+        }
+    });
+    frame.draw(&mut canvas, BOTH);
+    let by = study.asked.estimators[0].name();
+    entries.push(entry(Swatch::None, format!("By {by}; bars: 95 % of θ.")));
+    let at = (MARGIN, place.bottom() + BELOW + MARGIN);
+    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
+    canvas.finish(end + MARGIN)
+}
+
+/// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates, with
+/// all that may be missing, whose line is drawn, cell by cell, none where they are not known.
+///
+/// # Errors
+/// [`FigureError::Encode`].
+pub fn maps(
+    study: &Study,
+    state: usize,
+    intensity: Intensity,
+    target: Option<(&[Option<f64>], f64)>,
+) -> Result<String, FigureError> {
+    use super::shades::{Shades, paint};
+    /// Between two plots.
+    const APART: f64 = 14.0;
+    let of = study.asked.states[state];
+    let title = format!("Fragility of {} under {} motions", of.words(), study.records().count());
+    let (mut canvas, top) = begin(study, &title);
+    let top = top + FONT;
+    let width = (COLUMN - 2.0 * MARGIN - LEFT - APART - 6.0) / 2.0;
+    let grid = &study.sweep.grid;
+    let fits = || study.cells.iter().map(|cell| &cell.states[state].estimates[0]);
+    let thetas: Vec<Option<f64>> = fits().map(|fit| fit.theta).collect();
+    let betas: Vec<Option<f64>> = fits().map(|fit| fit.beta).collect();
+    let mut end = top;
+    let label = format!("θ: {}", intensity.label());
+    for (k, (values, label)) in [(&thetas, label.as_str()), (&betas, "β")].into_iter().enumerate()
+    {
+        let x = MARGIN + LEFT + k as f64 * (width + APART);
+        let place = Place { x, y: top, width, height: width };
+        let shades = Shades::over(values);
+        let frame = Frame::new(place, Axis::of(Some(grid.x())), Axis::of(grid.y()));
+        paint(&mut canvas, grid, values, &shades, &frame)?;
+        if let Some((rates, target)) = target {
+            let logarithms: Vec<Option<f64>> = rates
+                .iter()
+                .map(|rate| rate.map(|rate| rate.clamp(1.0e-300, 1.0e300).ln()))
+                .collect();
+            let lines = crate::map::boundaries::contours(grid, &logarithms, &[target.ln()]);
+            canvas.clipped(place, |canvas| {
+                for line in lines.iter().flatten() {
+                    canvas.line(line.iter().map(|at| frame.at(*at)), stroke(BLACK, 1.1));
+                }
+            });
+        }
+        frame.draw(&mut canvas, Written { y: k == 0, x: true, beyond: 1.5 });
+        end = shades.draw(&mut canvas, (x, place.bottom() + BELOW + MARGIN), width, label)?;
+    }
+    let mut entries: Vec<Entry> = Vec::new();
+    if fits().any(|fit| fit.theta.is_none() || fit.beta.is_none()) {
+        let text = "white: no number (separable, or no record fails)";
+        entries.push(entry(Swatch::Fill([255, 255, 255]), text));
+    }
+    if let Some((_, target)) = target {
+        let text = format!("annual rate of {target} at most");
+        entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
+    }
+    let by = study.asked.estimators[0].name();
+    entries.push(entry(Swatch::None, format!("By {by}.")));
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), COLUMN - 2.0 * MARGIN, 2);
+    Ok(canvas.finish(end + MARGIN))
+}

@@ -1,0 +1,8 @@
+//! Pictures of studies: a suite's spectra, an envelope, a fragility, a probability.
+
+pub mod envelope;
+pub mod envelope_curves;
+pub mod fragility;
+pub mod probability;
+pub mod shades;
+pub mod suite;

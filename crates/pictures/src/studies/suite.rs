@@ -1,0 +1,132 @@
+//! The picture of a suite: response spectra of its motions, their median and the band of 16 % to 84 %.
+
+use crate::drawing::canvas::{Canvas, Place, Point, stroke};
+use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
+use crate::drawing::legend::{self, entry};
+use crate::drawing::swatch::Swatch;
+use crate::drawing::text::style;
+use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE};
+use topple::results::colour::Colour;
+use topple::scene::record::Pair;
+use topple_studies::suites::read::Suite;
+use topple_studies::suites::spectrum::spectrum;
+
+/// Periods of a spectrum: so many, each the same factor larger, s.
+const PERIODS: u32 = 60;
+const FROM: f64 = 0.02;
+const TO: f64 = 10.0;
+/// Fewest motions that have a band.
+const BANDED: usize = 3;
+/// Height of a panel, points.
+const HEIGHT: f64 = 130.0;
+/// Colours of a motion, of the band, and of the median.
+const MOTION: Colour = [0xb4, 0xb4, 0xb4];
+const BAND: Colour = [0xcf, 0xdf, 0xf5];
+const MEDIAN: Colour = [0x2c, 0x5f, 0xb8];
+
+/// A component of a motion: its samples.
+type Component = fn(&Pair) -> &[f64];
+
+/// Draws the spectra of both components as SVG.
+pub fn draw(suite: &Suite) -> String {
+    let mut canvas = Canvas::new(COLUMN);
+    let title = format!("Suite of {} motions", suite.motions().count());
+    canvas.text((MARGIN, MARGIN + 0.8 * TITLE), style(TITLE), &title);
+    let told = "Pseudo-acceleration at 5 % of the critical damping";
+    canvas.text((MARGIN, MARGIN + 2.2 * TITLE), style(FONT), told);
+    let mut y = MARGIN + 2.8 * TITLE;
+    let components: [(&str, Component); 2] =
+        [("horizontal", |pair| &pair.horizontal), ("vertical", |pair| &pair.vertical)];
+    for (number, (name, component)) in components.into_iter().enumerate() {
+        y += LEADING * FONT;
+        canvas.text((MARGIN + LEFT, y), style(FONT), name);
+        let x = MARGIN + LEFT;
+        let place = Place { x, y: y + 3.0, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+        panel(&mut canvas, place, suite, component, number == 1);
+        y = place.bottom();
+    }
+    let mut entries = vec![
+        entry(Swatch::Line(stroke(MOTION, 0.3)), "a motion"),
+        entry(Swatch::Line(stroke(MEDIAN, 1.2)), "median"),
+    ];
+    if suite.motions().count() >= BANDED {
+        entries.push(entry(Swatch::Fill(BAND), "16 % to 84 % of the motions"));
+    }
+    let at = (MARGIN, y + BELOW + MARGIN);
+    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
+    canvas.finish(end + MARGIN)
+}
+
+/// Draws the spectra of a component; `written` says whether the periods stand below.
+fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component, written: bool) {
+    let periods: Vec<f64> = (0..PERIODS)
+        .map(|k| FROM * (TO / FROM).powf(f64::from(k) / f64::from(PERIODS - 1)))
+        .collect();
+    // A component that does not move has none.
+    let spectra: Vec<Vec<f64>> = suite
+        .motions()
+        .map(|(_, motion)| spectrum(component(&motion.pair), motion.pair.dt, &periods))
+        .filter(|sa| sa.iter().all(|value| *value > 0.0))
+        .collect();
+    let most = spectra.iter().flatten().fold(0.0, |most: f64, value| most.max(*value));
+    let most = if most > 0.0 { most } else { 1.0 };
+    let least = spectra.iter().flatten().fold(most, |least: f64, value| least.min(*value));
+    // Five decades hold all that is of weight.
+    let (low, high) = ((0.7 * least).max(1.0e-5 * most), 1.5 * most);
+    let axes = (Axis::log(FROM, TO, "T [s]"), Axis::log(low, high, "Sa [m/s²]"));
+    let frame = Frame::new(place, axes.0, axes.1);
+    let at = |(period, sa): (&f64, f64)| frame.at((period.log10(), sa.max(low).log10()));
+    let curve =
+        |sa: &[f64]| -> Vec<Point> { periods.iter().zip(sa.iter().copied()).map(at).collect() };
+    let share = |share: f64| -> Vec<f64> {
+        (0..periods.len())
+            .map(|k| percentile(spectra.iter().map(|sa| sa[k]).collect(), share))
+            .collect()
+    };
+    canvas.clipped(place, |canvas| {
+        let edges = if spectra.len() >= BANDED { &[0.16, 0.84][..] } else { &[] };
+        let edges: Vec<Vec<Point>> = edges.iter().map(|edge| curve(&share(*edge))).collect();
+        if let [lower, upper] = &edges[..] {
+            canvas.polygon(upper.iter().chain(lower.iter().rev()).copied(), BAND);
+        }
+        for sa in &spectra {
+            canvas.line(curve(sa), stroke(MOTION, 0.25));
+        }
+        for edge in edges {
+            canvas.line(edge, stroke(MEDIAN, 0.5));
+        }
+        if !spectra.is_empty() {
+            canvas.line(curve(&share(0.5)), stroke(MEDIAN, 1.2));
+        }
+    });
+    if spectra.is_empty() {
+        let middle = (place.x + 0.5 * place.width, place.y + 0.5 * place.height);
+        canvas.text(middle, style(FONT).middle(), "no motion");
+    }
+    frame.draw(canvas, Written { x: written, ..BOTH });
+}
+
+/// The value below which a share of the values lies: linear between the sorted values, as numpy has it.
+fn percentile(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let Some(last) = values.len().checked_sub(1) else { return 0.0 };
+    let place = share * last as f64;
+    // The place is not negative, and no larger than the last.
+    let before = place.floor() as usize;
+    let after = (before + 1).min(last);
+    values[before] + (values[after] - values[before]) * (place - before as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percentile;
+
+    #[test]
+    fn percentiles_are_those_of_numpy() {
+        // numpy.percentile([3, 1, 2, 10], [0, 16, 50, 84, 100])
+        let of = |share| percentile(vec![3.0, 1.0, 2.0, 10.0], share);
+        for (share, value) in [(0.0, 1.0), (0.16, 1.48), (0.5, 2.5), (0.84, 6.64), (1.0, 10.0)] {
+            assert!((of(share) - value).abs() < 1e-12, "{share}: {}", of(share));
+        }
+    }
+}

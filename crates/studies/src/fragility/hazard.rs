@@ -1,0 +1,308 @@
+//! A hazard curve, and the annual rate of failure over it.
+
+use super::fit::Lognormal;
+use super::hazard_error::HazardError;
+use crate::uncertain::normal;
+use topple::scene::shown::shown;
+
+/// Largest file of a hazard curve that is read, bytes.
+pub const LARGEST: u64 = 16 << 20;
+
+/// Annual rates at which levels of the intensity measure are exceeded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HazardCurve {
+    /// ln of the level and ln of the rate, by ascending level.
+    points: Vec<[f64; 2]>,
+}
+
+/// The annual rate of failure over a hazard curve, and what the ends of the curve leave open.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnnualRate {
+    /// The rate of failures by motions between the first and the last level of the curve, 1/year.
+    pub rate: f64,
+    /// Motions above the last level add no more than this, the rate of the last level. At least the probability of failing
+    /// there times this rate is missing.
+    pub missing_above: f64,
+    /// Motions below the first level add no more than this, 1/year, where the curve is nowhere steeper there than between
+    /// its first two levels: see [`HazardCurve::rate`]. Infinite where this is beyond what numbers hold.
+    pub missing_below: f64,
+}
+
+impl AnnualRate {
+    /// The rate with all that may be missing at both ends of the curve, 1/year.
+    pub fn at_most(&self) -> f64 {
+        self.rate + self.missing_above + self.missing_below
+    }
+}
+
+/// The probability that something of an annual rate happens in 50 years, 1 - exp(-50 rate).
+pub fn in_50_years(rate: f64) -> f64 {
+    -(-50.0 * rate).exp_m1()
+}
+
+/// Nodes and weights of Gauss and Legendre for four points on -1 to 1.
+const GAUSS: [[f64; 2]; 4] = [
+    [-0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
+    [-0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
+    [0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
+    [0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
+];
+/// Beyond this many beta above ln theta the probability is one to rounding; below, what is left of its product with the
+/// hazard is nothing to rounding.
+const REACH: f64 = 8.5;
+
+impl HazardCurve {
+    /// Reads a table `level,rate`: the header, then a line a point, with ascending levels and rates that do not rise.
+    pub fn parse(text: &str) -> Result<HazardCurve, HazardError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut lines = (1..).zip(text.lines());
+        let header = lines.next().map_or("", |(_, line)| line);
+        if columns(header) != ["level", "rate"] {
+            return Err(HazardError::Header { found: shown(header) });
+        }
+        let mut points: Vec<[f64; 2]> = Vec::new();
+        for (line, row) in lines.filter(|(_, row)| !row.trim().is_empty()) {
+            let row = columns(row);
+            if row.len() != 2 {
+                return Err(HazardError::Columns { line, columns: row.len() });
+            }
+            let number = |name: &'static str, text: &str| {
+                let number = text.parse().ok().filter(|n: &f64| *n > 0.0 && n.is_finite());
+                number.ok_or_else(|| HazardError::Number { line, name, text: shown(text) })
+            };
+            let point = [number("level", row[0])?.ln(), number("rate", row[1])?.ln()];
+            match points.last() {
+                Some(before) if point[0] <= before[0] => return Err(HazardError::Order { line }),
+                Some(before) if point[1] > before[1] => return Err(HazardError::Rises { line }),
+                _ => points.push(point),
+            }
+        }
+        if points.len() < 2 {
+            return Err(HazardError::TooFew { count: points.len() });
+        }
+        Ok(HazardCurve { points })
+    }
+
+    /// The annual rate of failure, the integral of P(fail | x) |d lambda(x)| over the curve.
+    ///
+    /// Between its points the curve is a power of x, linear in ln x and ln lambda, as is usual. It is not extended beyond
+    /// its ends. The sum over trapezoids in ln x of P |d lambda|, whose value depends on how far apart the points are,
+    /// goes to this integral as points are put between them.
+    ///
+    /// Where P changes, within 8.5 beta of theta and k beta^2 further below, four points of Gauss and Legendre serve each piece of ln x, no longer
+    /// than h = 1/2 of the smaller of beta and 1/k, where k is the slope of ln lambda. Above P is 1, below 0. In units of h
+    /// the eighth derivative of the integrand is below 2^-8 times 1e4, the rule's factor is 5.6e-10, so that the error
+    /// is below 1e-7 of the rate.
+    ///
+    /// What is missing below the first level x_1 has no bound without an assumption: the curve does not tell how many
+    /// motions there are. The assumption is that lambda(x) <= lambda_1 (x/x_1)^-k there, with the slope k between the first two
+    /// levels: hazard curves bend downwards in logarithms. P rises from zero, so that by parts the integral of P |d lambda| is
+    /// that of lambda dP less lambda_1 P(x_1), and is largest where lambda is.
+    pub fn rate(&self, fragility: &Lognormal) -> AnnualRate {
+        let [ends @ .., last] = self.points.as_slice() else {
+            return AnnualRate { rate: 0.0, missing_above: 0.0, missing_below: 0.0 };
+        };
+        let segments = ends.iter().zip(&self.points[1..]);
+        AnnualRate {
+            rate: segments.map(|(from, to)| segment(*from, *to, fragility)).sum(),
+            missing_above: last[1].exp(),
+            missing_below: below(self.points[0], self.points[1], fragility),
+        }
+    }
+}
+
+/// The integral of P(x) |d lambda(x)| below a point, the slope of the curve that between the point and the next: of a power
+/// lambda_1 (x/x_1)^-k it is lambda_1 [exp(k beta u + k^2 beta^2/2) Phi(u + k beta) - Phi(u)], u = ln(x_1/theta)/beta.
+fn below(first: [f64; 2], next: [f64; 2], fragility: &Lognormal) -> f64 {
+    let k = (first[1] - next[1]) / (next[0] - first[0]);
+    let (above, beta) = (first[0] - fragility.theta.ln(), fragility.beta);
+    // ln of the rate at the first level of motions that fail below it, and those above, over that of the level.
+    let (all, over) = if beta > 0.0 {
+        let (u, grown) = (above / beta, k * beta);
+        (k * above + 0.5 * grown * grown + normal::ln_cdf(u + grown), normal::ln_cdf(u))
+    } else if above > 0.0 {
+        (k * above, 0.0)
+    } else {
+        return 0.0;
+    };
+    ((first[1] + all).exp() - (first[1] + over).exp()).max(0.0)
+}
+
+/// The parts of a line.
+fn columns(line: &str) -> Vec<&str> {
+    line.split(',').map(str::trim).collect()
+}
+
+/// The integral between two points.
+fn segment(from: [f64; 2], to: [f64; 2], fragility: &Lognormal) -> f64 {
+    let k = (from[1] - to[1]) / (to[0] - from[0]);
+    let lambda = |y: f64| (from[1] - k * (y - from[0])).exp();
+    let middle = fragility.theta.ln();
+    let reach = REACH * fragility.beta;
+    // Downwards lambda grows by exp(k y), which moves the middle of the product down by k beta^2.
+    let low = (middle - reach - k * fragility.beta.powi(2)).clamp(from[0], to[0]);
+    let high = (middle + reach).clamp(from[0], to[0]);
+    // Above, all fail.
+    let above = lambda(high) - to[1].exp();
+    if !(high > low && k > 0.0) {
+        return above.max(0.0);
+    }
+    let pieces = ((high - low) / (0.5 * fragility.beta.min(1.0 / k))).ceil().max(1.0);
+    let half = 0.5 * (high - low) / pieces;
+    let mut changing = 0.0;
+    for piece in 0..pieces as u32 {
+        let centre = low + half * f64::from(2 * piece + 1);
+        for [node, weight] in GAUSS {
+            let y = centre + half * node;
+            let probability = normal::cdf((y - middle) / fragility.beta);
+            changing += half * weight * probability * k * lambda(y);
+        }
+    }
+    changing + above.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(rate: impl Fn(f64) -> f64, from: f64, to: f64, count: u32) -> HazardCurve {
+        let point = |k: u32| {
+            let y = from.ln() + (to / from).ln() * f64::from(k) / f64::from(count - 1);
+            [y, rate(y.exp()).ln()]
+        };
+        HazardCurve { points: (0..count).map(point).collect() }
+    }
+
+    #[test]
+    fn a_power_law_has_its_closed_form() {
+        // lambda = k_0 x^-k: the rate is k_0 theta^-k exp(k^2 beta^2/2) (Cornell 1996).
+        for (k, theta, beta) in [(2.0, 1.0, 0.4), (3.5, 0.4, 0.2), (1.0, 2.0, 0.8), (2.5, 0.7, 1.5)]
+        {
+            let hazard = curve(|x| 1.0e-3 * x.powf(-k), 1.0e-6, 1.0e9, 31);
+            let wanted = 1.0e-3 * f64::powf(theta, -k) * (0.5 * k * k * beta * beta).exp();
+            let found = hazard.rate(&Lognormal { theta, beta });
+            assert!((found.rate / wanted - 1.0).abs() < 1.0e-7, "{} {wanted}", found.rate);
+        }
+    }
+
+    #[test]
+    fn trapezoids_go_to_the_rate_as_points_are_put_between() {
+        let fragility = Lognormal { theta: 0.8, beta: 0.3 };
+        let law = |x: f64| 0.01 * x.powf(-1.7);
+        let wanted = curve(law, 0.1, 4.0, 6).rate(&fragility).rate;
+        let trapezoids = |count: u32| {
+            let points = curve(law, 0.1, 4.0, count).points;
+            let p = |point: &[f64; 2]| fragility.probability(point[0].exp());
+            let gap = |ends: &[[f64; 2]]| {
+                0.5 * (p(&ends[0]) + p(&ends[1])) * (ends[0][1].exp() - ends[1][1].exp())
+            };
+            points.windows(2).map(gap).sum::<f64>()
+        };
+        let errors = [50, 99, 197].map(|count| trapezoids(count) / wanted - 1.0);
+        // A second-order rule: a quarter of the error with half of the distance.
+        assert!(errors[0].abs() > 1.0e-4 && errors[2].abs() < 1.0e-3, "{errors:?}");
+        for pair in errors.windows(2) {
+            assert!((pair[0] / pair[1] - 4.0).abs() < 0.1, "{errors:?}");
+        }
+    }
+
+    #[test]
+    fn a_step_takes_the_rates_above_it() {
+        let hazard = HazardCurve::parse("level,rate\n1,1e-2\n4,1e-4\n").unwrap();
+        let rate = |theta| hazard.rate(&Lognormal { theta, beta: 0.0 });
+        let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1.0e-12;
+        // In the middle of ln x the rate is the geometric mean.
+        assert!(near(rate(2.0).rate, 1.0e-3 - 1.0e-4), "{:?}", rate(2.0));
+        assert!(near(rate(0.5).rate, 1.0e-2 - 1.0e-4) && rate(5.0).rate == 0.0);
+        assert!(near(rate(2.0).missing_above, 1.0e-4) && rate(2.0).missing_below == 0.0);
+        // Over four levels lambda falls to a hundredth, so that at half of the first level it is ten times as large.
+        assert!(near(rate(0.5).missing_below, 1.0e-1 - 1.0e-2), "{:?}", rate(0.5));
+        assert!(near(rate(0.5).at_most(), 1.0e-1), "{:?}", rate(0.5));
+        let narrow = hazard.rate(&Lognormal { theta: 2.0, beta: 1.0e-9 });
+        assert!((narrow.rate / rate(2.0).rate - 1.0).abs() < 1.0e-7, "{narrow:?}");
+    }
+
+    /// The rate over the same power law from far below is found by quadrature, and what is missing by a closed form.
+    #[test]
+    fn what_is_missing_below_a_power_law_is_the_rate_of_its_part_below() {
+        for (k, theta, beta) in [(2.0, 1.0, 0.4), (3.5, 0.4, 0.2), (1.0, 2.0, 0.8), (2.5, 0.7, 1.5)]
+        {
+            let law = |x: f64| 1.0e-3 * x.powf(-k);
+            let fragility = Lognormal { theta, beta };
+            let whole = curve(law, 1.0e-9, 30.0, 31).rate(&fragility);
+            for first in [0.01, 0.1, 0.7, 3.0, 20.0] {
+                let cut = curve(law, first, 30.0, 5).rate(&fragility);
+                let found = cut.rate + cut.missing_below;
+                assert!((found / whole.rate - 1.0).abs() < 2.0e-7, "{first}: {cut:?} {whole:?}");
+                assert!(first < 0.5 * theta || cut.missing_below > 0.02 * whole.rate, "{cut:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_rate_of_a_whole_curve_is_within_the_bound_of_each_part_of_it() {
+        let points =
+            [(0.5, 0.05), (1.0, 0.02), (2.0, 6e-3), (4.0, 1.2e-3), (8.0, 1.5e-4), (16.0, 1e-5)];
+        let of = |points: &[(f64, f64)]| {
+            let rows: String = points.iter().map(|(x, rate)| format!("{x},{rate}\n")).collect();
+            HazardCurve::parse(&format!("level,rate\n{rows}")).unwrap()
+        };
+        for theta in [0.1, 0.7, 3.0, 12.9, 100.0] {
+            for beta in [0.0, 0.02, 0.4, 0.8, 1.6] {
+                let fragility = Lognormal { theta, beta };
+                let whole = of(&points).rate(&fragility).rate;
+                for from in 0..points.len() - 1 {
+                    let part = of(&points[from..]).rate(&fragility);
+                    assert!(whole <= part.at_most() * (1.0 + 1.0e-12), "{theta} {beta}: {part:?}");
+                }
+            }
+        }
+    }
+
+    /// What is beyond the largest number is no bound, and below no target.
+    #[test]
+    fn a_curve_that_says_nothing_of_what_is_below_has_no_bound_there() {
+        let steep = HazardCurve::parse("level,rate\n1.4,1e-1\n1.4000001,1e-9\n").unwrap();
+        let rate = steep.rate(&Lognormal { theta: 1.4, beta: 0.4 });
+        assert_eq!((rate.missing_below, rate.at_most()), (f64::INFINITY, f64::INFINITY));
+        let flat = HazardCurve::parse("level,rate\n1,1e-3\n2,1e-3\n").unwrap();
+        assert_eq!(flat.rate(&Lognormal { theta: 0.1, beta: 0.4 }).missing_below, 0.0);
+    }
+
+    #[test]
+    fn flat_and_steep_curves_have_rates() {
+        let flat = HazardCurve::parse("level,rate\n1,1e-3\n2,1e-3\n").unwrap();
+        let fragility = Lognormal { theta: 1.4, beta: 0.4 };
+        assert_eq!(flat.rate(&fragility).rate, 0.0);
+        let steep = HazardCurve::parse("level,rate\n1.4,1e-1\n1.4000001,1e-9\n").unwrap();
+        assert!((steep.rate(&fragility).rate / 0.05 - 1.0).abs() < 1.0e-5);
+    }
+
+    #[test]
+    fn fifty_years() {
+        assert!((in_50_years(1.0 / 475.0) - 0.099_9).abs() < 1.0e-4);
+        assert_eq!(in_50_years(0.0), 0.0);
+        assert!((in_50_years(1.0e-14) / 5.0e-13 - 1.0).abs() < 1.0e-12);
+    }
+
+    #[test]
+    fn a_bad_table_is_refused_by_its_line() {
+        let error = |text: &str| HazardCurve::parse(text).unwrap_err().to_string();
+        let head = "level,rate\n0.1,0.01\n";
+        assert_eq!(error("x,rate\n"), "line 1: the header is `x,rate`; write `level,rate`");
+        assert_eq!(
+            error("0.1,0.01\n0.2,0.001"),
+            "line 1: the header is `0.1,0.01`; write `level,rate`"
+        );
+        assert!(error(&format!("{head}0.2\n")).starts_with("line 3: it has 1 columns"));
+        assert!(error(&format!("{head}\n0.2,a\n")).starts_with("line 4: rate `a` is no number"));
+        assert!(error(&format!("{head}-1,0.001\n")).starts_with("line 3: level `-1`"));
+        assert!(error(&format!("{head}0.2,0\n")).starts_with("line 3: rate `0`"));
+        assert!(error(&format!("{head}0.2,inf\n")).starts_with("line 3: rate `inf`"));
+        assert!(error(&format!("{head}0.1,0.001\n")).starts_with("line 3: the level"));
+        assert!(error(&format!("{head}0.2,0.02\n")).starts_with("line 3: the rate"));
+        assert_eq!(error(head), "the curve has 1 points; give two at least");
+        assert!(error("").starts_with("line 1: the header is ``"));
+        assert!(HazardCurve::parse("\u{feff}level, rate\r\n0.1, 0.01\r\n0.2, 0.01\r\n").is_ok());
+    }
+}

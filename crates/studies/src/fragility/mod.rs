@@ -1,0 +1,42 @@
+//! Fragility: the probability that a block fails as a function of the intensity, from runs of many records.
+//!
+//! ```text
+//! levels (of an intensity measure) -> a suite's sweep -> shaken (runs of a cell, a record each), limit_state
+//!   runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
+//!        -> records resampled -> intervals        hazard curve -> annual rate
+//!        -> sensitivity (numbers that are not known)
+//!   -> study (all cells) -> tables, picture
+//! ```
+
+pub mod binary;
+pub mod capacity;
+pub mod cloud;
+mod draws;
+pub mod estimate;
+pub mod fit;
+pub mod hazard;
+mod hazard_error;
+pub mod ida;
+pub mod interval;
+pub mod levels;
+pub mod limit_state;
+pub mod link;
+pub mod newton;
+pub mod profile;
+pub mod request;
+pub mod runs;
+pub mod sensitivity;
+pub mod shaken;
+pub mod stripes;
+pub mod study;
+pub mod table_columns;
+pub mod tables;
+
+pub use capacity::{Capacity, share_that_stands_again};
+pub use estimate::{Estimate, Estimator, Note, estimate};
+pub use fit::{Fit, Gap, Lognormal};
+pub use hazard::{AnnualRate, HazardCurve, in_50_years};
+pub use hazard_error::HazardError;
+pub use interval::Bootstrap;
+pub use request::{FragilityJob, FragilityRequest};
+pub use runs::{RecordRuns, Run, Stripe};

@@ -1,0 +1,281 @@
+//! What is asked of a fragility: limit states, levels, estimators, and what is not known.
+
+use super::estimate::Estimator;
+use super::interval::{Bootstrap, FEWEST};
+use super::levels;
+use super::limit_state::LimitState;
+use super::sensitivity::Unknown;
+use super::study::{Asked, Study};
+use crate::suites::Suite;
+use crate::suites::intensity::Intensity;
+use crate::suites::request::{SuiteRequest, above_zero};
+use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
+use crate::suites::wanted::WantedMotion;
+use crate::uncertain::{Ensemble, Varied};
+use topple::scene::parameters::Section;
+use topple::scene::{Parameter, Scene, SceneError, Values};
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::error::SweepError;
+use topple::sweep::observer::Observer;
+
+/// A scene whose fragility under a suite is asked for.
+///
+/// ```no_run
+/// use topple::{
+///     FragilityRequest, Parameter, Range, SceneBuilder, Suite, SuiteRequest, Unwatched,
+/// };
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let suite = Suite::read("records".as_ref(), false)?;
+/// let scene = SceneBuilder::object(1)
+///     .with(Parameter::UY, 0.01)
+///     .with(Parameter::TH, 2.0)
+///     .with(Parameter::TV, 0.5);
+/// // Every motion at eight levels of PGA, m/s^2.
+/// let levels = Some(Range::even(2.0, 16.0, 8).into());
+/// let request = FragilityRequest { levels, ..FragilityRequest::new(SuiteRequest::new(scene)) };
+/// let study = request.open(&suite)?.run(&Unwatched)?;
+/// let overturning = &study.cells[0].states[0].estimates[0];
+/// println!("median {:?} m/s^2, beta {:?}", overturning.theta, overturning.beta);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct FragilityRequest {
+    /// The scene, its motions, and how they are run.
+    pub suite: SuiteRequest,
+    /// The measure that the fragility is told over.
+    pub im: Intensity,
+    /// Levels of it, in SI units, that each motion is scaled to; each motion as it is without them.
+    pub levels: Option<Values>,
+    /// The rocking index is not to exceed these.
+    pub limit_zeta: Vec<f64>,
+    /// max |u| is not to exceed these, m.
+    pub limit_u: Vec<f64>,
+    /// The stroke of v is not to exceed these, m.
+    pub limit_v: Vec<f64>,
+    /// Estimators; all that the levels allow where none is named.
+    pub estimators: Vec<Estimator>,
+    /// Sets of records that are drawn for the intervals; 1000 of a few cells and 100 of many without it.
+    pub bootstrap: Option<u32>,
+    /// Seed of what is drawn: of the sets of records, and of the points of numbers that are not known.
+    pub seed: u32,
+    /// Numbers that are not known.
+    pub vary: Vec<Varied>,
+    /// Points N that are drawn of k of these: N (k + 2) are run.
+    pub samples: u32,
+}
+
+/// A fragility that is ready to run.
+pub struct FragilityJob {
+    /// The sweeps.
+    pub sweep: SuiteJob,
+    /// What is asked of them.
+    pub asked: Asked,
+}
+
+/// Cells from which on there are many.
+pub const MANY: usize = 100;
+/// Sets that are drawn for a few cells, and for many.
+const REPLICATES: [u32; 2] = [1000, 100];
+/// Points that are drawn where nothing else is asked for.
+pub const SAMPLES: u32 = 64;
+/// Most points that are drawn.
+const MOST_SAMPLES: u32 = 1 << 16;
+/// Most sets that are drawn.
+const MOST_REPLICATES: u32 = 1_000_000;
+/// Most limits of one kind.
+const MOST_LIMITS: usize = 100;
+/// Most estimates: cells, limit states and estimators, some 200 bytes each.
+const MOST_ESTIMATES: usize = 1 << 24;
+
+impl FragilityRequest {
+    /// The fragility of overturning and of uplift over PGA, each motion as it is.
+    pub fn new(suite: SuiteRequest) -> FragilityRequest {
+        FragilityRequest {
+            suite,
+            im: Intensity::Pga,
+            levels: None,
+            limit_zeta: Vec::new(),
+            limit_u: Vec::new(),
+            limit_v: Vec::new(),
+            estimators: Vec::new(),
+            bootstrap: None,
+            seed: 1,
+            vary: Vec::new(),
+            samples: SAMPLES,
+        }
+    }
+
+    /// Checks what can be checked before a suite is read.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check(&self) -> Result<(), SceneError> {
+        let refused = |key, problem: String| Err(SceneError::new(key, problem));
+        for (key, limits) in [
+            ("limit_zeta", &self.limit_zeta),
+            ("limit_u", &self.limit_u),
+            ("limit_v", &self.limit_v),
+        ] {
+            if limits.len() > MOST_LIMITS {
+                let problem = format!("{} limits are more than {MOST_LIMITS}", limits.len());
+                return refused(key, problem);
+            }
+        }
+        if let Some(Err(error)) = self.levels.as_ref().map(Values::check) {
+            return refused("levels", error.to_string());
+        }
+        above_zero("limit_zeta", &self.limit_zeta)?;
+        if let Some(limit) = self.limit_zeta.iter().find(|limit| **limit >= 1.0) {
+            let problem =
+                format!("{limit} is not below 1, the rocking index of a block that has overturned");
+            return refused("limit_zeta", problem);
+        }
+        self.suite.check_limits(&self.limit_u, &self.limit_v)?;
+        if let Some(sets) = self.bootstrap
+            && !(FEWEST..=MOST_REPLICATES).contains(&sets)
+        {
+            return refused("bootstrap", format!("{sets} is not in {FEWEST} to {MOST_REPLICATES}"));
+        }
+        if !(2..=MOST_SAMPLES).contains(&self.samples) {
+            return refused("samples", format!("{} is not in 2 to {MOST_SAMPLES}", self.samples));
+        }
+        if self.levels.is_none() && self.estimators.contains(&Estimator::Ida) {
+            let problem = "ida scales each motion up until it overturns; give `levels`";
+            return refused("estimator", problem.to_string());
+        }
+        let other = self.estimators.iter().find(|one| **one != Estimator::Stripes);
+        if let (false, Some(other)) = (self.vary.is_empty(), other) {
+            let problem = format!("{} takes a number for known; `vary` has stripes", other.name());
+            return refused("estimator", problem);
+        }
+        self.suite.check()
+    }
+
+    /// What the block is not to do.
+    pub fn limit_states(&self) -> Vec<LimitState> {
+        let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
+        let u = self.limit_u.iter().copied().map(LimitState::U);
+        let v = self.limit_v.iter().copied().map(LimitState::V);
+        let all = [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta);
+        once(all.chain(u).chain(v))
+    }
+
+    /// The estimators; the first is the one that is drawn.
+    fn estimators(&self) -> Vec<Estimator> {
+        match &self.estimators[..] {
+            [] if !self.vary.is_empty() => vec![Estimator::Stripes],
+            [] => {
+                let all = Estimator::ALL.into_iter();
+                all.filter(|one| self.levels.is_some() || *one != Estimator::Ida).collect()
+            }
+            asked => once(asked.iter().copied()),
+        }
+    }
+
+    /// Makes it ready to run under a suite.
+    ///
+    /// # Errors
+    /// Those of [`check`](FragilityRequest::check), numbers that make no sense, a backend that cannot be had.
+    pub fn open(&self, suite: &Suite) -> Result<FragilityJob, SweepError> {
+        self.check()?;
+        let mut motions = self.suite.motions(suite);
+        self.check_runs(motions.len())?;
+        let (mut own, mut unknown) = (Vec::new(), None);
+        if let Some(first) = motions.first() {
+            let scene = first.under(&self.suite.scene)?;
+            own = self.scaled(&scene, &mut motions)?;
+            unknown = self.unknown(&scene)?;
+        }
+        let (mut times, mut drawn) = (1, 1);
+        if let Some(unknown) = &unknown {
+            (times, drawn) = (unknown.points(), unknown.drawn());
+            motions = unknown.spread(motions);
+            own = own.into_iter().flat_map(|own| vec![own; times]).collect();
+        }
+        let sweep = self.suite.open_under(motions)?;
+        let (states, estimators) = (self.limit_states(), self.estimators());
+        let estimates = sweep.grid.len().saturating_mul(states.len() * estimators.len());
+        if estimates > MOST_ESTIMATES {
+            let problem = format!(
+                "{estimates} estimates of all cells and limit states are more than {MOST_ESTIMATES}; give fewer points"
+            );
+            return Err(SceneError::new("estimator", problem).into());
+        }
+        let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
+        let bootstrap =
+            Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
+        let asked = Asked { levels: own, times, drawn, unknown, states, estimators, bootstrap };
+        Ok(FragilityJob { sweep, asked })
+    }
+
+    /// Refuses more runs of a cell than are held, under so many motions.
+    fn check_runs(&self, motions: usize) -> Result<(), SceneError> {
+        let levels = self.levels.as_ref().map_or(1, Values::count);
+        let points = match self.vary.len() {
+            0 => 1,
+            varied => (self.samples as usize).saturating_mul(varied + 2),
+        };
+        let sweeps = motions.saturating_mul(points);
+        let (key, runs, most) = match sweeps > MOST_SWEEPS {
+            true => ("samples", sweeps, MOST_SWEEPS),
+            false => ("levels", sweeps.saturating_mul(levels), MOST_CELLS),
+        };
+        if runs > most {
+            let problem = format!("{runs} runs of each cell are more than {most}; give fewer");
+            return Err(SceneError::new(key, problem));
+        }
+        Ok(())
+    }
+
+    /// Gives the motions their factors, and tells the levels of each.
+    fn scaled(
+        &self,
+        scene: &Scene,
+        motions: &mut [WantedMotion],
+    ) -> Result<Vec<Vec<f64>>, SceneError> {
+        let mut body = Parameter::of_section(Section::Block);
+        let differs =
+            |own| scene.swept().contains(&own) || self.vary.iter().any(|one| one.parameter == own);
+        if self.im.is_of_block() && body.any(differs) {
+            let problem = format!("{} is another measure for each block", self.im);
+            return Err(SceneError::new("im", format!("{problem}; give pga or pgv")));
+        }
+        levels::scale(motions, self.im, self.levels.as_ref(), &scene.case().block)
+    }
+
+    /// The numbers that are not known, where there are any, each point of them checked.
+    fn unknown(&self, scene: &Scene) -> Result<Option<Unknown>, SceneError> {
+        if self.vary.is_empty() {
+            return Ok(None);
+        }
+        let unknown = Unknown::of(self.vary.clone(), self.samples as usize, self.seed);
+        let ensemble = Ensemble::of(scene, &self.vary, self.suite.scene.force)?;
+        let points: Vec<Vec<f64>> = unknown.design.rows().cloned().collect();
+        let _checked = ensemble.scenes(&points)?;
+        Ok(Some(unknown))
+    }
+}
+
+impl FragilityJob {
+    /// Runs the sweeps and estimates the fragility of every cell.
+    ///
+    /// # Errors
+    /// Those of [`SuiteJob::run`], and that the observer ended it.
+    pub fn run(self, observer: &dyn Observer) -> Result<Study, SweepError> {
+        let swept = self.sweep.run(observer)?;
+        let study = Study::of(swept, self.asked, observer);
+        Ok(study.ok_or(BackendError::Cancelled)?)
+    }
+}
+
+/// The same without what is there before.
+fn once<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+    all.fold(Vec::new(), |mut kept, one| {
+        if !kept.contains(&one) {
+            kept.push(one);
+        }
+        kept
+    })
+}

@@ -1,0 +1,217 @@
+//! The tables of a study: fragility.csv, fits.csv, capacities.csv and rates.csv.
+
+use std::io::Write;
+
+use serde::Serialize;
+
+use super::estimate::Estimate;
+use super::fit::Lognormal;
+use super::hazard::{AnnualRate, HazardCurve, in_50_years};
+use super::limit_state::LimitState;
+use super::study::{CellStudy, StateStudy, Study};
+use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
+use crate::suites::columns::{self, TableColumn};
+use topple::results::csv::Number;
+
+/// A number that may be missing.
+fn known(value: Option<f64>) -> Option<Number> {
+    value.filter(|value| value.is_finite()).map(Number)
+}
+
+/// A table of a study, whose rows begin with the axes of their cell.
+struct Table<'a, W: Write> {
+    study: &'a Study,
+    csv: csv::Writer<W>,
+}
+
+impl<'a, W: Write> Table<'a, W> {
+    /// Begins a table with its header: the axes, then its columns.
+    fn begin(study: &'a Study, writer: W, own: &[TableColumn]) -> csv::Result<Table<'a, W>> {
+        Table::named(study, writer, columns::names(own))
+    }
+
+    /// The same with the names of its columns.
+    fn named<'b>(
+        study: &'a Study,
+        writer: W,
+        names: impl Iterator<Item = &'b str>,
+    ) -> csv::Result<Table<'a, W>> {
+        let mut csv = csv::Writer::from_writer(writer);
+        let keys = columns::keys(&study.sweep.grid).map(|key| -> &'b str { key });
+        csv.write_record(keys.chain(names))?;
+        Ok(Table { study, csv })
+    }
+
+    /// Writes a row of a cell.
+    fn row(&mut self, cell: usize, values: impl Serialize) -> csv::Result<()> {
+        self.csv.serialize((columns::values(&self.study.sweep.grid, cell), values))
+    }
+
+    fn end(mut self) -> csv::Result<()> {
+        Ok(self.csv.flush()?)
+    }
+}
+
+/// Every limit state of every cell, with the cell's number.
+fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStudy)> {
+    let of = |(number, cell)| {
+        let cell: &CellStudy = cell;
+        study.asked.states.iter().zip(&cell.states).map(move |(state, of)| (number, state, of))
+    };
+    study.cells.iter().enumerate().flat_map(of)
+}
+
+/// Every estimate of every limit state of every cell.
+fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'static str, &Estimate)> {
+    let of = |(cell, state, of)| {
+        let of: &StateStudy = of;
+        let named = study.asked.estimators.iter().zip(&of.estimates);
+        named.map(move |(estimator, fit)| (cell, state, estimator.name(), fit))
+    };
+    states(study).flat_map(of)
+}
+
+/// Writes fragility.csv: how many runs there are at each level, and how many of them exceed each limit state.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let mut table = Table::begin(study, writer, &COUNTS)?;
+    for (cell, state, of) in states(study) {
+        for (level, records, failed) in &of.counts {
+            table.row(cell, (state, Number(*level), records, failed))?;
+        }
+    }
+    table.end()
+}
+
+/// Writes fits.csv: theta and beta of each limit state by each estimator, with their intervals.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let mut table = Table::begin(study, writer, &FITS)?;
+    for (cell, state, name, fit) in estimates(study) {
+        let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
+        let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
+        table.row(cell, (state, name, theta, beta, u8::from(fit.separable)))?;
+    }
+    table.end()
+}
+
+/// Writes runs.csv: every run, level by level, with its outcome, max |u|, the stroke of v and the rocking index.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let mut table = Table::begin(study, writer, &RUNS)?;
+    let cells = study.sweep.grid.len();
+    for cell in 0..cells {
+        for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
+            for (k, level) in levels.iter().enumerate() {
+                let index = k * cells + cell;
+                let numbers = [&motion.max_u, &motion.stroke_v, &motion.zeta];
+                let numbers = numbers.map(|values| Number(f64::from(values[index])));
+                let outcome = motion.outcomes[index].name();
+                table.row(cell, (&motion.id, Number(*level), outcome, numbers))?;
+            }
+        }
+    }
+    table.end()
+}
+
+/// Writes capacities.csv: the lowest and the highest level at which each record overturns the block, and whether it
+/// stands at a level above the lowest.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let mut table = Table::begin(study, writer, &CAPACITIES)?;
+    for (number, cell) in study.cells.iter().enumerate() {
+        for (record, capacity) in study.records().zip(&cell.capacities) {
+            let lowest = known(capacity.map(|capacity| capacity.lowest));
+            let highest = known(capacity.map(|capacity| capacity.highest));
+            let again = u8::from(capacity.is_some_and(|capacity| capacity.stands_again));
+            table.row(number, (record, lowest, highest, again))?;
+        }
+    }
+    table.end()
+}
+
+/// Writes sensitivity.csv: what each number that is not known explains of the share of all runs that fail.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let mut table = Table::begin(study, writer, &SENSITIVITY)?;
+    for (cell, state, of) in states(study) {
+        let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
+        for (varied, one) in unknown.varied.iter().zip(indices) {
+            let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
+            let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
+            table.row(cell, (state, varied.parameter.key(), first, total))?;
+        }
+    }
+    table.end()
+}
+
+/// Writes points.csv: the points that are drawn of numbers that are not known, and theta and beta at each.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
+    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let drawn = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
+    let drawn: Vec<String> = drawn.collect();
+    let [state, curve @ ..] = POINTS.map(|column| column.name);
+    let names = [state].into_iter().chain(drawn.iter().map(String::as_str)).chain(curve);
+    let mut table = Table::named(study, writer, names)?;
+    for (cell, state, of) in states(study) {
+        let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
+        for (point, curve) in unknown.design.rows().zip(curves) {
+            let point: Vec<Number> = point.iter().copied().map(Number).collect();
+            let theta = known(curve.map(|curve| curve.theta));
+            let beta = known(curve.map(|curve| curve.beta));
+            table.row(cell, (state, point, theta, beta))?;
+        }
+    }
+    table.end()
+}
+
+/// The annual rate at which a limit state is exceeded; none where its fragility is not known.
+pub fn rate(fit: &Estimate, hazard: &HazardCurve) -> Option<AnnualRate> {
+    // Of separable data the step in the middle of the gap is taken.
+    let beta = fit.beta.or(fit.separable.then_some(0.0))?;
+    Some(hazard.rate(&Lognormal { theta: fit.theta?, beta }))
+}
+
+/// True where a rate is below a target with all that may be missing at the ends of the curve.
+pub fn is_below(rate: &AnnualRate, target: f64) -> bool {
+    rate.at_most() <= target
+}
+
+/// Writes rates.csv: the annual rate of each limit state over a hazard curve, and its probability in 50 years.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_rates(
+    study: &Study,
+    hazard: &HazardCurve,
+    target: Option<f64>,
+    writer: impl Write,
+) -> csv::Result<()> {
+    let mut table = Table::begin(study, writer, &RATES)?;
+    for (cell, state, name, fit) in estimates(study) {
+        let rate = rate(fit, hazard);
+        let numbers = [
+            rate.map(|rate| rate.rate),
+            rate.map(|rate| in_50_years(rate.rate)),
+            rate.map(|rate| rate.missing_above),
+        ];
+        let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
+        let missing_below = known(rate.map(|rate| rate.missing_below));
+        table.row(cell, (state, name, numbers.map(known), below, missing_below))?;
+    }
+    table.end()
+}

@@ -1,0 +1,79 @@
+//! What a suite's sweep will take, from a sample of its motions.
+
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use super::swept::SuiteJob;
+use super::wanted::WantedMotion;
+use topple::scene::{Parameter, Scene};
+use topple::sweep::error::SweepError;
+use topple::sweep::estimate::Estimate;
+use topple::sweep::observer::Observer;
+use topple::sweep::progress::Progress;
+use topple::sweep::run::sweep_outcomes;
+use topple::sweep::settings::VerifySettings;
+use topple::sweep::several::OneOfSeveral;
+
+/// Motions of the sample.
+const MOTIONS: usize = 5;
+/// Cells of a motion that are all run for the sample.
+const FEW: usize = 20_000;
+
+impl SuiteJob {
+    /// Seconds that all its cells will take. Long motions take longer: a cell's time is told by a motion's samples.
+    ///
+    /// # Errors
+    /// Those of the backend, and that it was cancelled.
+    pub fn estimate(&self, progress: &dyn Progress) -> Result<f64, SweepError> {
+        let samples = |wanted: &WantedMotion| wanted.pair.horizontal.len() as f64;
+        let mut sorted: Vec<&(WantedMotion, Scene)> = self.all[self.motions()].iter().collect();
+        sorted.sort_by(|a, b| samples(&a.0).total_cmp(&samples(&b.0)));
+        let count = sorted.len().min(MOTIONS);
+        let (mut work, mut seconds) = (0.0, 0.0);
+        for k in 0..count {
+            let (wanted, scene) = sorted[(2 * k + 1) * sorted.len() / (2 * count)];
+            // Of its levels each motion of the sample has another.
+            let level = (2 * k + 1) * wanted.factors.len() / (2 * count);
+            let mut scene = scene.clone();
+            scene.set(Parameter::Scale, wanted.factors[level] * wanted.pair.factor);
+            let (cells, took) = self.sample(&scene, progress)?;
+            work += cells as f64 * samples(wanted);
+            seconds += took;
+        }
+        let all = |(wanted, _): &(WantedMotion, Scene)| {
+            (self.grid.len() * wanted.factors.len()) as f64 * samples(wanted)
+        };
+        Ok(seconds / work.max(1.0) * self.all[self.motions()].iter().map(all).sum::<f64>())
+    }
+
+    /// Cells of a sample of a sweep, and the seconds that they took: all cells, where they are few.
+    fn sample(&self, scene: &Scene, progress: &dyn Progress) -> Result<(usize, f64), SweepError> {
+        let cells = self.grid.len();
+        if cells > FEW {
+            let (method, backend) = (&self.settings.run.method, &self.opened.backends[0]);
+            let took = Estimate::of(scene, method, backend, cells, progress)?;
+            return Ok((took.sampled, took.sampled as f64 / took.rate));
+        }
+        let mut settings = self.settings.run.clone();
+        (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
+        let never = AtomicBool::new(false);
+        let watch = Cancels(progress);
+        let watch = OneOfSeveral::of(&watch, &never);
+        let began = Instant::now();
+        sweep_outcomes(&self.opened, scene, &[], &settings, &watch)?;
+        Ok((cells, began.elapsed().as_secs_f64()))
+    }
+}
+
+/// Hears nothing, and ends the work where another would.
+struct Cancels<'a>(&'a dyn Progress);
+
+impl Progress for Cancels<'_> {
+    fn advance(&self, _: usize) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
+impl Observer for Cancels<'_> {}

@@ -1,0 +1,35 @@
+//! Suites: sets of records that belong to one question, such as those that represent a site.
+//!
+//! ```text
+//! files (a folder, a zip, a list) -> entries (which belong together) -> motions -> measures -> table, picture
+//!   motions -> wanted (at which levels) -> swept, runner (sweeps; saved) -> envelope
+//! ```
+
+pub mod columns;
+pub mod entry;
+pub mod envelope;
+pub mod error;
+pub mod estimate;
+mod files;
+mod gather;
+pub mod intensity;
+mod list;
+pub mod measures;
+mod names;
+mod peer;
+pub mod read;
+pub mod request;
+mod run;
+mod runner;
+pub mod saved;
+pub mod spectrum;
+pub mod swept;
+pub mod swept_motion;
+pub mod table;
+pub mod verified;
+pub mod wanted;
+
+pub use entry::{Entry, Motion};
+pub use error::SuiteError;
+pub use read::Suite;
+pub use request::SuiteRequest;

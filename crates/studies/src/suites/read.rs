@@ -1,0 +1,267 @@
+//! From a folder, a zip or a list to the motions of a suite.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::entry::{Entry, Motion};
+use super::files::Files;
+use super::measures::Measures;
+use super::names::{self, Component};
+use super::{SuiteError, list, peer};
+use topple::scene::parameters::ACCEPTED;
+use topple::scene::record::read::{self, RecordHints};
+use topple::scene::record::zips::MOST_FILES;
+use topple::scene::record::{Record, RecordFile, component, joined};
+use topple::scene::{bounded, shown};
+
+/// Largest list that is read, bytes.
+const LARGEST_LIST: u64 = 64 << 20;
+/// Most samples of all motions of a suite, 2 GiB with both components: 1,000 motions of 22 minutes at 100 Hz.
+const MOST_SAMPLES: usize = 1 << 27;
+
+/// A set of motions, and what was left out of it.
+#[derive(Debug, Clone)]
+pub struct Suite {
+    /// All lines in order: each with its motion, or with why there is none.
+    pub rows: Vec<(Entry, Result<Motion, String>)>,
+    /// Files that are no part of any line.
+    pub unused: Vec<String>,
+}
+
+impl Suite {
+    /// Reads a suite: a folder or a zip, with PEER's list or by the names of its files, or a list beside its files.
+    /// `strict` refuses what is missing or ambiguous; else it is a line without a motion.
+    ///
+    /// # Errors
+    /// Those of [`SuiteError`]: nothing can be read, a list makes no sense, nothing is there.
+    pub fn read(path: &Path, strict: bool) -> Result<Suite, SuiteError> {
+        let files = Files::of(path)?;
+        let (entries, unused) = entries(path, &files)?;
+        let entries = with_own_ids(entries);
+        if entries.is_empty() {
+            return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
+        }
+        let samples = AtomicUsize::new(0);
+        let rows: Vec<_> = entries
+            .into_par_iter()
+            .map(|mut entry| {
+                // Names in it may be of any length.
+                let motion = motion(&mut entry, &files, &samples).map_err(|why| shown::line(&why));
+                (entry, motion)
+            })
+            .collect();
+        if samples.into_inner() > MOST_SAMPLES {
+            return Err(SuiteError::Large { path: path.into(), most: MOST_SAMPLES });
+        }
+        let mut suite = Suite { rows, unused };
+        suite.leave_out_copies();
+        if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
+            let (id, reason) = (entry.id.clone(), reason.to_string());
+            return Err(SuiteError::NoMotion { count: suite.rows.len(), id, reason });
+        }
+        let mut left_out = suite.left_out();
+        if let (Some((entry, reason)), true) = (left_out.next(), strict) {
+            let (id, reason) = (entry.id.clone(), reason.to_string());
+            let count = left_out.count() + 1;
+            return Err(SuiteError::Strict { count, all: suite.rows.len(), id, reason });
+        }
+        drop(left_out);
+        Ok(suite)
+    }
+
+    /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
+    /// the others are scaled otherwise, or read with another time step or in other units.
+    fn leave_out_copies(&mut self) {
+        let mut known: BTreeMap<(String, Option<String>, [u64; 3]), String> = BTreeMap::new();
+        for (entry, motion) in &mut self.rows {
+            let Ok(Motion { pair, measures }) = motion else { continue };
+            let Some(files) = &pair.provenance else { continue };
+            let vertical = files.vertical.as_ref().map(|file| file.sha256.clone());
+            let read_as = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            let key = (files.horizontal.sha256.clone(), vertical, read_as);
+            if let Some(first) = known.get(&key) {
+                *motion = Err(format!("the same motion as {}", shown::shown(first)));
+            } else {
+                known.insert(key, entry.id.clone());
+            }
+        }
+    }
+
+    /// Its motions.
+    pub fn motions(&self) -> impl Iterator<Item = (&Entry, &Motion)> {
+        self.rows.iter().filter_map(|(entry, motion)| Some((entry, motion.as_ref().ok()?)))
+    }
+
+    /// What has no motion, and why.
+    pub fn left_out(&self) -> impl Iterator<Item = (&Entry, &str)> {
+        self.rows
+            .iter()
+            .filter_map(|(entry, motion)| Some((entry, motion.as_ref().err()?.as_str())))
+    }
+}
+
+/// The lines of a suite, and files that none of them has.
+fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), SuiteError> {
+    let refused = |path: &Path, problem: String| SuiteError::List {
+        path: path.into(),
+        problem: shown::line(&problem),
+    };
+    let is_list = path.is_file() && ending(&path.to_string_lossy(), "csv");
+    if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
+        let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
+        return Err(refused(path, problem.to_string()));
+    }
+    let mut lists: BTreeSet<&str> = BTreeSet::new();
+    let mut listed: Vec<Entry> = Vec::new();
+    if is_list {
+        let bytes = bounded::read(path, LARGEST_LIST)
+            .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
+        let text = String::from_utf8_lossy(&bytes);
+        let read = if peer::matches(&text) { peer::read } else { list::read };
+        return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
+    }
+    for name in files.names().iter().filter(|name| ending(name, "csv")) {
+        let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
+        let text = String::from_utf8_lossy(&bytes);
+        let read = match (peer::matches(&text), list::matches(&text)) {
+            (true, _) => peer::read(&text, files),
+            (_, true) => list::read(&text, files),
+            _ => continue,
+        };
+        listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
+        lists.insert(name);
+        if listed.len() > MOST_FILES {
+            let problem = format!("with it there are more than {MOST_FILES} motions in all lists");
+            return Err(refused(&files.path(name), problem));
+        }
+    }
+    let of_entry = |entry: &Entry| {
+        [Some(entry.horizontal.clone()), entry.vertical.clone()].into_iter().flatten()
+    };
+    let taken: BTreeSet<String> = listed.iter().flat_map(of_entry).collect();
+    let rest: Vec<&str> = files
+        .names()
+        .iter()
+        .map(String::as_str)
+        .filter(|name| !taken.contains(*name) && !lists.contains(name))
+        .collect();
+    let (mut named, unused) = by_names(&rest);
+    if !lists.is_empty() {
+        for entry in &mut named {
+            entry.notes.push("not in the list".into());
+        }
+    }
+    listed.extend(named);
+    Ok((listed, unused))
+}
+
+/// The same lines, each with an id of its own: where names are alike in two folders, with the folders'.
+fn with_own_ids(mut entries: Vec<Entry>) -> Vec<Entry> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for entry in &entries {
+        *counts.entry(entry.id.clone()).or_default() += 1;
+    }
+    let mut known = BTreeMap::new();
+    for entry in &mut entries {
+        if counts.get(&entry.id).is_some_and(|count| *count > 1) {
+            entry.id.clone_from(&entry.horizontal);
+        }
+        let times: &mut usize = known.entry(entry.id.clone()).or_default();
+        *times += 1;
+        if *times > 1 {
+            entry.id = format!("{} ({times})", entry.id);
+        }
+    }
+    entries
+}
+
+fn ending(name: &str, wanted: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case(wanted))
+}
+
+/// The lines of files that are known by their names alone, and the files whose names say nothing.
+fn by_names(files: &[&str]) -> (Vec<Entry>, Vec<String>) {
+    let mut unused = Vec::new();
+    let mut groups: BTreeMap<String, (Vec<&str>, Vec<&str>)> = BTreeMap::new();
+    for &name in files {
+        match names::read(name) {
+            None => unused.push(name.to_string()),
+            Some(named) => {
+                let (horizontal, vertical) = groups.entry(named.group).or_default();
+                match named.component {
+                    Component::Horizontal => horizontal.push(name),
+                    Component::Vertical => vertical.push(name),
+                }
+            }
+        }
+    }
+    let mut entries = Vec::new();
+    for (horizontal, vertical) in groups.into_values() {
+        for &name in &horizontal {
+            let mut entry = Entry::of(name);
+            match vertical[..] {
+                [] => {}
+                [one] => entry.vertical = Some(one.into()),
+                [one, other, ..] => {
+                    entry.missing = Some(format!(
+                        "{} verticals may belong to it ({one}, {other}); say in a list which one does",
+                        vertical.len()
+                    ));
+                }
+            }
+            entries.push(entry);
+        }
+        if let ([], [name, ..]) = (&horizontal[..], &vertical[..]) {
+            let mut entry = Entry::of(name);
+            entry.missing = Some("a vertical without a horizontal".into());
+            entries.push(entry);
+        }
+    }
+    (entries, unused)
+}
+
+/// Reads the motion of a line, and says in the line what was decided; its `samples` are added to those of the others, and
+/// none is read where these are too many already.
+fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Motion, String> {
+    if let Some(missing) = &entry.missing {
+        return Err(missing.clone());
+    }
+    if samples.load(Ordering::Relaxed) > MOST_SAMPLES {
+        return Err("the motions before have too many samples".into());
+    }
+    if entry.vertical.is_none() && !entry.horizontal_alone {
+        return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
+    }
+    let hints = RecordHints { dt: entry.dt, units: entry.units, scaled: false };
+    let record = |name: &str| -> Result<(Record, RecordFile), String> {
+        let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
+        read::of_bytes(&files.path(name), &bytes, &hints)
+            .map_err(|error| format!("{name}: {error}"))
+    };
+    let horizontal = record(&entry.horizontal)?;
+    let vertical = entry.vertical.as_deref().map(record).transpose()?;
+    if let Some((place, _)) = component::place(&horizontal.0.title) {
+        let (event, station) = component::event_and_station(place);
+        if entry.event.is_empty() {
+            entry.event = event.into();
+        }
+        if entry.station.is_empty() {
+            entry.station = station.into();
+        }
+    }
+    let pair = joined::join(horizontal, vertical, &hints, false);
+    // Here nothing is forced: a list says what is meant.
+    let plain =
+        |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
+    let mut pair = pair.map_err(|error| format!("{}: {}", error.key, plain(&error.problem)))?;
+    samples.fetch_add(pair.len(), Ordering::Relaxed);
+    entry.notes.extend(pair.notes.iter().cloned());
+    if entry.scale != 1.0 {
+        pair = pair.scaled(entry.scale);
+    }
+    let measures = Measures::of(&pair);
+    Ok(Motion { pair, measures })
+}

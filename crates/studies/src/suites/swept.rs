@@ -1,0 +1,150 @@
+//! A sweep under every motion of a suite, each at all its levels.
+
+use std::io;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::saved::SavedMotions;
+use super::swept_motion::SweptMotion;
+use super::verified::Verified;
+use super::wanted::WantedMotion;
+use topple::results::part::Part;
+use topple::scene::grid::Axis;
+use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
+use topple::sweep::error::SweepError;
+use topple::sweep::request::OpenBackends;
+use topple::sweep::settings::RunSettings;
+
+/// The cells of a grid under every motion of a suite.
+#[derive(Debug)]
+pub struct SuiteSweep {
+    /// The scene under the first motion.
+    pub scene: Scene,
+    /// Its grid, that of all motions.
+    pub grid: Grid,
+    /// What became of the cells under each.
+    pub motions: Vec<SweptMotion>,
+    /// Motions of which there was an earlier run's word.
+    pub resumed: usize,
+    /// Seconds of all sweeps together, without the reference.
+    pub seconds: f64,
+    /// What the reference says of samples.
+    pub verified: Verified,
+    /// Where the motions are saved; nowhere without a directory.
+    pub(super) saved: Option<SavedMotions>,
+}
+
+/// Most cells of all motions and levels together, 3.5 GiB with what is kept of each.
+pub const MOST_CELLS: usize = 1 << 28;
+/// Most sweeps: motions, each at every point of what is not known.
+pub const MOST_SWEEPS: usize = 1 << 20;
+
+/// How a suite is swept.
+#[derive(Debug, Clone, Default)]
+pub struct SuiteSettings {
+    /// How each sweep is run; its verification is of all of them together.
+    pub run: RunSettings,
+    /// The directory in which each motion is saved when it is done; nowhere without it.
+    pub saving: Option<PathBuf>,
+    /// Run the k-th of n parts of the motions only, and leave them there.
+    pub part: Option<Part>,
+}
+
+/// A scene under a suite, ready to run.
+pub struct SuiteJob {
+    /// The scene under the first motion.
+    pub scene: Scene,
+    /// Its grid, that of all motions.
+    pub grid: Grid,
+    /// Each motion with the scene under it.
+    pub(super) all: Vec<(WantedMotion, Scene)>,
+    pub(super) settings: SuiteSettings,
+    pub(super) opened: Arc<OpenBackends>,
+}
+
+impl SuiteJob {
+    /// Makes a scene, which has no excitation of its own, ready to run under motions.
+    ///
+    /// # Errors
+    /// Numbers that make no sense, more cells than are held, a backend that cannot be had.
+    pub fn open(
+        scene: &SceneBuilder,
+        wanted: Vec<WantedMotion>,
+        settings: SuiteSettings,
+    ) -> Result<SuiteJob, SweepError> {
+        let under = |wanted: WantedMotion| {
+            let under = wanted.under(scene)?;
+            Ok((wanted, under))
+        };
+        let Some(first) = wanted.first() else {
+            let problem = "no motion; give a suite that has one".into();
+            return Err(SceneError { key: "suite", problem }.into());
+        };
+        // As it is given: what varies is told by its own value.
+        let first = WantedMotion { settings: Vec::new(), ..first.clone() }.under(scene)?;
+        let grid = Grid::of(&first);
+        check_size(&grid, &wanted, &settings)?;
+        // What is wrong with the scene is said before anything runs.
+        let all: Vec<(WantedMotion, Scene)> =
+            wanted.into_iter().map(under).collect::<Result<_, SceneError>>()?;
+        let run = &settings.run;
+        let opened = Arc::new(run.backend.open(run.method.precision, &run.adapters)?);
+        Ok(SuiteJob { scene: first, grid, all, settings, opened })
+    }
+
+    /// What runs its cells, and GPUs that were passed over.
+    pub fn backends(&self) -> &OpenBackends {
+        &self.opened
+    }
+
+    /// Cells of all sweeps that are to run together.
+    pub fn cells(&self) -> usize {
+        let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
+        self.all[self.motions()].iter().map(cells).sum()
+    }
+
+    /// The motions that are to run: all, or those of a part.
+    pub fn motions(&self) -> Range<usize> {
+        let count = self.all.len();
+        self.settings.part.map_or(0..count, |part| part.cells(count))
+    }
+}
+
+/// Refuses more than the memory holds: of the cells what is kept, and of the scenes their axes.
+fn check_size(
+    grid: &Grid,
+    wanted: &[WantedMotion],
+    settings: &SuiteSettings,
+) -> Result<(), SceneError> {
+    let refused = |problem| Err(SceneError::new("suite", problem));
+    let sweeps = wanted.len();
+    if sweeps > MOST_SWEEPS {
+        return refused(format!("{sweeps} sweeps are more than {MOST_SWEEPS}; give fewer motions"));
+    }
+    let own = settings.part.map_or(0..sweeps, |part| part.cells(sweeps));
+    let levels: usize = wanted[own].iter().map(|wanted| wanted.factors.len()).sum();
+    let cells = grid.len().saturating_mul(levels);
+    let axes: usize = grid.axes().iter().map(Axis::count).sum();
+    if cells.max(axes.saturating_mul(sweeps)) > MOST_CELLS {
+        return refused(format!(
+            "{cells} cells of {sweeps} motions and their levels are more than {MOST_CELLS}; give fewer points or levels"
+        ));
+    }
+    settings.run.verify.check(cells)
+}
+
+impl SuiteSweep {
+    /// Takes away what was saved while it ran: its results are written. Until then no other run begins in the directory.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn discard_saved(&mut self) -> io::Result<()> {
+        self.saved.take().map_or(Ok(()), SavedMotions::discard)
+    }
+
+    /// The motions under which the block of a cell stands, at their first level.
+    pub fn standing(&self, cell: usize) -> impl Iterator<Item = &SweptMotion> {
+        self.motions.iter().filter(move |motion| motion.outcomes[cell].stands())
+    }
+}

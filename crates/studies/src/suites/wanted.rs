@@ -1,0 +1,61 @@
+//! The motions that a scene is swept under: those of a suite, in one direction or both, at some levels.
+
+use super::read::Suite;
+use topple::scene::record::Pair;
+use topple::scene::{Excitation, Numbers, Parameter, Scene, SceneBuilder, SceneError, excitation};
+
+/// A motion, and the factors that it is swept at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WantedMotion {
+    /// The motion's id.
+    pub id: String,
+    /// How much it counts.
+    pub weight: f64,
+    /// Both components.
+    pub pair: Pair,
+    /// Factors on both: a level each.
+    pub factors: Vec<f64>,
+    /// Numbers of the scene that are others under it.
+    pub settings: Vec<(Parameter, f64)>,
+}
+
+impl WantedMotion {
+    /// A scene, which has no excitation of its own, under the motion.
+    ///
+    /// # Errors
+    /// Numbers that make no sense.
+    pub fn under(&self, scene: &SceneBuilder) -> Result<Scene, SceneError> {
+        let shaken = Excitation::Record(self.pair.clone());
+        if self.settings.is_empty() {
+            return scene.check_under(shaken);
+        }
+        let mut changed = scene.check_under(shaken)?;
+        for (parameter, value) in &self.settings {
+            changed.set(*parameter, *value);
+        }
+        changed.check()?;
+        Ok(changed)
+    }
+
+    /// The motions of a suite as they are, scaled as a scene's numbers say; with `both_directions` each a second
+    /// time with its horizontal component reversed.
+    pub fn of_suite(suite: &Suite, numbers: &Numbers, both_directions: bool) -> Vec<WantedMotion> {
+        let mut motions = Vec::new();
+        for (entry, motion) in suite.motions() {
+            let pair = excitation::scaled(motion.pair.clone(), numbers);
+            let (weight, factors) = (entry.weight, vec![1.0]);
+            let settings = Vec::new();
+            let motion = WantedMotion { id: entry.id.clone(), weight, pair, factors, settings };
+            if both_directions {
+                let id = format!("{} reversed", motion.id);
+                motions.push(WantedMotion {
+                    id,
+                    pair: motion.pair.clone().reversed(),
+                    ..motion.clone()
+                });
+            }
+            motions.push(motion);
+        }
+        motions
+    }
+}

@@ -1,0 +1,141 @@
+//! A scene under many settings of its numbers.
+
+use super::varied::Varied;
+use topple::scene::{Numbers, Scene, SceneError};
+
+/// A scene, and the numbers of it that vary.
+#[derive(Debug, Clone)]
+pub struct Ensemble<'a> {
+    scene: &'a Scene,
+    varied: &'a [Varied],
+}
+
+/// Gives numbers the values of a point.
+pub fn set(numbers: &mut Numbers, varied: &[Varied], point: &[f64]) {
+    for (varied, value) in varied.iter().zip(point) {
+        numbers.set(varied.parameter, *value);
+    }
+}
+
+impl<'a> Ensemble<'a> {
+    /// The scenes of parameters that vary, each of which has one value in the scene; `force` accepts improbable ones.
+    ///
+    /// # Errors
+    /// A parameter that the scene does not have, that is an axis, or that is given twice; values that it cannot have.
+    pub fn of(
+        scene: &'a Scene,
+        varied: &'a [Varied],
+        force: bool,
+    ) -> Result<Ensemble<'a>, SceneError> {
+        for (number, one) in varied.iter().enumerate() {
+            let key = one.parameter.key();
+            let refused = |problem: &str| Err(SceneError::new("vary", format!("{key} {problem}")));
+            if varied[..number].iter().any(|other| other.parameter == one.parameter) {
+                return refused("varies twice; give it one distribution");
+            }
+            match scene.numbers.get(one.parameter) {
+                None => {
+                    return refused(&format!(
+                        "is no number of this scene; give `{key}` a value, which the distribution replaces"
+                    ));
+                }
+                Some(values) if values.count() > 1 => {
+                    return refused(
+                        "is an axis of the map; give it one value, or leave it out here",
+                    );
+                }
+                Some(_) => one.check(force)?,
+            }
+        }
+        Ok(Ensemble { scene, varied })
+    }
+
+    /// The scene at a point.
+    ///
+    /// # Errors
+    /// Numbers that make no sense together, with their values.
+    pub fn scene(&self, point: &[f64]) -> Result<Scene, SceneError> {
+        let mut scene = self.scene.clone();
+        set(&mut scene.numbers, self.varied, point);
+        scene.check().map_err(|error| {
+            let at = self.varied.iter().zip(point);
+            let at: Vec<String> =
+                at.map(|(varied, value)| format!("{} = {value}", varied.parameter.key())).collect();
+            let problem = format!("at {}: `{}` {}", at.join(", "), error.key, error.problem);
+            SceneError::new("vary", format!("{problem}; cut the distributions off"))
+        })?;
+        Ok(scene)
+    }
+
+    /// The scenes at points, in their order. All are checked before the first is handed out.
+    ///
+    /// # Errors
+    /// Those of [`scene`](Ensemble::scene) at the first point that has one.
+    pub fn scenes<'p>(
+        &'p self,
+        points: &'p [Vec<f64>],
+    ) -> Result<impl Iterator<Item = Result<Scene, SceneError>> + 'p, SceneError> {
+        for point in points {
+            self.scene(point)?;
+        }
+        Ok(points.iter().map(|point| self.scene(point)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ensemble;
+    use crate::uncertain::Varied;
+    use crate::uncertain::points::points;
+    use topple::scene::{Parameter, Range, Scene, SceneBuilder};
+
+    fn scene() -> Scene {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::Omega, Range::even(1.0, 9.0, 3))
+            .with(Parameter::AH, 5.0);
+        scene.check().unwrap()
+    }
+
+    fn varied(texts: &[&str]) -> Vec<Varied> {
+        texts.iter().map(|text| text.parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn each_point_is_the_scene_with_its_numbers() {
+        let scene = scene();
+        // What the object fixes varies, too.
+        let varied = varied(&["eccentricity=uniform(0,0.3)", "half-width=normal(0.175,0.01)"]);
+        let points = points(&varied, 8, 0);
+        let ensemble = Ensemble::of(&scene, &varied, false).unwrap();
+        for (point, made) in points.iter().zip(ensemble.scenes(&points).unwrap()) {
+            let case = made.unwrap().case();
+            assert_eq!((case.block.eccentricity, case.block.half_width), (point[0], point[1]));
+            assert_eq!(case.block.height, 0.95);
+        }
+    }
+
+    #[test]
+    fn what_cannot_vary_is_refused_before_anything_runs() {
+        let scene = scene();
+        let refused = |texts: &[&str]| {
+            let varied = varied(texts);
+            Ensemble::of(&scene, &varied, false).unwrap_err().to_string()
+        };
+        assert!(refused(&["omega=uniform(1,2)"]).contains("omega is an axis of the map"));
+        assert!(refused(&["scale=uniform(1,2)"]).contains("is no number of this scene"));
+        assert!(refused(&["friction=uniform(1,2)"]).contains("give `friction` a value"));
+        assert!(refused(&["psi=uniform(0,1)", "psi=uniform(0,1)"]).contains("psi varies twice"));
+        assert!(refused(&["t_h=normal(0.2,0.1)"]).contains("2.275 %"));
+        // Each by itself makes sense, but a block of this tilt has overturned.
+        let varied = varied(&["tilt=uniform(0,0.5)"]);
+        let points = points(&varied, 8, 0);
+        let ensemble = Ensemble::of(&scene, &varied, false).unwrap();
+        let line = ensemble.scenes(&points).map(|_| ()).unwrap_err().to_string();
+        assert!(
+            line.starts_with("vary: at tilt = 0.") && line.contains("overturning angle"),
+            "{line}"
+        );
+    }
+}

@@ -1,0 +1,169 @@
+//! A parameter whose value is not known: `eccentricity=normal(0.1,0.02)`.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::de::{Deserialize, Deserializer, Error};
+use serde::{Serialize, Serializer};
+
+use super::distribution::{Distribution, DistributionError, LEAST_SHARE};
+use topple::scene::parameters::Legal;
+use topple::scene::shown::shown;
+use topple::scene::{Parameter, SceneError};
+
+/// A parameter, and the distribution of its values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Varied {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// How its values are distributed.
+    pub distribution: Distribution,
+}
+
+/// Why a text is no parameter with a distribution.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum VariedError {
+    /// Not KEY=DISTRIBUTION.
+    #[error("'{0}' is no KEY=DISTRIBUTION, as in eccentricity=normal(0.1,0.02)")]
+    Text(String),
+    /// A key that no parameter has.
+    #[error("'{0}' is no number of a scene; keys are named as flags are: t_h or t-h, eccentricity")]
+    Key(String),
+    /// No distribution.
+    #[error("{0}: {1}")]
+    Distribution(&'static str, DistributionError),
+}
+
+impl Varied {
+    /// Checks that the values that are drawn are such as the parameter may have; `force` accepts improbable ones.
+    ///
+    /// # Errors
+    /// The share of the values outside, and what to do.
+    pub fn check(&self, force: bool) -> Result<(), SceneError> {
+        let entry = self.parameter.entry();
+        let refused = |problem: String| Err(SceneError::new("vary", format!("{self}: {problem}")));
+        // One that was made, not read, may be none.
+        if let Err(error) = self.distribution.check() {
+            return Err(SceneError::new("vary", format!("{}: {error}", entry.key)));
+        }
+        if let Legal::Whole(..) = entry.legal {
+            return refused(format!(
+                "{} is a whole number, and a distribution has others; sweep it as a list",
+                entry.key
+            ));
+        }
+        let ((low, high), _) = entry.legal.ends();
+        let outside = |low, high| {
+            let (below, above) = self.distribution.outside(low, high);
+            (below.max(above) > LEAST_SHARE).then_some(percent(below + above))
+        };
+        let (name, [first, second]) = (self.distribution.name(), self.distribution.numbers());
+        let remedy = format!("cut it off, as {name}({first},{second},LOW,HIGH)");
+        if let Some(share) = outside(low, high) {
+            return refused(format!(
+                "{share} % of its values lie outside the range, for {} must {}; {remedy}",
+                entry.key, entry.legal
+            ));
+        }
+        let (least, most) = entry.plausible;
+        let (low, high) = (if low < 0.0 { -most } else { least }, most);
+        match outside(low, high).filter(|_| !force) {
+            Some(share) => refused(format!(
+                "{share} % of its values are not plausible ({low} to {high}; {}); {remedy}, or `force` accepts \
+                 them",
+                entry.perhaps
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+impl FromStr for Varied {
+    type Err = VariedError;
+
+    fn from_str(text: &str) -> Result<Varied, VariedError> {
+        let (key, distribution) =
+            text.split_once('=').ok_or_else(|| VariedError::Text(shown(text)))?;
+        let key = key.trim();
+        let parameter = Parameter::of_key(&key.replace('-', "_"))
+            .ok_or_else(|| VariedError::Key(shown(key)))?;
+        match distribution.parse() {
+            Ok(distribution) => Ok(Varied { parameter, distribution }),
+            Err(error) => Err(VariedError::Distribution(parameter.key(), error)),
+        }
+    }
+}
+
+impl fmt::Display for Varied {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.parameter.key(), self.distribution)
+    }
+}
+
+impl Serialize for Varied {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Varied {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Varied, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(Error::custom)
+    }
+}
+
+/// A share in percent, with two digits however small it is.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let decimals = (1.0 - percent.log10().floor()).clamp(1.0, 12.0) as usize;
+    format!("{percent:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Varied, VariedError};
+    use topple::scene::Parameter;
+
+    fn read(text: &str) -> Varied {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn keys_are_written_as_flags_or_as_keys() {
+        for text in ["t_h=normal(1.75,0.1)", "t-h=normal(1.75,0.1)", " t-h = normal( 1.75 , 0.1 ) "]
+        {
+            assert_eq!(read(text).parameter, Parameter::TH);
+            assert_eq!(read(text).to_string(), "t_h=normal(1.75,0.1)");
+        }
+        assert!(matches!("t_h".parse::<Varied>(), Err(VariedError::Text(_))));
+        assert!(matches!("th=normal(1,1)".parse::<Varied>(), Err(VariedError::Key(_))));
+        let error = "t_h=normal(1)".parse::<Varied>().unwrap_err().to_string();
+        assert!(error.starts_with("t_h: 'normal(1)' has 1 numbers"), "{error}");
+    }
+
+    #[test]
+    fn values_outside_the_range_are_refused_with_their_share() {
+        let refused = |text: &str, force| read(text).check(force).unwrap_err().to_string();
+        let line = refused("t_h=normal(0.2,0.1)", true);
+        assert!(line.contains("2.275 % of its values lie outside the range"), "{line}");
+        assert!(line.contains("normal(0.2,0.1,LOW,HIGH)"), "{line}");
+        let line = refused("eccentricity=uniform(0,2)", true);
+        assert!(line.contains("50.000 %"), "{line}");
+        let line = refused("half_width=uniform(10,30)", false);
+        assert!(
+            line.contains("50.000 % of its values are not plausible (0.002 to 20; metres"),
+            "{line}"
+        );
+        assert!(refused("bouc_wen_n=uniform(1,3)", true).contains("is a whole number"));
+        for (text, force) in [
+            ("half_width=uniform(10,30)", true),
+            ("t_h=normal(0.2,0.1,0.01,0.4)", false),
+            // 17 standard deviations: no point is there.
+            ("t_h=normal(1.75,0.1)", false),
+            ("a_h=normal(0,3)", false),
+            ("psi=uniform(0,1)", false),
+        ] {
+            assert_eq!(read(text).check(force), Ok(()), "{text}");
+        }
+    }
+}
