@@ -1,7 +1,7 @@
 //! Overturning and rocking maps of rigid blocks on an isolated base.
 //!
 //! A [`Scene`] says what is simulated: a block, its base, and a pulse or a record. Every number of it that
-//! has several values is an axis of the sweep; each point of the grid is a cell, one simulation. [`sweep`]
+//! has several values is an axis of the sweep; each point of the grid is a cell, one simulation. [`sweep()`]
 //! runs them all by the same fixed-step method on a GPU or a CPU, has an adaptive reference verify a sample, and
 //! gives the [columns](Column) of the map. SI units everywhere.
 //!

@@ -58,7 +58,7 @@ pub fn write(
 /// Writes the table of some cells, with their counts after the axes.
 ///
 /// # Errors
-/// Those of [`write`].
+/// Those of [`write()`].
 pub fn write_list(listed: &ListedCells, writer: impl Write) -> Result<(), csv::Error> {
     let ListedCells { grid, cells, counts, outcomes, .. } = *listed;
     let mut table = csv::Writer::from_writer(writer);

@@ -1,13 +1,13 @@
 //! What an earlier command left in a directory, so that its files do not lie beside those of a new one.
 
 use std::fs;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use crate::results::files::{self, Directory, WriteError};
-use crate::results::temporary::ABOUT_TO_WRITE;
+use crate::results::temporary::{self, ABOUT_TO_WRITE};
 use crate::results::{own, zarr};
 use crate::scene::bounded;
 
@@ -84,8 +84,14 @@ impl Earlier {
             begun.ok().and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default();
         let path = directory.join(RUN);
         let text = match bounded::read(&path, bounded::DOCUMENT) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            // Of a file in the directory's place its making tells.
+            Err(error)
+                if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) =>
+            {
                 return Ok(Earlier { files: begun, ..Earlier::default() });
+            }
+            Err(error) if error.kind() == ErrorKind::PermissionDenied => {
+                return Err(WriteError::of(&path, &error));
             }
             text => text.unwrap_or_default(),
         };
@@ -106,10 +112,16 @@ impl Earlier {
     pub fn refuse_foreign(&self, new: &[String], directory: &Path) -> Result<(), WriteError> {
         for name in new {
             let path = directory.join(name);
-            if FOLDERS.0.contains(&name.as_str()) {
+            let is_folder = FOLDERS.0.contains(&name.as_str());
+            if is_folder {
+                // Under these names it is written, and an earlier one goes.
+                for beside in [temporary::begun(name), temporary::aside(name)] {
+                    files::free(&directory.join(beside))?;
+                }
                 files::free(&path)?;
-            } else if let Ok(there) = path.symlink_metadata()
-                && (there.is_dir() || !self.files.contains(name))
+            }
+            if let Ok(there) = path.symlink_metadata()
+                && (there.is_dir() != is_folder || !self.files.contains(name))
             {
                 return Err(WriteError::Foreign(path));
             }
@@ -135,7 +147,7 @@ impl Earlier {
     fn remove_but(&self, new: &[String], directory: &Path) -> io::Result<Vec<String>> {
         // Files without it are a run's that was interrupted.
         match fs::remove_file(directory.join(RUN)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
                 return Err(io::Error::new(error.kind(), format!("{RUN}: {error}")));
             }
             _ => {}

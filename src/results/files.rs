@@ -63,11 +63,14 @@ pub fn put(from: &Path, place: &Path) -> Result<PathBuf, WriteError> {
     Ok(aside)
 }
 
-/// Refuses a place for a folder of a run where something is that no run wrote.
+/// Refuses a place for a folder of a run where something is that no run wrote, a link to a folder too: a run makes none.
 ///
 /// # Errors
 /// [`WriteError::Foreign`]; those of the disk.
 pub fn free(place: &Path) -> Result<(), WriteError> {
+    if place.is_symlink() {
+        return Err(WriteError::Foreign(place.into()));
+    }
     let foreign = own::foreign(place, Kind::Group);
     refused(foreign.map_err(|error| WriteError::of(place, &error))?)
 }
@@ -77,6 +80,9 @@ pub fn free(place: &Path) -> Result<(), WriteError> {
 /// # Errors
 /// [`WriteError::Foreign`] where something else is in it, which stays; those of the disk.
 pub fn remove(folder: &Path) -> Result<(), WriteError> {
+    if folder.is_symlink() {
+        return Err(WriteError::Foreign(folder.into()));
+    }
     let stays = own::remove(folder, Kind::Group);
     refused(stays.map_err(|error| WriteError::of(folder, &error))?)
 }
@@ -129,8 +135,11 @@ impl Directory {
         }
         for name in folders.iter().flat_map(|name| [temporary::begun(name), temporary::aside(name)])
         {
-            // What no run wrote stays; where it is in the way of the new run, that says so.
-            own::remove(&self.file(&name), Kind::Group).map_err(refused)?;
+            // What no run wrote stays, a link and what it leads to as well; where it is in the way of the new run, that
+            // says so.
+            if !self.file(&name).is_symlink() {
+                own::remove(&self.file(&name), Kind::Group).map_err(refused)?;
+            }
         }
         Ok(())
     }

@@ -76,9 +76,9 @@ pub fn lock(folder: &Path, place: &Path, holds: Holds) -> Result<Lock, StoreErro
     Err(StoreError::InUse(place.to_path_buf()))
 }
 
-/// True where a folder's lock lies: a run is at it, or was killed.
-pub fn is_there(folder: &Path) -> bool {
-    path(folder).exists()
+/// True where a run holds a folder's lock. That of one that was killed may lie there, and is free.
+pub fn is_held(folder: &Path) -> bool {
+    path(folder).exists() && matches!(lock(folder, folder, Holds::Alone), Err(StoreError::InUse(_)))
 }
 
 fn path(folder: &Path) -> PathBuf {
@@ -188,9 +188,9 @@ mod tests {
         drop(one);
         // One is still at it.
         assert!(matches!(asked(Holds::Alone), Err(StoreError::InUse(_))));
-        assert!(is_there(&folder));
+        assert!(is_held(&folder));
         drop(other);
-        assert!(!is_there(&folder), "the last holder takes the file away");
+        assert!(!path(&folder).exists(), "the last holder takes the file away");
         drop(asked(Holds::Alone).unwrap());
         assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
     }

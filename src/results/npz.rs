@@ -48,7 +48,7 @@ pub fn write(
 /// The same of some cells: arrays of one index, with the numbers of the cells (`cell`) and their counts.
 ///
 /// # Errors
-/// Those of [`write`].
+/// Those of [`write()`].
 pub fn write_list(
     listed: &ListedCells,
     source: Source,

@@ -4,16 +4,16 @@
 //! A file holds the cells' numbers and their columns, each packed as the [tiles](super::tile) are: of the run of a tag,
 //! with a checksum. A list is taken from its file where that is whole and has the same cells.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::block::Block;
+use super::block::{Block, bytes_a_cell};
 use super::columns::Column;
 use super::files::Directory;
 use super::own::ROUND;
 use super::store_error::StoreError;
 use super::{tile, zarr};
 use crate::model::precision::Precision;
+use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
 
 /// Name of the packed numbers of the cells.
@@ -28,6 +28,12 @@ pub struct Rounds {
     tag: u32,
     precision: Precision,
     next: usize,
+}
+
+/// Most bytes of a saved list of so many cells: a compressed array is hardly larger than its numbers.
+fn largest(cells: usize) -> u64 {
+    let of_numbers = (LENGTH + bytes_a_cell(Precision::F64)) as u64 * cells as u64;
+    2 * of_numbers + (1 << 20)
 }
 
 impl Rounds {
@@ -49,7 +55,7 @@ impl Rounds {
 
     /// The outcomes of the next list, where it is saved: the same cells, all of them whole.
     pub fn take(&mut self, cells: &[usize]) -> Option<Vec<Outcome>> {
-        let bytes = fs::read(self.file()).ok()?;
+        let bytes = bounded::read(&self.file(), largest(cells.len())).ok()?;
         let outcomes = self.read(&bytes, cells)?;
         self.next += 1;
         Some(outcomes)
@@ -116,6 +122,8 @@ impl Rounds {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::stepping::outcome::Class;
 

@@ -124,11 +124,19 @@ impl Store {
         Ok((store, found))
     }
 
+    /// Locks a directory for a command that saves nothing on its way: no map runs there meanwhile.
+    ///
+    /// # Errors
+    /// [`StoreError::InUse`]; those of the disk.
+    pub fn lock(out: &Path) -> Result<Lock, StoreError> {
+        lock(&out.join(FOLDER), out, Holds::Alone)
+    }
+
     /// True where a directory has the folder of a map that runs, or was interrupted.
     pub fn is_begun(out: &Path) -> bool {
         let path = out.join(FOLDER);
         let is_a_runs = |kind| matches!(own::foreign(&path, kind), Ok(None));
-        lock::is_there(&path)
+        lock::is_held(&path)
             || path.join(IDENTITY).exists()
             || (path.exists() && is_a_runs(Kind::Empty))
     }

@@ -5,7 +5,7 @@ use std::io::{self, Error, ErrorKind, Read};
 use std::path::Path;
 
 /// Most bytes of a text that tells what was run, such as run.json: axes that are long lists stand in it.
-pub const DOCUMENT: u64 = 64 << 20;
+pub const DOCUMENT: u64 = 32 << 20;
 
 /// The bytes of a file of `most` bytes at most.
 ///

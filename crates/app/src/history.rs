@@ -106,7 +106,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let earlier = output::refuse_other(&options.out, Kind::History)?;
     let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
     output::refuse_foreign(&options.out, &earlier, &files)?;
-    let out = output::open(&options.out)?;
+    let (out, _held) = output::open_alone(&options.out)?;
     let case = scene.case();
     let (rows, outcome) = match (options.backend(), options.precision()) {
         (BackendRequest::Reference, _) => motion::by_reference(scene, &case),

@@ -61,7 +61,7 @@ pub struct InputError(pub String);
 ///
 /// Without a command, runs the default scene into ./topple-out.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
+#[command(name = "topple", version, args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,

@@ -1,5 +1,6 @@
 //! The files of a map.
 
+use std::fs;
 use std::iter;
 use std::path::{Path, PathBuf};
 
@@ -7,6 +8,7 @@ use rayon::prelude::*;
 use topple::results::columns::Column;
 use topple::results::earlier::{Earlier, Kind};
 use topple::results::files::{Directory, WriteError};
+use topple::results::lock::Lock;
 use topple::results::store::Store;
 use topple::results::{csv, npz};
 use topple::scene::{Grid, Scene};
@@ -19,6 +21,7 @@ use topple_pictures::map::figure::fields::Field;
 use topple_pictures::map::figure::{field, fields, main};
 use topple_pictures::map::slices::{MOST, Slice};
 use topple_pictures::map::{self, Map};
+use topple_studies::suites::saved;
 
 use super::map_file::MapFile;
 use super::progress::Screen;
@@ -35,12 +38,44 @@ pub fn open(out: &Path) -> Result<Directory, InputError> {
     Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
 }
 
+/// The directory of a command that saves nothing on its way: no other run begins there while it is held.
+pub struct Held {
+    /// Gone before the directory is.
+    lock: Option<Lock>,
+    path: PathBuf,
+    is_new: bool,
+}
+
+/// Opens the directory for the results, and holds it.
+pub fn open_alone(out: &Path) -> Result<(Directory, Held), InputError> {
+    let is_new = !out.exists();
+    let directory = open(out)?;
+    let lock = Store::lock(out).map_err(|error| InputError(format!("--out: {error}")))?;
+    Ok((directory, Held { lock: Some(lock), path: out.into(), is_new }))
+}
+
+impl Drop for Held {
+    /// A directory that was made, and in which nothing was written, goes.
+    fn drop(&mut self) {
+        drop(self.lock.take());
+        if self.is_new {
+            // One in which something lies stays.
+            let _ = fs::remove_dir(&self.path);
+        }
+    }
+}
+
 /// Refuses a directory that holds something of another kind: its files are not to lie beside the new ones.
 pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
     let earlier = Earlier::of(out).map_err(|error| InputError(format!("--out: {error}")))?;
-    if kind != Kind::Map && Store::is_begun(out) {
+    let of_suite = matches!(kind, Kind::Envelope | Kind::Fragility);
+    let at_work = [
+        ("a map runs", kind != Kind::Map && Store::is_begun(out)),
+        ("a sweep under a suite runs", !of_suite && saved::is_taken(out)),
+    ];
+    if let Some((what, _)) = at_work.iter().find(|(_, is_begun)| *is_begun) {
         let problem =
-            format!("a map runs in {}, or was interrupted; give another directory", out.display());
+            format!("{what} in {}, or was interrupted; give another directory", out.display());
         return Err(InputError(format!("--out: {problem}")));
     }
     match earlier.kind {

@@ -65,6 +65,7 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
     let needed = grid.len() as u64 * columns as u64;
     memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
     let say = Say::unless(options.run.quiet || options.talk.json);
+    let (out, _held) = output::open_alone(&options.run.out)?;
     words::scene(&say, scene, &grid);
     for varied in &uncertainty.vary {
         say.line("varies", varied);
@@ -86,7 +87,6 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
     if svg.is_some() {
         files.extend(picture_files(PICTURE));
     }
-    let out = output::open(&options.run.out)?;
     output::replace(&out, earlier, &files, &say)?;
     out.write(TABLE, |w| probability::write(&all, &uncertainty, w))?;
     if let Some(svg) = &svg {

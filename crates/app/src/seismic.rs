@@ -1,13 +1,12 @@
 //! `topple seismic`.
 
-use std::fs;
 use std::path::Path;
 
 use topple::results::files::{Directory, WriteError};
-use topple::scene::Excitation;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
+use topple::scene::{Excitation, bounded};
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
@@ -78,7 +77,7 @@ pub fn write_synthetic(out: &Directory, mut record: RecordText) -> anyhow::Resul
         let text = synthetic::at2(&synthetic::make(title, &parameters));
         let path = out.file(name);
         if path.symlink_metadata().is_ok()
-            && !fs::read(&path).is_ok_and(|own| own == text.as_bytes())
+            && !bounded::read(&path, text.len() as u64).is_ok_and(|own| own == text.as_bytes())
         {
             return Err(InputError(WriteError::Foreign(path).to_string()).into());
         }

@@ -69,7 +69,7 @@ impl SuiteCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
         let earlier = output::refuse_other(&self.out, Kind::Suite)?;
-        let out = output::open(&self.out)?;
+        let (out, _held) = output::open_alone(&self.out)?;
         let say = Say::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
         output::refuse_foreign(&self.out, &earlier, &files.map(String::from))?;

@@ -167,9 +167,12 @@ fn a_directory_tells_one_story() {
     fs::write(&precious, "mine").unwrap();
     let mine = ["notes.txt", "data.csv"].map(|name| out.path().join(name));
     fs::create_dir(out.path().join("photos.png")).unwrap();
-    let ours = serde_json::json!({
+    let its_own = serde_json::json!(["map.csv", "map.npz", "map.png", "map.svg"]);
+    let mut ours = serde_json::json!({
         "kind": "map", "version": "0.1.0", "files": [precious, "../x", "..", "", "notes.txt", "photos.png"]
     });
+    let listed = ours["files"].as_array_mut().unwrap();
+    listed.extend(its_own.as_array().unwrap().iter().cloned());
     mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
     fs::write(out.path().join("run.json"), ours.to_string()).unwrap();
     assert_eq!(again(&small).0, 0);

@@ -1,5 +1,7 @@
 //! `topple figures` from outside: files, captions, and one line for every bad input.
 
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
 use std::fs;
 use std::path::Path;
 

@@ -167,6 +167,65 @@ fn a_file_of_a_runs_name_that_no_run_wrote_is_refused() {
     }
 }
 
+/// A link in the place of a run's folder leads to somebody's: the run neither enters it nor puts it away. Folders that only
+/// look like a run's are of no run either.
+#[cfg(unix)]
+#[test]
+fn a_folder_of_a_runs_names_that_no_run_wrote_is_refused() {
+    let like_a_map = ["zarr.json", "zeta/c/0/0"];
+    for name in ["map.zarr", "leaves.zarr", ".topple-map.zarr.old", ".topple-map.zarr.new"] {
+        for linked in [true, false] {
+            let (out, elsewhere) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+            let place = out.path().join(name);
+            let store = if linked { elsewhere.path().to_path_buf() } else { place.clone() };
+            like_a_map.iter().for_each(|file| put(&store.join(file), "mine"));
+            if linked {
+                std::os::unix::fs::symlink(elsewhere.path(), &place).unwrap();
+            }
+            // What a run was about to put away, or had begun, is a run's by its names.
+            if name.starts_with('.') && !linked {
+                put(&store.join("thesis"), "mine");
+            }
+            let before = (tree(out.path()), tree(elsewhere.path()));
+            let run = topple(&pulse(&["--refine", "1", "--files", "zarr"]), out.path()).assert();
+            let told = String::from_utf8(run.code(2).get_output().stderr.clone()).unwrap();
+            assert!(told.lines().count() == 1 && told.contains("by no run"), "{name}: {told}");
+            assert_eq!((tree(out.path()), tree(elsewhere.path())), before, "{name} {linked}");
+        }
+    }
+}
+
+/// While a suite's motions are saved in a directory, or a part of them, no other run begins there; nor while a run that saves
+/// nothing is there.
+#[test]
+fn a_directory_has_one_run_at_a_time() {
+    let motions = TempDir::new().unwrap();
+    let list = suite(motions.path());
+    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
+    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
+    let history = [&["history"], &CELL[..], &["--omega", "4", "--a-h", "5"]].concat();
+    let out = TempDir::new().unwrap();
+    topple(&[&envelope[..], &["--tile", "1/1"]].concat(), out.path()).assert().success();
+    let before = tree(out.path());
+    for arguments in [&pulse(&[]), &history, &pulse(&["--pixel", "--samples", "2"])] {
+        let run = topple(arguments, out.path()).assert().code(2);
+        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(told.contains("a sweep under a suite runs in "), "{told}");
+        assert_eq!(tree(out.path()), before);
+    }
+    let out = TempDir::new().unwrap();
+    let lock = topple::results::store::Store::lock(out.path()).unwrap();
+    for arguments in [&pulse(&[]), &history, &pulse(&["--pixel", "--samples", "2"]), &envelope] {
+        let run = topple(arguments, out.path()).assert().code(2);
+        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(told.contains("--out: ") && told.lines().count() == 1, "{told}");
+    }
+    drop(lock);
+    // One that was killed leaves its lock, which nobody holds.
+    put(&out.path().join(".topple-unfinished.lock"), "");
+    topple(&history, out.path()).assert().success();
+}
+
 /// What is not in the way of a command is left alone, by the command and when it clears up.
 #[test]
 fn what_is_beside_a_run_stays() {

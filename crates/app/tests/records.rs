@@ -150,7 +150,7 @@ fn unequal_components_are_brought_together() {
     assert_eq!((scaled.pga_h, scaled.horizontal[4]), (2.0, 2.0));
 }
 
-/// 40 s in steps of 1e-9 s are 4e10 samples.
+/// 40 s in steps of 1e-6 s are 4e7 samples; in steps that no record has, spectra would not end.
 #[test]
 fn a_step_far_finer_than_the_others_is_refused() {
     let record = |dt: f64, count: usize| Record {
@@ -160,7 +160,12 @@ fn a_step_far_finer_than_the_others_is_refused() {
         notes: Vec::new(),
     };
     let long = record(0.01, 4001);
-    for dt in [1.0e-9, 1.0e-300, 5.0e-324] {
+    for dt in [9.9e-7, 1.0e-9, 1.0e-20, 1.0e-300, 5.0e-324] {
+        let alone = Pair::new(record(dt, 7), None).unwrap_err().to_string();
+        assert!(alone.contains("is no time between samples; give 0.000001 s or more"), "{alone}");
+        assert!(Pair::new(long.clone(), Some(record(dt, 7))).is_err());
+    }
+    for dt in [1.0e-6, 3.9e-6] {
         let error = Pair::new(long.clone(), Some(record(dt, 7))).unwrap_err().to_string();
         assert!(error.starts_with("40 s in steps of 0.00") && !error.contains('\n'), "{error}");
         assert!(Pair::new(record(dt, 7), Some(long.clone())).is_err());
@@ -190,7 +195,7 @@ fn a_step_far_finer_than_the_others_is_refused() {
 fn a_command_under_a_step_far_too_fine_says_so_in_one_line() {
     let folder = tempfile::TempDir::new().unwrap();
     let path = |name: &str| folder.path().join(name).display().to_string();
-    std::fs::write(path("h.at2"), AT2.replace(".0100", "1E-9")).unwrap();
+    std::fs::write(path("h.at2"), AT2.replace(".0100", "1E-6")).unwrap();
     let long =
         Record { title: "long".into(), dt: 0.01, samples: vec![1.0; 4001], notes: Vec::new() };
     std::fs::write(path("v.at2"), synthetic::at2(&long)).unwrap();
@@ -209,7 +214,7 @@ fn a_command_under_a_step_far_too_fine_says_so_in_one_line() {
         &v,
         "--force",
     ]);
-    assert!(line.starts_with("topple: --vertical: 40 s in steps of 0.000000001 s"), "{line}");
+    assert!(line.starts_with("topple: --vertical: 40 s in steps of 0.000001 s"), "{line}");
 }
 
 #[test]

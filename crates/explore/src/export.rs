@@ -49,6 +49,8 @@ pub enum ExportError {
 
 /// What lists the files of an export: a folder that has it may be written again.
 const LIST: &str = "export.json";
+/// What the list says of the page, by which it is known as an export's.
+const PAGE: &str = "topple explore";
 /// Cells along each axis of a stored map.
 const STORED: u32 = 129;
 /// What a browser without WebGPU is shown of stored maps, beside kinds and marks.
@@ -99,7 +101,7 @@ fn write(out: &Directory, earlier: &[String], files: &[File]) -> Result<u64, Exp
         own::gone(fs::remove_file(&path)).map_err(|error| ExportError::File { path, error })?;
     }
     // The list is first, so that a folder whose writing broke off is known as an export.
-    let list = json!({ "version": env!("CARGO_PKG_VERSION"), "files": names });
+    let list = json!({ "page": PAGE, "version": env!("CARGO_PKG_VERSION"), "files": names });
     out.write(LIST, |w| w.write_all(format!("{list:#}").as_bytes()))?;
     for (name, bytes) in files {
         out.write(name, |w| w.write_all(bytes))?;
@@ -130,6 +132,10 @@ fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
     let occupied = || ExportError::Occupied(directory.into());
     let text = bounded::read(&directory.join(LIST), bounded::DOCUMENT).map_err(|_| occupied())?;
     let list: Value = serde_json::from_slice(&text).map_err(|_| occupied())?;
+    // Other programs have lists of files, too.
+    if list["page"] != PAGE {
+        return Err(occupied());
+    }
     let files = list["files"].as_array().ok_or_else(occupied)?;
     let names = files.iter().filter_map(Value::as_str).map(String::from);
     // A list that was tampered with reaches nothing beyond the folder.
@@ -302,7 +308,11 @@ mod tests {
         assert!(earlier(path).unwrap().is_empty());
         fs::write(path.join("thesis.tex"), "mine").unwrap();
         assert!(matches!(earlier(path), Err(ExportError::Occupied(_))));
-        let list = json!({ "files": ["about.json", "../thesis.tex", "/etc/passwd"] });
+        let names = ["about.json", "../thesis.tex", "/etc/passwd"];
+        let list = json!({ "files": names });
+        fs::write(path.join(LIST), list.to_string()).unwrap();
+        assert!(matches!(earlier(path), Err(ExportError::Occupied(_))));
+        let list = json!({ "page": PAGE, "files": names });
         fs::write(path.join(LIST), list.to_string()).unwrap();
         assert_eq!(earlier(path).unwrap(), ["about.json"]);
     }

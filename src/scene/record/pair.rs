@@ -169,11 +169,15 @@ impl Pair {
 /// Of a step, so that a length that is a whole number of steps stays one.
 const ROUNDING: f64 = 1.0e-3;
 
+/// Shortest time between samples, s: a thousandth of the finest that is recorded on a shaking table.
+pub(super) const SHORTEST_STEP: f64 = 1.0e-6;
+
 /// Checks what every motion has: a time step, and samples.
 fn check(dt: f64, samples: &[f64]) -> Result<(), RecordError> {
     let refused = |problem: String| Err(RecordError::Whole(problem));
-    if !(dt > 0.0 && dt.is_finite()) {
-        return refused(format!("{dt} s is no time between samples; give a positive number"));
+    if !(dt >= SHORTEST_STEP && dt.is_finite()) {
+        let problem = format!("{dt} s is no time between samples; give {SHORTEST_STEP} s or more");
+        return refused(problem);
     }
     if !(2..=MOST_SAMPLES).contains(&samples.len()) {
         let count = samples.len();

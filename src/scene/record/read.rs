@@ -4,6 +4,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
+use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Units};
@@ -143,7 +144,7 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
             return Err(RecordError::whole("the file does not tell its time step; give `dt`"));
         }
     };
-    if !(dt.is_finite() && dt > 0.0 && dt <= LONGEST_STEP) {
+    if !(SHORTEST_STEP..=LONGEST_STEP).contains(&dt) {
         let index = if dt == 1.0 {
             "; a column that counts samples is no time: give `dt`, and leave it out"
         } else {

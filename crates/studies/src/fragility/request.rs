@@ -21,9 +21,8 @@ use topple::sweep::observer::Observer;
 /// A scene whose fragility under a suite is asked for.
 ///
 /// ```no_run
-/// use topple::{
-///     FragilityRequest, Parameter, Range, SceneBuilder, Suite, SuiteRequest, Unwatched,
-/// };
+/// use topple::{Parameter, Range, SceneBuilder, Unwatched};
+/// use topple_studies::{FragilityRequest, Suite, SuiteRequest};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let suite = Suite::read("records".as_ref(), false)?;

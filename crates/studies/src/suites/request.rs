@@ -12,9 +12,8 @@ use topple::sweep::error::SweepError;
 /// A scene under each motion of a suite.
 ///
 /// ```no_run
-/// use topple::{
-///     Envelope, Limits, Parameter, Range, SceneBuilder, Suite, SuiteRequest, Unwatched,
-/// };
+/// use topple::{Parameter, Range, SceneBuilder, Unwatched};
+/// use topple_studies::{Envelope, Limits, Suite, SuiteRequest};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let suite = Suite::read("records".as_ref(), false)?;

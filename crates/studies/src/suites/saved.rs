@@ -12,7 +12,7 @@ use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use topple::results::files::{Directory, WriteError};
-use topple::results::lock::{Holds, Lock, lock};
+use topple::results::lock::{self, Holds, Lock, lock};
 use topple::results::own::{self, Kind};
 use topple::results::store_error::StoreError;
 use topple::scene::{Scene, bounded};
@@ -31,6 +31,11 @@ const VERIFIED: usize = 12;
 /// The folder of a run's directory that motions are saved in.
 pub fn folder(out: &Path) -> PathBuf {
     out.join(FOLDER)
+}
+
+/// True where an earlier run has left motions, or one is making them.
+pub fn is_taken(out: &Path) -> bool {
+    is_begun(out) || lock::is_held(&folder(out))
 }
 
 /// True where an earlier run has left motions.

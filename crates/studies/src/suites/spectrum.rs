@@ -115,7 +115,8 @@ impl Step {
     fn peak(&self, motion: &Motion, from: (f64, f64), to: (f64, f64), left: u32, peak: f64) -> f64 {
         let length = to.0 - from.0;
         let most = from.1.abs().max(to.1.abs()) + 0.125 * length * length * motion.bend;
-        if most <= peak * (1.0 + TOLERANCE) || left == 0 {
+        // Not by the other comparison: one that is no number ends it, too.
+        if !(most > peak * (1.0 + TOLERANCE)) || left == 0 {
             return peak;
         }
         let t = 0.5 * (from.0 + to.0);

@@ -127,7 +127,7 @@ mod tests {
         assert!(refused(&["scale=uniform(1,2)"]).contains("is no number of this scene"));
         assert!(refused(&["friction=uniform(1,2)"]).contains("give `friction` a value"));
         assert!(refused(&["psi=uniform(0,1)", "psi=uniform(0,1)"]).contains("psi varies twice"));
-        assert!(refused(&["t_h=normal(0.2,0.1)"]).contains("2.275 %"));
+        assert!(refused(&["t_h=normal(0.2,0.1)"]).contains("2.3 %"));
         // Each by itself makes sense, but a block of this tilt has overturned.
         let varied = varied(&["tilt=uniform(0,0.5)"]);
         let points = points(&varied, 8, 0);
