@@ -12,12 +12,12 @@ fn mode_of(tilt: real) -> u32 {
 }
 
 // A state at rest, the base in static equilibrium.
-fn at_rest(sound: bool, tilt: real) -> State {
+fn at_rest(finite: bool, tilt: real) -> State {
     var state = State();
     state.motion.phi = tilt;
     state.min_contact = model.gravity;
     state.mode = mode_of(tilt);
-    if !sound {
+    if !finite {
         state.status = DIVERGED;
     }
     return state;

@@ -11,7 +11,7 @@ struct Steps {
     steps: u32,
     substeps: u32,
     // 1 where all these numbers are finite.
-    sound: u32,
+    finite: u32,
 }
 
 @group(0) @binding(1) var<storage, read_write> new_cells: array<Cell>;
@@ -61,9 +61,9 @@ fn make(place: Place) -> bool {
         steps.substeps,
         body,
     );
-    let sound = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 6u] > 0.0
-        && steps.sound > 0u;
-    var state = at_rest(sound, numbers[drive + 3u]);
+    let finite = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 6u] > 0.0
+        && steps.finite > 0u;
+    var state = at_rest(finite, numbers[drive + 3u]);
     if tile.shared_contact == 1u && state.status == RUNNING {
         full_contact(place, numbers[drive + 2u], cell, &state);
     }

@@ -26,8 +26,8 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     if isolated_v {
         // A base at rest moves by the rounding error of the weight that it carries. With the deflection
         // |v| is largest below, or, of a swing of twice the deflection and more, above.
-        let tremble = real(EVENT_TOLERANCE) * cell.deflection;
-        let way = max(-state.least_v, state.most_v - 2.0 * cell.deflection) + tremble;
+        let rounding_allowance = real(EVENT_TOLERANCE) * cell.deflection;
+        let way = max(-state.least_v, state.most_v - 2.0 * cell.deflection) + rounding_allowance;
         return cell.stiffness_v * way * way >= left_v;
     }
     return true;

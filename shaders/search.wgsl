@@ -47,30 +47,30 @@ fn begin_search(search: ptr<function, Search>, found: Sought, cubic: Cubic, uppe
 }
 
 // How far before a trial's end an angle passed its target, and the error of that distance.
-struct WayBack {
+struct StepBack {
     back: real,
-    missed: real,
+    error: real,
 }
 
 // The way back along the parabola that has the angle's value, slope and bend at a trial's end;
 // `bend_before` is its bend at the trial's start.
-fn way_back(end: GuardSample, per_slope: real, bend_before: real) -> WayBack {
+fn step_back(end: GuardSample, per_slope: real, bend_before: real) -> StepBack {
     let first = end.value * per_slope;
     let ratio = end.bend * per_slope;
     let second = 0.5 * first * first * ratio;
     let bends = (abs(end.bend) + abs(bend_before)) * abs(per_slope);
     let third = abs(second * ratio) + 0.16666666666666666 * first * first * bends;
-    return WayBack(first + second, abs(first) * third);
+    return StepBack(first + second, abs(first) * third);
 }
 
 // How far the guard is from a trial's end.
-struct Reach {
+struct RootDistance {
     // The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
     steep: bool,
     // One over the slope.
     per_slope: real,
     // Of an angle.
-    way: WayBack,
+    way: StepBack,
 }
 
 struct Arrived {
@@ -80,18 +80,18 @@ struct Arrived {
 
 // How far the guard at the end of a trial is; `bend_before` is an angle's bend at the trial's start. An
 // uplift moment's slope is the secant from the trial before.
-fn reach_of(search: Search, end: GuardSample, bend_before: real) -> Reach {
+fn reach_of(search: Search, end: GuardSample, bend_before: real) -> RootDistance {
     let one: real = 1.0;
     let by_secant = search.sought == SOUGHT_UPLIFT && search.tries > 0u;
     let first = select(end.slope, search.before, search.sought == SOUGHT_UPLIFT);
     let slope = select(first, end.value - search.value_before, by_secant);
     let steep = abs(slope) > 0.0;
     let per_slope = select(one, search.at - search.before, by_secant) / select(one, slope, steep);
-    return Reach(steep, per_slope, way_back(end, per_slope, bend_before));
+    return RootDistance(steep, per_slope, step_back(end, per_slope, bend_before));
 }
 
 // Narrows the bracket by the result of the trial at `at`.
-fn narrow(search: ptr<function, Search>, found: GuardSample, reach: Reach) -> Arrived {
+fn narrow(search: ptr<function, Search>, found: GuardSample, reach: RootDistance) -> Arrived {
     let zero: real = 0.0;
     let one: real = 1.0;
     let steep = reach.steep;
@@ -112,7 +112,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, reach: Reach) -> Ar
     let rounding = found.rounding;
     let change = select((found.value - rounding) * per_slope, way.back, angle);
     let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
-    let near = steep && tolerance >= select(off, way.missed, angle);
+    let near = steep && tolerance >= select(off, way.error, angle);
     // A guard that has not happened at the upper end of its bracket does not happen; an upper end inside
     // the span is tried first.
     let nothing = !repeated && (*search).high < 1.0 && !beyond;

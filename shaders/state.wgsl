@@ -33,7 +33,7 @@ const PHI_RANGE = 1.65;
 const SIZE_RANGE = 1.0e4;
 
 // True where a motion is in the range of what a block and its base can do.
-fn is_sound(y: Motion) -> bool {
+fn is_finite(y: Motion) -> bool {
     let size = abs(y.u) + abs(y.v) + abs(y.z) + abs(y.phi);
     return size < SIZE_RANGE && abs(y.phi) <= PHI_RANGE;
 }

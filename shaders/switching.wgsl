@@ -21,9 +21,9 @@ fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: rea
     let landing = pivot(other);
     (*state).impacts += 1u;
     let rebound = abs(landing.eta_phi * y.dphi);
-    let lively = rebound >= cell.rest_speed && landing.eta_phi > 0.0;
+    let rebounds = rebound >= cell.rest_speed && landing.eta_phi > 0.0;
     var rests = false;
-    if !lively {
+    if !rebounds {
         let base = support(cell, come_to_rest(leaving, y), ground_at(cell, forcing, fraction));
         let lifts = largest_uplift_moment(Contact(base.f_h, base.f_v)) > 0.0;
         rests = !(lifts && landing.eta_phi > 0.0);

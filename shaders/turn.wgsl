@@ -115,7 +115,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         if crossing.found == SOUGHT_IMPACT && !kinked {
             let allowed: real = EVENT_TOLERANCE;
-            landed = crossing.upper >= 1.0 && reach.steep && allowed >= reach.way.missed;
+            landed = crossing.upper >= 1.0 && reach.steep && allowed >= reach.way.error;
             back = select(back, reach.way.back * length, landed);
             switches = switches || landed;
         }
@@ -166,11 +166,11 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if through {
         (*t).events = 0u;
         (*t).forcing.done += 1.0;
-        lost = !is_sound((*state).motion);
+        lost = !is_finite((*state).motion);
         (*state).step += 1u;
         // The twin counts; a free segment begins where the forced steps end, or whole tries later.
-        let untried = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
-        due = due || (untried == 0u && (*state).mode == FULL_CONTACT);
+        let steps_since_check = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
+        due = due || (steps_since_check == 0u && (*state).mode == FULL_CONTACT);
     }
     if (*state).status != RUNNING {
         return;

@@ -168,7 +168,7 @@ macro_rules! same_layouts {
                 steps_forced,
                 steps,
                 substeps,
-                sound
+                finite
             }
         );
         same_layout!($precision, $real, Ground { h, v });

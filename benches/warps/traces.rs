@@ -96,7 +96,7 @@ struct Recorder {
 }
 
 impl<V: Vector> Listener<V> for &mut Recorder {
-    const COUNTS: bool = true;
+    const TRIALS: bool = true;
 
     fn tried(&mut self, trials: impl Iterator<Item = (usize, Trial)>) {
         self.turns += 1;

@@ -14,7 +14,7 @@ use crate::sweep::error::SweepError;
 use crate::sweep::observer::Observer;
 use crate::sweep::plan::Plan;
 use crate::sweep::points::sweep_points;
-use crate::sweep::threads::on;
+use crate::sweep::threads::install;
 
 /// Width to which a place is bisected, as a share of its axis.
 pub const WITHIN: f64 = 1.0e-6;
@@ -147,7 +147,7 @@ impl Curve<'_> {
         let wanted = wanted.min(count);
         let chosen: Vec<usize> = (0..wanted).map(|k| (2 * k + 1) * count / (2 * wanted)).collect();
         let ask = |k: &usize| self.by_reference(&plan, changes[*k], observer);
-        let told: Option<Vec<Option<f64>>> = on(|| chosen.par_iter().map(ask).collect());
+        let told: Option<Vec<Option<f64>>> = install(|| chosen.par_iter().map(ask).collect());
         let told = told.ok_or(BackendError::Cancelled)?;
         let mut word = ReferenceWord { asked: wanted, found: 0, farthest: 0.0 };
         for (k, reference) in chosen.into_iter().zip(told) {

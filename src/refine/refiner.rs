@@ -21,7 +21,7 @@ use crate::sweep::error::SweepError;
 use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
 use crate::sweep::observer::{Observer, Phase};
-use crate::sweep::threads::on;
+use crate::sweep::threads::install;
 
 /// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
 const ROUNDS: usize = 3;
@@ -158,7 +158,7 @@ impl Refiner<'_> {
             }
         });
         let queue: Vec<Square> =
-            on(|| queue.into_par_iter().filter(|square| self.is_open(*square)).collect());
+            install(|| queue.into_par_iter().filter(|square| self.is_open(*square)).collect());
         self.split_all(queue, level, &mut told)?;
         for _ in 0..ROUNDS {
             let (round, missed) = self.probe(level, probes, random)?;
@@ -202,7 +202,7 @@ impl Refiner<'_> {
                 .filter(|square| square.level < level)
                 .flat_map_iter(|square| self.boxes.children(*square))
                 .filter(|square| self.is_open(*square));
-            let mut next: BTreeSet<Square> = on(|| children.collect());
+            let mut next: BTreeSet<Square> = install(|| children.collect());
             for cell in wanted {
                 let (column, row) = (cell % width, cell / width);
                 for leaf in self.boxes.around(column, row) {

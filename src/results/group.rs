@@ -16,7 +16,11 @@ use super::{tile, zarr};
 use crate::scene::Grid;
 
 /// The files of a group, but the chunks of its columns: its documents, and the axes' values.
-pub fn frame(grid: &Grid, documents: Vec<(String, Value)>, tag: u32) -> Vec<(String, Vec<u8>)> {
+pub fn metadata_files(
+    grid: &Grid,
+    documents: Vec<(String, Value)>,
+    tag: u32,
+) -> Vec<(String, Vec<u8>)> {
     let documents = documents.into_iter().map(|(path, document)| {
         // A JSON value with text keys always has a text.
         (path, format!("{document:#}").into_bytes())
@@ -107,7 +111,7 @@ pub fn write_list(
     let unread =
         |error: io::Error| WriteError::File { path: out.file(name), reason: error.to_string() };
     out.write_folder(name, |folder| {
-        for (path, bytes) in frame(listed.grid, documents, tag) {
+        for (path, bytes) in metadata_files(listed.grid, documents, tag) {
             folder.write(&path, |w| w.write_all(&bytes))?;
         }
         let to = TileFiles { folder, tiling: &tiling, tag };

@@ -94,7 +94,7 @@ impl Store {
         let store = Store {
             folder,
             path,
-            frame: group::frame(contents.grid, documents, identity.tag()),
+            frame: group::metadata_files(contents.grid, documents, identity.tag()),
             framed: AtomicBool::new(false),
             identity,
             tiling: Tiling::of(contents.grid),

@@ -62,8 +62,10 @@ fn within<V: Vector>(
     if variant.isolated_v {
         // A base at rest moves by the rounding error of the weight that it carries. With the deflection
         // |v| is largest below, or, of a swing of twice the deflection and more, above.
-        let tremble = left_v.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-        let way = (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + tremble;
+        let rounding_allowance =
+            left_v.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
+        let way =
+            (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + rounding_allowance;
         within = within & (cell.stiffness_v * way * way).ge(left_v);
     }
     within

@@ -116,7 +116,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     /// Impacts so far.
     pub(super) impacts: V,
     /// Steps since a block in full contact was last tried by the certificate.
-    pub(super) untried: V,
+    pub(super) steps_since_check: V,
     pub(super) search: Search<V>,
     pub(super) extremes: Extremes<V>,
     /// The observer.
@@ -164,7 +164,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             cut: none,
             events: zero,
             impacts: zero,
-            untried: zero,
+            steps_since_check: zero,
             search: Search::new(zero),
             extremes: State::<f32>::zeroed().extremes().map(|_| zero),
             log,
@@ -415,7 +415,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     pub(super) fn begin_segment(&mut self, lane: usize, step: u32, follows: bool) {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
         let first = self.forcing.begin(lane, &set, step, follows);
-        self.untried.put(lane, V::Element::of(0.0));
+        self.steps_since_check.put(lane, V::Element::of(0.0));
         let lane = &mut self.lanes[lane];
         lane.next_sample = first / lane.job.cell.substeps.max(1) + 1;
         lane.first_step = first;

@@ -26,13 +26,13 @@ impl<R> Log<R> for () {
 /// Whether lanes have an observer, known when they are compiled.
 pub trait Listener<V: Vector> {
     /// Whether it is told of switches.
-    const HEARS: bool = false;
+    const EVENTS: bool = false;
 
     /// Whether it is told of contact forces.
-    const FEELS: bool = false;
+    const FORCES: bool = false;
 
     /// Whether it is told of every trial.
-    const COUNTS: bool = false;
+    const TRIALS: bool = false;
 
     /// See [`Log::switched`].
     fn hear(&mut self, _: u32, _: V::Element, _: &State<V::Element>) {}
@@ -49,7 +49,7 @@ pub trait Listener<V: Vector> {
 impl<V: Vector> Listener<V> for () {}
 
 impl<R: Real> Listener<R> for &mut dyn Log<R> {
-    const HEARS: bool = true;
+    const EVENTS: bool = true;
 
     fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
         self.switched(kind, fraction, state);

@@ -19,41 +19,45 @@ pub struct Arrived<V: Vector> {
 
 /// How far before a trial's end an angle passed its target, and the error of that distance; fractions of
 /// the trial's span.
-pub struct WayBack<N> {
+pub struct StepBack<N> {
     /// The way back.
     pub back: N,
     /// A bound on the terms of third order that the way back neglects.
-    pub missed: N,
+    pub error: N,
 }
 
 /// The way back along the parabola that has the angle's value, slope and bend at a trial's end;
 /// `bend_before` is its bend at the trial's start.
 #[inline(always)]
-fn way_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> WayBack<N> {
+fn step_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> StepBack<N> {
     let (half, sixth) = (per_slope.like(0.5), per_slope.like(1.0 / 6.0));
     let first = end.value * per_slope;
     let ratio = end.bend * per_slope;
     let second = half * first * first * ratio;
     let bends = (end.bend.abs() + bend_before.abs()) * per_slope.abs();
     let third = (second * ratio).abs() + sixth * first * first * bends;
-    WayBack { back: first + second, missed: first.abs() * third }
+    StepBack { back: first + second, error: first.abs() * third }
 }
 
 /// How far each lane's guard is from its trial's end.
-pub struct Reach<V: Vector> {
+pub struct RootDistance<V: Vector> {
     /// The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
     pub steep: V::Mask,
     /// One over the slope.
     per_slope: V,
     /// Of an angle.
-    pub way: WayBack<V>,
+    pub way: StepBack<V>,
 }
 
-impl<V: Vector> Reach<V> {
+impl<V: Vector> RootDistance<V> {
     /// No distance.
     #[inline(always)]
-    pub fn none(zero: V) -> Reach<V> {
-        Reach { steep: zero.mask(0), per_slope: zero, way: WayBack { back: zero, missed: zero } }
+    pub fn none(zero: V) -> RootDistance<V> {
+        RootDistance {
+            steep: zero.mask(0),
+            per_slope: zero,
+            way: StepBack { back: zero, error: zero },
+        }
     }
 }
 
@@ -136,7 +140,7 @@ impl<V: Vector> Search<V> {
     /// How far the guards at the ends of the trials are; `bend_before` is an angle's bend at a
     /// trial's start. An uplift moment's slope is the secant from the trial before.
     #[inline(always)]
-    pub fn reach(&self, end: &GuardSample<V>, bend_before: V) -> Reach<V> {
+    pub fn reach(&self, end: &GuardSample<V>, bend_before: V) -> RootDistance<V> {
         let (zero, one) = (end.value.like(0.0), end.value.like(1.0));
         let by_secant = self.sought.uplift & self.tries.gt(zero);
         let first = V::select(self.sought.uplift, self.slope, end.slope);
@@ -144,15 +148,15 @@ impl<V: Vector> Search<V> {
         let steep = slope.abs().gt(zero);
         let across = V::select(by_secant, self.at - self.before, one);
         let per_slope = across / V::select(steep, slope, one);
-        Reach { steep, per_slope, way: way_back(end, per_slope, bend_before) }
+        RootDistance { steep, per_slope, way: step_back(end, per_slope, bend_before) }
     }
 
     /// Narrows the bracket by the result of the trial at `at`.
     #[inline(always)]
-    pub fn narrow(&mut self, found: GuardSample<V>, reach: &Reach<V>) -> Arrived<V> {
+    pub fn narrow(&mut self, found: GuardSample<V>, reach: &RootDistance<V>) -> Arrived<V> {
         let (zero, one, half) =
             (found.value.like(0.0), found.value.like(1.0), found.value.like(0.5));
-        let Reach { steep, per_slope, way } = reach;
+        let RootDistance { steep, per_slope, way } = reach;
         let (steep, per_slope) = (*steep, *per_slope);
         let seeking = self.sought.any();
         let angle = self.sought.angle();
@@ -167,7 +171,7 @@ impl<V: Vector> Search<V> {
         let rounding = found.rounding;
         let change = V::select(angle, way.back, (found.value - rounding) * per_slope);
         let off = (found.value.abs() - rounding - rounding) * per_slope.abs();
-        let near = steep & tolerance.ge(V::select(angle, way.missed, off));
+        let near = steep & tolerance.ge(V::select(angle, way.error, off));
         // A guard that has not happened at the upper end of its bracket does not happen.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;

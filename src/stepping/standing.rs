@@ -4,7 +4,7 @@
 use super::lanes::Lanes;
 use super::log::Listener;
 use super::rk4::rk4;
-use super::state::is_sound;
+use super::state::is_finite;
 use super::turn::select_motion;
 use crate::model::dynamics::{Contact, rates};
 use crate::model::isolation::support;
@@ -36,15 +36,15 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
         let base = support(&set, &stepped.y, ground_end);
         self.extremes.update_motion(moved, standing, self.corner.side, &self.y, &stepped.y, h);
-        if L::FEELS {
+        if L::FORCES {
             let end = Contact { shear: base.f_h, normal: base.f_v };
             self.log.feel(moved, [k1.contact(), stepped.mid, end]);
         }
         self.y = select_motion(moved, &stepped.y, &self.y);
         self.forcing.done = self.forcing.done + V::select(moved, one, zero);
-        let lost = moved & !is_sound(&self.y);
+        let lost = moved & !is_finite(&self.y);
         let left = self.end_gaps(moved);
-        let attend = V::bits(lost | left) & self.running;
-        if attend == 0 { 0 } else { self.attend(attend, V::bits(lost), 0, 0) }
+        let ending = V::bits(lost | left) & self.running;
+        if ending == 0 { 0 } else { self.end_segments_and_cells(ending, V::bits(lost), 0, 0) }
     }
 }

@@ -109,7 +109,7 @@ pub const SIZE_RANGE: f64 = 1.0e4;
 
 /// True where a motion is in the range of what a block and its base can do; NaN is out of range.
 #[inline(always)]
-pub fn is_sound<N: Number>(y: &Motion<N>) -> N::Mask {
+pub fn is_finite<N: Number>(y: &Motion<N>) -> N::Mask {
     let size = y.u.abs() + y.v.abs() + y.z.abs() + y.phi.abs();
     size.like(SIZE_RANGE).gt(size) & size.like(PHI_RANGE).ge(y.phi.abs())
 }

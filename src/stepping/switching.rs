@@ -60,18 +60,18 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let to_right = self.corner.side.gt(zero);
         let landing = select_corner(to_right, &self.model.right, &self.model.left);
         let rebound = (landing.eta_phi * self.y.dphi).abs();
-        let lively = rebound.ge(self.cell.rest_speed) & landing.eta_phi.gt(zero);
-        let bounces = lands & lively;
+        let rebounds = rebound.ge(self.cell.rest_speed) & landing.eta_phi.gt(zero);
+        let bounces = lands & rebounds;
         self.y = select_motion(bounces, &change_corner(&landing, &self.y), &self.y);
         self.corner = select_corner(bounces, &landing, &self.corner);
         self.impacts = self.impacts + V::select(lands, one, zero);
-        if L::HEARS {
+        if L::EVENTS {
             for lane in each(V::bits(bounces) & self.running) {
                 self.leave(lane);
                 self.tell(lane, IMPACT);
             }
         }
-        V::bits(lands & !lively)
+        V::bits(lands & !rebounds)
     }
 
     /// Blocks of slow lanes come to rest or go on rocking; blocks of other lanes overturn. Returns the
@@ -149,7 +149,13 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Ends forcing segments, and cells that are done, proved final, out of range, or switch too often in
     /// a step; returns the lanes whose cell ended.
     #[inline(never)]
-    pub(super) fn attend(&mut self, bits: u64, lost: u64, endless: u64, proved: u64) -> u64 {
+    pub(super) fn end_segments_and_cells(
+        &mut self,
+        bits: u64,
+        lost: u64,
+        endless: u64,
+        proved: u64,
+    ) -> u64 {
         self.start.with(
             #[inline(always)]
             || self.attend_lanes(bits, lost, endless, proved),
@@ -185,7 +191,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Tells the log of a switch that has just happened in a lane.
     #[inline(always)]
     fn tell(&mut self, lane: usize, kind: u32) {
-        if L::HEARS {
+        if L::EVENTS {
             let fraction = self.start.lane(lane);
             self.log.hear(kind, fraction, &self.lanes[lane].job.state);
         }

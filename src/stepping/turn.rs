@@ -15,8 +15,8 @@ use super::guards::{EVENT_BOUND, GuardSample};
 use super::lanes::Lanes;
 use super::log::Listener;
 use super::rk4::{rk4, shift_back};
-use super::search::Reach;
-use super::state::is_sound;
+use super::search::RootDistance;
+use super::state::is_finite;
 use super::trials::Done;
 
 #[inline(always)]
@@ -37,7 +37,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let none = zero.mask(0);
         let seeking = self.search.sought.any();
         let again = self.search.again;
-        let fresh = if L::COUNTS { V::bits(zero.ge(self.start)) } else { 0 };
+        let fresh = if L::TRIALS { V::bits(zero.ge(self.start)) } else { 0 };
         let begun = zero.mask(self.running) & !(seeking | again);
         let ground = self.forcing.ground(variant, &self.cell, self.start);
         let set = self.equations();
@@ -63,7 +63,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let ground_end = self.forcing.ground(variant, &self.cell, self.start + length);
         let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
-        let rocked = if L::COUNTS { V::bits(rocking) } else { 0 };
+        let rocked = if L::TRIALS { V::bits(rocking) } else { 0 };
         let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;
         let mut k_end = stepped.k4;
@@ -77,7 +77,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
 
         // The distance to the guard that a lane searches for; without a search, to an impact before the end.
         let mut end = GuardSample { value: zero, slope: zero, bend: zero, rounding: zero };
-        let mut reach = Reach::none(zero);
+        let mut reach = RootDistance::none(zero);
         let beyond = rocking & zero.gt(corner.side * y1.phi);
         if V::any(seeking | beyond) {
             let whole_h = self.span * self.forcing.step;
@@ -111,7 +111,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         if V::any(crossing.found.impact) {
             let allowed = one.like(V::Element::EVENT_TOLERANCE.to_f64());
             let impact = crossing.found.impact & !kinked & crossing.upper.ge(one);
-            landed = impact & reach.steep & allowed.ge(reach.way.missed);
+            landed = impact & reach.steep & allowed.ge(reach.way.error);
             crossing.found.impact = crossing.found.impact & !landed;
             back = V::select(landed, reach.way.back * length, back);
             switched = switched | landed;
@@ -135,7 +135,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         if variant.forces {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         }
-        if L::FEELS {
+        if L::FORCES {
             self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         self.y = select_motion(moved, &y1, &self.y);
@@ -156,7 +156,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
         let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
         let between = moved & !through;
-        if L::HEARS {
+        if L::EVENTS {
             self.tell_cuts(V::bits(between & !switched));
         }
         self.events = self.events + V::select(between, one, zero);
@@ -164,24 +164,29 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.start = V::select(through, zero, self.start);
         self.events = V::select(through, zero, self.events);
         self.forcing.done = self.forcing.done + V::select(through, one, zero);
-        let mut attend = V::bits(endless);
+        let mut ending = V::bits(endless);
         if variant.certificate {
-            self.untried = self.untried + V::select(through, one, zero);
-            let due = through & self.untried.ge(one.like(f64::from(STEPS_A_TRY)));
-            self.untried = V::select(due, zero, self.untried);
+            self.steps_since_check = self.steps_since_check + V::select(through, one, zero);
+            let due = through & self.steps_since_check.ge(one.like(f64::from(STEPS_A_TRY)));
+            self.steps_since_check = V::select(due, zero, self.steps_since_check);
             proved = (proved | (due & !self.rocking)) & self.free();
             if V::any(proved) {
                 proved = self.is_final(proved);
-                attend |= V::bits(proved);
+                ending |= V::bits(proved);
             }
         }
-        let lost = through & !is_sound(&self.y);
+        let lost = through & !is_finite(&self.y);
         let left = self.end_gaps(through);
-        attend = (attend | V::bits(lost | left)) & self.running & !ended;
-        if attend != 0 {
-            ended |= self.attend(attend, V::bits(lost), V::bits(endless), V::bits(proved));
+        ending = (ending | V::bits(lost | left)) & self.running & !ended;
+        if ending != 0 {
+            ended |= self.end_segments_and_cells(
+                ending,
+                V::bits(lost),
+                V::bits(endless),
+                V::bits(proved),
+            );
         }
-        if L::COUNTS {
+        if L::TRIALS {
             self.tell_trials(&Done {
                 rocking: rocked,
                 fresh,

@@ -26,12 +26,12 @@ fn mode_of<R: Real>(tilt: R) -> u32 {
 
 /// A state at rest, the base in static equilibrium.
 #[inline(always)]
-pub(super) fn at_rest<R: Real>(sound: bool, tilt: R) -> State<R> {
+pub(super) fn at_rest<R: Real>(finite: bool, tilt: R) -> State<R> {
     let mut state = State::<R>::zeroed();
     state.motion.phi = tilt;
     state.min_contact = R::of(GRAVITY);
     state.mode = mode_of(tilt);
-    if !sound {
+    if !finite {
         state.status = DIVERGED;
     }
     state
@@ -51,7 +51,7 @@ impl Plan {
             body: 0,
         };
         let cell = groups.cell();
-        let state = at_rest(groups.sound(), groups.drive.tilt);
+        let state = at_rest(groups.finite(), groups.drive.tilt);
         (cell, state)
     }
 }

@@ -13,7 +13,7 @@ use super::gpu::{opened::Gpu, run::Sweeper};
 use super::plan::{Part, Plan};
 use super::progress::Progress;
 use super::snapshots::{PassedOn, resolve};
-use super::threads::on;
+use super::threads::install;
 use crate::model::precision::Precision;
 use crate::results::block::Block;
 use crate::scene::Grid;
@@ -155,9 +155,9 @@ impl Backend {
         let parts = plan.at(precision).parts(grid, cells);
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let of_batch = |block| part.among(cells.len(), part.told(block));
+            let of_batch = |block| part.scatter_into(cells.len(), part.mark_locked(block));
             let progress = PassedOn { progress, change: Some(&of_batch) };
-            ran.push(part.told(self.part(part, grid, precision, &progress, &mut times)?));
+            ran.push(part.mark_locked(self.part(part, grid, precision, &progress, &mut times)?));
         }
         if progress.cancelled() {
             return Err(BackendError::Cancelled);
@@ -229,7 +229,7 @@ impl Backend {
                 return Ok(Block::of_outcomes(&outcomes, precision));
             }
             let mut block = Block::pending(outcomes.len(), precision);
-            on(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
+            install(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
             Ok(block)
         };
         match (self, precision) {
@@ -301,5 +301,5 @@ fn by_reference(
         // That of a sweep which is cancelled is not used.
         outcome.unwrap_or(Outcome::PENDING)
     };
-    on(|| cells.par_iter().map(run).collect())
+    install(|| cells.par_iter().map(run).collect())
 }

@@ -18,7 +18,7 @@ pub fn begin<R: Real>(
 ) -> (Cell<R>, State<R>) {
     let groups = tables.groups(cell);
     let cell = groups.cell();
-    let mut state = at_rest(groups.sound(), groups.drive.tilt);
+    let mut state = at_rest(groups.finite(), groups.drive.tilt);
     if let Some(motions) = motions
         && state.status == RUNNING
     {

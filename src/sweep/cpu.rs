@@ -8,7 +8,7 @@ use super::cells::Cells;
 use super::lanes;
 use super::plan::Plan;
 use super::progress::{Progress, Unwatched};
-use super::threads::on;
+use super::threads::install;
 use crate::model::CellEquations;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -87,6 +87,6 @@ fn each<R: Real, L: Log<R> + Send>(
         progress.advance(1);
         (all.outcome(number, &state), log)
     });
-    on(|| all_cells.collect_into_vec(&mut outcomes));
+    install(|| all_cells.collect_into_vec(&mut outcomes));
     outcomes
 }

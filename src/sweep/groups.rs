@@ -35,7 +35,7 @@ pub struct Horizontal<R> {
     /// See [`Cell::reach_h`].
     pub reach_h: R,
     /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub sound: R,
+    pub finite: R,
 }
 
 /// The numbers of a cell that come from the vertical isolation.
@@ -51,7 +51,7 @@ pub struct Vertical<R> {
     /// See [`Cell::reach_v`].
     pub reach_v: R,
     /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub sound: R,
+    pub finite: R,
 }
 
 /// The numbers of a cell that come from the excitation and the initial tilt.
@@ -71,7 +71,7 @@ pub struct Drive<R> {
     /// See [`Cell::carrier`].
     pub carrier: R,
     /// 1 where these numbers are finite, 0 where the number type does not hold one.
-    pub sound: R,
+    pub finite: R,
 }
 
 /// A cell's steps.
@@ -93,7 +93,7 @@ pub struct Steps<R> {
     /// See [`Cell::substeps`].
     pub substeps: u32,
     /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub sound: u32,
+    pub finite: u32,
 }
 
 pod!(Horizontal, reals: 7, words: 0);
@@ -105,8 +105,8 @@ fn finite<R: Real, const N: usize>(numbers: [R; N]) -> bool {
     numbers.iter().all(|number| number.to_f64().is_finite())
 }
 
-fn flag<R: Real>(sound: bool) -> R {
-    R::of(f64::from(u8::from(sound)))
+fn flag<R: Real>(finite: bool) -> R {
+    R::of(f64::from(u8::from(finite)))
 }
 
 impl<R: Real> Horizontal<R> {
@@ -135,7 +135,7 @@ impl<R: Real> Horizontal<R> {
         }
         let Horizontal { post_yield, hysteretic, damping_h, inverse_yield, .. } = group;
         let numbers = [post_yield, hysteretic, damping_h, inverse_yield];
-        group.sound = flag(finite(numbers) && finite([group.yield_energy, group.reach_h]));
+        group.finite = flag(finite(numbers) && finite([group.yield_energy, group.reach_h]));
         group
     }
 }
@@ -153,7 +153,7 @@ impl<R: Real> Vertical<R> {
                 R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / body.free_share_v()).sqrt());
         }
         let Vertical { stiffness_v, damping_v, deflection, reach_v, .. } = group;
-        group.sound = flag(finite([stiffness_v, damping_v, deflection, reach_v]));
+        group.finite = flag(finite([stiffness_v, damping_v, deflection, reach_v]));
         group
     }
 }
@@ -186,8 +186,8 @@ impl<R: Real> Drive<R> {
         let (scale, tilt) =
             (R::of(shared.map_or(1.0, |amplitude| a_h / amplitude)), R::of(case.tilt));
         let (envelope, carrier) = (R::of(modulation.envelope), R::of(modulation.carrier));
-        let sound = flag(finite([amplitude_h, amplitude_v, tilt]));
-        Drive { amplitude_h, amplitude_v, scale, tilt, envelope, carrier, sound }
+        let finite = flag(finite([amplitude_h, amplitude_v, tilt]));
+        Drive { amplitude_h, amplitude_v, scale, tilt, envelope, carrier, finite }
     }
 }
 
@@ -212,7 +212,7 @@ impl<R: Real> Steps<R> {
             steps_forced: clock.steps_forced,
             steps: clock.steps,
             substeps: clock.substeps,
-            sound: u32::from(finite([phase_step, step_forced, step_free, rest_speed])),
+            finite: u32::from(finite([phase_step, step_forced, step_free, rest_speed])),
         }
     }
 }
@@ -265,9 +265,12 @@ impl<R: Real> Groups<R> {
 
     /// False where the number type does not hold one of the cell's numbers.
     #[inline(always)]
-    pub fn sound(&self) -> bool {
+    pub fn finite(&self) -> bool {
         let Groups { horizontal, vertical, drive, steps, .. } = self;
         let zero = R::of(0.0);
-        horizontal.sound > zero && vertical.sound > zero && drive.sound > zero && steps.sound > 0
+        horizontal.finite > zero
+            && vertical.finite > zero
+            && drive.finite > zero
+            && steps.finite > 0
     }
 }

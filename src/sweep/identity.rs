@@ -29,7 +29,7 @@ pub struct Content {
 }
 
 /// Keys in which the parts of one map may differ.
-pub const FREE: [&str; 3] = ["backend", "adapter", "part"];
+pub const MAY_DIFFER: [&str; 3] = ["backend", "adapter", "part"];
 
 /// A record's accelerations, m/s^2.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -10,7 +10,7 @@ use super::cells::Cells;
 use super::order::by_motions;
 use super::plan::Plan;
 use super::progress::Progress;
-use super::threads::on;
+use super::threads::install;
 use super::vectors::vectorized;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -116,10 +116,10 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, sweep.progress);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let order = all.of_motions.as_ref().map(|motions| on(|| by_motions(motions, grid, cells)));
+    let order = all.of_motions.as_ref().map(|motions| install(|| by_motions(motions, grid, cells)));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
-    on(|| {
+    install(|| {
         rayon::broadcast(|_| {
             let mut feed = ThreadFeed {
                 sweep,

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::threads::on;
+use super::threads::install;
 use super::window::{Combinations, Strides, Window, offset};
 use crate::scene::grid::Place;
 use crate::scene::{Grid, Parameter};
@@ -105,7 +105,8 @@ impl Entries {
         }
         // A list has fewer than 2^32 cells: memory would not hold their numbers.
         let number = |&key: &usize| self.entry(key).unwrap_or(0) as u32;
-        let numbers: Vec<u32> = on(|| keys(grid, &strides, cells).par_iter().map(number).collect());
+        let numbers: Vec<u32> =
+            install(|| keys(grid, &strides, cells).par_iter().map(number).collect());
         Index::ByNumber(numbers.into())
     }
 }
@@ -114,13 +115,13 @@ impl Entries {
 fn keys(grid: &Grid, strides: &Strides, cells: &[usize]) -> Vec<usize> {
     // No larger than the cell's own number.
     let key = |&cell: &usize| offset(strides, &grid.place(cell));
-    on(|| cells.par_iter().with_min_len(SOME).map(key).collect())
+    install(|| cells.par_iter().with_min_len(SOME).map(key).collect())
 }
 
 /// The combinations that cells of a grid have of all that there are, each once and in order.
 pub fn occurring(grid: &Grid, combinations: &Combinations, cells: &[usize]) -> Vec<usize> {
     let mut keys = keys(grid, &combinations.strides(), cells);
-    on(|| keys.par_sort_unstable());
+    install(|| keys.par_sort_unstable());
     keys.dedup();
     keys
 }

@@ -41,7 +41,7 @@ struct Spans<V> {
 }
 
 impl<V: Vector> Listener<V> for Spans<V> {
-    const FEELS: bool = true;
+    const FORCES: bool = true;
 
     #[inline(always)]
     fn feel(&mut self, lanes: V::Mask, [start, mid, end]: [Contact<V>; 3]) {

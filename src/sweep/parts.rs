@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::error::SweepError;
-use super::identity::{Content, FREE};
+use super::identity::{Content, MAY_DIFFER};
 use super::parts_error::PartsError;
 use super::progress::Progress;
 use super::report::{self, Report};
@@ -60,7 +60,9 @@ impl Parts {
         }
         let first = pieces.first().ok_or_else(|| PartsError::None(PathBuf::new()))?;
         for piece in &pieces {
-            if let Some(difference) = first.identity.difference_but(piece.identity.text(), &FREE) {
+            if let Some(difference) =
+                first.identity.difference_but(piece.identity.text(), &MAY_DIFFER)
+            {
                 let (place, first) = (piece.place.clone(), first.place.clone());
                 return Err(PartsError::Other { place, first, difference });
             }

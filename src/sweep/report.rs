@@ -42,5 +42,5 @@ pub fn columns<T>(parts: &[(T, Report)], precision: Precision) -> Precision {
 
 /// Threads that a sweep on the CPU takes.
 pub fn threads() -> usize {
-    super::threads::on(rayon::current_num_threads)
+    super::threads::install(rayon::current_num_threads)
 }

@@ -7,7 +7,7 @@ use super::full_contact::FullContactMotions;
 use super::motion_cache::Key;
 use super::plan::Plan;
 use super::progress::Progress;
-use super::threads::on;
+use super::threads::install;
 use crate::model::excitation::Ground;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -36,7 +36,7 @@ impl Plan {
         let record = bytemuck::cast_slice(record);
         let known = known.map(|known| known as Arc<dyn Any + Send + Sync>);
         let some = (&key.grid, cells);
-        let motions = on(|| self.motions(R::PRECISION, some, known, record, progress));
+        let motions = install(|| self.motions(R::PRECISION, some, known, record, progress));
         // They are of the type that was asked for.
         let motions: Arc<Option<FullContactMotions<R>>> = motions.downcast().unwrap_or_default();
         // None of a sweep that is cancelled does not mean that there are none.

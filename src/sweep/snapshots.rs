@@ -39,7 +39,7 @@ impl Progress for PassedOn<'_> {
 
 impl Part {
     /// Its cells as they are told: one whose vertical direction is locked says so.
-    pub(super) fn told(&self, mut block: Block) -> Block {
+    pub(super) fn mark_locked(&self, mut block: Block) -> Block {
         if self.vertical_locked {
             block.recode(|_, class, status| match status {
                 Status::Ok | Status::Proved => (class, Status::VerticalLocked),
@@ -50,7 +50,7 @@ impl Part {
     }
 
     /// Its cells among those of a list of so many, of which the others have not run.
-    pub(super) fn among(&self, count: usize, block: Block) -> Block {
+    pub(super) fn scatter_into(&self, count: usize, block: Block) -> Block {
         if block.len() == count {
             // A part alone holds every cell, in order.
             return block;

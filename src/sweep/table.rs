@@ -9,7 +9,7 @@
 use rayon::prelude::*;
 
 use super::listing::{CellAt, Index, Listing};
-use super::threads::on;
+use super::threads::install;
 use crate::scene::{Case, Parameter};
 
 /// Entries from which on all cores compute them.
@@ -37,7 +37,7 @@ impl<T: Send> Table<T> {
         let entry = |number| entry(&grid.case_at(&entries.place(number)));
         let all = match count {
             few if few < MANY => (0..count).map(entry).collect(),
-            _ => on(|| (0..count).into_par_iter().with_min_len(MANY / 4).map(entry).collect()),
+            _ => install(|| (0..count).into_par_iter().with_min_len(MANY / 4).map(entry).collect()),
         };
         Table { entries: all, index: index.clone() }
     }

@@ -60,7 +60,7 @@ impl Threads {
 
 /// Computes on the threads of the call that this thread works for. `work` waits for nothing but its own parts: where
 /// there is one thread, it has it.
-pub fn on<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+pub fn install<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     match Threads::current().0 {
         Some(pool) => pool.install(work),
         None => work(),
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn a_call_computes_on_its_own_threads() {
-        let count = || on(rayon::current_num_threads);
+        let count = || install(rayon::current_num_threads);
         let all = count();
         for wanted in [1, 3] {
             let threads = Threads::new(NonZeroUsize::new(wanted)).unwrap();

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::plan::Plan;
 use super::progress::Progress;
 use super::sample::Chosen;
-use super::threads::on;
+use super::threads::install;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::{self, Settings};
@@ -186,7 +186,7 @@ pub fn verify(
         progress.advance(1);
         Some(judged)
     };
-    let judged: Vec<Option<Judged>> = on(|| chosen.par_iter().map(judge).collect());
+    let judged: Vec<Option<Judged>> = install(|| chosen.par_iter().map(judge).collect());
     if progress.cancelled() {
         return None;
     }

@@ -15,7 +15,7 @@ use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::output::picture_files;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
-use super::words::Say;
+use super::words::Reporter;
 use super::{examples, output, suite};
 
 /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
@@ -83,7 +83,7 @@ impl EnvelopeCommand {
         let names = [TABLE, ZETA].map(String::from).into_iter().chain(picture_files(PICTURE));
         self.motions.refuse_foreign(options, &earlier, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
-        let say = Say::unless(options.quiet);
+        let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
         let job = request.open(&suite).map_err(sweep_error)?;
         let Some(swept) = self.motions.run(job, 1, options, &say)? else {
@@ -132,7 +132,7 @@ impl EnvelopeCommand {
 }
 
 /// Says which cells keep the limits, how far these are, and which motions govern.
-fn tell(envelope: &Envelope, best: &[usize], say: &Say) {
+fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     let cells = envelope.cells.len();
     let share = 100.0 * best.len() as f64 / cells.max(1) as f64;
     say.line("feasible", format!("{} of {cells} cells, {share:.1} %", best.len()));

@@ -13,7 +13,7 @@ use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::options::{MapOptions, Verify};
 use super::progress::Screen;
-use super::words::Say;
+use super::words::Reporter;
 use super::{memory, words};
 
 /// Says what a run takes, and runs no more than the sample.
@@ -28,7 +28,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let screen = Screen::new(options.run.quiet);
     let takes = job.estimate(&screen).map_err(sweep_error)?;
     // What is asked for is told, however quiet.
-    let say = Say::unless(false);
+    let say = Reporter::unless(false);
     let part = match options.tile {
         None => String::new(),
         Some(part) => format!(", part {part} of them {}", wanted.len()),

@@ -14,7 +14,7 @@ use topple_explore::start;
 
 use super::errors::{not_exported, sweep_error};
 use super::scene::DEFAULT_SCENE;
-use super::words::{self, Say};
+use super::words::{self, Reporter};
 use super::{InputError, examples, interrupt, load, options};
 
 /// Show a map alive, on a page in the browser.
@@ -77,7 +77,7 @@ impl ExploreCommand {
         let server =
             Server::bind(self.port).map_err(|error| InputError(format!("--port: {error}")))?;
         let address = server.address();
-        Say::unless(false).line("explore", &address);
+        Reporter::unless(false).line("explore", &address);
         if !self.no_open && open::that_detached(&address).is_err() {
             words::warn("no browser opens; open the address above");
         }
@@ -96,7 +96,7 @@ fn write(folder: &Path, session: &Session) -> anyhow::Result<()> {
         error => anyhow::Error::from(error),
     })?;
     let size = bytes.div_ceil(1 << 20);
-    Say::unless(false)
+    Reporter::unless(false)
         .line("page", format!("{} ({size} MiB): serve it by any web server", folder.display()));
     Ok(())
 }

@@ -22,7 +22,7 @@ use super::output;
 use super::print::print_line;
 use super::progress::Screen;
 use super::refined;
-use super::words::{self, Say};
+use super::words::{self, Reporter};
 
 /// How a map is finished.
 pub struct Finish<'a> {
@@ -54,7 +54,12 @@ fn lap(began: &mut Instant) -> f64 {
 }
 
 /// Writes a map's files, and has the reference verify it.
-pub fn write(mut map: MapSweep, to: &Finish, say: &Say, screen: &Screen) -> anyhow::Result<()> {
+pub fn write(
+    mut map: MapSweep,
+    to: &Finish,
+    say: &Reporter,
+    screen: &Screen,
+) -> anyhow::Result<()> {
     let Finish { out, files, .. } = *to;
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();

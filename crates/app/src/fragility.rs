@@ -27,7 +27,7 @@ use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::output::{Figure, picture_files};
 use super::progress::Screen;
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
-use super::words::Say;
+use super::words::Reporter;
 use super::{InputError, examples, output, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
@@ -163,7 +163,7 @@ impl FragilityCommand {
         let checked = request.check().and_then(|()| above_zero("target", targets));
         checked.map_err(|error| flag_error(&error))?;
         let suite = self.motions.read()?;
-        let say = Say::unless(options.quiet);
+        let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
         let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
         self.motions.refuse_foreign(options, &earlier, &self.names(&asked.states))?;

@@ -8,13 +8,13 @@ use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
 use topple_studies::fragility::{HazardCurve, tables};
 
-use super::words::Say;
+use super::words::Reporter;
 
 /// Most cells that are told one by one.
 const TOLD: usize = 1;
 
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
-pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, say: &Say) {
+pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, say: &Reporter) {
     for (number, state) in study.asked.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {

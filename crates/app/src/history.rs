@@ -22,7 +22,7 @@ use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::output;
 use super::save::save;
-use super::words::{self, Say};
+use super::words::{self, Reporter};
 use super::{InputError, examples};
 
 /// The motion of one cell: every parameter a single number.
@@ -116,7 +116,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
     let png = render::png(&svg)?;
-    output::replace(&out, &earlier, &files, &Say::unless(options.quiet))?;
+    output::replace(&out, &earlier, &files, &Reporter::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;
     output::write_figure(&out, "history", &svg, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
@@ -131,7 +131,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         files: &files,
     };
     earlier::finish(&out, &manifest)?;
-    let say = Say::unless(options.quiet);
+    let say = Reporter::unless(options.quiet);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

@@ -3,11 +3,11 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)] // a closed pipe is no failure
 
 mod adapters;
-mod again;
 mod bench;
 mod chart;
 mod completions;
 mod disk;
+mod earlier_run;
 mod envelope;
 mod errors;
 mod estimate;

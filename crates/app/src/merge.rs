@@ -19,7 +19,7 @@ use super::finish::{self, Finish};
 use super::map_file::MapFile;
 use super::options::{Talk, Verify, flag_error, share};
 use super::progress::{Bar, Screen};
-use super::words::{self, Say, with_flags};
+use super::words::{self, Reporter, with_flags};
 use super::{InputError, examples, interrupt, output};
 
 /// Points of an axis of the sample that tells how large the files will be.
@@ -90,7 +90,7 @@ impl MergeCommand {
         let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
         let bytes = disk::of_files(&sizes, &files);
         disk::fits(bytes, &self.out)?;
-        let say = Say::unless(self.quiet || self.talk.json);
+        let say = Reporter::unless(self.quiet || self.talk.json);
         words::scene(&say, &map.plan.scene, grid);
         for (folder, report) in &map.parts {
             let folder = folder.as_ref().map(|folder| folder.display().to_string());

@@ -25,7 +25,7 @@ use topple_studies::suites::saved;
 
 use super::map_file::MapFile;
 use super::progress::Screen;
-use super::words::Say;
+use super::words::Reporter;
 use super::{InputError, refined};
 
 /// How the names of the pictures of a map begin; that of a whole one has no more.
@@ -129,7 +129,7 @@ pub fn replace(
     out: &Directory,
     earlier: &Earlier,
     files: &[String],
-    say: &Say,
+    say: &Reporter,
 ) -> anyhow::Result<()> {
     let removed = earlier.begin(files, out).map_err(|error| match error {
         error @ WriteError::Foreign(_) => InputError(format!("--out: {error}")).into(),

@@ -19,7 +19,7 @@ use super::options::{MapOptions, Verify};
 use super::output::picture_files;
 use super::print::print_line;
 use super::progress::Screen;
-use super::words::{self, Say};
+use super::words::{self, Reporter};
 use super::{memory, output};
 
 /// run.json of a probability map.
@@ -64,7 +64,7 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
     let columns = bytes_a_cell(options.run.precision()) + size_of::<[u32; 5]>();
     let needed = grid.len() as u64 * columns as u64;
     memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
-    let say = Say::unless(options.run.quiet || options.talk.json);
+    let say = Reporter::unless(options.run.quiet || options.talk.json);
     let (out, _held) = output::open_alone(&options.run.out)?;
     words::scene(&say, scene, &grid);
     for varied in &uncertainty.vary {

@@ -16,7 +16,7 @@ use super::errors::sweep_error;
 use super::finish::{self, Finish};
 use super::options::{MapOptions, Verify};
 use super::progress::Screen;
-use super::words::{self, Say};
+use super::words::{self, Reporter};
 use super::{InputError, disk, estimate, interrupt, output, probability};
 
 /// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
@@ -36,7 +36,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         return estimate::tell(scene, options, &settings);
     }
     interrupt::listen();
-    let say = Say::unless(options.run.quiet || options.talk.json);
+    let say = Reporter::unless(options.run.quiet || options.talk.json);
     let earlier = earlier(scene, options)?;
     let out = output::open(&options.run.out)?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
@@ -153,7 +153,7 @@ pub fn refine(
 }
 
 /// Says where the run begins.
-fn begin(say: &Say, job: &Job, options: &MapOptions) {
+fn begin(say: &Reporter, job: &Job, options: &MapOptions) {
     for (path, reason) in job.broken() {
         say.line("again", format!("{}: {reason}", path.display()));
     }

@@ -9,7 +9,7 @@ use topple::scene::{FIRST, Parameter};
 
 use super::InputError;
 use super::print::print_line;
-use super::words::Say;
+use super::words::Reporter;
 
 /// Writes what flags say of a scene as a file that a command takes; `-` is the standard output. Paths of a record
 /// are absolute there, for a file's are looked for from its own folder.
@@ -42,7 +42,7 @@ pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Resu
     let folder = folder.map_err(|error| refused(error.to_string()))?;
     folder.write(name, |w| w.write_all(text.as_bytes()))?;
     let path = path.display();
-    Say::unless(false).line("scene", format!("{path}; topple {command} {path} runs it"));
+    Reporter::unless(false).line("scene", format!("{path}; topple {command} {path} runs it"));
     Ok(())
 }
 

@@ -6,7 +6,7 @@ use anyhow::Context;
 use topple::results::earlier::{Kind, RUN};
 use topple::scene::builder::SceneBuilder;
 
-use super::again::{self, Again};
+use super::earlier_run::{self, EarlierRun};
 use super::load::load;
 use super::options::MapOptions;
 use super::{InputError, examples, history, run, words};
@@ -34,8 +34,8 @@ impl RunCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
-        if let Some(earlier) = again::at(&self.scene) {
-            let Again { kind, scene, method, backend, uncertainty, besides } =
+        if let Some(earlier) = earlier_run::at(&self.scene) {
+            let EarlierRun { kind, scene, method, backend, uncertainty, besides } =
                 earlier.map_err(refused)?;
             let mut options = self.options.clone();
             let meaningless = match kind {

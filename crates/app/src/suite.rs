@@ -11,7 +11,7 @@ use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::{Suite, SuiteError, table};
 
-use super::words::{Say, with_columns};
+use super::words::{Reporter, with_columns};
 use super::{InputError, examples, output};
 
 /// Read a folder, a zip or a list of records as one suite, and tell what is in it.
@@ -70,7 +70,7 @@ impl SuiteCommand {
         let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
         let earlier = output::refuse_other(&self.out, Kind::Suite)?;
         let (out, _held) = output::open_alone(&self.out)?;
-        let say = Say::unless(self.quiet);
+        let say = Reporter::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
         output::refuse_foreign(&self.out, &earlier, &files.map(String::from))?;
         let svg = picture::draw(&suite);
@@ -103,7 +103,7 @@ impl SuiteCommand {
 }
 
 /// Says how many motions a suite has, and how many lines have none.
-pub fn count(suite: &Suite, say: &Say) {
+pub fn count(suite: &Suite, say: &Reporter) {
     let left_out = suite.left_out().count();
     let text = match left_out {
         0 => counted(suite.motions().count(), "motion"),
@@ -117,7 +117,7 @@ pub fn count(suite: &Suite, say: &Say) {
 }
 
 /// Says what is in a suite.
-fn tell(suite: &Suite, say: &Say) {
+fn tell(suite: &Suite, say: &Reporter) {
     let motions: Vec<_> = suite.motions().collect();
     let mut recordings: Vec<_> =
         motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();

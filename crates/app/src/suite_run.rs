@@ -18,7 +18,7 @@ use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::progress::Screen;
-use super::words::Say;
+use super::words::Reporter;
 use super::{InputError, interrupt, output, suite};
 
 /// Which motions, and how they are run.
@@ -121,7 +121,7 @@ impl SuiteFlags {
         job: SuiteJob,
         points: usize,
         options: &RunOptions,
-        say: &Say,
+        say: &Reporter,
     ) -> anyhow::Result<Option<SuiteSweep>> {
         let screen = Screen::new(options.quiet);
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
@@ -140,7 +140,7 @@ impl SuiteFlags {
             let seconds = job.estimate(&screen).map_err(sweep_error)?;
             screen.clear();
             // What is asked for is told, however quiet.
-            let say = Say::unless(false);
+            let say = Reporter::unless(false);
             say.line("cells", format!("{size}, {cells} together"));
             say.line("time", format!("about {} of sweep", duration(seconds)));
             return Ok(None);
@@ -216,7 +216,7 @@ fn size(job: &SuiteJob, points: usize, levels: usize) -> String {
 }
 
 /// Says what the reference says.
-pub fn tell_verified(swept: &SuiteSweep, say: &Say) {
+pub fn tell_verified(swept: &SuiteSweep, say: &Reporter) {
     let Verified { sampled, differ, inside, wrong } = &swept.verified;
     if *sampled == 0 {
         return;

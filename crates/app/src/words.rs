@@ -24,12 +24,12 @@ use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
-pub struct Say(bool);
+pub struct Reporter(bool);
 
-impl Say {
+impl Reporter {
     /// Says nothing where it is to be quiet.
-    pub fn unless(quiet: bool) -> Say {
-        Say(!quiet)
+    pub fn unless(quiet: bool) -> Reporter {
+        Reporter(!quiet)
     }
 
     /// Says a line.
@@ -103,7 +103,7 @@ pub fn sides(grid: &Grid) -> String {
 }
 
 /// A scene and its cells.
-pub fn scene(say: &Say, scene: &Scene, grid: &Grid) {
+pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
     say.line("", topple::scene::words::line(scene));
     if let Excitation::Record(pair) = &scene.excitation {
@@ -159,7 +159,7 @@ fn cut(grid: &Grid) -> Option<(f64, f64)> {
 }
 
 /// What is about to be run, and on what.
-pub fn head(say: &Say, plan: &Plan, grid: &Grid, backends: &[Backend], precision: Precision) {
+pub fn head(say: &Reporter, plan: &Plan, grid: &Grid, backends: &[Backend], precision: Precision) {
     scene(say, &plan.scene, grid);
     let several = if backends.len() > 1 { format!("{} x ", backends.len()) } else { String::new() };
     say.line("backend", format!("{several}{}", backend(&backends[0], precision.name())));

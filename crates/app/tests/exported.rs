@@ -26,8 +26,8 @@ use topple::sweep::history::{Row, by_steps};
 use topple::sweep::plan::Plan;
 use topple::sweep::progress::Unwatched;
 use topple_explore::asked::{Flat, SYNTHETIC, builder};
+use topple_explore::constants::constants;
 use topple_explore::export::export;
-use topple_explore::known::known;
 use topple_explore::records::Records;
 use topple_explore::session::{Session, Settings};
 
@@ -177,7 +177,7 @@ fn what_the_browser_is_compared_with_is_written() {
     fs::create_dir_all(&folder).unwrap();
     let (records, pair) = (Records::default(), synthetic_pair());
     let write = |name: &str, text: String| fs::write(folder.join(name), text).unwrap();
-    write("model.json", known(Some((SYNTHETIC, &pair))).unwrap().to_string());
+    write("model.json", constants(Some((SYNTHETIC, &pair))).unwrap().to_string());
     for (number, (name, text, count)) in SCENES.iter().enumerate() {
         let asked = flat(text);
         let given = SceneBuilder { force: true, ..builder(&asked, Some(*count)).unwrap() };

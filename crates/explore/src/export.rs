@@ -12,11 +12,11 @@ use serde_json::{Value, json};
 
 use super::about;
 use super::asked::{AskedPrecision, Flat};
-use super::known::known;
+use super::constants::constants;
 use super::page::{self, Engine, FILES, INDEX, POLICY};
 use super::refused::Refused;
 use super::session::Session;
-use super::stage::Told;
+use super::stage::StageSummary;
 use super::view;
 use topple::model::precision::Precision;
 use topple::results::files::{Directory, WriteError};
@@ -153,7 +153,7 @@ fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError>
     let scene = exported(&session.first);
     let pair = record(session)?;
     let record = pair.as_ref().zip(scene.get("horizontal")).map(|(pair, id)| (&**id, pair));
-    let known = known(record).map_err(Refused::from)?;
+    let constants = constants(record).map_err(Refused::from)?;
     let mut files = Vec::new();
     for file in FILES {
         let bytes = if file.path == INDEX { index().into_bytes() } else { file.bytes.to_vec() };
@@ -175,7 +175,7 @@ fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError>
         about[key] = value;
     }
     files.push(("about.json".into(), about.to_string().into_bytes()));
-    files.push(("model.json".into(), known.to_string().into_bytes()));
+    files.push(("model.json".into(), constants.to_string().into_bytes()));
     files.push(("sweep.wgsl".into(), shader().into_bytes()));
     Ok(files)
 }
@@ -256,7 +256,7 @@ fn stored(session: &Session, stop: &AtomicBool) -> Result<(Vec<Value>, Vec<File>
             Err(_) => continue,
         };
         let map = view::sweep(&ready, stop)?;
-        let told = Told { stage: "stored", cells: map.grid.len(), seconds: None, note: "" };
+        let told = StageSummary { stage: "stored", cells: map.grid.len(), seconds: None, note: "" };
         let file = format!("stored-{number}.bin");
         files.push((file.clone(), view::framed(&view::whole(&map)?, &ready, &told, &columns)));
         listed.push(json!({ "title": title, "scene": exported(&scene), "file": file }));

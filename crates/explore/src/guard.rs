@@ -40,7 +40,7 @@ impl Token {
 
 /// What a request says of where it comes from.
 #[derive(Debug, Clone, Copy)]
-pub struct Said<'a> {
+pub struct Credentials<'a> {
     /// The path of its address.
     pub path: &'a str,
     /// `Host`: the name under which it found the server.
@@ -59,7 +59,7 @@ pub struct Said<'a> {
 ///
 /// A foreign page can have a browser send requests here: it does not know the token, its origin is another one, and
 /// under a name of its own that leads here (DNS rebinding) the host is.
-pub fn let_in<'a>(token: &Token, at: SocketAddr, said: &Said<'a>) -> Option<&'a str> {
+pub fn let_in<'a>(token: &Token, at: SocketAddr, said: &Credentials<'a>) -> Option<&'a str> {
     let port = at.port();
     let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     let host = said.host.filter(|host| hosts.iter().any(|own| own.eq_ignore_ascii_case(host)))?;
@@ -78,14 +78,14 @@ pub fn let_in<'a>(token: &Token, at: SocketAddr, said: &Said<'a>) -> Option<&'a 
 
 #[cfg(test)]
 mod tests {
-    use super::{Said, Token, let_in};
+    use super::{Credentials, Token, let_in};
 
     #[test]
     fn only_the_own_page_is_let_in() {
         let token = Token::new().unwrap();
         let at = "127.0.0.1:4000".parse().unwrap();
         let path = format!("/{}/map", token.text());
-        let own = Said {
+        let own = Credentials {
             path: &path,
             host: Some("127.0.0.1:4000"),
             origin: Some("http://127.0.0.1:4000"),
@@ -94,23 +94,23 @@ mod tests {
             marked: true,
         };
         assert_eq!(let_in(&token, at, &own), Some("map"));
-        let local = Said { host: Some("localhost:4000"), origin: None, site: None, ..own };
+        let local = Credentials { host: Some("localhost:4000"), origin: None, site: None, ..own };
         assert_eq!(let_in(&token, at, &local), Some("map"));
         let short = &path[..path.len() - 6];
         for foreign in [
-            Said { host: None, ..own },
-            Said { host: Some("evil.example:4000"), ..own },
-            Said { host: Some("127.0.0.1:4001"), ..own },
-            Said { origin: Some("http://evil.example"), ..own },
-            Said { origin: Some("null"), ..own },
-            Said { origin: Some("http://localhost:4000"), ..own },
-            Said { site: Some("cross-site"), ..own },
-            Said { site: Some("same-site"), ..own },
-            Said { marked: false, ..own },
-            Said { path: "/map", ..own },
-            Said { path: "/0123456789abcdef0123456789abcdef/map", ..own },
-            Said { path: short, ..own },
-            Said { path: "//map", ..own },
+            Credentials { host: None, ..own },
+            Credentials { host: Some("evil.example:4000"), ..own },
+            Credentials { host: Some("127.0.0.1:4001"), ..own },
+            Credentials { origin: Some("http://evil.example"), ..own },
+            Credentials { origin: Some("null"), ..own },
+            Credentials { origin: Some("http://localhost:4000"), ..own },
+            Credentials { site: Some("cross-site"), ..own },
+            Credentials { site: Some("same-site"), ..own },
+            Credentials { marked: false, ..own },
+            Credentials { path: "/map", ..own },
+            Credentials { path: "/0123456789abcdef0123456789abcdef/map", ..own },
+            Credentials { path: short, ..own },
+            Credentials { path: "//map", ..own },
         ] {
             assert_eq!(let_in(&token, at, &foreign), None, "{foreign:?}");
         }

@@ -9,12 +9,13 @@ pub mod asked;
 pub mod body;
 pub mod cell;
 pub mod command;
+pub mod constants;
 pub mod dropped;
 pub mod ending;
 pub mod export;
 pub mod frame;
 pub mod guard;
-pub mod known;
+
 pub mod page;
 pub mod records;
 pub mod refused;

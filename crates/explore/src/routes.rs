@@ -20,7 +20,7 @@ use tokio::sync::mpsc;
 
 use super::body::read;
 use super::frame::frame;
-use super::guard::{Said, Token, let_in};
+use super::guard::{Credentials, Token, let_in};
 use super::refused::Refused;
 use super::session::Session;
 use super::stage::ViewRequest;
@@ -85,7 +85,7 @@ fn only(headers: &HeaderMap, name: HeaderName) -> Option<Option<&str>> {
 /// The path below the token of a request that is let in.
 fn allowed(shared: &Shared, request: &Request) -> Option<String> {
     let headers = request.headers();
-    let said = Said {
+    let said = Credentials {
         path: request.uri().path(),
         host: only(headers, HOST)?,
         origin: only(headers, ORIGIN)?,

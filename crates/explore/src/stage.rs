@@ -71,7 +71,7 @@ impl AskedLimits {
 }
 
 /// What is told of a stage.
-pub struct Told<'a> {
+pub struct StageSummary<'a> {
     /// Its name.
     pub stage: &'a str,
     /// Cells that were run for it.
@@ -83,7 +83,7 @@ pub struct Told<'a> {
 }
 
 /// The header of a stage's frame.
-pub fn header(grid: &Grid, ready: &Ready, told: &Told) -> Value {
+pub fn header(grid: &Grid, ready: &Ready, told: &StageSummary) -> Value {
     let ends = |axis: Option<&Axis>| {
         axis.map_or(json!([0, 0]), |axis| json!([axis.values.first(), axis.values.last()]))
     };

@@ -7,7 +7,7 @@ use super::asked::builder;
 use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
-use super::stage::{Told, ViewRequest, header};
+use super::stage::{StageSummary, ViewRequest, header};
 use super::stages::at_most;
 use super::watched::Watched;
 use topple::scene::Grid;
@@ -57,7 +57,7 @@ pub fn run(
         };
         let envelope = Envelope::of(job.run(&Watched::new(stage, stop, tell))?, limits);
         let seconds = Some(began.elapsed().as_secs_f64());
-        let told = Told { stage, cells, seconds, note: "" };
+        let told = StageSummary { stage, cells, seconds, note: "" };
         if !send(frame(header(&envelope.sweep.grid, &ready, &told), &arrays(&envelope))) {
             return Ok(());
         }

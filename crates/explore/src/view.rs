@@ -9,7 +9,7 @@ use super::asked::AskedPrecision;
 use super::frame::{Array, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
-use super::stage::{Told, ViewRequest, header};
+use super::stage::{StageSummary, ViewRequest, header};
 use super::stages::Stages;
 use super::watched::Watched;
 use topple::model::precision::Precision;
@@ -77,7 +77,7 @@ pub fn run(
         let began = Instant::now();
         let map = sweep(&ready, &Watched::new(stage, stop, tell))?;
         let seconds = Some(began.elapsed().as_secs_f64());
-        let told = Told { stage, cells: map.grid.len(), seconds, note };
+        let told = StageSummary { stage, cells: map.grid.len(), seconds, note };
         if !send(framed(&whole(&map)?, &ready, &told, columns)) {
             return Ok(());
         }
@@ -91,7 +91,7 @@ pub fn run(
         let (stage, began) = ("refined", Instant::now());
         let watched = Watched::new(stage, stop, tell);
         let refined = refine_on(&map, &finest.opened.backends, &settings, &watched)?;
-        let told = Told {
+        let told = StageSummary {
             stage,
             cells: refined.report.cells - map.grid.len(),
             seconds: Some(began.elapsed().as_secs_f64()),
@@ -128,7 +128,7 @@ pub fn sweep(ready: &Ready, observer: &dyn Observer) -> Result<MapSweep, SweepEr
 }
 
 /// The frame of a map.
-pub fn framed(map: &Map, ready: &Ready, told: &Told, columns: &[String]) -> Vec<u8> {
+pub fn framed(map: &Map, ready: &Ready, told: &StageSummary, columns: &[String]) -> Vec<u8> {
     frame(header(&map.grid, ready, told), &arrays(map, columns))
 }
 

@@ -15,7 +15,7 @@ use super::super::cell_tables::Clocks;
 use super::super::cells::Cells;
 use super::super::full_contact::FullContactMotions;
 use super::super::groups::Steps;
-use super::super::threads::on;
+use super::super::threads::install;
 use super::device::OpenDevice;
 use super::listed::{self, Firsts};
 use super::pipelines::Pipelines;
@@ -145,7 +145,7 @@ impl<R: Real> Inputs<R> {
         }
         let threads = threads.unwrap_or_else(|| {
             tile.list(cells.len(), words.len(), &self.firsts);
-            words.extend(on(|| listed::places(all, cells.clone())));
+            words.extend(install(|| listed::places(all, cells.clone())));
             cells.len()
         });
         words.resize(words.len().max(1), 0);

@@ -12,7 +12,7 @@ use crate::results::block::Block;
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
-use crate::sweep::threads::on;
+use crate::sweep::threads::install;
 
 /// The cells that a device computed, and the time that it took.
 pub struct DeviceOutcomes<R> {
@@ -77,7 +77,7 @@ pub fn read<R: Real>(
             });
         }
     };
-    on(|| block.fill(tile.start, cells.len(), of));
+    install(|| block.fill(tile.start, cells.len(), of));
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

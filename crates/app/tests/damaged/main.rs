@@ -22,8 +22,8 @@ mod suites;
 
 /// The reader of run.json and of maps' files belongs to the command: here it is a part of the test.
 #[allow(dead_code)]
-#[path = "../../src/again.rs"]
-mod again;
+#[path = "../../src/earlier_run.rs"]
+mod earlier_run;
 #[allow(dead_code)]
 #[path = "../../src/map_file.rs"]
 mod map_file;

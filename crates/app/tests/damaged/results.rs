@@ -20,7 +20,7 @@ use topple::{
 use topple_studies::{HazardCurve, Lognormal};
 
 use crate::records::AT2;
-use crate::{again, scenes};
+use crate::{earlier_run, scenes};
 
 /// A folder with a record, which scenes lead to.
 static RECORDS: LazyLock<TempDir> = LazyLock::new(|| {
@@ -81,7 +81,7 @@ pub fn manifests() -> Vec<Vec<u8>> {
 
 /// What is at a path is run again, or at least planned.
 fn run_again(path: &Path) -> Result<(), String> {
-    let found = again::at(path).ok_or("no results")??;
+    let found = earlier_run::at(path).ok_or("no results")??;
     if let (Some(method), scene) = (found.method, &found.scene) {
         method.plan(scene).map_err(|error| error.to_string())?;
     }

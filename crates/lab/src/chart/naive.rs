@@ -16,7 +16,7 @@ use topple::stepping::log::{Event, FirstSwitches, Log};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::rk4::rk4;
 use topple::stepping::state::{
-    DIVERGED, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, RUNNING, State, is_sound,
+    DIVERGED, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, RUNNING, State, is_finite,
 };
 use topple::sweep::plan::Plan;
 
@@ -68,7 +68,7 @@ fn step(set: &CellEquations<f64>, state: &mut State<f64>) -> u32 {
     extremes.update_contact(true, k1.contact(), stepped.mid, k_end.contact());
     state.set_extremes(&extremes);
     state.motion = stepped.y;
-    if !is_sound(&stepped.y) {
+    if !is_finite(&stepped.y) {
         state.status = DIVERGED;
         return NOTHING;
     }

@@ -26,9 +26,9 @@ pub mod profile;
 pub mod request;
 pub mod runs;
 pub mod sensitivity;
-pub mod shaken;
 pub mod stripes;
 pub mod study;
+pub mod suite_runs;
 pub mod table_columns;
 pub mod tables;
 

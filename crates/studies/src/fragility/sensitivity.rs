@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns};
-use super::shaken::Shaken;
 use super::stripes;
+use super::suite_runs::SuiteRuns;
 use super::{Fit, Lognormal};
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Bootstrap, Design, Index, Varied, indices};
@@ -58,7 +58,7 @@ impl Unknown {
     }
 
     /// What is not known of a limit state of a cell.
-    pub fn sensitivity(&self, shaken: &Shaken, state: LimitState, cell: usize) -> Sensitivity {
+    pub fn sensitivity(&self, shaken: &SuiteRuns, state: LimitState, cell: usize) -> Sensitivity {
         let shares: Vec<f64> =
             (0..self.points()).map(|point| share(shaken, state, cell, point)).collect();
         let n = self.design.a.len();
@@ -103,7 +103,7 @@ impl Sensitivity {
 }
 
 /// The share of all runs at a point that fail, by the weights of the motions.
-fn share(shaken: &Shaken, state: LimitState, cell: usize, point: usize) -> f64 {
+fn share(shaken: &SuiteRuns, state: LimitState, cell: usize, point: usize) -> f64 {
     let cells = shaken.sweep.grid.len();
     let (mut failed, mut all) = (0.0, 0.0);
     for motion in shaken.sweep.motions.iter().skip(point).step_by(shaken.times) {

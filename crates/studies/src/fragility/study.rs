@@ -8,10 +8,10 @@ use super::interval::Bootstrap;
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
-use super::shaken::Shaken;
+use super::suite_runs::SuiteRuns;
 use crate::suites::swept::SuiteSweep;
 use topple::sweep::observer::{Observer, Phase};
-use topple::sweep::threads::on;
+use topple::sweep::threads::install;
 
 /// What is asked of a study.
 #[derive(Debug, Clone)]
@@ -73,7 +73,7 @@ impl Study {
     /// Estimates the fragility of every cell; none where `observer` ends it.
     pub fn of(sweep: SuiteSweep, asked: Asked, observer: &dyn Observer) -> Option<Study> {
         observer.begins(Phase::Fitting, sweep.grid.len() * asked.states.len());
-        let shaken = Shaken { sweep: &sweep, levels: &asked.levels, times: asked.times };
+        let shaken = SuiteRuns { sweep: &sweep, levels: &asked.levels, times: asked.times };
         let cell = |cell: usize| {
             let mut states = Vec::with_capacity(asked.states.len());
             for state in &asked.states {
@@ -103,7 +103,7 @@ impl Study {
             })
         };
         let all = (0..sweep.grid.len()).into_par_iter().map(cell);
-        let cells = on(|| all.collect::<Option<Vec<_>>>())?;
+        let cells = install(|| all.collect::<Option<Vec<_>>>())?;
         Some(Study { sweep, asked, cells })
     }
 

@@ -18,7 +18,7 @@ use topple_studies::uncertain::Uncertainty;
 use super::map_file::{Besides, MapFile};
 
 /// What was run.
-pub struct Again {
+pub struct EarlierRun {
     /// What the results are of.
     pub kind: Kind,
     /// The scene, its record read again.
@@ -66,7 +66,7 @@ struct Refined {
 ///
 /// # Errors
 /// What is wrong with them and what to do.
-pub fn at(path: &Path) -> Option<Result<Again, String>> {
+pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     // Its cells are saved as those of a map in chunks.
     if holds_parts(path) {
         return Some(
@@ -171,7 +171,7 @@ fn not_of_a_scene(kind: Kind) -> Option<&'static str> {
 impl Written {
     /// Checks the scene; files of its record that are not where they were are looked for in `folder` and in
     /// the working directory.
-    fn again(mut self, folder: &Path) -> Result<Again, String> {
+    fn again(mut self, folder: &Path) -> Result<EarlierRun, String> {
         if let Some(index) = &self.index {
             let mut numbers = Numbers::default();
             for parameter in index.iter().rev() {
@@ -210,6 +210,6 @@ impl Written {
             sharpness: sharpness.is_some(),
             files: MapFile::among(&files),
         };
-        Ok(Again { kind, scene, method, backend, uncertainty, besides })
+        Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
     }
 }

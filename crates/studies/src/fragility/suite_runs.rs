@@ -10,7 +10,7 @@ use topple::stepping::outcome::Class;
 
 /// A suite's sweep with the levels of its motions.
 #[derive(Debug, Clone, Copy)]
-pub struct Shaken<'a> {
+pub struct SuiteRuns<'a> {
     /// The sweep.
     pub sweep: &'a SuiteSweep,
     /// The level of each motion at each of its factors.
@@ -19,7 +19,7 @@ pub struct Shaken<'a> {
     pub times: usize,
 }
 
-impl Shaken<'_> {
+impl SuiteRuns<'_> {
     /// The runs of a cell under some motions of each record; those that are unresolved are left out.
     pub fn records(&self, state: LimitState, cell: usize, range: Range<usize>) -> Vec<RecordRuns> {
         let cells = self.sweep.grid.len();

@@ -30,7 +30,7 @@ use topple::sweep::plan::RIGID_SHARE;
 ///
 /// # Errors
 /// None: a scene from whose completion the defaults are read is a valid one.
-pub fn known(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
+pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
     Ok(json!({
         "version": env!("CARGO_PKG_VERSION"),
         "gravity": GRAVITY,
