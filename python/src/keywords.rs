@@ -405,3 +405,15 @@ fn saving(settings: &mut RunSettings) -> &mut Saving {
     // Who presses Ctrl-C in a notebook waits for nothing.
     settings.saving.get_or_insert_with(|| Saving { ends_at_once: true, ..Saving::to("") })
 }
+
+/// The texts of a keyword: one, or several in a sequence.
+pub fn several(keywords: &Bound<'_, PyDict>, key: &str) -> PyResult<Vec<String>> {
+    let Some(value) = value_of(keywords, key)? else {
+        return Ok(Vec::new());
+    };
+    if let Ok(one) = value.extract() {
+        return Ok(vec![one]);
+    }
+    let items = value.try_iter().map_err(|error| of_keyword(key, error))?;
+    items.map(|one| taken(key, &one?, "a text")).collect()
+}

@@ -1,5 +1,6 @@
 //! The calls of topple for Python: keywords in, arrays out. What is made of them stands in `python/topple`.
 
+mod axes;
 mod errors;
 mod history;
 mod keywords;

@@ -17,10 +17,11 @@ use topple::results::own;
 use topple::results::sharpness::Sharpness;
 use topple::sweep::parts::Parts;
 use topple::{
-    Axis, Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings,
-    Status, SweepError, SweepResult,
+    Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings, Status,
+    SweepError, SweepResult,
 };
 
+use crate::axes::coordinates;
 use crate::errors::{of_keyword, of_scene, of_sweep};
 use crate::keywords::{REFINING, Request, refining};
 use crate::uncertain::{UNCERTAIN, sharpness};
@@ -228,22 +229,6 @@ fn leaves(
             about: Value::Object(about).to_string(),
         })
     })
-}
-
-/// The values of a grid's axes by their keys.
-pub fn coordinates(grid: &Grid) -> Value {
-    let values = |axis: &Axis| json!(axis.values.iter().collect::<Vec<f64>>());
-    let axes = grid.axes().iter().map(|axis| (axis.key().to_string(), values(axis)));
-    Value::Object(axes.collect())
-}
-
-/// Units and meanings of a grid's axes by their keys.
-pub fn axes(grid: &Grid) -> Value {
-    let one = |axis: &Axis| {
-        let entry = axis.entry();
-        (entry.key.to_string(), json!({ "unit": entry.unit, "meaning": entry.meaning }))
-    };
-    Value::Object(grid.axes().iter().map(one).collect())
 }
 
 /// What arrays of a grid are, and how the map was made.

@@ -20,9 +20,9 @@ use topple_studies::{
     Limits, Suite, SuiteJob, SuiteRequest, SuiteSweep,
 };
 
+use crate::axes::{axes, coordinates};
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
-use crate::keywords::{Request, taken, taken_number, value_of, values};
-use crate::map::{axes, coordinates};
+use crate::keywords::{Request, several, taken, taken_number, value_of, values};
 use crate::uncertain::{A_SEED, varied};
 use crate::watch;
 
@@ -300,18 +300,6 @@ where
 fn numbers(keywords: &Bound<'_, PyDict>, key: &str) -> PyResult<Vec<f64>> {
     let given = value_of(keywords, key)?.map(|value| values(key, &value)).transpose()?;
     Ok(given.map_or_else(Vec::new, |values| values.iter().collect()))
-}
-
-/// The texts of a keyword: one, or several in a sequence.
-pub fn several(keywords: &Bound<'_, PyDict>, key: &str) -> PyResult<Vec<String>> {
-    let Some(value) = value_of(keywords, key)? else {
-        return Ok(Vec::new());
-    };
-    if let Ok(one) = value.extract() {
-        return Ok(vec![one]);
-    }
-    let items = value.try_iter().map_err(|error| of_keyword(key, error))?;
-    items.map(|one| taken(key, &one?, "a text")).collect()
 }
 
 /// What is written to a table.

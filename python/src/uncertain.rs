@@ -7,10 +7,9 @@ use serde_json::{Map, Value, json};
 use topple::{Axis, Class, RunSettings};
 use topple_studies::{Probabilities, Uncertainty, Varied};
 
+use crate::axes::{axes, coordinates};
 use crate::errors::{of_keyword, of_scene, of_sweep};
-use crate::keywords::{REFINING, Request, taken, taken_number, value_of};
-use crate::map::{axes, coordinates};
-use crate::suite::several;
+use crate::keywords::{REFINING, Request, several, taken, taken_number, value_of};
 use crate::watch;
 
 /// The keyword that asks how sharp the boundaries are.

@@ -12,7 +12,7 @@ const fround = Math.fround;
 export const DRIVE = ['a_h', 'a_v', 'gamma', 'phase', 'scale', 'pga', 'tilt'];
 
 // 1 where all these numbers are finite in f32.
-const sound = (numbers) => Number(numbers.every((number) => Number.isFinite(fround(number))));
+const finite = (numbers) => Number(numbers.every((number) => Number.isFinite(fround(number))));
 
 // The numbers that come from the horizontal isolation; zeros where the direction is locked.
 export function horizontalOf(cell, body) {
@@ -31,7 +31,7 @@ export function horizontalOf(cell, body) {
     numbers[4] = (1 - law.psi) * yieldForce * law.uY;
     numbers[5] = omega * Math.sqrt(1 + (4 * law.xiH * law.xiH) / body.freeShareH());
   }
-  return [...numbers, sound(numbers)];
+  return [...numbers, finite(numbers)];
 }
 
 // The numbers that come from the vertical isolation; zeros where the direction is locked.
@@ -45,7 +45,7 @@ export function verticalOf(cell, body) {
     numbers[2] = deflectionOf(law);
     numbers[3] = omega * Math.sqrt(1 + (4 * law.xiV * law.xiV) / body.freeShareV());
   }
-  return [...numbers, sound(numbers)];
+  return [...numbers, finite(numbers)];
 }
 
 // The numbers that come from the excitation and the initial tilt; `shared` is the A_h of a shared full contact, or null.
@@ -61,7 +61,7 @@ export function driveOf(cell, shared) {
   const scale = shared === null ? 1 : aH / shared;
   const [amplitudeH, amplitudeV] = [aH / peak, aV / peak];
   const { envelope, carrier } = modulation;
-  return [amplitudeH, amplitudeV, scale, tilt, envelope, carrier, sound([amplitudeH, amplitudeV, tilt])];
+  return [amplitudeH, amplitudeV, scale, tilt, envelope, carrier, finite([amplitudeH, amplitudeV, tilt])];
 }
 
 // The reals of a clock's steps, and whether all are finite; the block falls back at the rate `fall`.
@@ -69,5 +69,5 @@ export function stepsOf(omega, clock, fall) {
   const phaseStep = omega === null ? 1 / clock.substeps : (clock.stepForced * omega) / TAU;
   const step = Math.max(clock.stepForced, clock.stepFree);
   const reals = [phaseStep, clock.stepForced, clock.stepFree, (0.5 * fall * step) / known.steps.flights_a_step];
-  return { reals, sound: sound(reals) };
+  return { reals, finite: finite(reals) };
 }

@@ -78,9 +78,9 @@ const STEP_WORDS = 8;
 export function stepWords(clocks) {
   const buffer = new ArrayBuffer(4 * STEP_WORDS * Math.max(clocks.length, 1));
   const [reals, words] = [new Float32Array(buffer), new Uint32Array(buffer)];
-  clocks.forEach(({ clock, reals: own, sound }, k) => {
+  clocks.forEach(({ clock, reals: own, finite }, k) => {
     reals.set(own, STEP_WORDS * k);
-    words.set([clock.stepsForced, clock.steps, clock.substeps, sound], STEP_WORDS * k + 4);
+    words.set([clock.stepsForced, clock.steps, clock.substeps, finite], STEP_WORDS * k + 4);
   });
   return words;
 }
