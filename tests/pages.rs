@@ -1,6 +1,6 @@
 //! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page.
 
-#![allow(missing_docs, clippy::unwrap_used)] // tests
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -38,7 +38,7 @@ enum Expected {
 /// See [`Expected`].
 const RARE: usize = 100;
 
-/// A map of the ten in tests/agreement.rs.
+/// A map of the ten in crates/lab/tests/lab/agreement.rs.
 fn map((a_v, e): (f64, f64)) -> Scene {
     let text = format!(
         "[block]\nobject = 1\neccentricity = {e}\n[base]\nt_h = 1.75\nt_v = 0.75\n\

@@ -267,7 +267,7 @@ pub fn status_code(status: Status) -> u8 {
 
 const HEAD: &str = "# Columns
 
-Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page again.
+Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test app parameters::` writes this page again.
 
 `map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
 the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the

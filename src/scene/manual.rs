@@ -9,7 +9,7 @@ use crate::model::pulse::Shape;
 
 const HEAD: &str = "# Every number of a scene
 
-Generated from the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test parameters` writes this page
+Generated from the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test app parameters::` writes this page
 again. SI units everywhere.
 
 A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashes in place of underscores it is a flag

@@ -123,7 +123,7 @@ pub struct Verification {
 
 /// |dphi| below which a landing block comes to rest, rad/s: ten times the reference's own. Where an impact loses
 /// next to no speed (plates without mass), a block chatters for seconds, and each tenth of this speed has ten
-/// times as many impacts. Outcomes do not depend on it (`tests/reference.rs`).
+/// times as many impacts. Outcomes do not depend on it (`tests/engine/reference.rs`).
 const REST_SPEED: f64 = 1.0e-4;
 /// Most differing cells that are listed.
 const LISTED: usize = 16;

@@ -1,4 +1,4 @@
-"""Least amplitudes that overturn a free-standing block, by SciPy: the figures of tests/free_standing.rs.
+"""Least amplitudes that overturn a free-standing block, by SciPy: the figures of tests/engine/free_standing.rs.
 
 theta'' = -p^2 [sin(s alpha - theta) + a(t)/g cos(s alpha - theta)], s the sign of theta (Zhang & Makris 2001);
 the angular velocity after an impact is eta times the one before. python3 tests/data/free_standing.py

@@ -1,6 +1,6 @@
-"""Intensity measures of a made record by eqsig 1.2.17 (PyPI), which tests/suites.rs holds topple's to.
+"""Intensity measures of a made record by eqsig 1.2.17 (PyPI), which crates/app/tests/app/suites.rs holds topple's to.
 
-    pip install eqsig==1.2.17 && python tests/data/measures.py > tests/data/measures.csv
+    pip install eqsig==1.2.17 && python crates/app/tests/data/measures.py > crates/app/tests/data/measures.csv
 
 The record has 4,000 samples at 0.005 s: three sines that grow and decay. eqsig integrates by trapezia, topple takes the
 record as linear between its samples.

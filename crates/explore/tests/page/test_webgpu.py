@@ -1,6 +1,6 @@
 """The engine of the exported page in Chromium, on SwiftShader's WebGPU, against the library.
 
-`cargo test --test exported` writes what the library has; `python -m pytest crates/explore/tests/page/test_webgpu.py` compares.
+`cargo test --test app exported::` writes what the library has; `python -m pytest crates/explore/tests/page/test_webgpu.py` compares.
 """
 
 import http.server
@@ -166,7 +166,7 @@ COMPARE = """async ([file, spoiled]) => {
 
 
 def test_the_library_has_written_what_is_compared():
-    assert len(SCENES) > 20, f"{EXPORTED} has {len(SCENES)} scenes: run `cargo test --test exported` first"
+    assert len(SCENES) > 20, f"{EXPORTED} has {len(SCENES)} scenes: run `cargo test --test app exported::` first"
     assert any(json.loads(path.read_text())["outcomes"] for path in SCENES), "no adapter has computed outcomes"
 
 
@@ -176,7 +176,7 @@ def test_a_scene_has_the_librarys_words_and_outcomes(page, scene):
     assert told["parts"][0] == told["parts"][1]
     assert all(count == 0 for count in told["words"].values()), told["words"]
     assert told["differences"] == []
-    # As tests/agreement.rs has it: rounding leaves 2e-6, a wrong sign in the smallest term 4e-4.
+    # As crates/lab/tests/lab/agreement.rs has it: rounding leaves 2e-6, a wrong sign in the smallest term 4e-4.
     assert told["zeta"] <= 1e-5
 
 

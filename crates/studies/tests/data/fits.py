@@ -1,6 +1,6 @@
-"""Fragilities of made-up runs by SciPy 1.17.1, which tests/fits.rs holds topple's to.
+"""Fragilities of made-up runs by SciPy 1.17.1, which crates/studies/tests/studies/fits.rs holds topple's to.
 
-    pip install scipy==1.17.1 && python tests/data/fits.py [RUNS.csv ...]
+    pip install scipy==1.17.1 && python crates/studies/tests/data/fits.py [RUNS.csv ...]
 
 writes fits_runs.csv (the runs), fits_figures.csv (theta and beta of each set by each estimator), fits_curve.csv (a hazard
 curve) and fits_rates.csv (annual rates over it) into its own folder. A RUNS.csv has the columns

@@ -1,0 +1,95 @@
+//! `topple chart` from outside, and what is read back from other programs.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+fn chart(out: &Path, extra: &[&str]) -> assert_cmd::assert::Assert {
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command
+        .args(["chart", "--quick", "--no-shader", "--quiet", "--out"])
+        .arg(out)
+        .args(extra)
+        .assert()
+}
+
+fn rows(path: &Path) -> Vec<Vec<String>> {
+    let mut table = csv::Reader::from_path(path).unwrap();
+    table.records().map(|row| row.unwrap().iter().map(String::from).collect()).collect()
+}
+
+/// The results of a program that solved a scene's cells, all with one outcome.
+fn peer(cells: &Path, scene: &str, outcome: &str) -> String {
+    let mut text = String::from(
+        "scene,method,precision,step,tolerance,threads,seconds_a_cell,start_seconds,runs,cell,outcome,zeta,switches\n",
+    );
+    for row in rows(cells).iter().filter(|row| row[0] == scene) {
+        text.push_str(&format!(
+            "{scene},other 1.0,f64,,1e-6,1,0.01,0,1,{},{outcome},0.5,uplift_left 0.5 0 0 0 0 0 0 0\n",
+            row[1]
+        ));
+    }
+    text
+}
+
+#[test]
+fn a_quick_chart_has_every_method_and_its_files() {
+    let out = TempDir::new().unwrap();
+    chart(out.path(), &["--cells-only"]).success();
+    let cells = out.path().join("cells.csv");
+    assert!(!out.path().join("chart.csv").exists());
+    let results = out.path().join("other.csv");
+    fs::write(&results, peer(&cells, "pulse", "rocking")).unwrap();
+    chart(out.path(), &["--peer", results.to_str().unwrap()]).success();
+    let table = rows(&out.path().join("chart.csv"));
+    let methods: BTreeSet<(&str, &str)> =
+        table.iter().map(|row| (row[0].as_str(), row[1].as_str())).collect();
+    for scene in ["pulse", "record", "free"] {
+        for method in ["cpu", "naive", "reference"] {
+            assert!(methods.contains(&(scene, method)), "{scene} {method}");
+        }
+    }
+    assert!(methods.contains(&("maps", "cpu")) && methods.contains(&("pulse", "other 1.0")));
+    // Switches in the step are of a higher order than at its end: at the same step of 1/128 s, on
+    // the scene of free rocking, by far more than a factor of a hundred.
+    let time = |method: &str| -> f64 {
+        let row = table.iter().find(|row| {
+            row[0] == "free" && row[1] == method && row[2] == "f64" && row[3] == "7.8125e-3"
+        });
+        row.unwrap()[14].parse().unwrap()
+    };
+    assert!(time("naive") > 100.0 * time("cpu"), "{} {}", time("naive"), time("cpu"));
+    for name in ["pulse", "record", "free", "maps"] {
+        for kind in ["svg", "png"] {
+            assert!(out.path().join(format!("{name}.{kind}")).metadata().unwrap().len() > 1000);
+        }
+    }
+}
+
+#[test]
+fn what_another_program_gives_is_checked() {
+    let out = TempDir::new().unwrap();
+    chart(out.path(), &["--cells-only"]).success();
+    let good = peer(&out.path().join("cells.csv"), "free", "rocking");
+    let short: String = good.lines().take(5).map(|line| format!("{line}\n")).collect();
+    for (name, text, says) in [
+        ("short", short, "4 cells where there are 64"),
+        ("outcome", good.replace("rocking", "tilting"), "'tilting'"),
+        ("switch", good.replace("uplift_left 0.5", "uplift_left x"), "uplift_left x"),
+        ("scene", good.replace("free,", "nowhere,"), "'nowhere'"),
+        ("columns", "a,b\n1,2\n".into(), "missing field"),
+    ] {
+        let path = out.path().join(format!("{name}.csv"));
+        fs::write(&path, text).unwrap();
+        let run = chart(out.path(), &["--peer", path.to_str().unwrap()]).failure().code(2);
+        let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(said.contains(says), "{name}: {said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+    }
+    let missing = chart(out.path(), &["--peer", "nowhere.csv"]).failure().code(2);
+    assert!(String::from_utf8_lossy(&missing.get_output().stderr).contains("nowhere.csv"));
+    assert!(!out.path().join("chart.csv").exists());
+}

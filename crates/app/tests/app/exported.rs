@@ -1,0 +1,407 @@
+//! What the exported page computes by: its tables against the library's. The page runs in a browser: this test writes what the
+//! library has for a set of scenes, crates/explore/tests/page/test_webgpu.py compares.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+use serde_json::{Value, json};
+use topple::BackendRequest;
+use topple::model::precision::Precision;
+use topple::scene::{Grid, Scene, SceneBuilder};
+use topple::stepping::outcome::Outcome;
+use topple::sweep::backend::Backend;
+use topple::sweep::cell_tables::{CellTables, Clocks};
+use topple::sweep::cells::Cells;
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::history::{Row, by_steps};
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+use topple_explore::asked::{Flat, SYNTHETIC, builder};
+use topple_explore::constants::constants;
+use topple_explore::export::export;
+use topple_explore::records::Records;
+use topple_explore::session::{Session, Settings};
+
+use crate::common::{all, gpu, synthetic_pair};
+
+/// Scenes as the page asks for them: a name, the keys, and the values of each axis.
+const SCENES: [(&str, &str, [u32; 2]); 22] = [
+    ("dual", "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15", [24, 20]),
+    ("vertical ground", "object=1 t_h=1.75 t_v=0.75 a_v=0.5 omega=0.2:15 a_h=-7:15", [20, 20]),
+    ("horizontal", "object=2 isolation=horizontal t_h=2 omega=0.5:9 a_h=0.5:20", [16, 16]),
+    ("vertical", "object=3 isolation=vertical t_v=0.4 omega=0.5:9 a_h=0.5:20", [16, 16]),
+    ("fixed", "half_width=0.5 height=1.5 isolation=none omega=0.5:9 a_h=0.5:20", [16, 16]),
+    ("sizes", "slenderness=3 isolation=none size=0.1:3:log a_h=5 omega=0.5:12:log", [16, 16]),
+    ("offset", "object=1 offset=-0.04 t_h=1.3 t_v=0.2 omega=1:12 a_h=1:20", [12, 12]),
+    (
+        "one cosine",
+        "object=1 shape=one-cosine cycles=1.5 t_h=1.75 t_v=0.75 omega=1:12:log a_h=1:20",
+        [14, 12],
+    ),
+    ("two cycles", "object=1 cycles=2 t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
+    ("half sine", "object=1 shape=half-sine t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
+    ("rectangle", "object=2 shape=rectangle isolation=none omega=1:12 a_h=1:20", [12, 12]),
+    ("ricker", "object=1 shape=ricker t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20", [12, 12]),
+    (
+        "ricker antisymmetric",
+        "object=1 shape=ricker-antisymmetric t_h=1.75 t_v=0.75 omega=1:12 a_h=1:20",
+        [12, 12],
+    ),
+    (
+        "modulated",
+        "object=1 shape=mavroeidis-papageorgiou phase=0.7 t_h=1.75 t_v=0.75 gamma=1:4 a_h=1:20 omega=5",
+        [12, 12],
+    ),
+    ("exponents", "object=1 t_h=1.75 t_v=0.75 bouc_wen_n=5 omega=1:12 a_h=1:20", [12, 12]),
+    ("strength", "object=1 t_h=1.75 t_v=0.75 u_y=0.01 omega=1:12 a_h=1:20", [12, 12]),
+    (
+        "yield force",
+        "object=2 t_h=1.75 t_v=0.75 yield_force=900 omega=2 a_h=1:20 t_h=0.5:4",
+        [12, 12],
+    ),
+    (
+        "linear to yielding",
+        "object=1 t_h=1.75 t_v=0.75 psi=0.1:1 xi_h=0.02:0.4 omega=3 a_h=2.4",
+        [13, 12],
+    ),
+    ("tilted", "object=1 isolation=none tilt=-0.08:0.08 a_h=0:9 omega=4", [13, 12]),
+    (
+        "restitution",
+        "object=1 eccentricity=0.1 isolation=none restitution=0.5:1 a_h=2:12 omega=4 overturn=quarter-turn",
+        [12, 12],
+    ),
+    (
+        "eccentricities",
+        "object=1 eccentricity=-0.4:0.4 t_h=1.75 t_v=0.05:1 omega=4 a_h=4 t_max=12 friction=0.4",
+        [13, 12],
+    ),
+    ("record", "object=1 eccentricity=0.2 horizontal=synthetic t_h=0.5:4 t_v=0.001:1", [12, 12]),
+];
+
+/// The keys of a scene's text. Ranges are the axes, in the text's order.
+fn flat(text: &str) -> Flat {
+    let pairs: Vec<(&str, &str)> =
+        text.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+    let axes = pairs.iter().filter(|(_, value)| value.contains(':')).map(|(key, _)| *key);
+    let named = ["x", "y"].into_iter().zip(axes);
+    pairs.iter().copied().chain(named).map(|(key, value)| (key.into(), value.into())).collect()
+}
+
+fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
+    bytemuck::pod_collect_to_vec(items)
+}
+
+/// The numbers of a plan's cells: the tables of all, and each cell as its integration begins.
+fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
+    let tables: CellTables<f32> = CellTables::of(plan, grid, cells);
+    // Where each cell has its own they are seen in the cells alone.
+    let clocks = match &tables.clocks {
+        Clocks::Shared(table) => {
+            json!(words(&table.entries.iter().map(|(_, steps)| *steps).collect::<Vec<_>>()))
+        }
+        Clocks::Own(_) => Value::Null,
+    };
+    let record = plan.record::<f32>();
+    let all = Cells::<f32>::of(plan, grid, cells, &record, &Unwatched);
+    let begun: Vec<_> = (0..cells.len()).map(|number| all.begin(number)).collect();
+    json!({
+        "bodies": words(&tables.bodies.entries),
+        "horizontal": words(&tables.horizontal.entries),
+        "vertical": words(&tables.vertical.entries),
+        "drive": words(&tables.drive.entries),
+        "clocks": clocks,
+        "cells": words(&begun.iter().map(|(cell, _)| *cell).collect::<Vec<_>>()),
+        "states": words(&begun.iter().map(|(_, state)| *state).collect::<Vec<_>>()),
+    })
+}
+
+fn outcome(outcome: &Outcome) -> Value {
+    let Outcome { impacts, uplifts, t_end, t_simulated, t_uplift, zeta, .. } = *outcome;
+    json!({
+        "outcome": outcome.class.name(),
+        "status": outcome.status.name(),
+        "impacts": impacts,
+        "uplifts": uplifts,
+        "t_end": t_end,
+        "t_simulated": t_simulated,
+        "t_uplift": t_uplift,
+        "zeta": zeta,
+        "max_phi_left": outcome.max_phi_left,
+        "max_phi_right": outcome.max_phi_right,
+        "max_u": outcome.max_u,
+        "max_v": outcome.max_v,
+        "stroke_v": outcome.stroke_v,
+        "min_contact": outcome.min_contact,
+        "friction_demand": outcome.friction,
+    })
+}
+
+/// What the library has for a scene: the numbers of its cells part by part, and all outcomes.
+fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
+    // The page integrates the full contact of each cell by itself.
+    let mut plan = Plan::new(scene, DEFAULT_STEP).unwrap();
+    plan.reductions.full_contact = false;
+    let grid = Grid::of(scene);
+    let cells = all(&grid);
+    let parts = plan.parts(&grid, &cells);
+    let parts = parts.iter().map(
+        |part| json!({ "cells": part.cells, "tables": tables(&part.plan, &grid, &part.cells) }),
+    );
+    let how = (Precision::F32, false);
+    let swept =
+        backend.map(|backend| backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap());
+    let outcomes =
+        swept.map(|swept| swept.block.to_outcomes().iter().map(outcome).collect::<Vec<_>>());
+    json!({ "parts": parts.collect::<Vec<_>>(), "outcomes": outcomes })
+}
+
+/// Where the browser's test looks.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("exported")
+}
+
+#[test]
+fn what_the_browser_is_compared_with_is_written() {
+    // Without an adapter the outcomes are left out, and it says so.
+    let adapter = gpu("outcomes for the exported page", Precision::F32);
+    let opened = adapter.map(|_| BackendRequest::Gpu.open(Precision::F32, &[]).unwrap());
+    let backend = opened.as_ref().map(|opened| &opened.backends[0]);
+    let folder = folder();
+    fs::create_dir_all(&folder).unwrap();
+    let (records, pair) = (Records::default(), synthetic_pair());
+    let write = |name: &str, text: String| fs::write(folder.join(name), text).unwrap();
+    write("model.json", constants(Some((SYNTHETIC, &pair))).unwrap().to_string());
+    for (number, (name, text, count)) in SCENES.iter().enumerate() {
+        let asked = flat(text);
+        let given = SceneBuilder { force: true, ..builder(&asked, Some(*count)).unwrap() };
+        let mut told = library(&records.check(&given).unwrap(), backend);
+        told["name"] = json!(name);
+        told["scene"] = json!(asked);
+        told["count"] = json!(count);
+        write(&format!("scene-{number}.json"), told.to_string());
+    }
+}
+
+/// A number of some texts.
+fn one_of<'a>(rng: &mut Pcg64Mcg, texts: &[&'a str]) -> &'a str {
+    texts[rng.next_u32() as usize % texts.len()]
+}
+
+/// Two numbers in a row between two, as a range's ends or one of them alone.
+fn between(rng: &mut Pcg64Mcg, least: f64, most: f64, range: bool) -> String {
+    let mut number = || least + (most - least) * (f64::from(rng.next_u32()) / f64::from(u32::MAX));
+    let (one, other) = (number(), number());
+    let (start, stop) = (one.min(other), one.max(other));
+    match (range, rng.next_u32() % 3) {
+        (false, _) => start.to_string(),
+        (true, 0) if start * stop > 0.0 => format!("{start}:{stop}:log"),
+        (true, _) => format!("{start}:{stop}"),
+    }
+}
+
+/// A random scene as the page asks for it, of every kind of block, base and excitation. Some make no sense.
+fn random(rng: &mut Pcg64Mcg) -> Flat {
+    let mut scene = Flat::new();
+    let mut free = vec![("t_max", 2.0, 40.0), ("tilt", -0.1, 0.1), ("friction", 0.1, 1.0)];
+    match one_of(rng, &["object", "sides", "slender"]) {
+        "object" => drop(scene.insert("object".into(), one_of(rng, &["1", "2", "3"]).into())),
+        "sides" => {
+            free.extend([("half_width", 0.1, 0.6), ("height", 0.3, 2.0), ("mass", 10.0, 900.0)]);
+            free.extend([("inertia", 1.0, 300.0), ("plate_h", 0.0, 200.0), ("plate_v", 0.0, 90.0)]);
+        }
+        _ => free.extend([("slenderness", 1.0, 9.0), ("size", 0.2, 3.0)]),
+    }
+    free.push(*[("eccentricity", -0.5, 0.5), ("offset", -0.05, 0.05)].choose(rng));
+    let isolation = one_of(rng, &["dual", "dual", "horizontal", "vertical", "none"]);
+    scene.insert("isolation".into(), isolation.into());
+    if matches!(isolation, "dual" | "horizontal") {
+        free.extend([("t_h", 0.2, 4.0), ("psi", 0.0, 1.0), ("xi_h", 0.0, 0.5)]);
+        let strength = [("alpha_y", 0.02, 0.5), ("u_y", 0.001, 0.05), ("yield_force", 10.0, 900.0)];
+        free.push(*strength.choose(rng));
+        scene.insert("bouc_wen_n".into(), one_of(rng, &["1", "2", "3", "7"]).into());
+    }
+    if matches!(isolation, "dual" | "vertical") {
+        free.extend([("t_v", 0.002, 1.5), ("xi_v", 0.0, 0.4)]);
+    }
+    if isolation == "none" {
+        free.push(("restitution", 0.2, 1.0));
+    }
+    if rng.next_u32().is_multiple_of(4) {
+        scene.insert("horizontal".into(), SYNTHETIC.into());
+        free.push(*[("scale", -2.0, 3.0), ("pga", 1.0, 9.0)].choose(rng));
+        free.retain(|(key, ..)| *key != "t_max");
+    } else {
+        let shapes = ["one-sine", "one-cosine", "half-sine", "rectangle", "ricker"];
+        let more = ["ricker-antisymmetric", "mavroeidis-papageorgiou"];
+        let shape = one_of(rng, &[&shapes[..], &more].concat());
+        scene.insert("shape".into(), shape.into());
+        free.extend([("omega", 0.3, 20.0), ("a_h", -9.0, 15.0), ("a_v", -3.0, 5.0)]);
+        match shape {
+            "one-sine" | "one-cosine" => free.push(("cycles", 0.2, 4.0)),
+            "mavroeidis-papageorgiou" => free.extend([("gamma", 1.0, 5.0), ("phase", -3.0, 6.0)]),
+            _ => {}
+        }
+    }
+    scene.insert("force".into(), "true".into());
+    scene.insert("overturn".into(), one_of(rng, &["critical-angle", "quarter-turn"]).into());
+    // Two numbers are axes; of the others some are left out where that makes sense.
+    let needed = ["half_width", "height", "slenderness", "size", "t_h", "t_v", "omega", "a_h"];
+    for place in (1..free.len()).rev() {
+        free.swap(place, rng.next_u32() as usize % (place + 1));
+    }
+    for (place, (key, least, most)) in free.into_iter().enumerate() {
+        if place < 2 {
+            scene.insert(["x", "y"][place].into(), key.into());
+        } else if !needed.contains(&key) && rng.next_u32().is_multiple_of(2) {
+            continue;
+        }
+        scene.insert(key.into(), between(rng, least, most, place < 2));
+    }
+    scene
+}
+
+/// One of some.
+trait Choose<T> {
+    fn choose(&self, rng: &mut Pcg64Mcg) -> &T;
+}
+
+impl<T, const N: usize> Choose<T> for [T; N] {
+    fn choose(&self, rng: &mut Pcg64Mcg) -> &T {
+        &self[rng.next_u32() as usize % N]
+    }
+}
+
+/// Random scenes: the numbers of their cells, or the key at fault.
+#[test]
+fn random_scenes_for_the_browser_are_written() {
+    let (mut rng, records) = (Pcg64Mcg::new(0x1601), Records::default());
+    let count = [7, 5];
+    let (mut told, mut refused) = (Vec::new(), 0);
+    for _ in 0..300 {
+        let asked = random(&mut rng);
+        let checked = builder(&asked, Some(count)).and_then(|given| records.check(&given));
+        told.push(match checked {
+            Ok(scene) => json!({ "scene": asked, "parts": library(&scene, None)["parts"] }),
+            Err(error) => {
+                refused += 1;
+                json!({ "scene": asked, "refused": error.key })
+            }
+        });
+    }
+    assert!((20..150).contains(&refused), "{refused} of 300 make no sense");
+    let folder = folder();
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("random.json"), json!({ "count": count, "scenes": told }).to_string())
+        .unwrap();
+}
+
+/// The command writes a page, and leaves a folder of other files as it is.
+#[test]
+fn the_command_exports_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |at: &Path| {
+        let mut command = assert_cmd::Command::cargo_bin("topple").unwrap();
+        command.args(["explore", "--backend", "cpu", "--export"]).arg(at).assert()
+    };
+    run(&folder.path().join("page")).success();
+    let index = fs::read_to_string(folder.path().join("page/index.html")).unwrap();
+    assert!(index.contains(r#"content="webgpu""#));
+    let refused = run(folder.path()).code(2);
+    let told = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(told.contains("--export") && told.contains("holds other files"), "{told}");
+}
+
+/// The files of a folder, but for those in folders in it, by their names.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
+    let files = entries.filter(|entry| entry.file_type().unwrap().is_file());
+    let read = |entry: fs::DirEntry| {
+        (entry.file_name().to_string_lossy().into_owned(), fs::read(entry.path()).unwrap())
+    };
+    files.map(read).collect()
+}
+
+/// The page of a scene, as it is exported; a second export of the same bytes takes the place of the first.
+#[test]
+fn a_page_is_exported_whole_and_again() {
+    let folder = folder().join("page");
+    let first =
+        flat("object=1 eccentricity=0.2 isolation=dual t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15");
+    let settings = Settings { backend: BackendRequest::Cpu, adapters: Vec::new() };
+    let session = Session::open(settings, Records::default(), first).unwrap();
+    let stop = AtomicBool::new(false);
+    export(&folder, &session, &stop).unwrap();
+    fs::write(folder.join("gone.bin"), "of an earlier version").unwrap();
+    let list = fs::read_to_string(folder.join("export.json")).unwrap();
+    let listed = list.replacen("about.json", "gone.bin\", \"about.json", 1);
+    fs::write(folder.join("export.json"), listed).unwrap();
+    let before = contents(&folder);
+    let bytes = export(&folder, &session, &stop).unwrap();
+    assert!(!folder.join("gone.bin").exists());
+    let after = contents(&folder);
+    for (name, bytes) in &after {
+        assert!(name == "export.json" || before.get(name) == Some(bytes), "{name} is another one");
+    }
+    assert!(after.keys().any(|name| name.starts_with("stored-")));
+    let list = fs::read_to_string(folder.join("export.json")).unwrap();
+    let list: Value = serde_json::from_str(&list).unwrap();
+    let sizes = list["files"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|name| fs::metadata(folder.join(name.as_str().unwrap())).unwrap().len());
+    assert_eq!(sizes.sum::<u64>(), bytes);
+    let about = fs::read_to_string(folder.join("about.json")).unwrap();
+    let about: Value = serde_json::from_str(&about).unwrap();
+    assert_eq!(
+        (&about["engine"], about["stored"].as_array().unwrap().len()),
+        (&json!("webgpu"), 4)
+    );
+    stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(export(&folder, &session, &stop).is_err(), "it was ended");
+}
+
+/// Cells whose motions the browser's are compared with.
+const CELLS: [&str; 5] = [
+    "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=5 a_h=6",
+    "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=2 a_h=3 a_v=0.5 t_max=12",
+    "half_width=0.5 height=1.5 isolation=none omega=6 a_h=6 t_max=10",
+    "half_width=0.5 height=1.5 isolation=none tilt=0.1 omega=6 a_h=0 t_max=6",
+    "object=3 isolation=vertical t_v=0.4 omega=6 a_h=3.5 t_max=8",
+];
+
+#[test]
+fn motions_for_the_browser_are_written() {
+    let told = CELLS.iter().map(|text| {
+        let asked = flat(text);
+        let scene = builder(&asked, None).unwrap().check().unwrap();
+        let mut plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        // A motion is shown to its end, proved or not.
+        plan.reductions.certificate = false;
+        let case = scene.case();
+        let (rows, outcome) = by_steps::<f32>(&plan.at(Precision::F32), &case);
+        let mode = |row: &Row| match row.mode {
+            "rocking_left" => 1,
+            "rocking_right" => 2,
+            _ => 0,
+        };
+        let row = |row: &Row| json!([row.t, row.phi, row.u, row.v + case.deflection(), mode(row)]);
+        let changes = rows.windows(2).filter(|pair| pair[0].mode != pair[1].mode);
+        json!({
+            "scene": asked,
+            "outcome": outcome.class.name(),
+            "impacts": outcome.impacts,
+            "uplifts": outcome.uplifts,
+            "rows": rows.iter().map(row).collect::<Vec<_>>(),
+            "switches": changes.map(|pair| pair[1].t).collect::<Vec<_>>(),
+        })
+    });
+    let told = Value::Array(told.collect());
+    assert!(told.as_array().unwrap().iter().any(|cell| cell["impacts"].as_u64() > Some(3)));
+    fs::create_dir_all(folder()).unwrap();
+    fs::write(folder().join("motions.json"), told.to_string()).unwrap();
+}

@@ -1,0 +1,101 @@
+//! The commands of docs/first-hour.md, run in their order in an empty directory, and the files that the page
+//! names.
+
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/first-hour.md");
+
+/// Endings of the files that a page may name.
+const ENDINGS: [&str; 7] = [".csv", ".npz", ".png", ".svg", ".json", ".toml", ".at2"];
+
+fn page() -> String {
+    std::fs::read_to_string(PAGE).unwrap().replace("\r\n", "\n")
+}
+
+/// The commands of the page's `sh` blocks; one that goes on after a backslash is one command.
+fn commands(page: &str) -> Vec<String> {
+    let mut commands = Vec::new();
+    let mut inside = false;
+    let mut command = String::new();
+    for line in page.lines() {
+        if line.starts_with("```") {
+            inside = line == "```sh";
+        } else if inside {
+            match line.strip_suffix('\\') {
+                Some(part) => command.push_str(part),
+                None => commands.push(std::mem::take(&mut command) + line),
+            }
+        }
+    }
+    commands
+}
+
+/// The results that the page's text names in backquotes: `first/map.png`.
+fn files(page: &str) -> Vec<&str> {
+    let text = page.lines().filter(|line| !line.starts_with("```"));
+    let quoted = text.flat_map(|line| line.split('`').skip(1).step_by(2));
+    let named = quoted.filter(|word| !word.contains(' '));
+    named.filter(|word| ENDINGS.iter().any(|ending| word.ends_with(ending))).collect()
+}
+
+#[test]
+fn the_page_has_commands_and_files() {
+    let page = page();
+    let commands = commands(&page);
+    assert!(commands.len() >= 12, "{commands:#?}");
+    assert!(commands.iter().all(|command| !command.contains('\\')), "{commands:#?}");
+    let files = files(&page);
+    for name in ["first/map.png", "cell/history.csv", "record/contact.png", "dual/map.png"] {
+        assert!(files.contains(&name), "{name}: {files:?}");
+    }
+}
+
+/// A map on the page is small, so that the test is quick.
+#[test]
+fn the_grids_of_the_page_are_small() {
+    for command in commands(&page()) {
+        for word in command.split_whitespace() {
+            let parts: Vec<&str> = word.split(':').collect();
+            if let [_, _, count] = parts[..]
+                && let Ok(count) = count.parse::<u32>()
+            {
+                assert!(count <= 60, "{command}");
+            }
+        }
+    }
+}
+
+#[cfg(not(unix))]
+#[test]
+fn the_commands_of_the_first_hour_work() {
+    println!("SKIPPED: there is no sh to run the page's commands");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_commands_of_the_first_hour_work() {
+    let directory = tempfile::TempDir::new().unwrap();
+    let programs = directory.path().join("programs");
+    let work = directory.path().join("work");
+    std::fs::create_dir(&programs).unwrap();
+    std::fs::create_dir(&work).unwrap();
+    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_topple"), programs.join("topple")).unwrap();
+    let mut path = programs.into_os_string();
+    path.push(":");
+    path.push(std::env::var_os("PATH").unwrap());
+    let page = page();
+    for command in commands(&page) {
+        let run = std::process::Command::new("sh")
+            .args(["-c", &command])
+            .current_dir(&work)
+            .env("PATH", &path)
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&run.stdout);
+        let error = String::from_utf8_lossy(&run.stderr);
+        assert!(run.status.success(), "{command}\n{said}\n{error}");
+    }
+    for name in files(&page) {
+        let file = work.join(name);
+        let length = std::fs::metadata(&file).map(|metadata| metadata.len()).unwrap_or(0);
+        assert!(length > 0, "{name} is on the page, and not made by its commands");
+    }
+}

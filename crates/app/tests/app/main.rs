@@ -1,0 +1,30 @@
+//! The tests of the command, by subject.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod again;
+mod chart;
+mod command;
+mod drivers;
+mod ending;
+mod explore;
+mod exported;
+mod figures;
+mod first_hour;
+mod foreign;
+mod fragility;
+mod interrupted;
+mod malformed;
+mod parameters;
+mod parts;
+mod paths;
+mod pictures;
+mod records;
+mod refined;
+mod repair;
+mod suites;
+mod uncertain;
+mod words;

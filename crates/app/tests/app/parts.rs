@@ -1,0 +1,475 @@
+//! A map in parts: run apart, by one worker or several that may vanish, and joined.
+
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+use topple::model::precision::Precision;
+use topple::results::about::Source;
+use topple::results::block::Block;
+use topple::results::collector::{OutcomeCollector, Saver};
+use topple::results::columns::Column;
+use topple::results::identity::Identity;
+use topple::results::part::Part;
+use topple::results::reader::missing;
+use topple::results::store::{Contents, Store};
+use topple::results::tally::Tally;
+use topple::scene::{Grid, Parameter, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::sweep::backend::{Backend, BackendOutcomes};
+use topple::sweep::backend_error::BackendError;
+use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
+use topple::sweep::identity::Content;
+use topple::sweep::parts::Parts;
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+use topple::sweep::settings::Method;
+use topple_pictures::map::thinned::{DRAWN, thinned};
+
+use crate::common::{object, own_lines, synthetic_pair, under, xy};
+
+#[test]
+fn parts_hold_every_cell_once() {
+    for (count, of) in [(10, 3), (3, 3), (100, 1), (7, 5), (1 << 40, 1_000_000)] {
+        let mut from = 0;
+        for number in (1..=of).filter(|number| of < 10 || number % 99_999 < 2 || *number == of) {
+            let cells = format!("{number}/{of}").parse::<Part>().unwrap().cells(count);
+            assert!(number % 99_999 > 1 || of < 10 || cells.start <= cells.end);
+            if of < 10 {
+                assert_eq!(cells.start, from);
+                from = cells.end;
+            }
+            // As even as can be.
+            assert!((count / of..=count / of + 1).contains(&cells.len()), "{cells:?}");
+        }
+        let last: Part = format!("{of}/{of}").parse().unwrap();
+        assert_eq!(last.cells(count).end, count);
+    }
+    for text in ["0/3", "4/3", "1/0", "1", "", "a/b", "1/3/5", "-1/3", "1.5/3"] {
+        assert!(text.parse::<Part>().unwrap_err().to_string().contains("as in 3/16"), "{text}");
+    }
+}
+
+fn scene() -> Scene {
+    object(1, 0.2, (1.75, 0.75), 0.0, "1:12:24", "1:12:24")
+}
+
+fn method() -> Method {
+    Method {
+        precision: Precision::F32,
+        largest_step: 1.0 / 128.0,
+        resolve: false,
+        full_model: false,
+        repair: false,
+    }
+}
+
+/// A scene that went through an identity's text is the scene, to the last bit, with its record.
+#[test]
+fn a_scene_comes_back_from_its_identity() {
+    let mut shaken = scene();
+    under(&mut shaken, synthetic_pair());
+    // Numbers whose shortest decimals are easily misread.
+    let mut odd = scene();
+    odd.set(Parameter::Inertia, 0.1 + 0.2);
+    odd.set(Parameter::TMax, f64::MIN_POSITIVE);
+    for scene in [scene(), shaken, odd] {
+        let part = Some("2/5".parse().unwrap());
+        let content = Content::new(&scene, &Backend::Cpu, &method(), part);
+        let read = Content::read(content.identity().unwrap().text()).unwrap();
+        assert_eq!((&read, &read.scene, read.part), (&content, &scene, part));
+        assert_eq!(read.identity().unwrap(), content.identity().unwrap());
+    }
+}
+
+/// Sweeps a small map in tiles of 50 cells by workers that `fail` tells when to, given the worker and
+/// how many tiles it has done; the outcomes, or the error and what was kept.
+fn sweep(
+    workers: usize,
+    fail: impl Fn(usize, usize) -> Option<BackendError> + Sync,
+) -> (Vec<Outcome>, Result<batches::WorkReport, BatchError<()>>) {
+    let scene = scene();
+    let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
+    let mut outcomes = vec![Outcome::PENDING; grid.len()];
+    let (fail, plan, grid) = (&fail, &plan, &grid);
+    let double = |number: usize| -> Worker<'_> {
+        let done = AtomicUsize::new(0);
+        Box::new(move |cells: Range<usize>, _: &HandOver| {
+            if let Some(error) = fail(number, done.fetch_add(1, Ordering::Relaxed)) {
+                return Err(error);
+            }
+            Backend::Cpu.sweep_range(plan, grid, cells, Precision::F32, false, &Unwatched)
+        })
+    };
+    let workers: Vec<Worker> = (0..workers).map(double).collect();
+    let all = 0..grid.len();
+    let took = batches::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
+        some.read(0, &Column::ALL, &mut outcomes[first..first + some.len()]);
+        Ok(())
+    });
+    (outcomes, took)
+}
+
+/// Several workers make the map that one makes, also when some vanish, or break off, on the way; when
+/// all do, the sweep ends with the error, and what was done before has been kept.
+#[test]
+fn adapters_that_vanish_lose_nothing() {
+    let (alone, took) = sweep(1, |_, _| None);
+    assert!(took.unwrap().lost.is_empty());
+    assert!(alone.iter().all(|cell| *cell != Outcome::PENDING));
+    let (four, took) = sweep(4, |_, _| None);
+    assert!(took.unwrap().lost.is_empty() && four == alone);
+    let lost = || BackendError::Lost("unplugged".into());
+    let (left, took) = sweep(3, |worker, done| (worker > 0 && done >= worker).then(lost));
+    let gone: Vec<usize> = took.unwrap().lost.iter().map(|(worker, _)| *worker).collect();
+    assert!(left == alone && gone.len() == 2 && !gone.contains(&0), "{gone:?}");
+    let (left, took) = sweep(2, |worker, _| {
+        assert!(worker == 0, "the driver falls");
+        None
+    });
+    assert!(matches!(&took.unwrap().lost[..], [(1, BackendError::BrokeOff)]) && left == alone);
+    let (some, took) = sweep(2, |_, done| (done >= 3).then(lost));
+    assert!(matches!(took, Err(BatchError::Backend(BackendError::Lost(_)))));
+    let done = some.iter().filter(|cell| **cell != Outcome::PENDING).count();
+    assert_eq!(done, 2 * 3 * 50);
+    assert!(some.iter().zip(&alone).all(|(a, b)| *a == Outcome::PENDING || a == b));
+}
+
+/// Tiles are as many cells as a worker does in the time that they are to take: fewer where cells are slow,
+/// at most four times the last where they are fast, and never more than fit.
+#[test]
+fn tiles_are_sized_by_time() {
+    // A second a cell up to the hundredth, then a millisecond.
+    let double = |cells: Range<usize>, _: &HandOver| {
+        let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
+        let block = Block::pending(cells.len(), Precision::F32);
+        let elapsed = Duration::from_secs_f64(elapsed);
+        Ok(BackendOutcomes { block, elapsed, compile: Duration::ZERO, device: None })
+    };
+    let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
+    let workers: Vec<Worker> = vec![Box::new(double)];
+    let mut tiles = Vec::new();
+    let took = batches::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
+        tiles.push((first, some.len()));
+        Ok::<(), ()>(())
+    });
+    assert!(took.unwrap().lost.is_empty());
+    // 50 s for the first; then 2 s each.
+    assert_eq!(tiles[..3], [(0, 50), (50, 2), (52, 2)]);
+    let fast: Vec<usize> =
+        tiles.iter().filter(|(first, _)| *first >= 100).map(|(_, cells)| *cells).collect();
+    assert_eq!(fast, [2, 8, 32, 128, 512, 1000, 1000, 128]);
+    let cells: usize = tiles.iter().map(|(_, cells)| cells).sum();
+    assert_eq!(cells, 110 + 2800);
+}
+
+/// A disk that is full ends the sweep with its error, and the workers with it.
+#[test]
+fn what_cannot_be_kept_ends_the_sweep() {
+    let double = |cells: Range<usize>, _: &HandOver| {
+        let block = Block::pending(cells.len(), Precision::F32);
+        Ok(BackendOutcomes {
+            block,
+            elapsed: Duration::ZERO,
+            compile: Duration::ZERO,
+            device: None,
+        })
+    };
+    let workers: Vec<Worker> = vec![Box::new(double), Box::new(double)];
+    let mut kept = 0;
+    let all = 0..1_000_000;
+    let ended = batches::sweep(&workers, &[all], Sizes::fixed(10), |_, _| {
+        kept += 1;
+        if kept == 3 { Err("no space left") } else { Ok(()) }
+    });
+    assert!(matches!(ended, Err(BatchError::Keep("no space left"))) && kept == 3);
+}
+
+/// A device lost in the middle: what was kept on disk is found, and the rest makes the same map, in
+/// memory or on disk.
+#[test]
+fn after_a_lost_device_the_run_goes_on() {
+    let scene = scene();
+    let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
+    let run =
+        |cells| Backend::Cpu.sweep_range(&plan, &grid, cells, Precision::F32, false, &Unwatched);
+    let alone = run(0..grid.len()).unwrap().block.to_outcomes();
+    for in_memory in [true, false] {
+        let out = TempDir::new().unwrap();
+        let open = || {
+            let content = Content::new(&scene, &Backend::Cpu, &method(), None);
+            let source = Source { scene: &scene, precision: Precision::F32 };
+            let contents = Contents { grid: &grid, source };
+            Store::open(out.path(), content.identity().unwrap(), contents, true).unwrap()
+        };
+        for fails in [true, false] {
+            let (store, found) = open();
+            let left = missing(&found.done(), &(0..grid.len()));
+            assert_eq!(left.iter().map(Range::len).sum::<usize>(), if fails { 576 } else { 376 });
+            let saver = Saver {
+                store: &store,
+                patience: Duration::ZERO,
+                holds: in_memory,
+                go_on: &|| true,
+            };
+            let mut collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
+            let done = AtomicUsize::new(0);
+            let worker: Worker = Box::new(|cells, _| {
+                if fails && done.fetch_add(1, Ordering::Relaxed) == 4 {
+                    return Err(BackendError::Lost("unplugged".into()));
+                }
+                run(cells)
+            });
+            let swept = batches::sweep(&[worker], &left, Sizes::fixed(50), |first, some| {
+                collector.take(first, some)
+            });
+            assert_eq!(swept.is_err(), fails);
+            if !fails {
+                let outcomes = collector.finish().unwrap();
+                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), alone);
+            }
+        }
+    }
+}
+
+/// What is drawn of a very fine grid: cells spread from end to end, each near its place.
+#[test]
+fn a_fine_map_is_drawn_with_fewer_cells() {
+    let scene = object(1, 0.2, (1.75, 0.75), 0.0, "1:12:5000", "1:12:3");
+    let grid = Grid::of(&scene);
+    let outcomes: Vec<Outcome> =
+        (0..15_000).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
+    let map = thinned(&scene, (&grid, 0), &outcomes, DRAWN).unwrap();
+    assert_eq!(map.grid.shape(), (DRAWN, 3));
+    assert_eq!((map.outcomes[0].impacts, map.outcomes[map.grid.len() - 1].impacts), (0, 14_999));
+    let pitch = 11.0 / 4999.0;
+    for (cell, outcome) in map.outcomes.iter().enumerate() {
+        let (drawn, own) = (xy(&map.grid, cell), xy(&grid, outcome.impacts as usize));
+        assert!((drawn.0 - own.0).abs() <= 0.5001 * pitch && drawn.1 == own.1, "{drawn:?} {own:?}");
+    }
+    assert_eq!(Tally::of(&grid, &outcomes).unwrap().cells, 15_000);
+}
+
+const GRID: [&str; 4] = ["--omega", "1:12:30", "--a-h", "1:12:31"];
+
+/// The command, on a small map.
+fn pulse(out: &Path, more: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command
+        .args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--t-max", "6"])
+        .args(["--quiet", "--out"])
+        .arg(out)
+        .args(more);
+    command
+}
+
+/// A part of it.
+fn part(out: &Path, part: &str, more: &[&str]) {
+    let backend: &[&str] = if more.contains(&"--backend") { &[] } else { &["--backend", "cpu"] };
+    pulse(out, &GRID).args(["--tile", part]).args(backend).args(more).assert().success();
+}
+
+fn merge(parts: &[PathBuf], out: &Path) -> Command {
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command.arg("merge").args(parts).args(["--quiet", "--out"]).arg(out);
+    command
+}
+
+fn same(one: &Path, other: &Path) {
+    for name in ["map.csv", "map.npz", "map.png", "map.svg"] {
+        let [a, b] = [one, other].map(|out| fs::read(out.join(name)).unwrap());
+        assert!(a == b, "{name} differs");
+    }
+}
+
+fn manifest(out: &Path) -> Value {
+    serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn merged_parts_are_the_map() {
+    let dir = TempDir::new().unwrap();
+    let [whole, parts, merged] = ["whole", "parts", "merged"].map(|name| dir.path().join(name));
+    pulse(&whole, &GRID).args(["--backend", "cpu"]).assert().success();
+    // In one directory, out of order; not of one n: they are what they hold.
+    for k in ["4/4", "1/2", "3/4"] {
+        part(&parts, k, &[]);
+    }
+    merge(std::slice::from_ref(&parts), &merged).assert().success();
+    same(&whole, &merged);
+    let told = manifest(&merged);
+    let held: Vec<_> = told["parts"].as_array().unwrap().iter().collect();
+    assert_eq!(held.len(), 3);
+    let cells = |part: &Value| (part["first"].as_u64().unwrap(), part["cells"].as_u64().unwrap());
+    assert_eq!(
+        held.iter().map(|part| cells(part)).collect::<Vec<_>>(),
+        [(0, 465), (465, 232), (697, 233)]
+    );
+    assert!(held[0]["folder"].as_str().unwrap().ends_with("part-1-of-2"));
+    for key in ["scene", "cells", "outcomes", "precision", "backend", "steps", "model"] {
+        assert_eq!(told[key], manifest(&whole)[key], "{key}");
+    }
+    assert!(!merged.join("unfinished").exists() && parts.join("part-4-of-4").exists());
+    // A finished part that is run again is left as it is; begun anew it is refused.
+    let report = fs::read(parts.join("part-3-of-4/report.json")).unwrap();
+    part(&parts, "3/4", &["--resume"]);
+    assert_eq!(fs::read(parts.join("part-3-of-4/report.json")).unwrap(), report);
+    pulse(&parts, &GRID).args(["--tile", "3/4", "--backend", "cpu"]).assert().code(2);
+}
+
+/// Parts under a record, and of two backends: the manifest says which cells came from where.
+#[test]
+fn parts_may_come_from_different_backends() {
+    let dir = TempDir::new().unwrap();
+    let seismic = |out: &Path, more: &[&str]| {
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.args(["seismic", "--object", "1", "--t-h", "0.5:4:7", "--t-v", "0.001:2:6"]);
+        command.args(["--quiet", "--out"]).arg(out).args(more).assert().success();
+    };
+    let [whole, one, other, merged] =
+        ["whole", "one", "other", "merged"].map(|name| dir.path().join(name));
+    seismic(&whole, &["--backend", "cpu"]);
+    seismic(&one, &["--backend", "cpu", "--tile", "1/2"]);
+    seismic(&other, &["--backend", "reference", "--tile", "2/2"]);
+    merge(&[other, one], &merged).assert().success();
+    let told = manifest(&merged);
+    assert_eq!(told["backend"], "cpu+reference");
+    let parts = told["parts"].as_array().unwrap();
+    let from = |part: &Value| (part["first"].clone(), part["backend"].clone());
+    assert_eq!(
+        parts.iter().map(from).collect::<Vec<_>>(),
+        [(0.into(), "cpu".into()), (21.into(), "reference".into())]
+    );
+    // Half of the rows are the CPU's, the others not.
+    let rows = |out: &Path| -> Vec<String> {
+        let table = fs::read_to_string(out.join("map.csv")).unwrap();
+        table.lines().map(String::from).collect()
+    };
+    let (cpu, both) = (rows(&whole), rows(&merged));
+    assert_eq!((cpu.len(), both.len()), (43, 43));
+    assert!(cpu[..22] == both[..22] && cpu[22..] != both[22..]);
+    for name in ["contact.png", "displacement_u.svg", "boundaries.csv"] {
+        assert!(merged.join(name).exists(), "{name}");
+    }
+    // What a joining saves is no run's: neither takes the other's for its own.
+    let joined = |directories: &[PathBuf]| Parts::join(directories, &Unwatched).unwrap();
+    let both = [dir.path().join("one"), dir.path().join("other")];
+    let parts = joined(&both);
+    let whole = parts.content.whole();
+    let store = parts.store(&dir.path().join("joining")).unwrap();
+    assert_eq!(store.precision(), Precision::F64);
+    assert_ne!(store.tag(), whole.identity().unwrap().tag());
+}
+
+/// Tiles go to each of several devices; here the same adapter's, opened twice.
+#[test]
+fn two_devices_make_the_map_of_one() {
+    let name = "two_devices_make_the_map_of_one";
+    if crate::common::gpu(name, Precision::F32).is_none() {
+        return;
+    }
+    let dir = TempDir::new().unwrap();
+    let [one, two] = ["one", "two"].map(|name| dir.path().join(name));
+    for (out, adapters) in [(&one, "0"), (&two, "0,0")] {
+        pulse(out, &GRID).args(["--backend", "gpu", "--adapter", adapters]).assert().success();
+    }
+    same(&one, &two);
+    assert_eq!(manifest(&one)["parts"][0]["devices"], 1);
+    assert_eq!(manifest(&two)["parts"][0]["devices"], 2);
+    let refused = |more: &[&str], said: &str| {
+        let run = pulse(&dir.path().join("none"), &GRID).args(more).assert().code(2);
+        let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        let [error] = &own_lines(&error)[..] else { panic!("{error}") };
+        assert!(error.contains(said), "{error}");
+    };
+    refused(&["--backend", "gpu", "--adapter", "0,99"], "there is no adapter 99");
+    refused(&["--backend", "cpu", "--adapter", "0"], "--adapter: the CPU has none");
+}
+
+#[test]
+fn what_is_no_map_is_refused_by_name() {
+    let dir = TempDir::new().unwrap();
+    let place = |name: &str| dir.path().join(name);
+    let out = place("out");
+    let refused = |parts: &[&str], said: &[&str]| {
+        let parts: Vec<PathBuf> = parts.iter().map(|name| place(name)).collect();
+        let run = merge(&parts, &out).assert().code(2);
+        let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert_eq!(error.lines().count(), 1, "{error}");
+        for word in said {
+            assert!(error.contains(word), "no '{word}' in: {error}");
+        }
+        assert!(!out.exists(), "{error}: something was written");
+    };
+    for k in ["1/3", "2/3", "3/3"] {
+        part(&place(&k[..1]), k, &[]);
+    }
+    refused(&["1", "3"], &["no part holds cells 310 to 619", "part 2/3 is missing"]);
+    refused(&["2", "3"], &["cells 0 to 309", "1/3"]);
+    refused(&["1", "2"], &["cells 620 to 929", "3/3"]);
+    part(&place("half"), "1/2", &[]);
+    refused(&["1", "2", "3", "half"], &["part-1-of-3", "part-1-of-2", "overlap", "0 to 309"]);
+    refused(&["1", "1", "2", "3"], &["overlap"]);
+    part(&place("other"), "2/3", &["--eccentricity", "0.2"]);
+    let told = "scene.numbers.eccentricity is 0.2 there and 0.0 here";
+    refused(&["1", "other", "3"], &["other/part-2-of-3", "1/part-1-of-3", told]);
+    part(&place("finer"), "2/3", &["--precision", "f64"]);
+    refused(&["1", "finer", "3"], &["finer/part-2-of-3", "precision is \"f64\" there"]);
+    fs::create_dir(place("empty")).unwrap();
+    refused(&["1", "empty"], &["empty holds no part"]);
+    refused(&["1", "2", "nowhere"], &["nowhere"]);
+    // Without its report a part is not finished, nor without a tile.
+    let two = place("2/part-2-of-3");
+    let report = fs::read(two.join("report.json")).unwrap();
+    fs::remove_file(two.join("report.json")).unwrap();
+    refused(&["1", "2", "3"], &["part-2-of-3 is unfinished"]);
+    fs::write(two.join("report.json"), &report).unwrap();
+    let status = two.join("status/c/0/0");
+    let bytes = fs::read(&status).unwrap();
+    fs::remove_file(&status).unwrap();
+    refused(&["1", "2", "3"], &["unfinished, cells 310 to 619 are missing", "--resume"]);
+    fs::write(&status, &bytes).unwrap();
+    let zeta = two.join("zeta/c/0/0");
+    let whole = fs::read(&zeta).unwrap();
+    let mut damaged = whole.clone();
+    damaged[100] ^= 4;
+    fs::write(&zeta, damaged).unwrap();
+    refused(&["1", "2", "3"], &["zeta/c/0/0: damaged", "--resume"]);
+    fs::remove_file(&zeta).unwrap();
+    refused(&["1", "2", "3"], &["zeta/c/0/0: missing", "--resume"]);
+    // What merge refuses, --resume mends.
+    part(&place("2"), "2/3", &["--resume"]);
+    assert_eq!((fs::read(&status).unwrap(), fs::read(&zeta).unwrap()), (bytes, whole));
+    // Another version's part.
+    let identity = two.join("identity.json");
+    let text = fs::read_to_string(&identity).unwrap();
+    let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
+    let old = text.replace(version, "\"version\": \"0.0.1\"");
+    let Content { scene, part: number, .. } = Content::read(&old).unwrap();
+    let grid = Grid::of(&scene);
+    let source = Source { scene: &scene, precision: Precision::F32 };
+    let contents = Contents { grid: &grid, source };
+    let (store, _) =
+        Store::open(&place("old"), Identity::new(old.clone(), number), contents, false).unwrap();
+    let mut block = Block::pending(grid.len(), Precision::F32);
+    block.put(310, &vec![Outcome::PENDING; 310]);
+    store.save(0, &block).unwrap();
+    let report: Value = serde_json::from_slice(&report).unwrap();
+    store.finish(&report, false).unwrap();
+    refused(&["1", "old", "3"], &["old/part-2-of-3", "version is \"0.0.1\" there"]);
+    // Its identity, with tiles of this one's.
+    fs::write(&identity, old).unwrap();
+    refused(&["1", "2", "3"], &["a tile of another run"]);
+    // The same of one that has run no cell of it.
+    fs::remove_file(&status).unwrap();
+    refused(&["1", "2", "3"], &["part-2-of-3 is unfinished"]);
+    fs::write(&identity, "{").unwrap();
+    refused(&["1", "2", "3"], &["identity.json cannot be read"]);
+    pulse(&out, &GRID).args(["--tile", "5/1000000"]).assert().code(2);
+    pulse(&out, &GRID).args(["--tile", "3/2"]).assert().code(2);
+}

@@ -1,0 +1,132 @@
+//! Paths that are no text: Linux allows any bytes in a name.
+
+#![cfg(target_os = "linux")]
+use std::ffi::{OsStr, OsString};
+use std::fs;
+use std::os::unix::ffi::OsStrExt;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use assert_cmd::assert::Assert;
+use serde_json::Value;
+use tempfile::TempDir;
+
+fn topple(arguments: &[&str], paths: &[(&str, &Path)]) -> Assert {
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command.args(arguments);
+    for (flag, path) in paths {
+        if !flag.is_empty() {
+            command.arg(flag);
+        }
+        command.arg(path);
+    }
+    command.assert()
+}
+
+fn json(out: &Path) -> Value {
+    serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap()
+}
+
+/// A folder whose name is no text, with a record in it and a list of it.
+fn folder() -> (TempDir, PathBuf) {
+    let place = TempDir::new().unwrap();
+    let folder = place.path().join(OsStr::from_bytes(b"caf\xe9"));
+    fs::create_dir(&folder).unwrap();
+    let row = |k: u32| {
+        let t = f64::from(k) * 0.02;
+        format!("{t:.2} {:.6}\n", 0.6 * (12.0 * t).sin() * (-t).exp())
+    };
+    fs::write(folder.join("mine.txt"), (0..150).map(row).collect::<String>()).unwrap();
+    fs::write(folder.join("list.csv"), "id,horizontal,units\na,mine.txt,g\n").unwrap();
+    (place, folder)
+}
+
+const BASE: [&str; 6] = ["--object", "1", "--t-h", "1:3:3", "--t-v", "0.1:0.4:3"];
+const RUN: [&str; 4] = ["--backend", "cpu", "--verify", "none"];
+
+fn same(one: &Path, other: &Path, name: &str) {
+    assert!(fs::read(one.join(name)).unwrap() == fs::read(other.join(name)).unwrap(), "{name}");
+}
+
+#[test]
+fn a_record_whose_path_is_no_text_is_written_down_and_found_again() {
+    let (place, folder) = folder();
+    let record = folder.join("mine.txt");
+    let (out, again) = (folder.join("out"), folder.join("again"));
+    let seismic = [&["seismic", "--units", "g"], &BASE[..]].concat();
+    let run = [&seismic[..], &RUN].concat();
+    topple(&run, &[("--horizontal", &record), ("--out", &out)]).success();
+    let told = json(&out)["record"]["horizontal"]["path"].as_str().unwrap().to_string();
+    assert!(told.starts_with("file:/") && told.ends_with("/caf%E9/mine.txt"), "{told}");
+    for given in ["run.json", "map.npz", ""] {
+        let given = if given.is_empty() { out.clone() } else { out.join(given) };
+        topple(&["run", "--verify", "none"], &[("", &given), ("--out", &again)]).success();
+        same(&out, &again, "map.csv");
+        assert_eq!(json(&again)["record"], json(&out)["record"]);
+    }
+    // As a scene's file, which names it from anywhere, and in parts.
+    let saved = place.path().join("scene.toml");
+    topple(&seismic, &[("--horizontal", &record), ("--save-scene", &saved)]).success();
+    assert!(fs::read_to_string(&saved).unwrap().contains("caf%E9/mine.txt"));
+    topple(&[&["run"], &RUN[..]].concat(), &[("", &saved), ("--out", &again)]).success();
+    same(&out, &again, "map.csv");
+    let (parts, whole) = (folder.join("parts"), folder.join("whole"));
+    for part in ["1/2", "2/2"] {
+        let run = [&seismic[..], &["--tile", part, "--backend", "cpu"]].concat();
+        topple(&run, &[("--horizontal", &record), ("--out", &parts)]).success();
+    }
+    topple(&["merge", "--verify", "none"], &[("", &parts), ("--out", &whole)]).success();
+    same(&out, &whole, "map.csv");
+    assert!(json(&whole)["parts"][0]["folder"].as_str().unwrap().contains("caf%E9/parts/part-1"));
+}
+
+#[test]
+fn every_command_takes_a_directory_whose_path_is_no_text() {
+    let (_place, folder) = folder();
+    let list = folder.join("list.csv");
+    let out = |name: &str| folder.join(name);
+    let scene = folder.join("scene.toml");
+    fs::write(&scene, "[block]\nobject = 1\n[base]\nt_h = \"1:3:3\"\nt_v = 0.5\n[record]\nhorizontal = \"mine.txt\"\nunits = \"g\"\n").unwrap();
+    let cell = ["--object", "1", "--t-h", "1.75", "--t-v", "0.75"];
+    let pulse = [&["pulse", "--omega", "3:9:3", "--a-h", "2:6:3"], &cell[..], &RUN].concat();
+    topple(&pulse, &[("--out", &out("pulse"))]).success();
+    topple(&[&pulse[..], &["--files", "zarr"]].concat(), &[("--out", &out("zarr"))]).success();
+    // The synthetic pair lies in the directory.
+    topple(&[&["seismic"], &BASE[..], &RUN].concat(), &[("--out", &out("seismic"))]).success();
+    topple(&[&["run"], &RUN[..]].concat(), &[("", &scene), ("--out", &out("scene"))]).success();
+    let history = [&["history", "--units", "g"], &cell[..]].concat();
+    let record = folder.join("mine.txt");
+    topple(&history, &[("--horizontal", &record), ("--out", &out("history"))]).success();
+    topple(&["run"], &[("", &out("history")), ("--out", &out("history-again"))]).success();
+    topple(&["suite"], &[("", &list), ("--out", &out("suite"))]).success();
+    let base = ["--object", "1", "--t-h", "1:3:2", "--t-v", "0.5", "--u-y", "0.01"];
+    let under = [&base[..], &["--backend", "cpu"]].concat();
+    let envelope = [&["envelope"], &under[..]].concat();
+    topple(&envelope, &[("--suite", &list), ("--out", &out("envelope"))]).success();
+    let hazard = out("hazard.csv");
+    fs::write(&hazard, "level,rate\n1,0.01\n5,0.0001\n").unwrap();
+    let fragility = [&["fragility", "--im", "pga", "--levels", "1:8:3"], &under[..]].concat();
+    let paths = [("--suite", &*list), ("--hazard", &hazard), ("--out", &out("fragility"))];
+    topple(&fragility, &paths).success();
+    topple(&["chart", "--cells-only", "--quick"], &[("--out", &out("chart"))]).success();
+    let figures = ["figures", "--only", "strip", "--cells", "3", "--backend", "cpu"];
+    topple(&figures, &[("--out", &out("figures")), ("--records", &folder)]).success();
+    let told = ["pulse", "zarr", "seismic", "scene", "history", "suite", "envelope", "fragility"];
+    for name in told {
+        assert!(json(&out(name)).is_object(), "{name}");
+    }
+    assert!(json(&out("fragility"))["hazard"].as_str().unwrap().ends_with("caf%E9/hazard.csv"));
+    assert!(json(&out("suite"))["suite"].as_str().unwrap().starts_with("file:"));
+}
+
+/// A scene's file needs a name that is text: it is refused before the pair beside it is written.
+#[test]
+fn a_scene_is_not_saved_under_a_name_that_is_no_text() {
+    let (_place, folder) = folder();
+    let before = fs::read_dir(&folder).unwrap().count();
+    let saved = folder.join(OsString::from(OsStr::from_bytes(b"sc\xe8ne.toml")));
+    let run = topple(&[&["seismic"], &BASE[..]].concat(), &[("--save-scene", &saved)]).code(2);
+    let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    assert!(told.lines().count() == 1 && told.contains("the name is no text (UTF-8)"), "{told}");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), before);
+}

@@ -1,0 +1,10 @@
+//! The paper, the chart and the methods: what reviewers run.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+#[path = "../../../../tests/common/mod.rs"]
+mod common;
+
+mod agreement;
+mod paper;
+mod stability;

@@ -1,0 +1,250 @@
+//! A cell as its integration begins: made of tables as by itself, on the device as on the host.
+
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::Rng;
+use topple::model::excitation::Cell;
+use topple::model::precision::Precision;
+use topple::model::real::Real;
+use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
+use topple::stepping::state::{RUNNING, State};
+use topple::sweep::cells::Cells;
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::gpu::opened::Gpu;
+use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::gpu::shader::{self, Switches};
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+
+use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
+
+/// A number between two, from a generator.
+fn between(rng: &mut Pcg64Mcg, least: f64, most: f64) -> f64 {
+    least + (most - least) * (rng.next_u32() as f64 / f64::from(u32::MAX))
+}
+
+/// An axis between two numbers: a range, sometimes a falling one, or a single value.
+fn axis(rng: &mut Pcg64Mcg, least: f64, most: f64) -> Range {
+    let (start, stop) = (between(rng, least, most), between(rng, least, most));
+    match rng.next_u32() % 4 {
+        0 => Range::single(start),
+        _ => Range::even(start, stop, 2 + rng.next_u32() % 11),
+    }
+}
+
+fn pick<const N: usize>(rng: &mut Pcg64Mcg, values: [f64; N]) -> f64 {
+    values[rng.next_u32() as usize % N]
+}
+
+/// A scene of random numbers, of every kind of base and excitation.
+fn random_scene(rng: &mut Pcg64Mcg) -> Scene {
+    let recorded = rng.next_u32().is_multiple_of(2);
+    let isolation = ["dual", "horizontal", "vertical", "none"][rng.next_u32() as usize % 4];
+    let mut base = format!("isolation = \"{isolation}\"\n");
+    let (dual, h, v) = (isolation == "dual", isolation == "horizontal", isolation == "vertical");
+    if dual || h {
+        base +=
+            &format!("t_h = {}\npsi = {}\n", between(rng, 0.2, 4.0), pick(rng, [1.0, 0.5, 0.1]));
+    }
+    if dual || v {
+        base += &format!("t_v = {}\nxi_v = {}\n", between(rng, 0.02, 1.5), between(rng, 0.0, 0.3));
+    }
+    let tilt = pick(rng, [0.0, 0.0, 0.0, 0.05, -0.05]);
+    let (omega, a_h) = (axis(rng, 0.3, 15.0), axis(rng, -12.0, 15.0));
+    let a_v = pick(rng, [0.0, 0.5, -3.0]);
+    let pulse = format!("omega = \"{omega}\"\na_h = \"{a_h}\"\na_v = {a_v}\n");
+    let mut scene = scene(&format!(
+        "[block]\nobject = {}\neccentricity = {}\n[base]\n{base}[pulse]\n{pulse}",
+        1 + rng.next_u32() % 3,
+        between(rng, -0.4, 0.4),
+    ));
+    scene.set(Parameter::Tilt, tilt);
+    scene.overturn = [Overturn::CriticalAngle, Overturn::QuarterTurn][rng.next_u32() as usize % 2];
+    if recorded {
+        if dual || h {
+            scene.set(Parameter::TH, axis(rng, 0.2, 4.0));
+        }
+        if dual || v {
+            scene.set(Parameter::TV, axis(rng, 0.02, 1.5));
+        }
+        under(&mut scene, synthetic_pair());
+        let longer = scene.case().t_max + pick(rng, [0.0, 7.0]);
+        scene.set(Parameter::TMax, longer);
+    }
+    scene
+}
+
+fn words<T: bytemuck::Pod>(item: &T) -> Vec<u32> {
+    bytemuck::pod_collect_to_vec(bytemuck::bytes_of(item))
+}
+
+fn tables_hold<R: Real>(scene: &Scene) {
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
+    let grid = Grid::of(scene);
+    let numbers = all(&grid);
+    let cells = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    for index in 0..grid.len() {
+        let (cell, state) = plan.cell::<R>(&grid.case(index));
+        let (mut made, begun) = cells.begin(index);
+        let body = cells.bodies()[made.body as usize];
+        assert_eq!(words(&body), words(&plan.model::<R>(&grid.case(index))), "body of {index}");
+        made.body = 0;
+        assert_eq!(words(&made), words(&cell), "cell {index} of {scene:?}");
+        assert_eq!(words(&begun), words(&state), "cell {index} of {scene:?}");
+        assert_eq!(cells.tables.clock(&cells.tables.cell(index)), plan.clock(&grid.case(index)));
+    }
+}
+
+/// The tables' numbers are those that a cell has by itself, to the last bit.
+#[test]
+fn cells_of_tables_are_those_of_their_points() {
+    let mut rng = Pcg64Mcg::new(0x1501);
+    for _ in 0..200 {
+        let scene = random_scene(&mut rng);
+        tables_hold::<f32>(&scene);
+        tables_hold::<f64>(&scene);
+    }
+}
+
+/// Holds the cells that a device makes against the host's, word by word: all but the friction, a
+/// quotient, which a device may round by 2.5 units in the last place. How many share their full
+/// contact and how many have clocks of their own.
+fn device_makes<R: Real>(
+    gpu: &Gpu,
+    precision: Precision,
+    scene: &Scene,
+    chosen: impl Fn(&Grid) -> Vec<usize>,
+) -> usize {
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
+    let grid = Grid::of(scene);
+    let chosen = chosen(&grid);
+    let numbers = all(&grid);
+    let host = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
+    for side in [0, 1] {
+        let made = sweeper.make::<R>(&plan, &grid, &chosen, side).unwrap();
+        for (at, &index) in chosen.iter().enumerate() {
+            let (cell, mut state): (Cell<R>, State<R>) = host.begin(index);
+            let found = made.states[at];
+            let error = (found.friction.to_f64() - state.friction.to_f64()).abs();
+            let unit = if precision == Precision::F32 { 1.2e-7 } else { 2.3e-16 };
+            assert!(error <= 3.0 * unit * state.friction.to_f64(), "friction of {index}: {error}");
+            state.friction = found.friction;
+            assert_eq!(words(&made.cells[at]), words(&cell), "cell {index} of {scene:?}");
+            assert_eq!(words(&found), words(&state), "cell {index} of {scene:?}");
+        }
+        let first = (side * chosen.len()) as u32;
+        let mut running: Vec<u32> = made.running.iter().map(|lane| lane - first).collect();
+        running.sort_unstable();
+        let expected: Vec<u32> = (0_u32..)
+            .zip(&made.states)
+            .filter_map(|(at, state)| (state.status == RUNNING).then_some(at))
+            .collect();
+        assert_eq!(running, expected, "the list of running cells");
+    }
+    usize::from(host.motions.is_some())
+}
+
+fn hold<R: Real>(precision: Precision) {
+    let Some(gpu) = gpu("cells made on the device", precision) else { return };
+    let mut rng = Pcg64Mcg::new(0x1502);
+    let mut shared = 0;
+    for number in 0..80 {
+        let scene = random_scene(&mut rng);
+        let chosen = |grid: &Grid| {
+            let all = all(grid);
+            match number % 4 {
+                // From the middle of a row on.
+                0 => all[grid.len() / 3..].to_vec(),
+                // One by one.
+                1 => all.iter().copied().step_by(2).chain([0]).collect(),
+                _ => all,
+            }
+        };
+        shared += device_makes::<R>(&gpu, precision, &scene, chosen);
+    }
+    say(&format!("{shared} of 80 scenes share their full contact"));
+    assert!((10..=60).contains(&shared), "{shared} of 80 scenes share their full contact");
+}
+
+#[test]
+fn cells_made_on_the_device_are_the_hosts_in_f32() {
+    hold::<f32>(Precision::F32);
+}
+
+#[test]
+fn cells_made_on_the_device_are_the_hosts_in_f64() {
+    hold::<f64>(Precision::F64);
+}
+
+/// A grid of more rows than a device counts, from which cells come one after another or as a list: each is made of its own
+/// numbers. The last cells of a grid of half as many rows follow one another on the device.
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn a_device_makes_the_cells_of_rows_that_it_cannot_count() {
+    let Some(gpu) = gpu("cells of far rows", Precision::F32) else { return };
+    for (rows, follow) in [(45_001, true), (90_001, false)] {
+        let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:3", "2");
+        for (parameter, start, stop) in [(Parameter::AH, 1.0, 9.0), (Parameter::AV, 0.5, 4.0)] {
+            scene.set(parameter, Range::even(start, stop, rows));
+        }
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
+        let grid = Grid::of(&scene);
+        assert_eq!(u32::try_from(grid.shape().1).is_ok(), follow);
+        let last: Vec<usize> = (grid.len() - 7..grid.len()).collect();
+        let apart: Vec<usize> = (0..9).map(|k| grid.len() - 1 - k * (grid.len() / 9 - 5)).collect();
+        for cells in [last, apart] {
+            let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
+            let made = sweeper.make::<f32>(&plan, &grid, &cells, 0).unwrap();
+            for (at, &index) in cells.iter().enumerate() {
+                let (cell, state) = plan.cell::<f32>(&grid.case(index));
+                assert_eq!(words(&made.cells[at]), words(&cell), "cell {index} of {rows} rows");
+                assert_eq!(words(&made.states[at]), words(&state), "cell {index} of {rows} rows");
+            }
+        }
+    }
+}
+
+/// A warp's cells are near neighbours: blocks of 8 columns and 4 rows.
+#[test]
+fn threads_take_cells_in_blocks() {
+    let Some(gpu) = gpu("blocks of cells", Precision::F32) else { return };
+    // All of them lift, for a tilted block does so at once.
+    let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:32", "0.1:15:32");
+    scene.set(Parameter::Tilt, 0.01);
+    let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+    let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
+    let made = sweeper.make::<f32>(&plan, &grid, &all(&grid), 0).unwrap();
+    assert_eq!(made.running.len(), grid.len());
+    for group in made.running.chunks(64) {
+        let blocks: std::collections::BTreeSet<u32> =
+            group.iter().map(|cell| cell % 32 / 8 + 4 * (cell / 32 / 4)).collect();
+        assert_eq!(blocks.len(), 2, "{group:?}");
+    }
+}
+
+/// The negative control: a mistake in how the device makes cells shows.
+#[test]
+fn a_mistake_in_making_cells_shows() {
+    let Some(gpu) = gpu("mistakes in making cells", Precision::F32) else { return };
+    let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "-7:15:24");
+    let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+    let numbers = all(&grid);
+    let host = Cells::<f32>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    let source = shader::source(Precision::F32, Switches::Forgotten);
+    for (right, wrong) in [
+        ("numbers[h + 4u],", "numbers[h + 5u],"),
+        ("motions[h + VELOCITY * all_h + sample]", "motions[h + VELOCITY * all_h + sample + 1u]"),
+        ("max(-one, -other) > model.right.arm", "max(one, other) > model.right.arm"),
+        ("block / tile.blocks * BLOCK_HEIGHT", "block / tile.blocks * BLOCK_WIDTH"),
+    ] {
+        assert_eq!(source.matches(right).count(), 1, "{right}");
+        let source = source.replace(right, wrong);
+        let sweeper = Sweeper::from_source(&gpu, &source, plan.variant(), 0).unwrap();
+        let made = sweeper.make::<f32>(&plan, &grid, &all(&grid), 0).unwrap();
+        let same = (0..grid.len()).all(|index| {
+            let (cell, state) = host.begin(index);
+            words(&made.cells[index]) == words(&cell) && words(&made.states[index]) == words(&state)
+        });
+        assert!(!same, "'{wrong}' passes for right");
+    }
+}

@@ -1,0 +1,25 @@
+//! The tests of the engine, by subject.
+
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod axes;
+mod begin;
+mod columns;
+mod extremes;
+mod free_standing;
+mod lanes;
+mod lists;
+mod manifest;
+mod physics;
+mod pulses;
+mod random;
+mod reductions;
+mod reference;
+mod run;
+mod seismic;
+mod shader;
+mod tiles;
+mod warps;

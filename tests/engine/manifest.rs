@@ -1,0 +1,75 @@
+//! The manifest: it asks for a compiler that all locked dependencies can be built with.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+/// Parts of a version: `1.95` and `1.95.0` are the same.
+fn version(text: &str) -> [u32; 3] {
+    let mut parts = text.split('.').map(|part| part.parse().unwrap());
+    [(); 3].map(|()| parts.next().unwrap_or(0))
+}
+
+/// All crates that are locked, those of the Python package with them, which no build in the root fetches: Cargo fetches
+/// what is missing, so this test is run by its name alone.
+#[test]
+#[ignore = "needs the network: cargo test --test engine manifest:: -- --ignored"]
+fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+    let told = Command::new("rustc").arg("-vV").output().unwrap().stdout;
+    let told = String::from_utf8(told).unwrap();
+    let host = told.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
+    // What other platforms need may not be here.
+    let run = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--locked"])
+        .args(["--filter-platform", host, "--manifest-path", manifest])
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let metadata: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let packages = metadata["packages"].as_array().unwrap();
+    let asked = version(env!("CARGO_PKG_RUST_VERSION"));
+    assert!(packages.len() > 50, "{} packages", packages.len());
+    for package in packages {
+        if let Some(needs) = package["rust_version"].as_str() {
+            assert!(version(needs) <= asked, "{} needs Rust {needs}", package["name"]);
+        }
+    }
+}
+
+/// A library user without pictures, the page and the GPU builds none of their dependencies.
+#[test]
+fn each_crate_leaves_out_what_is_of_others() {
+    let tree = |arguments: &[&str]| -> Vec<String> {
+        let run = Command::new(env!("CARGO"))
+            .args(["tree", "--locked", "--offline", "--edges", "normal,build"])
+            .args(["--prefix", "none", "--manifest-path"])
+            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
+            .args(arguments)
+            .output()
+            .unwrap();
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+        let told = String::from_utf8(run.stdout).unwrap();
+        told.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
+    };
+    let command = ["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"];
+    let gpu = ["naga", "pollster", "wgpu"];
+    let pictures = ["contour", "png", "resvg", "skrifa", "tiny-skia"];
+    let page = ["axum", "tokio"];
+    let holds = |tree: &[String], names: &[&str]| -> usize {
+        names.iter().filter(|name| tree.iter().any(|known| known == *name)).count()
+    };
+    let none = (0, 0, 0, 0);
+    for (arguments, expected) in [
+        (&["-p", "topple", "--no-default-features"][..], none),
+        (&["-p", "topple"][..], (0, gpu.len(), 0, 0)),
+        (&["-p", "topple-studies"][..], none),
+        (&["-p", "topple-pictures"][..], (0, 0, pictures.len(), 0)),
+        (&["-p", "topple-app"][..], (command.len(), gpu.len(), pictures.len(), page.len())),
+    ] {
+        let tree = tree(arguments);
+        assert!(tree.len() > 20, "{arguments:?}: {tree:?}");
+        let of = |names: &[&str]| holds(&tree, names);
+        assert_eq!((of(&command), of(&gpu), of(&pictures), of(&page)), expected, "{arguments:?}");
+    }
+}

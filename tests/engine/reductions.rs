@@ -1,0 +1,390 @@
+//! What a sweep leaves out has no say in the result: each reduction against the full model, over
+//! whole maps, on the CPU and, where there is one, on an adapter.
+
+use std::time::Instant;
+
+use proptest::prelude::*;
+use topple::model::CellEquations;
+use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT, pivot};
+use topple::model::precision::Precision;
+use topple::scene::{Excitation, GRAVITY, Grid, Parameter, Range, Scene, SceneBuilder};
+use topple::stepping::certificate::is_final;
+use topple::stepping::outcome::{Class, Outcome, Status};
+use topple::stepping::reference::system::{DPHI, DU, DV, Pole, System, U, V, Z};
+use topple::stepping::reference::{self, Settings};
+use topple::stepping::single;
+use topple::stepping::state::{PROVED, RUNNING, State};
+use topple::sweep::clock::DEFAULT_STEP;
+use topple::sweep::cpu;
+use topple::sweep::gpu::run::Sweeper;
+use topple::sweep::plan::Plan;
+use topple::sweep::progress::Unwatched;
+use topple::sweep::shortcuts::Shortcuts;
+
+use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
+
+/// A pulse map of Object 1 whose base moves in some directions.
+fn map(isolation: &str, psi: Option<f64>, a_v: f64, side: u32) -> Scene {
+    let periods = match isolation {
+        "dual" => "t_h = 1.75\nt_v = 0.75\n",
+        "horizontal" => "t_h = 1.75\n",
+        "vertical" => "t_v = 0.75\n",
+        _ => "",
+    };
+    let psi = psi.map_or(String::new(), |psi| format!("psi = {psi}\n"));
+    scene(&format!(
+        "[block]\nobject = 1\neccentricity = 0.2\n[base]\nisolation = \"{isolation}\"\n{periods}{psi}\
+         [pulse]\nomega = \"0.2:15:{side}\"\na_h = \"0.1:15:{side}\"\na_v = {a_v}\n"
+    ))
+}
+
+/// A map under the synthetic record, from T_v = 0.3 s on: below, rocking is chaotic, and a change
+/// of rounding decides cells.
+fn record_map(object_number: u32, e: f64, side: u32, t_max: Option<f64>) -> Scene {
+    let mut scene = object(object_number, e, (1.0, 1.0), 0.0, "5", "1");
+    under(&mut scene, synthetic_pair());
+    scene.set(Parameter::TMax, t_max.unwrap_or(scene.case().t_max));
+    scene.set(Parameter::TH, Range::even(0.5, 4.0, side));
+    scene.set(Parameter::TV, Range::even(0.3, 2.0, side));
+    scene
+}
+
+struct Compared {
+    seconds: [f64; 2],
+    differ: usize,
+    zeta: f64,
+    max_u: f64,
+    max_v: f64,
+}
+
+/// The 99th percentile of a difference over the cells.
+fn percentile(full: &[Outcome], less: &[Outcome], value: fn(&Outcome) -> f64) -> f64 {
+    let mut all: Vec<f64> =
+        full.iter().zip(less).map(|(a, b)| (value(a) - value(b)).abs()).collect();
+    all.sort_by(f64::total_cmp);
+    all[(all.len() - 1) * 99 / 100]
+}
+
+fn compare(full: &[Outcome], less: &[Outcome], seconds: [f64; 2]) -> Compared {
+    let other = |(a, b): &(&Outcome, &Outcome)| a.class != b.class;
+    Compared {
+        seconds,
+        differ: full.iter().zip(less).filter(other).count(),
+        zeta: percentile(full, less, |cell| cell.zeta),
+        max_u: percentile(full, less, |cell| cell.max_u),
+        max_v: percentile(full, less, |cell| cell.max_v),
+    }
+}
+
+/// A scene with all of the model and with `reductions`, in f64; the accuracy of the step on zeta
+/// and the displacements is a median of 1e-6, some hundred times that at the 99th percentile.
+fn hold(name: &str, scene: &Scene, reductions: Shortcuts) -> Vec<Outcome> {
+    let grid = Grid::of(scene);
+    let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
+    let mut less = plan.clone();
+    less.reductions = reductions;
+    let run = |plan: &Plan| {
+        let began = Instant::now();
+        let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &Unwatched);
+        (cells, began.elapsed().as_secs_f64())
+    };
+    let (full, slow) = run(&plan.full_model());
+    let (cells, fast) = run(&less);
+    let c = compare(&full, &cells, [slow, fast]);
+    say(&format!(
+        "{name}: {} cells, {:.2} s, {:.2} s without: {:.1} times; {} differ; zeta {:.0e}, max|u| {:.0e} m, \
+         max|v| {:.0e} m",
+        grid.len(),
+        c.seconds[0],
+        c.seconds[1],
+        c.seconds[0] / c.seconds[1],
+        c.differ,
+        c.zeta,
+        c.max_u,
+        c.max_v
+    ));
+    assert_eq!(c.differ, 0, "{name}");
+    assert!(
+        c.zeta <= 1e-4 && c.max_u <= 1e-5 && c.max_v <= 1e-5,
+        "{name}: {} {} {}",
+        c.zeta,
+        c.max_u,
+        c.max_v
+    );
+    cells
+}
+
+const CERTIFICATE: Shortcuts = Shortcuts { certificate: true, ..Shortcuts::NONE };
+const FULL_CONTACT: Shortcuts = Shortcuts { full_contact: true, ..Shortcuts::NONE };
+const LINEAR: Shortcuts = Shortcuts { linear: true, ..Shortcuts::NONE };
+
+#[test]
+fn the_certificate() {
+    for isolation in ["dual", "horizontal", "vertical", "none"] {
+        for a_v in [0.0, 0.5] {
+            let scene = map(isolation, None, a_v, 40);
+            let cells =
+                hold(&format!("certificate, {isolation}, A_v = {a_v}"), &scene, CERTIFICATE);
+            // Of the slowest pulses there is no end in the 30 s, and nothing to prove.
+            let grid = Grid::of(&scene);
+            let ends = |index: usize| {
+                std::f64::consts::TAU / grid.case(index).shaking.pulse().unwrap().omega < 20.0
+            };
+            let stand = cells
+                .iter()
+                .enumerate()
+                .filter(|(index, cell)| ends(*index) && !cell.class.overturned())
+                .map(|(_, cell)| cell);
+            let (proved, rest): (Vec<&Outcome>, Vec<&Outcome>) =
+                stand.partition(|cell| cell.status == Status::Proved);
+            let mean = proved.iter().map(|cell| cell.t_simulated).sum::<f64>()
+                / proved.len().max(1) as f64;
+            say(&format!("  {} cells proved, after {mean:.1} s; {} not", proved.len(), rest.len()));
+            // A block on a vertical isolation alone rocks for long, and all of its energy might still
+            // go into v: more than half is proved in the 30 s.
+            let most = if isolation == "vertical" { proved.len() } else { proved.len() / 50 };
+            assert!(rest.len() <= most, "{isolation}: {} not proved", rest.len());
+            assert!(mean < 10.0);
+            // For all that a map tells, it stands to the end.
+            assert!(proved.iter().all(|cell| cell.t_end == 30.0));
+        }
+    }
+}
+
+/// Under a record followed by free vibration.
+#[test]
+fn the_certificate_after_a_record() {
+    let scene = record_map(1, -0.4, 16, Some(60.0));
+    let cells = hold("certificate, record and 40 s free", &scene, CERTIFICATE);
+    assert!(cells.iter().filter(|cell| cell.status == Status::Proved).count() > 50);
+}
+
+/// A cell that the certificate ends would indeed have made nothing more of itself: the full run
+/// from there on, and the energy that it went by.
+#[test]
+fn what_is_proved_stays_so() {
+    let scene = map("dual", None, 0.5, 24);
+    let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+    let model = plan.model::<f64>(&plan.scene.case());
+    let mut proved = 0;
+    for index in all(&grid) {
+        let (cell, state) = plan.cell::<f64>(&grid.case(index));
+        let mut set =
+            CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let then = single::run(&set, &state, &mut ());
+        if then.status != PROVED {
+            continue;
+        }
+        proved += 1;
+        set.variant.certificate = false;
+        let state = single::run(&set, &State { status: RUNNING, ..then }, &mut ());
+        let grown = [
+            state.max_phi_left - then.max_phi_left,
+            state.max_phi_right - then.max_phi_right,
+            state.max_u - then.max_u,
+            then.least_v - state.least_v,
+            state.most_v - then.most_v,
+        ];
+        assert!(grown.iter().all(|more| *more <= 1e-9), "{:?}: {grown:?}", grid.case(index));
+        // The contact forces by a thousandth at most.
+        let lower = then.min_contact - state.min_contact;
+        assert!(lower <= 1e-3 * then.min_contact.abs(), "{:?}: {lower}", grid.case(index));
+        let higher = state.friction - then.friction;
+        assert!(higher <= 1.001e-3 * then.friction, "{:?}: {higher}", grid.case(index));
+    }
+    assert!(proved > 200, "{proved}");
+}
+
+#[test]
+fn full_contact_once_for_all() {
+    for (name, scene) in [
+        ("full contact, record, Object 1", record_map(1, -0.4, 24, None)),
+        ("full contact, record, Object 3", record_map(3, 0.4, 24, None)),
+        ("full contact, pulse", map("dual", None, 0.5, 40)),
+        ("full contact, pulse, v at rest", map("dual", None, 0.0, 40)),
+        ("full contact, pulse, horizontal", map("horizontal", None, 0.0, 40)),
+    ] {
+        let cells = hold(name, &scene, FULL_CONTACT);
+        assert!(cells.iter().any(|cell| cell.class == Class::FullContact), "{name}");
+    }
+}
+
+/// A horizontal motion reversed: A_h < 0 scales the shared motion by a negative number.
+#[test]
+fn full_contact_with_the_pulse_reversed() {
+    let mut scene = map("dual", None, 0.5, 24);
+    scene.set(Parameter::AH, Range::even(-12.0, 12.0, 24));
+    hold("full contact, A_h from -12 to 12", &scene, FULL_CONTACT);
+}
+
+#[test]
+fn a_linear_base_has_no_hysteretic_variable() {
+    hold("linear, psi = 1", &map("dual", Some(1.0), 0.5, 40), LINEAR);
+    let plan = Plan::new(&map("dual", Some(1.0), 0.5, 4), DEFAULT_STEP).unwrap();
+    assert!(!plan.variant().yields && plan.full_model().variant().yields);
+}
+
+#[test]
+fn all_of_them_together() {
+    hold("all, dual, A_v = 0.5", &map("dual", None, 0.5, 60), Shortcuts::ALL);
+    hold("all, dual, psi = 1", &map("dual", Some(1.0), 0.0, 60), Shortcuts::ALL);
+    hold("all, none", &map("none", None, 0.5, 60), Shortcuts::ALL);
+    hold("all, record, Object 3", &record_map(3, 0.0, 24, Some(40.0)), Shortcuts::ALL);
+}
+
+/// The shader leaves out the same.
+#[test]
+fn in_the_shader() {
+    let Some(gpu) = gpu("reductions in the shader", Precision::F32) else { return };
+    for (name, scene) in
+        [("pulse", map("dual", None, 0.5, 40)), ("record", record_map(1, -0.4, 16, Some(40.0)))]
+    {
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let run = |plan: &Plan| {
+            let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
+            let began = Instant::now();
+            let ran = sweeper.sweep::<f32>(plan, &grid, &all(&grid), &Unwatched).unwrap();
+            (ran.block.to_outcomes(), began.elapsed().as_secs_f64())
+        };
+        let (full, slow) = run(&plan.full_model());
+        let (cells, fast) = run(&plan);
+        let c = compare(&full, &cells, [slow, fast]);
+        say(&format!(
+            "shader f32, {name}: {:.2} s, {:.2} s without: {:.1} times; {} differ; zeta {:.0e}",
+            c.seconds[0],
+            c.seconds[1],
+            c.seconds[0] / c.seconds[1],
+            c.differ,
+            c.zeta
+        ));
+        assert_eq!(c.differ, 0, "{name}");
+        assert!(cells.iter().any(|cell| cell.status == Status::Proved), "{name}");
+    }
+}
+
+/// And the reference, which leaves out nothing, agrees.
+#[test]
+fn the_reference_agrees_with_what_is_left() {
+    for isolation in ["dual", "none"] {
+        let scene = map(isolation, None, 0.5, 24);
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let differ = (0..grid.len()).filter(|index| {
+            let right = reference::run(&scene, &grid.case(*index), &Settings::default());
+            right.class != cells[*index].class
+        });
+        assert_eq!(differ.count(), 0, "{isolation}");
+    }
+}
+
+proptest! {
+    /// The certificate against energies from the other formulation, the reference's: a rocking state after an impact
+    /// is proved where what energy it has left is below that of every angle seen so far, and nowhere
+    /// else.
+    #[test]
+    fn the_certificate_knows_the_energy(
+        left in any::<bool>(),
+        dphi in -0.6..0.6_f64,
+        base in ([-0.02..0.02_f64, -0.2..0.2_f64], [-0.02..0.02_f64, -0.2..0.2_f64], -1.0..1.0_f64),
+        seen in [0.0..0.14_f64, 0.0..0.14_f64],
+    ) {
+        let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3");
+        let point = Grid::of(&scene).case(0);
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        let model = plan.model::<f64>(&plan.scene.case());
+        let (cell, mut state) = plan.cell::<f64>(&point);
+        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let pole = if left { Pole::Left } else { Pole::Right };
+        let ([u, du], [lift, dv], z) = base;
+        state.mode = if left { ROCKING_LEFT } else { ROCKING_RIGHT };
+        let y = &mut state.motion;
+        (y.u, y.du, y.v, y.dv, y.z) = (u, du, y.v + lift, dv, z);
+        y.dphi = dphi;
+        (state.max_phi_left, state.max_phi_right) = (seen[0], seen[1]);
+        // No matter here.
+        (state.max_u, state.least_v, state.most_v) = (100.0, -100.0, 100.0);
+        (state.min_contact, state.friction) = (-1.0e6, 1.0e6);
+        let corner = pivot(&model, state.mode);
+        let proved = is_final(&set, &corner, true, true, true, &state.motion, &state.extremes());
+        // Before the first uplift from full contact its time is not known.
+        prop_assert!(!is_final(&set, &corner, true, true, false, &state.motion, &state.extremes()));
+
+        let system = System::new(&scene, &point);
+        let mut other = system.at_rest();
+        let rest = system.energy(None, &other);
+        let y = state.motion;
+        (other[U], other[DU], other[V], other[DV], other[Z]) = (y.u, y.du, other[V] + y.v, y.dv, y.z);
+        other[DPHI] = y.dphi;
+        let energy = (system.energy(Some(pole), &other) - rest) / scene.case().block.mass;
+        let height = scene.case().block.height;
+        let bound = |side: f64, angle: f64| {
+            let (arm, critical) = (scene.case().block.arm(side), scene.case().block.critical_angle(side));
+            GRAVITY * (arm.hypot(height) * (critical - angle).cos() - height)
+        };
+        let least = bound(1.0, seen[0]).min(bound(-1.0, seen[1]));
+        if energy < 0.998 * least {
+            prop_assert!(proved, "{} of {}", energy, least);
+        }
+        if energy > least {
+            prop_assert!(!proved, "{} of {}", energy, least);
+        }
+    }
+}
+
+/// Under a record with a given yield displacement u is proportional to nothing, and yet each value of T_h has one motion
+/// in full contact for all eccentricities, blocks and values of T_v. Where nobody asks for contact forces, the motions are
+/// made on vectors; all else is as it was but for rounding.
+#[test]
+fn full_contact_of_a_given_device() {
+    for (name, isolation) in [("yields", ""), ("linear", "psi = 1\n")] {
+        let text = format!(
+            "[block]\nobject = 1\neccentricity = \"0,0.2,0.3\"\n[base]\nt_h = \"0.3:3:10\"\nt_v = \"0.3:1.5:10\"\n\
+             u_y = 0.01\n{isolation}"
+        );
+        let given = SceneBuilder::from_toml(&text).unwrap();
+        let scene = given.check_under(Excitation::Record(synthetic_pair())).unwrap();
+        let cells = hold(&format!("given u_y, {name}"), &scene, FULL_CONTACT);
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let mut plan = plan.without_forces();
+        plan.reductions = FULL_CONTACT;
+        let without = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let mut others = 0;
+        for (all, less) in cells.iter().zip(&without) {
+            others += usize::from(all.min_contact != less.min_contact);
+            let counts = |cell: &Outcome| (cell.class, cell.impacts, cell.uplifts, cell.status);
+            assert_eq!(counts(all), counts(less));
+            // A unit in the last place, of a thousand steps, and grown tenfold at each of some impacts at the most.
+            let grown = 1.0e3 * f64::EPSILON * 10.0_f64.powi(all.impacts.min(6) as i32);
+            let numbers = |cell: &Outcome| [cell.zeta, cell.max_u, cell.max_v, cell.stroke_v];
+            for (one, other) in numbers(all).into_iter().zip(numbers(less)) {
+                assert!((one - other).abs() <= grown, "{all:?} {less:?}");
+            }
+        }
+        let lifted = cells.iter().filter(|cell| cell.uplifts > 0).count();
+        assert!(others > 0 && lifted > 0, "{name}: {others} {lifted}");
+    }
+}
+
+/// A shared motion that leaves the range of valid motions ends early. The cells that share it integrate by themselves,
+/// and are as unresolved as those that share nothing. So soft a base does not let the block lift before.
+#[test]
+fn a_shared_motion_that_diverges_is_nobodys() {
+    let text = "[block]\nobject = 1\neccentricity = \"0:0.3:40\"\n[base]\nisolation = \"vertical\"\n\
+                t_v = \"1e4:2e4:12\"\n[record]\nscale = \"1,1e5\"\n[run]\nforce = true\n";
+    let given = SceneBuilder::from_toml(text).unwrap();
+    let mut pair = synthetic_pair();
+    pair.horizontal = vec![0.0; pair.horizontal.len()].into();
+    let scene = given.check_under(Excitation::Record(pair)).unwrap();
+    let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+    let run = |reductions: Shortcuts| {
+        let mut plan = plan.clone().without_forces();
+        plan.reductions = reductions;
+        cpu::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+    };
+    let (shared, alone) = (run(FULL_CONTACT), run(Shortcuts::NONE));
+    let lost = alone.iter().filter(|cell| cell.status == Status::Diverged).count();
+    assert!(2 * lost >= grid.len(), "{lost}");
+    for (one, other) in shared.iter().zip(&alone) {
+        assert_eq!((one.status, one.class), (other.status, other.class));
+    }
+}
