@@ -20,8 +20,8 @@ build() {
     local root="$here/../.." profile="${TOPPLE_CARD_PROFILE:-release}" built
     cd "$root"
     cargo build --profile "$profile" --bin topple
-    built="$(cargo test --profile "$profile" --no-run --test agreement 2>&1)" || refuse 1 "$built"
-    agreement="$PWD/$(sed -n 's/.*(\(.*agreement-[0-9a-f]*\)).*/\1/p' <<<"$built")"
+    built="$(cargo test --profile "$profile" --no-run --test lab 2>&1)" || refuse 1 "$built"
+    agreement="$PWD/$(sed -n 's/.*(\(.*lab-[0-9a-f]*\)).*/\1/p' <<<"$built")"
     topple="$PWD/target/${profile/#dev/debug}/topple"
     commit=", $(git describe --always --dirty 2>/dev/null || echo 'no commit')"
     cd - >/dev/null
@@ -140,7 +140,7 @@ card="$(sed -n '/"adapter"/,/}/s/^ *"name": "\(.*\)",$/\1/p' "$first_start/run.j
 
 say 'right or wrong: ten maps, two precisions, against the reference'
 right=0
-TOPPLE_REQUIRE_ADAPTER=1 "$agreement" --nocapture the_shader a_wrong_sign a_shader_that locked \
+TOPPLE_REQUIRE_ADAPTER=1 "$agreement" --nocapture agreement:: --skip agreement::cpu_ \
     2>&1 | tee "$scratch/agreement" || right=$?
 compared=()
 for precision in "${precisions[@]}"; do
