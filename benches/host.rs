@@ -13,20 +13,20 @@ use std::time::{Duration, Instant};
 
 use common::pulse;
 use rayon::prelude::*;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::tile::{OwnClocks, Tile};
+use topple::backend::gpu::{adapter, outcomes};
+use topple::cells::cell_tables::CellTables;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::cells::ready::Cells;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::results::block::Block;
 use topple::scene::record::synthetic;
 use topple::scene::{self, Grid, Parameter, Scene};
 use topple::stepping::state::{FINISHED, State};
-use topple::sweep::cell_tables::CellTables;
-use topple::sweep::cells::Cells;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::tile::{OwnClocks, Tile};
-use topple::sweep::gpu::{adapter, outcomes};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 /// Cells of a tile.
 const TILE: usize = 1 << 18;

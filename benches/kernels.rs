@@ -8,6 +8,9 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use topple::backend::{cpu, lanes};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, pivot};
 use topple::model::precision::Precision;
@@ -19,10 +22,7 @@ use topple::scene::{Grid, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::Class;
 use topple::stepping::single::Single;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
-use topple::sweep::{cpu, lanes};
+use topple::work::progress::Unwatched;
 
 fn scene(omega: &str, a_h: &str) -> Scene {
     let text = format!(

@@ -1,4 +1,4 @@
-// The state of a cell at rest. Twin: src/sweep/at_rest.rs.
+// The state of a cell at rest. Twin: src/cells/at_rest.rs.
 
 // The corner that a block of this tilt turns about.
 fn mode_of(tilt: real) -> u32 {

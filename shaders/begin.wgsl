@@ -1,7 +1,7 @@
 // A cell as its integration begins: its numbers and its first state. One thread a cell of a tile.
-// Twin: src/sweep/begin.rs.
+// Twin: src/cells/begin.rs.
 
-// The numbers of a cell's steps. Twin: src/sweep/groups.rs.
+// The numbers of a cell's steps. Twin: src/cells/groups.rs.
 struct Steps {
     phase_step: real,
     step_forced: real,

@@ -1,7 +1,7 @@
 // The full contact that cells share: where it takes a cell before the cell lifts.
-// Twin: src/sweep/shared_contact.rs.
+// Twin: src/cells/contact/shared_contact.rs.
 
-// The shared motions. Twin: src/sweep/motions.rs.
+// The shared motions. Twin: src/cells/contact/motions.rs.
 @group(0) @binding(12) var<storage, read> motions: array<real>;
 
 const DISPLACEMENT = 0u;

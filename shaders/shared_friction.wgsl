@@ -1,5 +1,5 @@
 // The friction that full contact asks for, of the motions that cells share.
-// Twin: src/sweep/shared_friction.rs.
+// Twin: src/cells/contact/shared_friction.rs.
 
 // The friction asked for at the samples before one. A motion grows until the block lifts: from the last
 // sample backwards, until the largest |X| so far over the least Y so far exceeds no more.

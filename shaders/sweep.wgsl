@@ -1,4 +1,4 @@
-// One thread a cell: a chunk of its steps, from its state to its state. Twin: src/sweep/cpu.rs.
+// One thread a cell: a chunk of its steps, from its state to its state. Twin: src/backend/cpu.rs.
 
 override workgroup_size: u32 = 64u;
 

@@ -1,5 +1,5 @@
 // A tile's cells: which of the grid's they are, and where the tables hold their numbers.
-// Twin: src/sweep/gpu/tile.rs.
+// Twin: src/backend/gpu/tile.rs.
 
 // Where a table's entries lie.
 struct Layout {

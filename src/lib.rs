@@ -43,13 +43,20 @@
 //! scene -> grid -> cells -> backend -> outcomes -> columns -> files, pictures
 //! ```
 
+pub mod backend;
+pub mod cells;
 pub mod model;
 pub mod refine;
 pub mod results;
 pub mod scene;
 pub mod stepping;
 pub mod sweep;
+pub mod work;
 
+pub use backend::backend_error::BackendError;
+pub use backend::description::AdapterDescription;
+pub use backend::report::Report;
+pub use backend::request::BackendRequest;
 pub use model::precision::Precision;
 pub use model::pulse::Shape;
 pub use refine::leaves::Leaf;
@@ -73,22 +80,18 @@ pub use scene::{
     SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};
-pub use sweep::backend_error::BackendError;
-pub use sweep::description::AdapterDescription;
 pub use sweep::error::SweepError;
 pub use sweep::estimate::Estimate;
 pub use sweep::job::{Job, PartSweep, SweepResult};
 pub use sweep::list::{ListOutcomes, sweep_cells};
 pub use sweep::map::MapSweep;
-pub use sweep::observer::{Observer, Phase};
 pub use sweep::parts_error::PartsError;
-pub use sweep::progress::{Progress, Unwatched};
 pub use sweep::repaired::Repair;
-pub use sweep::report::Report;
-pub use sweep::request::BackendRequest;
 pub use sweep::run::sweep;
 pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
+pub use work::observer::{Observer, Phase};
+pub use work::progress::{Progress, Unwatched};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

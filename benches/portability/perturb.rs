@@ -8,7 +8,7 @@ use naga::{
     Arena, BinaryOperator, Block, Expression, Function, Handle, MathFunction, Module, Range,
     Scalar, Span, Statement, SwitchCase, TypeInner,
 };
-use topple::sweep::gpu::pipelines::WORKGROUP;
+use topple::backend::gpu::pipelines::WORKGROUP;
 
 /// How sums and products are rounded.
 #[derive(Clone, Copy, PartialEq)]

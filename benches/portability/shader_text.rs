@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 use naga::AddressSpace;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use serde_json::{Value, json};
+use topple::backend::gpu::pipelines::{WORKGROUP, constants};
+use topple::backend::gpu::shader::{self, Switches};
 use topple::model::isolation::Variant;
 use topple::model::precision::Precision;
-use topple::sweep::gpu::pipelines::{WORKGROUP, constants};
-use topple::sweep::gpu::shader::{self, Switches};
 
 /// Switches of a cell that a shader keeps which keeps them.
 const EVENTS_KEPT: usize = 8;

@@ -11,17 +11,17 @@ mod perturb;
 use std::time::Instant;
 
 use perturb::{Device, Fusing, Rounding};
+use topple::backend::gpu::adapter;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::gpu::shader::{self, Switches};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple_lab::chart::bench::MAPS;
 
 /// What a device is to show.

@@ -1,4 +1,4 @@
-//! The host's part: tiles, submissions and their chunks, as `src/sweep/gpu/tiles.rs` hands them out,
+//! The host's part: tiles, submissions and their chunks, as `src/backend/gpu/tiles.rs` hands them out,
 //! by the pace that it learns.
 
 use std::cmp::Reverse;
@@ -6,8 +6,8 @@ use std::collections::VecDeque;
 use std::ops::Range;
 use std::time::Duration;
 
-use topple::sweep::gpu::pace::Pace;
-use topple::sweep::gpu::slots::FLIGHTS;
+use topple::backend::gpu::pace::Pace;
+use topple::backend::gpu::slots::FLIGHTS;
 
 use super::card::{Card, Choice, Tally};
 use super::traces::Traces;

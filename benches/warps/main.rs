@@ -17,21 +17,21 @@ use card::{Choice, Tally, WARP};
 use common::pulse;
 use fearless_simd::Level;
 use host::Kind;
+use topple::backend::gpu::pace::CHUNK;
+use topple::backend::gpu::pipelines::WORKGROUP;
+use topple::backend::gpu::slots::SIDES;
+use topple::backend::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::{Real, Vector};
 use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::trials::Purpose;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::pace::CHUNK;
-use topple::sweep::gpu::pipelines::WORKGROUP;
-use topple::sweep::gpu::slots::SIDES;
-use topple::sweep::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
-use topple::sweep::plan::Plan;
-use topple::sweep::vectors::lanes_of;
+use topple::work::vectors::lanes_of;
 use traces::{BATCH, Traces, record, turns};
 
-/// Most cells of a tile: `src/sweep/gpu/run.rs`.
+/// Most cells of a tile: `src/backend/gpu/run.rs`.
 const MOST_CELLS: usize = 1 << 18;
 /// What the shader and its host do.
 const PRESENT: Choice = Choice {

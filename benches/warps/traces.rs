@@ -4,15 +4,15 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use topple::cells::plan::Plan;
+use topple::cells::ready::Cells;
 use topple::model::real::{Real, Vector};
 use topple::scene::Grid;
 use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::log::Listener;
 use topple::stepping::state::State;
 use topple::stepping::trials::{Purpose, Trial};
-use topple::sweep::cells::Cells;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 /// Cells that a thread takes at once: as many as the sweep's.
 pub const BATCH: usize = 64;

@@ -4,8 +4,8 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
+use topple::backend::history::{Row, by_reference, by_steps, check_rows};
 use topple::scene::isolation::KelvinVoigt;
-use topple::sweep::history::{Row, by_reference, by_steps, check_rows};
 use topple::{BackendRequest, Outcome, Precision};
 
 use crate::errors::{self, of_keyword, of_scene};

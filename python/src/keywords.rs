@@ -13,7 +13,7 @@ use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
 use topple::scene::record::{Pair, Provenance, Record, synthetic};
 use topple::sweep::settings::VerifySettings;
-use topple::sweep::threads::{Threads, too_many};
+use topple::work::threads::{Threads, too_many};
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
 
 use crate::errors::{of_keyword, of_scene};

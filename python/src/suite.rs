@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::results::about;
 use topple::scene::bounded;
-use topple::sweep::threads::Threads;
+use topple::work::threads::Threads;
 use topple::{Saving, SceneError, StoreError, SweepError, Values};
 use topple_studies::fragility::hazard;
 use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use topple::sweep::threads::Threads;
+use topple::work::threads::Threads;
 use topple::{Observer, Phase, Progress};
 
 /// Time between two questions whether Ctrl-C was pressed.

@@ -4,17 +4,17 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::backend::backend_error::BackendError;
+use crate::backend::dispatch::Backend;
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Parameter, Scene};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::{self, Settings};
-use crate::sweep::backend::Backend;
-use crate::sweep::backend_error::BackendError;
 use crate::sweep::error::SweepError;
-use crate::sweep::observer::Observer;
-use crate::sweep::plan::Plan;
 use crate::sweep::points::sweep_points;
-use crate::sweep::threads::install;
+use crate::work::observer::Observer;
+use crate::work::threads::install;
 
 /// Width to which a place is bisected, as a share of its axis.
 pub const WITHIN: f64 = 1.0e-6;
@@ -206,8 +206,8 @@ mod tests {
 
     use super::*;
     use crate::scene::SceneBuilder;
-    use crate::sweep::progress::Progress;
-    use crate::sweep::threads::Threads;
+    use crate::work::progress::Progress;
+    use crate::work::threads::Threads;
 
     /// Hears on how many threads it is asked whether to go on.
     #[derive(Default)]

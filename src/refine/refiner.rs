@@ -20,8 +20,8 @@ use crate::results::rounds::Rounds;
 use crate::sweep::error::SweepError;
 use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
-use crate::sweep::observer::{Observer, Phase};
-use crate::sweep::threads::install;
+use crate::work::observer::{Observer, Phase};
+use crate::work::threads::install;
 
 /// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
 const ROUNDS: usize = 3;

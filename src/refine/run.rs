@@ -11,14 +11,14 @@ use super::refiner::Refiner;
 use super::report::RefineReport;
 use super::settings::RefineSettings;
 use super::smooth::Smooth;
+use crate::backend::dispatch::Backend;
 use crate::results::store::LISTS;
 use crate::scene::{Grid, Scene, SceneError};
-use crate::sweep::backend::Backend;
 use crate::sweep::error::SweepError;
 use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
-use crate::sweep::observer::Observer;
 use crate::sweep::settings::RunSettings;
+use crate::work::observer::Observer;
 
 /// The scene of a map with the gaps of its axes halved so many times.
 fn finer(scene: &Scene, grid: &Grid, levels: u32) -> Scene {

@@ -33,7 +33,7 @@ pub const OVERTURN: u32 = 4;
 pub const KINK: u32 = 5;
 
 /// Switches that one step may hold. A block that chatters to rest makes about
-/// [`FLIGHTS_A_STEP`](crate::sweep::groups::FLIGHTS_A_STEP) impacts in its last one.
+/// [`FLIGHTS_A_STEP`](crate::cells::groups::FLIGHTS_A_STEP) impacts in its last one.
 pub const EVENT_BOUND: u32 = 128;
 /// Trials of one search at most.
 pub const LOCATE_BOUND: u32 = 60;

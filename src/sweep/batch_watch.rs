@@ -4,16 +4,16 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::batches::HandOver;
-use super::observer::Observer;
-use super::progress::Progress;
 use crate::results::block::Block;
+use crate::work::observer::Observer;
+use crate::work::progress::Progress;
 
 /// Least time between two snapshots of a batch, and least time that a batch is to take, however often finished
 /// cells are to be saved.
 pub const SHORTEST: Duration = Duration::from_millis(500);
 
 /// Hears of a batch: passes on to the observer what it is to know, and outcomes to who saves them.
-pub(super) struct BatchWatch<'a> {
+pub(crate) struct BatchWatch<'a> {
     /// Who hears of cells, and may end the sweep.
     pub observer: &'a dyn Observer,
     /// The batch's first cell.

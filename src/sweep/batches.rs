@@ -7,10 +7,10 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-use super::backend::BackendOutcomes;
-use super::backend_error::BackendError;
-use super::threads::Threads;
+use crate::backend::backend_error::BackendError;
+use crate::backend::dispatch::BackendOutcomes;
 use crate::results::block::Block;
+use crate::work::threads::Threads;
 
 /// What sweeps the cells of a batch: a backend with its plan, or in a test its double. It may hand over what
 /// is done of the batch while it goes on.

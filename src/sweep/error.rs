@@ -3,8 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::backend_error::BackendError;
 use super::parts_error::PartsError;
+use crate::backend::backend_error::BackendError;
 use crate::results::store_error::StoreError;
 use crate::scene::SceneError;
 

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use super::backend::Backend;
 use super::error::SweepError;
-use super::progress::Progress;
 use super::settings::Method;
+use crate::backend::dispatch::Backend;
 use crate::results::about::Source;
 use crate::results::size::FileSizes;
 use crate::scene::{Grid, Scene};
+use crate::work::progress::Progress;
 
 /// Least and most points of each axis of a sample over two axes; one over more or fewer axes has as many cells in all.
 const SIDE: [f64; 2] = [16.0, 96.0];

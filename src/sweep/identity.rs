@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::backend::Backend;
 use super::settings::Method;
+use crate::backend::dispatch::Backend;
 use crate::model::precision::Precision;
 use crate::results::identity::Identity;
 use crate::results::part::Part;

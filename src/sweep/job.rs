@@ -6,20 +6,18 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use super::backend::Backend;
-use super::backend_error::BackendError;
 use super::batch_watch::{BatchWatch, SHORTEST};
 use super::batches::{self, BatchError, Sizes, WorkReport, Worker};
 use super::error::SweepError;
 use super::estimate::Estimate;
 use super::identity::Content;
 use super::map::MapSweep;
-use super::observer::{Observer, Phase};
-use super::plan::Plan;
-use super::progress::Progress;
-use super::report::{Report, threads};
-use super::request::OpenBackends;
 use super::settings::{Method, RunSettings, Saving};
+use crate::backend::backend_error::BackendError;
+use crate::backend::dispatch::Backend;
+use crate::backend::report::{Report, threads};
+use crate::backend::request::OpenBackends;
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::Block;
@@ -32,6 +30,8 @@ use crate::results::store::{Contents, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
+use crate::work::observer::{Observer, Phase};
+use crate::work::progress::Progress;
 
 /// A sweep that is ready to run.
 pub struct Job {

@@ -3,17 +3,17 @@
 use std::convert::Infallible;
 use std::time::Duration;
 
-use super::backend::Backend;
-use super::backend_error::BackendError;
 use super::batches::{self, BatchError, Sizes, Worker};
 use super::error::SweepError;
-use super::observer::{Observer, Phase};
-use super::plan::Plan;
 use super::settings::RunSettings;
+use crate::backend::backend_error::BackendError;
+use crate::backend::dispatch::Backend;
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::columns::Column;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::stepping::outcome::Outcome;
+use crate::work::observer::{Observer, Phase};
 
 /// The outcomes of a list of cells.
 #[derive(Debug, Clone)]

@@ -5,18 +5,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::backend::Backend;
-use super::backend_error::BackendError;
 use super::error::SweepError;
-use super::observed::ObservedOutcomes;
-use super::observer::{Observer, Phase};
 use super::parts::Parts;
-use super::plan::Plan;
 use super::repaired::Repair;
-use super::report::{self, Report};
 use super::sample::{self, Chosen};
 use super::settings::{Method, VerifySettings};
 use super::verification::{self, Verification};
+use crate::backend::backend_error::BackendError;
+use crate::backend::dispatch::Backend;
+use crate::backend::report::{self, Report};
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::{Block, Values};
@@ -30,6 +28,8 @@ use crate::results::store_error::StoreError;
 use crate::results::tally::{self, Tally};
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
+use crate::work::observed::ObservedOutcomes;
+use crate::work::observer::{Observer, Phase};
 
 /// A map that was run.
 pub struct MapSweep {
@@ -50,7 +50,7 @@ pub struct MapSweep {
     /// What the reference says of a sample, where it was asked.
     pub verification: Option<Verification>,
     /// Where they are saved.
-    pub(super) store: Option<Store>,
+    pub(crate) store: Option<Store>,
 }
 
 impl MapSweep {

@@ -1,9 +1,9 @@
 //! What a cell's motion is told by: what shakes it, its switches, and how it ends.
 
+use crate::backend::history::Row;
 use crate::scene::{Case, Excitation, Scene, Shaking};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::pulse::Pulse;
-use crate::sweep::history::Row;
 
 /// A time, s, with a value at it.
 pub type Point = (f64, f64);

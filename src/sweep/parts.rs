@@ -9,8 +9,7 @@ use serde_json::{Value, json};
 use super::error::SweepError;
 use super::identity::{Content, MAY_DIFFER};
 use super::parts_error::PartsError;
-use super::progress::Progress;
-use super::report::{self, Report};
+use crate::backend::report::{self, Report};
 use crate::results::about::Source;
 use crate::results::identity::Identity;
 use crate::results::part;
@@ -20,6 +19,7 @@ use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
 use crate::scene::{Excitation, Grid, bounded, shown};
+use crate::work::progress::Progress;
 
 /// Largest identity that is read, bytes: it has all samples of a record as text.
 const LARGEST_IDENTITY: u64 = 1 << 30;

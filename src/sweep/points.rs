@@ -1,14 +1,14 @@
 //! Cells at any values of two parameters, not of a grid: what bisection asks for.
 
-use super::backend::Backend;
 use super::error::SweepError;
 use super::list::ListSweep;
-use super::observer::Observer;
-use super::plan::Plan;
+use crate::backend::dispatch::Backend;
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::scene::grid::{AXES, Place};
 use crate::scene::{Grid, Parameter, Scene, Values};
 use crate::stepping::outcome::Outcome;
+use crate::work::observer::Observer;
 
 /// The values that there are, each once, in order.
 fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {

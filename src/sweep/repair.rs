@@ -10,23 +10,23 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::time::Instant;
 
-use super::backend::Backend;
 use super::error::SweepError;
 use super::list::ListSweep;
 use super::map::MapSweep;
-use super::observed::ObservedOutcomes;
-use super::observer::{Observer, Phase};
 use super::repaired::Repair;
 use super::sample::beside_boundary;
+use crate::backend::dispatch::Backend;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::results::replaced::ReplacedOutcomes;
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::work::observed::ObservedOutcomes;
+use crate::work::observer::{Observer, Phase};
 
 /// The neighbours of a cell along the first two axes, those of one slice.
-pub(super) fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = usize> + use<> {
+pub(crate) fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = usize> + use<> {
     let columns = grid.x().count();
     let rows = grid.y().map_or(1, Axis::count);
     let (column, row) = (cell % columns, cell / columns % rows);

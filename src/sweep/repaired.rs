@@ -24,7 +24,7 @@ pub struct Repair {
 
 impl Repair {
     /// True where one of some cells was replaced.
-    pub(super) fn touches(&self, cells: &Range<usize>) -> bool {
+    pub(crate) fn touches(&self, cells: &Range<usize>) -> bool {
         let next = self.replaced.partition_point(|cell| *cell < cells.start);
         self.replaced.get(next).is_some_and(|cell| *cell < cells.end)
     }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::error::SweepError;
 use super::job::{Job, SweepResult};
 use super::map::MapSweep;
-use super::observer::Observer;
-use super::request::OpenBackends;
 use super::settings::RunSettings;
+use crate::backend::request::OpenBackends;
 use crate::scene::{Parameter, Scene, SceneError, Values};
+use crate::work::observer::Observer;
 
 /// Sweeps a scene over axes, which take the place of its own numbers, and has the reference verify a sample
 /// of the cells. `observer` hears of phases and progress and may end it; [`Unwatched`] does neither, and a
@@ -23,7 +23,7 @@ use crate::scene::{Parameter, Scene, SceneError, Values};
 /// [`SweepError`]: numbers or settings that make no sense, by their keys; a backend that failed; a directory
 /// that cannot be written; an observer that ended it.
 ///
-/// [`Unwatched`]: super::progress::Unwatched
+/// [`Unwatched`]: crate::work::progress::Unwatched
 pub fn sweep(
     scene: &Scene,
     axes: &[(Parameter, Values)],

@@ -21,7 +21,7 @@ pub struct Chosen {
 
 /// Goes through all cells and tells of each whether a neighbour has another outcome; a few rows are
 /// in memory at a time.
-pub(super) fn beside_boundary(
+pub(crate) fn beside_boundary(
     grid: &Grid,
     outcomes: &dyn Outcomes,
     mut tell: impl FnMut(usize, bool),

@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::clock::DEFAULT_STEP;
-use super::plan::Plan;
-use super::request::BackendRequest;
+use crate::backend::request::BackendRequest;
+use crate::cells::clock::DEFAULT_STEP;
+use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::part::Part;
 use crate::scene::{Scene, SceneError};

@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::plan::Plan;
-use super::progress::Progress;
 use super::sample::Chosen;
-use super::threads::install;
+use crate::cells::plan::Plan;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::{self, Settings};
+use crate::work::progress::Progress;
+use crate::work::threads::install;
 
 /// Where a cell lies whose outcome differs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

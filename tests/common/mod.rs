@@ -4,15 +4,15 @@
 
 use std::io::Write;
 
+use topple::backend::backend_error::BackendError;
+use topple::backend::gpu::adapter;
+use topple::backend::gpu::opened::Gpu;
 use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::record::{Pair, Record, synthetic};
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::opened::Gpu;
 
 /// The scene of a TOML text.
 pub fn scene(text: &str) -> Scene {

@@ -2,17 +2,17 @@
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+use topple::backend::dispatch::Backend;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::gpu::shader::{self, Switches};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene, Values};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Backend;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{gpu, say, scene, synthetic_pair, under};
 
@@ -249,7 +249,7 @@ fn cells_share_their_bodies() {
     fn bodies<R: Real>(scene: &Scene) -> usize {
         let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
         let cells: Vec<usize> = (0..grid.len()).collect();
-        topple::sweep::cells::Cells::<R>::of(&plan, &grid, &cells, &plan.record(), &Unwatched)
+        topple::cells::ready::Cells::<R>::of(&plan, &grid, &cells, &plan.record(), &Unwatched)
             .bodies()
             .len()
     }

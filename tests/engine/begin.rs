@@ -2,18 +2,18 @@
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::gpu::shader::{self, Switches};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::cells::ready::Cells;
 use topple::model::excitation::Cell;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
 use topple::stepping::state::{RUNNING, State};
-use topple::sweep::cells::Cells;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
 

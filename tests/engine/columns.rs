@@ -1,13 +1,13 @@
 //! Columns that were wrong once, each with the scene that showed it. The figures are the reference's,
 //! which is run here too; an independent program agrees with them.
 
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, judge, scene, shaken, synthetic_pair, under};
 

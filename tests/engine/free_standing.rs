@@ -1,12 +1,12 @@
 //! Checks from outside: closed forms and published figures that no part of topple was made from.
 
 use approx::assert_abs_diff_eq;
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{judge, object, say, scene, shaken};
 

@@ -1,6 +1,9 @@
 //! The sweep on vectors: against the same code at a width of one, and every lane apart from its
 //! neighbours.
 
+use topple::backend::{cpu, lanes};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Parameter, Range, Scene};
@@ -8,10 +11,7 @@ use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::phases::Phases;
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
-use topple::sweep::{cpu, lanes};
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, object, say, scene, synthetic_pair, under};
 

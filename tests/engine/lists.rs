@@ -1,10 +1,10 @@
 //! Lists of cells: each has the outcome that it has in a sweep of the whole grid.
 
+use topple::backend::dispatch::Backend;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
-use topple::sweep::backend::Backend;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple::{BackendRequest, Outcome, RunSettings, sweep_cells};
 
 use crate::common::{gpu, object, scene, synthetic_pair, under};

@@ -2,6 +2,9 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use proptest::prelude::*;
+use topple::backend::cpu;
+use topple::backend::history::by_steps;
+use topple::cells::plan::Plan;
 use topple::model::CellEquations;
 use topple::model::block::ROCKING_LEFT;
 use topple::model::impact::{change_corner, come_to_rest};
@@ -15,10 +18,7 @@ use topple::stepping::reference::system::{
 };
 use topple::stepping::single;
 use topple::stepping::state::State;
-use topple::sweep::cpu;
-use topple::sweep::history::by_steps;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{object, scene};
 

@@ -4,15 +4,15 @@
 use std::f64::consts::{PI, TAU};
 
 use bytemuck::Zeroable;
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::excitation::Cell;
 use topple::model::pulse::{Modulation, Shape, wave};
 use topple::model::real::Real;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{judge, say, scene};
 

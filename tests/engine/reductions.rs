@@ -4,6 +4,11 @@
 use std::time::Instant;
 
 use proptest::prelude::*;
+use topple::backend::cpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::cells::shortcuts::Shortcuts;
 use topple::model::CellEquations;
 use topple::model::block::{ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use topple::model::precision::Precision;
@@ -14,12 +19,7 @@ use topple::stepping::reference::system::{DPHI, DU, DV, Pole, System, U, V, Z};
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::{PROVED, RUNNING, State};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
-use topple::sweep::shortcuts::Shortcuts;
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
 

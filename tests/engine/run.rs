@@ -6,18 +6,18 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
+use topple::backend::dispatch::Backend;
+use topple::backend::request::BackendRequest;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::results::columns::Column;
 use topple::scene::{Grid, Parameter, Scene, Values};
-use topple::sweep::backend::Backend;
 use topple::sweep::error::SweepError;
-use topple::sweep::observer::{Observer, Phase};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::{Progress, Unwatched};
-use topple::sweep::request::BackendRequest;
 use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, Saving, VerifySettings};
 use topple::sweep::verification::Verdict;
+use topple::work::observer::{Observer, Phase};
+use topple::work::progress::{Progress, Unwatched};
 
 use crate::common::{object, synthetic_pair, under};
 

@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use rayon::prelude::*;
+use topple::backend::cpu;
+use topple::backend::dispatch::Backend;
+use topple::backend::gpu::run::Sweeper;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend::Backend;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, gpu, record, say, scene};
 

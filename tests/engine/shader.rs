@@ -3,6 +3,9 @@
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
+use topple::backend::gpu::shader::{self, Switches};
+use topple::backend::gpu::tile::Tile;
+use topple::cells::groups::Steps;
 use topple::model::block::{Corner, Model};
 use topple::model::excitation::{Cell, Ground};
 use topple::model::motion::Motion;
@@ -10,9 +13,6 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::stepping::log::Event;
 use topple::stepping::state::State;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::gpu::tile::Tile;
-use topple::sweep::groups::Steps;
 
 fn parse(precision: Precision, switches: Switches) -> Module {
     let source = shader::source(precision, switches);
@@ -271,16 +271,16 @@ fn words_are_laid_out_as_the_shaders() {
     assert_eq!(members, host);
     assert_eq!(size as usize, size_of::<Tile>());
     let (_, size) = layout(&parse(Precision::F32, Switches::Kept), "Tally");
-    assert_eq!(u64::from(size), topple::sweep::gpu::slots::TALLY);
+    assert_eq!(u64::from(size), topple::backend::gpu::slots::TALLY);
 }
 
 /// Constants that stand in both twins.
 #[test]
 fn constants_agree_with_the_twin() {
+    use topple::backend::gpu::tile;
+    use topple::cells::contact::motions;
     use topple::model::block;
     use topple::stepping::{certificate, forcing, guards, state};
-    use topple::sweep::gpu::tile;
-    use topple::sweep::motions;
     let module = parse(Precision::F32, Switches::Kept);
     let value = |name: &str| {
         let (_, constant) = module

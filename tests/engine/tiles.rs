@@ -2,15 +2,15 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::outcomes::DeviceOutcomes;
+use topple::backend::gpu::run::Sweeper;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::outcomes::DeviceOutcomes;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Progress;
+use topple::work::progress::Progress;
 
 use crate::common::{all, gpu, object, synthetic_pair, under};
 

@@ -8,14 +8,14 @@ mod card;
 mod traces;
 
 use card::{Card, Choice, Tally, WARP};
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::cells::ready::Cells;
 use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Scene};
 use topple::stepping::trials::{Purpose, Trial};
-use topple::sweep::cells::Cells;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use traces::{Packed, Traces, record};
 
 use crate::common::{all, object};

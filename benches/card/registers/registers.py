@@ -13,7 +13,7 @@ import subprocess
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 
-# Override constants of each map, as src/sweep/plan.rs sets them.
+# Override constants of each map, as src/cells/plan.rs sets them.
 MAPS = {
     "default map": "recorded=0,certificate=1",
     "all 30 s": "recorded=0,certificate=0",
@@ -26,8 +26,8 @@ NVCC = "-cubin -w -Xptxas -v -ftz=true -prec-div=false -prec-sqrt=false --expt-r
 
 
 def wgsl(precision):
-    """The shader's text, its files in the order of src/sweep/gpu/shader.rs."""
-    listed = (ROOT / "src/sweep/gpu/shader.rs").read_text()
+    """The shader's text, its files in the order of src/backend/gpu/shader.rs."""
+    listed = (ROOT / "src/backend/gpu/shader.rs").read_text()
     names = dict.fromkeys(re.findall(r"shaders/(\w+)\.wgsl", listed))
     names = [name for name in names if not name.startswith("real_") and name != "log"]
     texts = [(ROOT / f"shaders/{name}.wgsl").read_text() for name in [f"real_{precision}", *names]]

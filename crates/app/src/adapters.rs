@@ -1,8 +1,8 @@
 //! `topple adapters`.
 
 use super::print::print_line;
-use topple::sweep::description::AdapterDescription;
-use topple::sweep::gpu::adapter;
+use topple::backend::description::AdapterDescription;
+use topple::backend::gpu::adapter;
 
 /// Lists the adapters, the one that `--backend gpu` takes first.
 pub fn run() -> anyhow::Result<()> {

@@ -4,6 +4,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
+use topple::backend::gpu::adapter;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::report::threads;
+use topple::backend::{cpu, lanes};
+use topple::cells::clock;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::builder::SceneBuilder;
@@ -11,13 +18,7 @@ use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
-use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::{Progress, Unwatched};
-use topple::sweep::report::threads;
-use topple::sweep::{clock, cpu, lanes};
+use topple::work::progress::{Progress, Unwatched};
 
 use super::print::print_line;
 use super::progress::Bar;

@@ -4,13 +4,13 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use topple::backend::gpu::adapter;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::results::files::Directory;
 use topple::scene::excitation::RecordText;
-use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::progress::Progress;
-use topple::sweep::report::threads;
+use topple::work::progress::Progress;
 use topple_lab::chart::bench::{self, Bench, FULL, QUICK};
 use topple_lab::chart::errors::compare;
 use topple_lab::chart::table::{self, Row};

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
+use topple::backend::dispatch::Backend;
 use topple::results::size::room;
 use topple::scene::{Parameter, Scene};
-use topple::sweep::backend::Backend;
 use topple::sweep::estimate::Estimate;
 use topple::sweep::job::Job;
 use topple::sweep::settings::{RunSettings, VerifySettings};

@@ -3,9 +3,9 @@
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
+use topple::backend::request::BackendRequest;
 use topple::results::files::WriteError;
 use topple::scene::builder::SceneBuilder;
-use topple::sweep::request::BackendRequest;
 use topple_explore::export::{ExportError, export};
 use topple_explore::records::Records;
 use topple_explore::server::Server;

@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use crate::manifest::{Facts, Manifest, Steps, Timings};
+use topple::backend::backend_error::BackendError;
 use topple::refine::refined::RefinedMap;
 use topple::results::earlier::{self, Earlier, RUN};
 use topple::results::files::Directory;
 use topple::scene::Parameter;
-use topple::sweep::backend_error::BackendError;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use topple::backend::backend_error::BackendError;
 use topple::results::earlier::{self, Kind};
 use topple::scene::{Values, bounded, path_text};
-use topple::sweep::backend_error::BackendError;
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use crate::history_table as table;
 use serde::Serialize;
+use topple::backend::history as motion;
+use topple::backend::request::BackendRequest;
 use topple::model::precision::Precision;
 use topple::results::earlier::{self, Kind};
 use topple::scene::builder::SceneBuilder;
@@ -11,8 +13,6 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::history as motion;
-use topple::sweep::request::BackendRequest;
 use topple::sweep::settings::Method;
 use topple_pictures::drawing::render;
 use topple_pictures::map::figure::history as figure;

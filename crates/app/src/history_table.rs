@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
+use topple::backend::history::Row;
 use topple::results::csv::Number;
-use topple::sweep::history::Row;
 
 /// Names of the columns.
 pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "dphi"];

@@ -6,19 +6,19 @@ use std::path::Path;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use topple::backend::description::AdapterDescription;
+use topple::backend::report::{Report, threads};
+use topple::cells::plan::Plan;
+use topple::cells::shortcuts::Shortcuts;
 use topple::refine::report::RefineReport;
 use topple::results::earlier::Kind;
 use topple::results::sharpness::Sharpness;
 use topple::results::tally::Tally;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene, path_text};
-use topple::sweep::description::AdapterDescription;
 use topple::sweep::map::MapSweep;
-use topple::sweep::plan::Plan;
 use topple::sweep::repaired::Repair;
-use topple::sweep::report::{Report, threads};
 use topple::sweep::settings::Method;
-use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verification::Verification;
 
 /// Everything about a run that its data do not hold.

@@ -1,11 +1,11 @@
 //! What a map takes of memory, and what there is.
 
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
+use topple::backend::dispatch::Backend;
 use topple::model::precision::Precision;
 use topple::results::block::bytes_a_cell;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Backend;
 use topple::sweep::job::Job;
 use topple_pictures::map::thinned::DRAWN;
 

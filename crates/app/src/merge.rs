@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use topple::backend::dispatch::Backend;
+use topple::backend::request::BackendRequest;
 use topple::refine::run as refine;
 use topple::results::earlier::Kind;
 use topple::results::size::FileSizes;
 use topple::scene::Grid;
-use topple::sweep::backend::Backend;
 use topple::sweep::map::MapSweep;
 use topple::sweep::parts::Parts;
-use topple::sweep::request::BackendRequest;
 use topple_pictures::map::thinned::thinned;
 
 use super::disk::{self, size};

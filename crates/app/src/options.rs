@@ -5,6 +5,10 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 
+use topple::backend::backend_error::BackendError;
+use topple::backend::dispatch::Backend;
+use topple::backend::request::{BackendRequest, OpenBackends};
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::refine::run as refine;
 use topple::results::earlier::Kind;
@@ -12,12 +16,8 @@ use topple::results::part::Part;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
 use topple::scene::{Directions, Grid, Overturn, Parameter, Scene, SceneError, Values};
-use topple::sweep::backend::Backend;
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::plan::Plan;
-use topple::sweep::request::{BackendRequest, OpenBackends};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
-use topple::sweep::threads::too_many;
+use topple::work::threads::too_many;
 
 use super::errors::sweep_error;
 use super::map_file::{Besides, MapFile};

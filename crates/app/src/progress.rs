@@ -5,8 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use topple::sweep::observer::{Observer, Phase};
-use topple::sweep::progress::Progress;
+use topple::work::observer::{Observer, Phase};
+use topple::work::progress::Progress;
 
 use super::interrupt;
 

@@ -4,13 +4,13 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use topple::backend::cpu;
+use topple::backend::report::threads;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::Grid;
 use topple::stepping::outcome::Outcome;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
-use topple::sweep::report::threads;
+use topple::work::progress::Unwatched;
 use topple_lab::chart::bench::{self, FULL};
 use topple_lab::chart::{peers, truth};
 

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use topple::backend::dispatch::Backend;
 use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;
 use topple::results::earlier::{Earlier, Kind, RUN};
 use topple::scene::{Grid, Scene};
-use topple::sweep::backend::Backend;
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
 

@@ -6,6 +6,10 @@ use anstyle::Style;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use crate::manifest::Timings;
+use topple::backend::dispatch::Backend;
+use topple::backend::report::{Report, threads};
+use topple::cells::plan::Plan;
+use topple::cells::shortcuts::Shortcuts;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
@@ -15,11 +19,7 @@ use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
-use topple::sweep::backend::Backend;
-use topple::sweep::plan::Plan;
 use topple::sweep::repaired::Repair;
-use topple::sweep::report::{Report, threads};
-use topple::sweep::shortcuts::Shortcuts;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
 

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::frame::type_of;
 use super::session::Session;
 use super::stages::MOST;
+use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
@@ -12,7 +13,6 @@ use topple::results::columns::{Column, TABLE};
 use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
 use topple::scene::parameters::{Legal, PARAMETERS, Section};
 use topple::scene::{Directions, Overturn};
-use topple::sweep::report::threads;
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {

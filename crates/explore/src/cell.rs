@@ -10,12 +10,12 @@ use super::command;
 use super::refused::Refused;
 use super::session::Session;
 use super::view::kind;
+use topple::backend::history::{Row, by_steps_while};
 use topple::model::precision::Precision;
 use topple::results::columns::{Holds, TABLE};
 use topple::results::palette::Kind;
 use topple::scene::isolation::KelvinVoigt;
 use topple::stepping::outcome::Outcome;
-use topple::sweep::history::{Row, by_steps_while};
 use topple::sweep::motion_of_cell::{self as motion, What};
 
 /// A request for a cell.

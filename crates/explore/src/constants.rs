@@ -5,6 +5,11 @@ use serde_json::{Map, Value, json};
 
 use super::asked::SYNTHETIC;
 use super::frame::type_of;
+use topple::backend::gpu::pace::CHUNK;
+use topple::backend::gpu::pipelines::WORKGROUP;
+use topple::cells::clock;
+use topple::cells::groups::FLIGHTS_A_STEP;
+use topple::cells::plan::RIGID_SHARE;
 use topple::model::block::Model;
 use topple::model::excitation::Cell;
 use topple::model::polynomials::SINE_F64;
@@ -20,11 +25,6 @@ use topple::stepping::outcome::Class;
 use topple::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
 };
-use topple::sweep::clock;
-use topple::sweep::gpu::pace::CHUNK;
-use topple::sweep::gpu::pipelines::WORKGROUP;
-use topple::sweep::groups::FLIGHTS_A_STEP;
-use topple::sweep::plan::RIGID_SHARE;
 
 /// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
 ///

@@ -18,12 +18,12 @@ use super::refused::Refused;
 use super::session::Session;
 use super::stage::StageSummary;
 use super::view;
+use topple::backend::gpu::shader::{self, Switches};
 use topple::model::precision::Precision;
 use topple::results::files::{Directory, WriteError};
 use topple::results::{own, temporary};
 use topple::scene::record::Pair;
 use topple::scene::{Directions, Excitation, Parameter, bounded};
-use topple::sweep::gpu::shader::{self, Switches};
 
 /// Why a page is not exported.
 #[derive(Debug, thiserror::Error)]

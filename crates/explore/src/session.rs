@@ -8,10 +8,10 @@ use super::asked::{self, AskedPrecision, Flat};
 use super::records::Records;
 use super::refused::Refused;
 use super::suites::Suites;
+use topple::backend::request::{BackendRequest, OpenBackends};
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
 use topple::sweep::error::SweepError;
-use topple::sweep::request::{BackendRequest, OpenBackends};
 use topple::sweep::settings::{RunSettings, VerifySettings};
 
 /// How a page's cells are computed.

@@ -23,7 +23,7 @@ use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::error::SweepError;
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
-use topple::sweep::observer::Observer;
+use topple::work::observer::Observer;
 use topple_pictures::map::Map;
 
 /// What a view shows where it shows no column as a shade.

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use serde_json::json;
 
 use super::frame::frame;
-use topple::sweep::observer::{Observer, Phase};
-use topple::sweep::progress::Progress;
+use topple::work::observer::{Observer, Phase};
+use topple::work::progress::Progress;
 
 /// Time between two words, and before the first one: a stage that is quick is not talked about.
 const BETWEEN: Duration = Duration::from_millis(300);

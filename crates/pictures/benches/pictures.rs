@@ -8,11 +8,11 @@
 mod common;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::Grid;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple_pictures::drawing::render;
 use topple_pictures::map::Map;
 use topple_pictures::map::figure::overturning;

@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 
+use topple::cells::clock::DEFAULT_STEP;
 use topple::model::precision::Precision;
 use topple::scene::{Case, GRAVITY, Grid, Scene, Shaking};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings, Switch};
-use topple::sweep::clock::DEFAULT_STEP;
 
 /// Columns that are numbers: names, and values.
 pub const NUMBERS: [&str; 10] = [

@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
+use topple::backend::backend_error::BackendError;
 use topple::results;
 use topple::scene::{Grid, Scene};
-use topple::sweep::backend_error::BackendError;
 use topple::sweep::sample;
 use topple::sweep::settings::Method;
 use topple::sweep::verification::{self, Verification};

@@ -6,14 +6,14 @@ mod maps;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use topple::backend::backend_error::BackendError;
+use topple::backend::dispatch::Backend;
+use topple::cells::clock::Resolution;
+use topple::cells::plan::Plan;
 use topple::results::files::Directory;
 use topple::scene::{Grid, Scene, SceneError};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Backend;
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::clock::Resolution;
 use topple::sweep::error::SweepError;
-use topple::sweep::plan::Plan;
 use topple_lab::figures::error::ReadError;
 use topple_lab::figures::motions::{self, Motion, Motions};
 use topple_lab::figures::text::FigureInputs;

@@ -573,7 +573,7 @@ proptest! {
         );
         let scene = topple::scene::builder::SceneBuilder::from_toml(&text);
         if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
-            let _ = topple::sweep::plan::Plan::new(&scene, 0.004);
+            let _ = topple::cells::plan::Plan::new(&scene, 0.004);
         }
     }
 }

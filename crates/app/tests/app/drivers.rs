@@ -8,13 +8,13 @@ use std::process::Output;
 use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
+use topple::backend::backend_error::BackendError;
+use topple::backend::description::AdapterDescription;
+use topple::backend::dispatch::Backend;
+use topple::backend::gpu::adapter;
+use topple::backend::gpu::check;
+use topple::backend::request::{OpenBackends, first_that_opens};
 use topple::model::precision::Precision;
-use topple::sweep::backend::Backend;
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::description::AdapterDescription;
-use topple::sweep::gpu::adapter;
-use topple::sweep::gpu::check;
-use topple::sweep::request::{OpenBackends, first_that_opens};
 
 use crate::common::{gpu, own_lines, say};
 

@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use tempfile::TempDir;
+use topple::backend::dispatch::Backend;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;
@@ -24,7 +25,6 @@ use topple::results::tiling::Tiling;
 use topple::results::zarr;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::backend::Backend;
 use topple::sweep::identity::Content;
 use topple::sweep::settings::Method;
 

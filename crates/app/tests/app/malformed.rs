@@ -8,12 +8,12 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
+use topple::backend::dispatch::Backend;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::Grid;
 use topple::scene::builder::SceneBuilder;
-use topple::sweep::backend::Backend;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 /// How many of each there are.
 const SCENES: u32 = 9_000;

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
+use topple::backend::dispatch::Backend;
 use topple::model::precision::Precision;
 use topple::refine::codes::code;
 use topple::refine::refined::RefinedMap;
@@ -14,7 +15,6 @@ use topple::refine::run::{refine, refine_on};
 use topple::refine::settings::RefineSettings;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
-use topple::sweep::backend::Backend;
 use topple::{
     BackendRequest, Observer, Outcome, Progress, RunSettings, Saving, Scene, SweepError, Unwatched,
     VerifySettings, sweep,

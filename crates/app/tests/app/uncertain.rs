@@ -6,14 +6,14 @@ use std::path::Path;
 use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
+use topple::backend::request::BackendRequest;
 use topple::results::columns::Column;
 use topple::results::sharpness::Sharpness;
 use topple::scene::{Grid, Parameter, Range, Scene, Values};
 use topple::stepping::outcome::{Class, Outcome};
-use topple::sweep::progress::Unwatched;
-use topple::sweep::request::BackendRequest;
 use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, VerifySettings};
+use topple::work::progress::Unwatched;
 use topple_studies::uncertain::{Probabilities, Uncertainty};
 
 use crate::common::{refused, scene, synthetic_pair, under};

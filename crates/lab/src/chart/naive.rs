@@ -4,6 +4,7 @@
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 
+use topple::cells::plan::Plan;
 use topple::model::CellEquations;
 use topple::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use topple::model::dynamics::{largest_uplift_moment, rates, uplift_moment};
@@ -18,7 +19,6 @@ use topple::stepping::rk4::rk4;
 use topple::stepping::state::{
     DIVERGED, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, RUNNING, State, is_finite,
 };
-use topple::sweep::plan::Plan;
 
 /// Runs cells of a grid on all cores, each with its first `events_kept` switches.
 pub fn sweep(

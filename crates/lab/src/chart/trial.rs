@@ -5,20 +5,20 @@ use std::time::{Duration, Instant};
 use super::bench::Bench;
 use super::truth::{Solution, TimedSwitch, of_bench, of_events};
 use super::{SWITCHES, naive};
+use topple::backend::backend_error::BackendError;
+use topple::backend::cpu;
+use topple::backend::gpu::opened::Gpu;
+use topple::backend::gpu::outcomes::DeviceOutcomes;
+use topple::backend::gpu::run::Sweeper;
+use topple::cells::clock::Resolution;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Excitation, Grid, Scene, SceneError};
 use topple::stepping::log::Event;
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::Settings;
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::clock::Resolution;
-use topple::sweep::cpu;
-use topple::sweep::gpu::opened::Gpu;
-use topple::sweep::gpu::outcomes::DeviceOutcomes;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 /// A way to integrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::SWITCHES;
 use super::bench::Bench;
+use topple::cells::clock::Clock;
 use topple::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
 use topple::model::real::Real;
 use topple::scene::{Case, Grid, Scene};
@@ -12,7 +13,6 @@ use topple::stepping::log::Event;
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, State, U, V, Z};
 use topple::stepping::reference::{self, Settings, Switch};
-use topple::sweep::clock::Clock;
 
 /// Settings of the truth: far tighter than any that is charted, and with steps so short that the
 /// cubic between them finds the crest of an angle to 1e-11. Where outcomes alone count, as on the

@@ -2,11 +2,11 @@
 //! angle below.
 
 use super::marks;
+use topple::backend::history::Row;
 use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::{CURVES, Kind};
 use topple::scene::{Case, GRAVITY, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::history::Row;
 use topple_pictures::drawing::canvas::{Canvas, Place, Point, Stroke, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, BOTH, Frame, LEFT};

@@ -6,14 +6,14 @@
 
 use std::io::Write;
 
+use topple::backend::dispatch::Backend;
+use topple::cells::plan::Plan;
 use topple::refine::curve::{Bracket, Curve, CurvePoint, ReferenceWord, WITHIN};
 use topple::results::csv::Number;
 use topple::scene::{Directions, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::backend::Backend;
 use topple::sweep::error::SweepError;
-use topple::sweep::observer::Observer;
-use topple::sweep::plan::Plan;
+use topple::work::observer::Observer;
 
 /// The boundary at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,20 +3,20 @@
 use std::sync::LazyLock;
 
 use rayon::prelude::*;
+use topple::backend::backend_error::BackendError;
+use topple::backend::cpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::gpu::shader::{self, Switches};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend_error::BackendError;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
 use topple::sweep::sample::Chosen;
 use topple::sweep::verification::{self, compare};
+use topple::work::progress::Unwatched;
 use topple_lab::chart::bench::MAPS;
 
 use crate::common::{all, gpu, object, say};

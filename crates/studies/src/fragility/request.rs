@@ -12,11 +12,11 @@ use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Ensemble, Varied};
+use topple::backend::backend_error::BackendError;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, SceneError, Values};
-use topple::sweep::backend_error::BackendError;
 use topple::sweep::error::SweepError;
-use topple::sweep::observer::Observer;
+use topple::work::observer::Observer;
 
 /// A scene whose fragility under a suite is asked for.
 ///

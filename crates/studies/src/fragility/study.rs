@@ -10,8 +10,8 @@ use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::suite_runs::SuiteRuns;
 use crate::suites::swept::SuiteSweep;
-use topple::sweep::observer::{Observer, Phase};
-use topple::sweep::threads::install;
+use topple::work::observer::{Observer, Phase};
+use topple::work::threads::install;
 
 /// What is asked of a study.
 #[derive(Debug, Clone)]

@@ -8,11 +8,11 @@ use super::wanted::WantedMotion;
 use topple::scene::{Parameter, Scene};
 use topple::sweep::error::SweepError;
 use topple::sweep::estimate::Estimate;
-use topple::sweep::observer::Observer;
-use topple::sweep::progress::Progress;
 use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::VerifySettings;
-use topple::sweep::several::OneOfSeveral;
+use topple::work::observer::Observer;
+use topple::work::progress::Progress;
+use topple::work::several::OneOfSeveral;
 
 /// Motions of the sample.
 const MOTIONS: usize = 5;

@@ -8,7 +8,7 @@ use super::swept::{SuiteJob, SuiteSweep};
 use super::verified::Verified;
 use topple::results::lock::Holds;
 use topple::sweep::error::SweepError;
-use topple::sweep::observer::{Observer, Phase};
+use topple::work::observer::{Observer, Phase};
 
 impl SuiteJob {
     /// Runs it; the sweep has the motions of the part, where one was asked for, and these are saved.

@@ -12,16 +12,16 @@ use super::swept::SuiteJob;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
+use topple::backend::backend_error::BackendError;
+use topple::backend::dispatch::Backend;
 use topple::scene::{Parameter, Scene, SceneError, Values};
-use topple::sweep::backend::Backend;
-use topple::sweep::backend_error::BackendError;
 use topple::sweep::error::SweepError;
-use topple::sweep::observer::Observer;
 use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::{RunSettings, VerifySettings};
-use topple::sweep::several::OneOfSeveral;
-use topple::sweep::threads::Threads;
 use topple::sweep::verification;
+use topple::work::observer::Observer;
+use topple::work::several::OneOfSeveral;
+use topple::work::threads::Threads;
 
 /// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
 /// comes to its end.

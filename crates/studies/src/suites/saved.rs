@@ -11,13 +11,13 @@ use sha2::{Digest, Sha256};
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
+use topple::backend::dispatch::Backend;
 use topple::results::files::{Directory, WriteError};
 use topple::results::lock::{self, Holds, Lock, lock};
 use topple::results::own::{self, Kind};
 use topple::results::store_error::StoreError;
 use topple::scene::{Scene, bounded};
 use topple::stepping::outcome::Class;
-use topple::sweep::backend::Backend;
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::Method;
 

@@ -9,11 +9,11 @@ use super::saved::SavedMotions;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
+use topple::backend::request::OpenBackends;
 use topple::results::part::Part;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
-use topple::sweep::request::OpenBackends;
 use topple::sweep::settings::RunSettings;
 
 /// The cells of a grid under every motion of a suite.

@@ -16,10 +16,10 @@ use topple::scene::{Grid, Parameter, Scene, SceneError, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
 use topple::sweep::job::check_held;
-use topple::sweep::observer::{Observer, Phase};
 use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::RunSettings;
-use topple::sweep::several::OneOfSeveral;
+use topple::work::observer::{Observer, Phase};
+use topple::work::several::OneOfSeveral;
 
 /// Most sweeps that tell a probability.
 pub const MOST_SAMPLES: u32 = 1 << 20;

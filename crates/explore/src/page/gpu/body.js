@@ -1,4 +1,4 @@
-// A block on its base: what depends on the block, the masses and the restitution alone. Twin: src/sweep/body.rs, bounds.rs and
+// A block on its base: what depends on the block, the masses and the restitution alone. Twin: src/cells/body.rs, bounds.rs and
 // coefficients.rs.
 
 import { arm, criticalAngle, overturningAngle } from './block.js';

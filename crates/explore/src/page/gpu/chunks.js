@@ -1,5 +1,5 @@
 // A tile of cells on the device: it makes them, runs them in chunks of steps, and gives their last states. Twin:
-// src/sweep/gpu/chunk.rs and tiles.rs, with one tile at a time.
+// src/backend/gpu/chunk.rs and tiles.rs, with one tile at a time.
 
 import { EngineError, heed } from './errors.js';
 import { known } from './known.js';

@@ -1,4 +1,4 @@
-// The lengths and numbers of a cell's steps. Twin: src/sweep/clock.rs and clock_parts.rs.
+// The lengths and numbers of a cell's steps. Twin: src/cells/clock.rs and clock_parts.rs.
 
 import { PEAK } from './case.js';
 import { known } from './known.js';

@@ -1,5 +1,5 @@
 // The grid of cells that a scene sweeps, and tables of numbers that depend on some of its axes only. Twin: src/scene/grid.rs,
-// src/sweep/window.rs, src/sweep/listing.rs and src/sweep/table.rs.
+// src/cells/window.rs, src/cells/listing.rs and src/cells/table.rs.
 //
 // A list of cells along a line is a grid of one axis that changes two numbers at once.
 

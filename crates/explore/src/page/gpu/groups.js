@@ -1,4 +1,4 @@
-// The numbers of a cell in groups, each by the parameters that it depends on. Twin: src/sweep/groups.rs. All are computed in
+// The numbers of a cell in groups, each by the parameters that it depends on. Twin: src/cells/groups.rs. All are computed in
 // f64, and rounded once.
 
 import { deflectionOf } from './isolation.js';

@@ -1,4 +1,4 @@
-// What became of cells, from their last states. Twin: src/sweep/reader.rs, src/stepping/outcome.rs and
+// What became of cells, from their last states. Twin: src/cells/reader.rs, src/stepping/outcome.rs and
 // src/results/palette.rs.
 
 import { timeOf } from './clock.js';

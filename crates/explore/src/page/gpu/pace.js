@@ -1,4 +1,4 @@
-// The size of the next submission to the device, from the time that earlier ones took. Twin: src/sweep/gpu/pace.rs, for a page:
+// The size of the next submission to the device, from the time that earlier ones took. Twin: src/backend/gpu/pace.rs, for a page:
 // its other frames wait for a submission to end.
 
 import { known } from './known.js';

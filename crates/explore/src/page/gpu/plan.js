@@ -1,4 +1,4 @@
-// A scene made ready for its cells: parts that run one model each. Twin: src/sweep/plan.rs.
+// A scene made ready for its cells: parts that run one model each. Twin: src/cells/plan.rs.
 
 import { movesH, movesV } from './isolation.js';
 import { known } from './known.js';
@@ -50,7 +50,7 @@ function planOf(scene, grid, laws) {
     record: choices.record,
     isolation,
     verticalLocked: laws.verticalLocked,
-    // The override constants of the shader, in the order of src/sweep/gpu/pipelines.rs.
+    // The override constants of the shader, in the order of src/backend/gpu/pipelines.rs.
     constants: {
       recorded: flag(choices.record !== null),
       pulse_shape: choices.record ? 0 : choices.shape.code,

@@ -1,5 +1,5 @@
-// The numbers of cells in tables. Twin: src/sweep/cell_tables.rs and
-// src/sweep/gpu/inputs.rs.
+// The numbers of cells in tables. Twin: src/cells/cell_tables.rs and
+// src/backend/gpu/inputs.rs.
 
 import { Body, bodyParameters } from './body.js';
 import { deflection } from './case.js';

@@ -1,5 +1,5 @@
-// The description of a tile for the device: the places of its cells and of their numbers. Twin: src/sweep/gpu/tile.rs,
-// src/sweep/gpu/listed.rs and shaders/tile.wgsl.
+// The description of a tile for the device: the places of its cells and of their numbers. Twin: src/backend/gpu/tile.rs,
+// src/backend/gpu/listed.rs and shaders/tile.wgsl.
 
 import { AXES } from './grid.js';
 import { stepWords } from './tables.js';

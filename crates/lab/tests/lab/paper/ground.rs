@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
+use topple::backend::dispatch::Backend;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::{Directions, Grid, Scene};
-use topple::sweep::backend::Backend;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple_lab::figures::boundary::{self, Bisection, Least};
 
 use crate::common::{object, say};

@@ -12,13 +12,13 @@ mod strip;
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use topple::backend::dispatch::Backend;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
-use topple::sweep::backend::Backend;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple_lab::figures::motions::{self, Motion};
 use topple_lab::figures::shares::Shares;
 use topple_lab::figures::text::FigureInputs;

@@ -1,14 +1,14 @@
 //! The strip of overturning at very small T_v (section 4.2), and what rests between impacts do.
 
+use topple::backend::cpu;
+use topple::cells::clock::{DEFAULT_STEP, Resolution};
+use topple::cells::plan::Plan;
 use topple::model::CellEquations;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
-use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{all, object, say, synthetic_pair, under};
 

@@ -1,10 +1,10 @@
 //! The hysteretic law where it is not smooth, and where it is stiff.
 
+use topple::backend::history::{by_reference, by_steps};
+use topple::cells::clock::{DEFAULT_STEP, Resolution};
+use topple::cells::plan::Plan;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Class;
-use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::history::{by_reference, by_steps};
-use topple::sweep::plan::Plan;
 use topple_lab::chart::fit::slope;
 
 use crate::common::{say, scene};

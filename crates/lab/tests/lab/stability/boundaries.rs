@@ -1,15 +1,15 @@
 //! Beside the boundaries between outcomes, where no method is right for ever.
 
 use rayon::prelude::*;
+use topple::backend::dispatch::Backend;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::backend::Backend;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{object, say, synthetic_pair, under};
 

@@ -1,15 +1,15 @@
 //! Switches where they are hard to see, to tell apart, or to count.
 
+use topple::backend::cpu;
+use topple::cells::clock::{DEFAULT_STEP, Resolution};
+use topple::cells::plan::Plan;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::guards::IMPACT;
 use topple::stepping::log::Log;
 use topple::stepping::outcome::{Class, Status};
 use topple::stepping::reference::Settings;
 use topple::stepping::state::State;
-use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 use topple_lab::chart::SWITCHES;
 use topple_lab::chart::truth::{Kind, TimedSwitch, by_reference, of_events};
 

@@ -9,6 +9,9 @@ mod numbers;
 mod restitution;
 mod stiffness;
 
+use topple::backend::cpu;
+use topple::cells::clock::{DEFAULT_STEP, Resolution};
+use topple::cells::plan::Plan;
 use topple::model::CellEquations;
 use topple::model::excitation::Cell;
 use topple::model::real::Real;
@@ -18,10 +21,7 @@ use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::State;
-use topple::sweep::clock::{DEFAULT_STEP, Resolution};
-use topple::sweep::cpu;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 /// The first cell of a scene with steps as they are asked for, all of it simulated.
 fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {

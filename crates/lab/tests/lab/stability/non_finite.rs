@@ -1,16 +1,16 @@
 //! Numbers that are none, at each stage of the way.
 
+use topple::backend::cpu;
+use topple::backend::gpu::run::Sweeper;
+use topple::backend::gpu::shader::{self, Switches};
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::cpu;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::gpu::shader::{self, Switches};
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{gpu, object, say, shaken};
 

@@ -1,12 +1,12 @@
 //! What 32 bits hold, and what they do not.
 
+use topple::backend::gpu::run::Sweeper;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::gpu::run::Sweeper;
-use topple::sweep::plan::Plan;
-use topple::sweep::progress::Unwatched;
+use topple::work::progress::Unwatched;
 
 use crate::common::{gpu, object, say, shaken};
 

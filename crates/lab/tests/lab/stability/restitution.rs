@@ -1,10 +1,10 @@
 //! The law of impact at its limits.
 
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Class;
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
 
 use crate::common::{say, scene};
 

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
-use topple::sweep::clock::DEFAULT_STEP;
-use topple::sweep::plan::Plan;
 
 use crate::common::{object, say, scene};
 

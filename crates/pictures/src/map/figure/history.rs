@@ -9,11 +9,11 @@ use crate::drawing::legend::entry;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
+use topple::backend::history::Row;
 use topple::results::colour::BLACK;
 use topple::results::palette::CURVES;
 use topple::scene::{Case, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::history::Row;
 use topple::sweep::motion_of_cell::{self, What};
 
 /// Height of a strip.

@@ -1,0 +1,92 @@
+//! The sweep on the CPU: on vectors, or one cell at a time where its switches are kept.
+
+use bytemuck::Zeroable;
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use super::lanes;
+use crate::cells::plan::Plan;
+use crate::cells::ready::Cells;
+use crate::model::CellEquations;
+use crate::model::precision::Precision;
+use crate::model::real::Real;
+use crate::scene::Grid;
+use crate::stepping::log::{Event, FirstSwitches, Log};
+use crate::stepping::outcome::Outcome;
+use crate::stepping::single;
+use crate::work::progress::{Progress, Unwatched};
+use crate::work::threads::install;
+
+/// Cells that a thread takes at once.
+const BLOCK: usize = 16;
+
+/// Runs cells of a grid on all cores, on the widest vectors that this machine has; `progress` hears
+/// of each cell done.
+pub fn sweep<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+) -> Vec<Outcome> {
+    lanes::sweep::<R>(plan, grid, cells, progress, Level::new())
+}
+
+/// The same, a cell at a time: vectors of one lane.
+pub fn sweep_one_by_one<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+) -> Vec<Outcome> {
+    match R::PRECISION {
+        Precision::F32 => outcomes::<f32>(plan, grid, cells, progress),
+        Precision::F64 => outcomes::<f64>(plan, grid, cells, progress),
+    }
+}
+
+fn outcomes<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+) -> Vec<Outcome> {
+    let ran = each::<R, ()>(plan, grid, cells, progress, || ());
+    ran.into_iter().map(|(outcome, ())| outcome).collect()
+}
+
+/// The same, with the first `events_kept` switches of each cell.
+pub fn sweep_keeping<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    events_kept: usize,
+) -> (Vec<Outcome>, Vec<Event<R>>) {
+    let none = || FirstSwitches(vec![Event::zeroed(); events_kept]);
+    let ran = each(plan, grid, cells, &Unwatched, none);
+    let (outcomes, events): (Vec<Outcome>, Vec<FirstSwitches<R>>) = ran.into_iter().unzip();
+    (outcomes, events.into_iter().flat_map(|kept| kept.0).collect())
+}
+
+fn each<R: Real, L: Log<R> + Send>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+    log: impl Fn() -> L + Sync,
+) -> Vec<(Outcome, L)> {
+    let variant = plan.variant();
+    let record = plan.record::<R>();
+    let all = Cells::of(plan, grid, cells, &record, progress);
+    let mut outcomes = Vec::with_capacity(cells.len());
+    let all_cells = (0..cells.len()).into_par_iter().with_max_len(BLOCK).map(|number| {
+        let (cell, state) = all.begin(number);
+        let model = &all.bodies()[cell.body as usize];
+        let set = CellEquations { variant, model, cell: &cell, record: &record };
+        let mut log = log();
+        let state = single::run(&set, &state, &mut log);
+        progress.advance(1);
+        (all.outcome(number, &state), log)
+    });
+    install(|| all_cells.collect_into_vec(&mut outcomes));
+    outcomes
+}

@@ -1,0 +1,257 @@
+//! The data on the device from which the cells of a sweep are made.
+
+use std::any::Any;
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
+
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding,
+    BufferSize, BufferUsages, ComputePipeline,
+};
+
+use super::device::OpenDevice;
+use super::listed::{self, Firsts};
+use super::pipelines::Pipelines;
+use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
+use super::tile::{Layout, OwnClocks, Tile};
+use crate::cells::cell_tables::Clocks;
+use crate::cells::contact::full_contact::FullContactMotions;
+use crate::cells::groups::Steps;
+use crate::cells::ready::Cells;
+use crate::model::excitation::Ground;
+use crate::model::real::Real;
+use crate::scene::grid::AXES;
+use crate::work::threads::install;
+
+/// Gaps between samples that a thread looks through twice at most: the software driver ends loops silently
+/// after 65,535 turns.
+const MOST_GAPS: usize = 30_000;
+
+/// The data that all tiles of a sweep share.
+pub struct Inputs<R> {
+    model: Buffer,
+    numbers: Buffer,
+    motions: Buffer,
+    /// Where a tile finds its numbers by its cells' places.
+    tile: Tile,
+    /// Cells find all of them so.
+    by_place: bool,
+    /// Where each table's entries begin.
+    firsts: Firsts,
+    /// Where motions begin.
+    words: Vec<u32>,
+    /// The clocks, where the tables hold them.
+    steps: Vec<Steps<R>>,
+    /// The buffers of a chunk, by its place in the ring.
+    pub chunks: [BindGroup; RING],
+}
+
+/// A buffer with these contents, one number at least.
+fn filled<R: Real>(gpu: &OpenDevice, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
+    let nothing = [R::of(0.0)];
+    let contents = if contents.is_empty() { bytemuck::cast_slice(&nothing) } else { contents };
+    gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
+}
+
+impl<R: Real> Inputs<R> {
+    /// Puts on the device what the cells of a plan share.
+    pub fn new(
+        gpu: &OpenDevice,
+        pipelines: &Pipelines,
+        slots: &mut Slots,
+        cells: &Cells<R>,
+        record: &[Ground<R>],
+    ) -> Inputs<R> {
+        let tables = &cells.tables;
+        let mut numbers: Vec<R> = Vec::new();
+        let mut firsts: Firsts = [0; AXES];
+        for (first, table) in firsts.iter_mut().zip([
+            bytemuck::cast_slice(&tables.horizontal.entries),
+            bytemuck::cast_slice(&tables.vertical.entries),
+            bytemuck::cast_slice(&tables.drive.entries),
+        ]) {
+            *first = numbers.len();
+            numbers.extend_from_slice(table);
+        }
+        let mut tile = Tile { counts: tables.grid().counts(), ..Tile::default() };
+        // Of the bodies the kernel that makes cells takes no more than these.
+        tile.levers = numbers.len() as u32;
+        for body in &tables.bodies.entries {
+            numbers.extend([body.height, body.left.arm, body.right.arm]);
+        }
+        let steps = match &tables.clocks {
+            Clocks::Shared(shared) => shared.entries.iter().map(|(_, steps)| *steps).collect(),
+            Clocks::Own(_) => Vec::new(),
+        };
+        let mut words = Vec::new();
+        let limit = gpu.device.limits().max_storage_buffer_binding_size;
+        let shared = cells.motions.as_ref().as_ref().filter(|motions| fits(motions, limit));
+        if let Some(shared) = shared {
+            tile.shared_contact = 1;
+            tile.still = u32::from(shared.still);
+            tile.up_values = shared.across.values.len() as u32;
+            tile.across.more = shared.across.samples() as u32;
+            tile.up.more = shared.up.samples() as u32;
+            firsts[5] = shared.across.first.len();
+            words.extend_from_slice(&shared.across.first);
+            words.extend_from_slice(&shared.up.first);
+        }
+        let by_place = tile.find_by_place(cells, &firsts).is_some();
+        let motions = match shared {
+            Some(shared) => resident(gpu, slots, &cells.motions, shared),
+            None => filled::<R>(gpu, "no motions", &[], BufferUsages::STORAGE),
+        };
+        // A table has an entry at least.
+        let mut model = bytemuck::bytes_of(&cells.bodies()[0]).to_vec();
+        // As a uniform buffer's size is on some devices.
+        model.resize(model.len().next_multiple_of(16), 0);
+        let model = filled::<R>(gpu, "model", &model, BufferUsages::UNIFORM);
+        let bodies = bytemuck::cast_slice(cells.bodies());
+        let bodies = filled::<R>(gpu, "bodies", bodies, BufferUsages::STORAGE);
+        let storage = BufferUsages::STORAGE;
+        let record = filled::<R>(gpu, "record", bytemuck::cast_slice(record), storage);
+        let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
+        let models = [&model, &bodies];
+        let chunks = chunk_groups(gpu, &pipelines.sweep, slots, models, &record);
+        Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, chunks }
+    }
+
+    /// Puts on the device what a tile has of its own, on a side, for the chunk of a number; the threads
+    /// that make its cells, and their buffers.
+    pub fn begin(
+        &self,
+        gpu: &OpenDevice,
+        pipelines: &Pipelines,
+        slots: &mut Slots,
+        (side, number): (usize, u32),
+        (all, cells): (&Cells<R>, Range<usize>),
+        own: Option<&OwnClocks<R>>,
+    ) -> (usize, BindGroup) {
+        let mut tile = self.tile;
+        let mut words = self.words.clone();
+        let columns = all.tables.grid().shape().0;
+        let numbers = &all.tables.cells()[cells.clone()];
+        let threads = self.by_place.then(|| tile.place(columns, numbers)).flatten();
+        let clocks = match own {
+            Some(own) => Some(Cow::Borrowed(&own.numbers)),
+            None if threads.is_none() => Some(Cow::Owned(listed::clocks(all, cells.clone()))),
+            None => None,
+        };
+        if let Some(clocks) = clocks {
+            tile.clock = Layout { first: words.len() as u32, more: 1, ..Layout::default() };
+            words.extend_from_slice(&clocks);
+        }
+        let threads = threads.unwrap_or_else(|| {
+            tile.list(cells.len(), words.len(), &self.firsts);
+            words.extend(install(|| listed::places(all, cells.clone())));
+            cells.len()
+        });
+        words.resize(words.len().max(1), 0);
+        tile.first_slot = (side * slots.tile) as u32;
+        tile.slots = (slots.sides.len() * slots.tile) as u32;
+        tile.number = number;
+        let place = &mut slots.sides[side];
+        refill(gpu, &mut place.tile, bytemuck::bytes_of(&tile));
+        refill(gpu, &mut place.words, bytemuck::cast_slice(&words));
+        let steps = own.map_or(&self.steps, |own| &own.steps);
+        refill(gpu, &mut place.clocks, bytemuck::cast_slice(steps));
+        let place = &slots.sides[side];
+        let group = bind(
+            gpu,
+            &pipelines.begin,
+            &[
+                (0, self.model.as_entire_binding()),
+                (1, slots.cells.as_entire_binding()),
+                (2, slots.states.as_entire_binding()),
+                (4, slots.tally.as_entire_binding()),
+                (7, slots.running.as_entire_binding()),
+                (8, place.tile.as_entire_binding()),
+                (9, self.numbers.as_entire_binding()),
+                (10, place.clocks.as_entire_binding()),
+                (11, place.words.as_entire_binding()),
+                (12, self.motions.as_entire_binding()),
+            ],
+        );
+        (threads, group)
+    }
+}
+
+/// True for motions that a shader can be given; cells begin from rest where they are not.
+fn fits<R: Real>(motions: &FullContactMotions<R>, limit: u64) -> bool {
+    let values = motions.across.values.len() + motions.up.values.len();
+    let bytes = (values * size_of::<R>()) as u64;
+    bytes <= limit && motions.across.longest().max(motions.up.longest()) <= MOST_GAPS
+}
+
+/// The buffer of motions that may be on the device already, from a sweep before.
+fn resident<R: Real>(
+    gpu: &OpenDevice,
+    slots: &mut Slots,
+    whose: &Arc<Option<FullContactMotions<R>>>,
+    motions: &FullContactMotions<R>,
+) -> Buffer {
+    let whose = Arc::clone(whose) as Arc<dyn Any + Send + Sync>;
+    if let Some((known, buffer)) = &slots.motions
+        && Arc::ptr_eq(known, &whose)
+    {
+        return buffer.clone();
+    }
+    // Two sweeps' motions need not be on the device at once.
+    slots.motions = None;
+    let size = size_of_val(&motions.across.values[..]) + size_of_val(&motions.up.values[..]);
+    let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
+    let buffer = super::slots::buffer(gpu, "motions", size as u64, usage);
+    gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&motions.across.values));
+    let first = size_of_val(&motions.across.values[..]) as u64;
+    gpu.queue.write_buffer(&buffer, first, bytemuck::cast_slice(&motions.up.values));
+    slots.motions = Some((whose, buffer.clone()));
+    buffer
+}
+
+fn bind(
+    gpu: &OpenDevice,
+    pipeline: &ComputePipeline,
+    bound: &[(u32, BindingResource)],
+) -> BindGroup {
+    let entries: Vec<BindGroupEntry> = bound
+        .iter()
+        .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
+        .collect();
+    gpu.device.create_bind_group(&BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    })
+}
+
+fn chunk_groups(
+    gpu: &OpenDevice,
+    pipeline: &ComputePipeline,
+    slots: &Slots,
+    [model, bodies]: [&Buffer; 2],
+    record: &Buffer,
+) -> [BindGroup; RING] {
+    std::array::from_fn(|place| {
+        let chunk = BindingResource::Buffer(BufferBinding {
+            buffer: &slots.chunk,
+            offset: place as u64 * CHUNK_STRIDE,
+            size: BufferSize::new(16),
+        });
+        let mut bound = vec![
+            (0, model.as_entire_binding()),
+            (1, slots.cells.as_entire_binding()),
+            (2, slots.states.as_entire_binding()),
+            (3, chunk),
+            (4, slots.tally.as_entire_binding()),
+            (5, record.as_entire_binding()),
+            (7, slots.running.as_entire_binding()),
+            (13, bodies.as_entire_binding()),
+        ];
+        if let Some(events) = &slots.events {
+            bound.push((6, events.as_entire_binding()));
+        }
+        bind(gpu, pipeline, &bound)
+    })
+}

@@ -1,0 +1,85 @@
+//! The outcomes of cells from the last states that a device has written.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use super::BackendError;
+use super::tile::OwnClocks;
+use crate::cells::ready::Cells;
+use crate::model::real::Real;
+use crate::results::block::Block;
+use crate::stepping::log::Event;
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::{PROVED, RUNNING, State};
+use crate::work::threads::install;
+
+/// The cells that a device computed, and the time that it took.
+pub struct DeviceOutcomes<R> {
+    /// Their columns, in the cells' order.
+    pub block: Block,
+    /// Cells that are in them, the first ones.
+    pub done: usize,
+    /// The first switches of each cell, as many for each as were asked for.
+    pub events: Vec<Event<R>>,
+    /// Time in the shader, by the device's clock; none on a device that has no such clock.
+    pub device: Option<Duration>,
+}
+
+/// Puts the outcomes of a tile's cells, by their numbers in the list, in its columns, by all cores. `bytes` are the
+/// cells' states.
+///
+/// # Errors
+/// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
+pub fn read<R: Real>(
+    all: &Cells<R>,
+    tile: Range<usize>,
+    own: Option<&OwnClocks<R>>,
+    bytes: &[u8],
+    block: &mut Block,
+) -> Result<(), BackendError> {
+    let cells = &all.tables.cells()[tile.clone()];
+    let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
+    let copy: Vec<State<R>>;
+    let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
+        Ok(states) => states,
+        // Where a driver maps memory at an odd address.
+        Err(_) => {
+            copy = bytemuck::pod_collect_to_vec(bytes);
+            &copy
+        }
+    };
+    if states.len() != cells.len() {
+        return Err(BackendError::Unfinished(cells.len() - states.len()));
+    }
+    let unfinished = AtomicUsize::new(0);
+    let grid = all.tables.grid();
+    let columns = grid.shape().0;
+    let of = |some: Range<usize>, outcomes: &mut Vec<Outcome>| {
+        let mut cell = all.tables.cell(tile.start + some.start);
+        for at in some.clone() {
+            let state = &states[at];
+            if state.status == RUNNING || state.status > PROVED {
+                unfinished.fetch_add(1, Ordering::Relaxed);
+            }
+            // Most cells follow the one before them in its row, and their places need no division.
+            if at > some.start {
+                cell.number += 1;
+                if cells[at] == cells[at - 1] + 1 && cell.place[0] + 1 < columns {
+                    cell.place[0] += 1;
+                } else {
+                    cell.place = grid.place(cells[at]);
+                }
+            }
+            outcomes.push(match own {
+                Some(own) => all.outcome_at(&cell, &own.clocks[own.numbers[at] as usize], state),
+                None => all.outcome_at(&cell, &all.tables.clock(&cell), state),
+            });
+        }
+    };
+    install(|| block.fill(tile.start, cells.len(), of));
+    match unfinished.into_inner() {
+        0 => Ok(()),
+        some => Err(BackendError::Unfinished(some)),
+    }
+}

@@ -1,0 +1,124 @@
+//! A sweep on a device.
+
+use super::BackendError;
+use super::opened::Gpu;
+use super::outcomes::DeviceOutcomes;
+use super::pipelines::{Pipelines, compile};
+use super::shader::{self, Switches};
+use super::slots::{SIDES, Slots};
+use super::tiles::Tiles;
+use crate::cells::plan::Plan;
+use crate::cells::ready::Cells;
+use crate::model::isolation::Variant;
+use crate::model::precision::Precision;
+use crate::model::real::Real;
+use crate::scene::Grid;
+use crate::stepping::log::Event;
+use crate::stepping::state::State;
+use crate::work::progress::Progress;
+
+/// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
+const MOST_CELLS: usize = 1 << 18;
+/// The same on a software adapter: the states then fit in the processor's caches.
+const MOST_CELLS_SOFTWARE: usize = 1 << 15;
+
+/// The compiled sweep of a scene.
+pub struct Sweeper<'a> {
+    pub(crate) gpu: &'a Gpu,
+    pub(crate) pipelines: Pipelines,
+    pub(crate) events_kept: usize,
+    most_cells: usize,
+}
+
+impl<'a> Sweeper<'a> {
+    /// Compiles the shader for a variant of the model.
+    ///
+    /// # Errors
+    /// [`BackendError::Refused`].
+    pub fn new(
+        gpu: &'a Gpu,
+        precision: Precision,
+        variant: Variant,
+    ) -> Result<Sweeper<'a>, BackendError> {
+        let compile = || compile(gpu, &shader::source(precision, Switches::Forgotten), variant, 0);
+        let pipelines = gpu.pipelines((precision, variant), compile)?;
+        Ok(Sweeper::of(gpu, pipelines, 0))
+    }
+
+    /// Compiles a shader that keeps the first `events_kept` switches of each cell.
+    ///
+    /// # Errors
+    /// [`BackendError::Refused`].
+    pub fn keeping(
+        gpu: &'a Gpu,
+        precision: Precision,
+        variant: Variant,
+        events_kept: usize,
+    ) -> Result<Sweeper<'a>, BackendError> {
+        let source = shader::source(precision, Switches::Kept);
+        Sweeper::from_source(gpu, &source, variant, events_kept)
+    }
+
+    /// Compiles a shader given as text, such as an altered one. It must keep switches if
+    /// `events_kept` is not zero.
+    ///
+    /// # Errors
+    /// [`BackendError::Refused`].
+    pub fn from_source(
+        gpu: &'a Gpu,
+        source: &str,
+        variant: Variant,
+        events_kept: usize,
+    ) -> Result<Sweeper<'a>, BackendError> {
+        let pipelines = compile(gpu, source, variant, events_kept)?;
+        Ok(Sweeper::of(gpu, pipelines, events_kept))
+    }
+
+    fn of(gpu: &'a Gpu, pipelines: Pipelines, events_kept: usize) -> Sweeper<'a> {
+        let software = gpu.description.kind == "software";
+        let most_cells = if software { MOST_CELLS_SOFTWARE } else { MOST_CELLS };
+        Sweeper { gpu, pipelines, events_kept, most_cells }
+    }
+
+    /// The same with tiles of so many cells at most: a test asks for many small ones.
+    pub fn in_tiles_of(self, cells: usize) -> Sweeper<'a> {
+        Sweeper { most_cells: cells, ..self }
+    }
+
+    /// Runs cells of a grid; `progress` hears of cells as they are done, a running one
+    /// by the share of its steps.
+    ///
+    /// # Errors
+    /// Any [`BackendError`]; no outcome is returned that the device did not compute.
+    pub fn sweep<R: Real>(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        cells: &[usize],
+        progress: &dyn Progress,
+    ) -> Result<DeviceOutcomes<R>, BackendError> {
+        let record = plan.record::<R>();
+        let all = Cells::of(plan, grid, cells, &record, progress);
+        let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
+        let slots = self.gpu.slots(|slots| slots.suit::<R>(tile, self.events_kept));
+        let mut slots = match slots {
+            Some(slots) => slots,
+            None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
+        };
+        let scene = (&all, &record[..]);
+        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile)?;
+        let results = tiles.run(progress)?;
+        // After a failure the slots are not used again.
+        self.gpu.keep(slots);
+        Ok(results)
+    }
+
+    /// Cells of a tile at most.
+    fn tile_size<R: Real>(&self) -> usize {
+        let limits = self.gpu.device.limits();
+        let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let cell = size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
+        let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / (SIDES * cell);
+        self.most_cells.min(by_memory).max(1)
+    }
+}

@@ -1,0 +1,248 @@
+//! Tiles of cells, two on the device at once.
+//!
+//! The cells of both are in one list, which is made anew after every chunk of steps, so that threads
+//! have cells however unlike the cells are. When few run, those of the next tile are made and join
+//! them. A tile whose last cell is done is read while the device goes on.
+//!
+//! All cells of the list get their turns in every chunk, so that it does not matter which come first;
+//! long ones end last, beside the first ones of the next tile.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+
+use super::BackendError;
+use super::chunk::{Begin, Flight, Order, Report, receive, submit};
+use super::device::OpenDevice;
+use super::inputs::Inputs;
+use super::loaded::Loaded;
+use super::outcomes::DeviceOutcomes;
+use super::pipelines::Pipelines;
+use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
+use super::tile::OwnClocks;
+use crate::cells::ready::Cells;
+use crate::model::excitation::Ground;
+use crate::model::real::Real;
+use crate::results::block::Block;
+use crate::work::progress::Progress;
+
+/// A sweep's tiles.
+pub struct Tiles<'a, R> {
+    gpu: &'a OpenDevice,
+    pipelines: &'a Pipelines,
+    slots: &'a mut Slots,
+    all: &'a Cells<'a, R>,
+    inputs: Inputs<R>,
+    /// Cells that are in no tile yet, by their numbers in the list.
+    rest: Range<usize>,
+    /// Cells of a tile at most.
+    most_cells: usize,
+    /// Tiles whose cells run.
+    sides: [Option<Loaded<R>>; SIDES],
+    /// Tiles whose last states are being copied to the host.
+    copied: [Option<Loaded<R>>; SIDES],
+    flights: VecDeque<Flight>,
+    /// Submissions made and heard of, chunks, tiles begun and read.
+    submitted: usize,
+    heard: usize,
+    chunks: u32,
+    begun: usize,
+    read: usize,
+    /// Cells that ran after the last submission heard of.
+    running: usize,
+    /// Steps heard of, modulo 2^32 and in all, and those that the tiles so far can take.
+    steps: u32,
+    all_steps: u64,
+    most_steps: u64,
+    results: DeviceOutcomes<R>,
+}
+
+impl<'a, R: Real> Tiles<'a, R> {
+    /// The tiles of the cells of a list, of so many at most.
+    pub fn new(
+        gpu: &'a OpenDevice,
+        pipelines: &'a Pipelines,
+        slots: &'a mut Slots,
+        (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
+        most_cells: usize,
+    ) -> Result<Tiles<'a, R>, BackendError> {
+        let inputs = gpu.checked(|| {
+            gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
+            Inputs::new(gpu, pipelines, slots, all, record)
+        })?;
+        let cells = all.tables.cells().len();
+        let results = DeviceOutcomes {
+            block: Block::pending(cells, R::PRECISION),
+            done: 0,
+            events: Vec::new(),
+            device: gpu.has_clock().then_some(Duration::ZERO),
+        };
+        Ok(Tiles {
+            gpu,
+            pipelines,
+            slots,
+            all,
+            inputs,
+            rest: 0..cells,
+            most_cells,
+            sides: [None, None],
+            copied: [None, None],
+            flights: VecDeque::with_capacity(FLIGHTS),
+            submitted: 0,
+            heard: 0,
+            chunks: 0,
+            begun: 0,
+            read: 0,
+            running: 0,
+            steps: 0,
+            all_steps: 0,
+            most_steps: 0,
+            results,
+        })
+    }
+
+    /// Runs them all to their cells' ends.
+    pub fn run(mut self, progress: &dyn Progress) -> Result<DeviceOutcomes<R>, BackendError> {
+        let count = self.rest.len();
+        let (mut told, mut ended) = (0, Instant::now());
+        loop {
+            if progress.cancelled() {
+                return Err(BackendError::Cancelled);
+            }
+            while self.flights.len() < FLIGHTS && self.submit()? {}
+            // While the device is at work.
+            let freed = self.read()?;
+            if let Some(flight) = self.flights.pop_front() {
+                let report = receive(self.gpu, self.slots, &flight, ended)?;
+                ended = Instant::now();
+                self.hear(&flight, &report)?;
+                let done = self.done();
+                progress.advance(done.saturating_sub(told));
+                told = told.max(done);
+            } else if !freed {
+                break;
+            }
+        }
+        if self.results.done < count {
+            return Err(BackendError::Unfinished(count - self.results.done));
+        }
+        progress.advance(count.saturating_sub(told));
+        Ok(self.results)
+    }
+
+    /// Cells that may run in the next submission.
+    fn bound(&self) -> usize {
+        self.running + self.flights.iter().map(|flight| flight.begun).sum::<usize>()
+    }
+
+    /// Submits the next work to the device; false where there is none.
+    fn submit(&mut self) -> Result<bool, BackendError> {
+        let mut copied = [0; SIDES];
+        for (side, cells) in copied.iter_mut().enumerate() {
+            let ended = self.sides[side].as_ref().is_some_and(|tile| tile.left == 0);
+            if ended && self.copied[side].is_none() {
+                self.copied[side] = self.sides[side].take();
+                *cells = self.copied[side].as_ref().map_or(0, |tile| tile.cells.len());
+            }
+        }
+        let bound = self.bound();
+        let free = self.sides.iter().position(Option::is_none);
+        let few = bound < self.slots.pace.tile() / 2;
+        let begin = match free {
+            Some(side) if few && !self.rest.is_empty() => Some(self.begin(side)?),
+            _ => None,
+        };
+        let running = bound + begin.as_ref().map_or(0, |begin| begin.cells);
+        let (chunks, work) = if running > 0 { self.slots.pace.chunks() } else { (0, 0) };
+        if copied == [0; SIDES] && chunks == 0 {
+            return Ok(false);
+        }
+        let (number, groups) = (self.chunks, &self.inputs.chunks);
+        let order = Order { copied, begin, number, chunks, work, running, groups };
+        let place = self.submitted % FLIGHTS;
+        self.flights.push_back(submit(self.gpu, self.pipelines, self.slots, place, &order)?);
+        self.submitted += 1;
+        self.chunks = self.chunks.wrapping_add(chunks);
+        Ok(true)
+    }
+
+    /// Makes the next tile ready on a side.
+    fn begin(&mut self, side: usize) -> Result<Begin, BackendError> {
+        let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
+        let cells = self.rest.start..self.rest.start + count;
+        let tables = &self.all.tables;
+        let own = OwnClocks::of(tables, cells.clone());
+        let longest = match &own {
+            Some(own) => own.clocks.iter().map(|clock| clock.steps).max().unwrap_or(0),
+            None => tables.longest(),
+        };
+        let (gpu, number) = (self.gpu, self.chunks);
+        let (threads, group) = gpu.checked(|| {
+            let tile = (self.all, cells.clone());
+            self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
+        })?;
+        self.most_steps += count as u64 * u64::from(longest);
+        self.sides[side] = Some(Loaded {
+            number: self.begun,
+            cells,
+            own,
+            longest,
+            work: 0,
+            since: self.submitted,
+            left: count,
+            mapped: false,
+        });
+        self.begun += 1;
+        self.rest.start += count;
+        Ok(Begin { side, cells: count, threads, group })
+    }
+
+    /// Updates the tiles by the report of a submission.
+    fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), BackendError> {
+        for side in 0..SIDES {
+            if let Some(tile) = self.sides[side].as_mut().filter(|tile| tile.since <= self.heard) {
+                tile.left = report.left[side];
+                tile.work += u64::from(flight.work);
+            }
+            if let Some(tile) = self.copied[side].as_mut().filter(|_| flight.copied[side] > 0) {
+                tile.mapped = true;
+            }
+        }
+        self.heard += 1;
+        self.running = report.running;
+        self.results.device = self.results.device.zip(report.device).map(|(sum, pass)| sum + pass);
+        if flight.work > 0 {
+            let steps = report.steps.wrapping_sub(self.steps);
+            self.steps = report.steps;
+            self.all_steps += u64::from(steps);
+            // The device makes no progress, or loses the states that it writes.
+            if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
+                return Err(BackendError::Unfinished(self.running));
+            }
+            self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
+        }
+        Ok(())
+    }
+
+    /// Makes the outcomes of tiles whose states have come, in the tiles' order; false where there are
+    /// none.
+    fn read(&mut self) -> Result<bool, BackendError> {
+        let mut any = false;
+        while let Some(side) = self.copied.iter().position(|tile| {
+            tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)
+        }) && let Some(tile) = self.copied[side].take()
+        {
+            tile.read(self.gpu, self.slots, side, self.all, &mut self.results)?;
+            self.read += 1;
+            any = true;
+        }
+        Ok(any)
+    }
+
+    /// Cells that are done, those that run by the share of their steps.
+    fn done(&self) -> usize {
+        let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
+        let running = self.sides.iter().flatten().map(Loaded::done).sum::<usize>();
+        self.results.done + ended + running
+    }
+}

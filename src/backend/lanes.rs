@@ -1,0 +1,164 @@
+//! The sweep on the CPU's vectors: threads whose lanes take cells from one queue.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use fearless_simd::Level;
+
+use super::order::by_motions;
+use crate::cells::plan::Plan;
+use crate::cells::ready::Cells;
+use crate::model::precision::Precision;
+use crate::model::real::Real;
+use crate::results::block::Block;
+use crate::scene::Grid;
+use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
+use crate::stepping::outcome::Outcome;
+use crate::stepping::phases::Phases;
+use crate::work::progress::Progress;
+use crate::work::threads::install;
+use crate::work::vectors::vectorized;
+
+/// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
+const BATCH: usize = 64;
+
+/// A sweep's cells.
+struct Sweep<'a> {
+    plan: &'a Plan,
+    grid: &'a Grid,
+    cells: &'a [usize],
+    progress: &'a dyn Progress,
+    level: Level,
+}
+
+/// The cells that a thread takes from the queue, and the outcomes that it gives back, in batches.
+struct ThreadFeed<'a, R> {
+    sweep: &'a Sweep<'a>,
+    all: &'a Cells<'a, R>,
+    /// See [`by_motions`]; without shared motions that of the list.
+    order: Option<&'a [u32]>,
+    queue: &'a AtomicUsize,
+    outcomes: &'a Mutex<Vec<Outcome>>,
+    batch: Range<usize>,
+    ended: Vec<(usize, Outcome)>,
+}
+
+impl<R: Real> ThreadFeed<'_, R> {
+    /// Stores the outcomes in the cells' order.
+    fn deliver(&mut self) {
+        self.sweep.progress.advance(self.ended.len());
+        // A thread that panicked has stored whole outcomes only.
+        let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+        for (number, outcome) in self.ended.drain(..) {
+            outcomes[number] = outcome;
+        }
+        if self.sweep.progress.wants_snapshot() {
+            self.sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
+        }
+    }
+}
+
+impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
+    #[inline(always)]
+    fn next(&mut self) -> Option<Job<R>> {
+        if self.batch.is_empty() {
+            if self.cancelled() {
+                return None;
+            }
+            let count = self.sweep.cells.len();
+            let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
+            self.batch = from..(from + BATCH).min(count);
+        }
+        let place = self.batch.next()?;
+        let number = self.order.map_or(place, |order| order[place] as usize);
+        let (cell, state) = self.all.begin(number);
+        Some(Job { number, cell, state })
+    }
+
+    fn cancelled(&self) -> bool {
+        self.sweep.progress.cancelled()
+    }
+
+    #[inline(always)]
+    fn done(&mut self, job: &Job<R>) {
+        let outcome = self.all.outcome(job.number, &job.state);
+        self.ended.push((job.number, outcome));
+        if self.ended.len() == BATCH {
+            self.deliver();
+        }
+    }
+}
+
+/// Runs cells of a grid on all cores with the vectors of a level; `progress` is called with the number of
+/// cells done since its last call.
+pub fn sweep<R: Real>(
+    plan: &Plan,
+    grid: &Grid,
+    cells: &[usize],
+    progress: &dyn Progress,
+    level: Level,
+) -> Vec<Outcome> {
+    let sweep = Sweep { plan, grid, cells, progress, level };
+    at(R::PRECISION, &sweep)
+}
+
+/// Not generic, so that its callers do not compile all kinds of vectors again.
+fn at(precision: Precision, sweep: &Sweep) -> Vec<Outcome> {
+    match precision {
+        Precision::F32 => run::<f32>(sweep),
+        Precision::F64 => run::<f64>(sweep),
+    }
+}
+
+fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
+    let Sweep { plan, grid, cells, level, .. } = *sweep;
+    let record = plan.record::<R>();
+    let all = Cells::of(plan, grid, cells, &record, sweep.progress);
+    let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
+    let order = all.of_motions.as_ref().map(|motions| install(|| by_motions(motions, grid, cells)));
+    let queue = AtomicUsize::new(0);
+    let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
+    install(|| {
+        rayon::broadcast(|_| {
+            let mut feed = ThreadFeed {
+                sweep,
+                all: &all,
+                order: order.as_deref(),
+                queue: &queue,
+                outcomes: &outcomes,
+                batch: 0..0,
+                ended: Vec::with_capacity(BATCH),
+            };
+            let zero = R::of(0.0);
+            if shared.variant.recorded {
+                vectorized!(level, zero => Phases::new(shared, zero).run(&mut feed));
+            } else {
+                vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
+            }
+            feed.deliver();
+        })
+    });
+    let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if sweep.progress.cancelled() {
+        // What was done is not lost.
+        sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
+    }
+    outcomes
+}
+
+/// The vector instructions that this machine has, the narrowest first: names and levels.
+pub fn levels() -> Vec<(&'static str, Level)> {
+    let best = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let levels = [
+        ("SSE2", best.as_sse2().map(Level::Sse2)),
+        ("AVX2", best.as_avx2().map(Level::Avx2)),
+        ("AVX-512", best.as_avx512().map(Level::Avx512)),
+    ];
+    #[cfg(target_arch = "aarch64")]
+    let levels = [("NEON", best.as_neon().map(Level::Neon))];
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    let levels = [("one lane", Some(best))];
+    levels.into_iter().filter_map(|(name, level)| Some((name, level?))).collect()
+}

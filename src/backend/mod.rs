@@ -1,0 +1,18 @@
+//! The same cells on lanes of a CPU, on a device, and by the reference.
+//!
+//! ```text
+//! request -> dispatch -> (cpu, lanes | gpu | the reference) -> outcomes
+//! ```
+
+pub mod backend_error;
+pub mod cpu;
+pub mod description;
+pub mod dispatch;
+#[cfg(feature = "gpu")]
+pub mod gpu;
+pub mod history;
+pub mod lanes;
+pub(crate) mod order;
+pub mod report;
+pub mod request;
+pub(crate) mod snapshots;

@@ -1,0 +1,94 @@
+//! The order in which the CPU begins the cells of a list.
+//!
+//! A cell begins with a search along its two motions in full contact. Cells of the same motions come one after
+//! another, so that the motions are in the fastest caches: in a map whose first axis changes the motions, each cell
+//! of a row would read others from memory.
+
+use rayon::prelude::*;
+
+use crate::cells::listing::{CellAt, Index};
+use crate::scene::Grid;
+
+/// Motions of u that stay in a core's cache while those of v pass.
+const STRIP: usize = 8;
+
+/// The places of a list's cells, in the order in which they begin: by strips of motions of u, in each by motions of v.
+/// `motions` tells where cells find theirs.
+pub fn by_motions(motions: &[Index; 2], grid: &Grid, cells: &[usize]) -> Vec<u32> {
+    let [across, up] = motions;
+    let keys: Vec<[u32; 2]> = cells
+        .par_iter()
+        .enumerate()
+        .with_min_len(1 << 12)
+        .map(|(number, &cell)| {
+            let cell = CellAt { number, place: grid.place(cell) };
+            // The memory limit keeps the motions below 2^32.
+            [(across.of(&cell) / STRIP) as u32, up.of(&cell) as u32]
+        })
+        .collect();
+    // A list has fewer than 2^32 cells: a batch of a sweep, or what a refined map asks for.
+    let order = (0..cells.len() as u32).collect();
+    [1, 0]
+        .into_iter()
+        .fold(order, |order, digit| sorted(order, |place| keys[place as usize][digit]))
+}
+
+/// Sorts by counting; what has the same key stays as it was.
+fn sorted(order: Vec<u32>, key: impl Fn(u32) -> u32) -> Vec<u32> {
+    let most = order.iter().map(|place| key(*place)).max().unwrap_or(0);
+    let mut starts = vec![0; most as usize + 2];
+    for place in &order {
+        starts[key(*place) as usize + 1] += 1;
+    }
+    let mut sum = 0;
+    for start in &mut starts {
+        sum += *start;
+        *start = sum;
+    }
+    let mut sorted = vec![0; order.len()];
+    for place in order {
+        let to = &mut starts[key(place) as usize];
+        sorted[*to] = place;
+        *to += 1;
+    }
+    sorted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cells::clock::DEFAULT_STEP;
+    use crate::cells::plan::Plan;
+    use crate::cells::ready::Cells;
+    use crate::scene::{Parameter, Range, SceneBuilder};
+    use crate::work::progress::Unwatched;
+
+    /// Cells of the same motions come together, and each cell once, also from a list that leaves some out.
+    #[test]
+    fn cells_of_the_same_motions_come_together() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::AV, 2.0)
+            .with(Parameter::Omega, Range::even(2.0, 6.0, 23))
+            .with(Parameter::AH, Range::even(1.0, 9.0, 17))
+            .check()
+            .unwrap();
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        let grid = Grid::of(&scene);
+        let cells: Vec<usize> = (0..grid.len()).filter(|cell| cell % 5 != 3).collect();
+        let motions = Cells::<f32>::of(&plan, &grid, &cells, &[], &Unwatched).of_motions.unwrap();
+        let order = by_motions(&motions, &grid, &cells);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, (0..cells.len() as u32).collect::<Vec<u32>>());
+        let columns: Vec<usize> =
+            order.iter().map(|place| grid.place(cells[*place as usize])[0]).collect();
+        assert!(columns.is_sorted(), "{columns:?}");
+        // Rows of a column as they were.
+        let pairs = order.windows(2).zip(columns.windows(2));
+        for (places, columns) in pairs.filter(|(_, columns)| columns[0] == columns[1]) {
+            assert!(places[0] < places[1], "column {}", columns[0]);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A block on its base: what depends on the block, the masses and the restitution alone.
+
+use crate::scene::parameters::Section;
+use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
+
+/// What a body depends on: the numbers of a scene's block, and the restitution.
+pub fn body_parameters() -> Vec<Parameter> {
+    Parameter::of_section(Section::Block).chain([Parameter::Restitution]).collect()
+}
+
+/// A block on its base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// The block.
+    pub block: Block,
+    /// mu_h = M/(M + m_h + m_v); zero where the horizontal direction is locked.
+    pub mu_h: f64,
+    /// mu_v = M/(M + m_v); zero where the vertical direction is locked.
+    pub mu_v: f64,
+    /// eta_phi in place of the law of impact.
+    pub restitution: Option<f64>,
+    /// When the block counts as overturned.
+    pub overturn: Overturn,
+}
+
+impl Body {
+    /// That of a cell.
+    pub fn of(case: &Case) -> Body {
+        let (block, base) = (case.block, &case.isolation);
+        let mass_v = block.mass + base.plate_v;
+        let mass_h = mass_v + base.plate_h;
+        Body {
+            block,
+            mu_h: if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 },
+            mu_v: if base.vertical.is_some() { block.mass / mass_v } else { 0.0 },
+            restitution: case.restitution,
+            overturn: case.overturn,
+        }
+    }
+
+    /// rho^2 + H^2 kappa_h + b^2 kappa_v, D of (18) over M M_t M_v, for lever arm `b`.
+    pub(crate) fn impact_inertia(&self, b: f64) -> f64 {
+        let block = &self.block;
+        let rho2 = block.inertia / block.mass;
+        let height2 = block.height * block.height;
+        rho2 + height2 * (1.0 - self.mu_h) + b * b * (1.0 - self.mu_v)
+    }
+
+    /// Rate at which a block that stands on a corner falls back, rad/s^2. A flight at the speed w
+    /// lasts 2 w M D / (M g b): the corner with the shorter arm is the quicker to land.
+    pub(crate) fn fall(&self) -> f64 {
+        let b = self.block.arm(1.0).max(self.block.arm(-1.0));
+        GRAVITY * b / self.impact_inertia(b)
+    }
+
+    /// The square of the base's largest angular frequency `omega_h` with the block rocking on it about
+    /// the left and the right corner, over omega_h^2: it is larger than the base's own.
+    pub(crate) fn stiffening_h(&self) -> [f64; 2] {
+        self.arms().map(|b| {
+            let (h2, b2) = (self.block.height * self.block.height, b * b);
+            1.0 + self.mu_h * (h2 + b2) / self.swing_inertia(b)
+        })
+    }
+
+    /// The same of omega_v.
+    pub(crate) fn stiffening_v(&self) -> [f64; 2] {
+        self.arms().map(|b| {
+            let (h2, b2) = (self.block.height * self.block.height, b * b);
+            let q2 = match self.overturn {
+                Overturn::CriticalAngle => b2,
+                Overturn::QuarterTurn => b2 + h2,
+            };
+            1.0 + self.mu_v * q2 / self.swing_inertia(b)
+        })
+    }
+
+    /// p^2 = g R/(I/M) about the left and the right corner, or what a light base makes of it at most,
+    /// 1/s^2.
+    pub(crate) fn most_p2(&self) -> [f64; 2] {
+        self.arms().map(|b| GRAVITY * b.hypot(self.block.height) / self.swing_inertia(b))
+    }
+
+    /// The lever arms about the left and the right corner, m.
+    fn arms(&self) -> [f64; 2] {
+        [1.0, -1.0].map(|side| self.block.arm(side))
+    }
+
+    /// No larger than I/M - mu_h P^2 - mu_v Q^2 about a corner in any position: P^2 and Q^2 at their
+    /// largest, their sum fixed.
+    fn swing_inertia(&self, b: f64) -> f64 {
+        let block = &self.block;
+        let radius2 = block.height * block.height + b * b;
+        let least = block.inertia / block.mass + radius2 * (1.0 - self.mu_h.max(self.mu_v));
+        self.impact_inertia(b).min(least)
+    }
+}

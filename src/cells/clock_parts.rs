@@ -1,0 +1,145 @@
+//! The parts of a cell's clock, each by the parameters that it depends on: what swings in each direction,
+//! and how long the excitation and the run take.
+
+use std::f64::consts::TAU;
+
+use super::body::{Body, body_parameters};
+use super::clock::Clock;
+use super::plan::Plan;
+use crate::scene::case::PEAK;
+use crate::scene::{Case, Excitation, Grid, Parameter, Shaking};
+
+/// The horizontal isolation's part.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SwingH {
+    /// The squares of the largest angular frequency about the left and the right corner, 1/s^2. That of a
+    /// stiff or locked base is no less than the block's own p^2.
+    squares: [f64; 2],
+    /// The longest step of a base that yields, s; infinite for one that does not.
+    longest: f64,
+}
+
+/// The vertical isolation's part: the sum of both is the square about a corner.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SwingV {
+    /// About the left and the right corner, 1/s^2.
+    squares: [f64; 2],
+}
+
+/// The part of the excitation and the run.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Span {
+    /// Omega, rad/s; none for a record.
+    pub(crate) omega: Option<f64>,
+    /// Duration of the excitation, s.
+    forced: f64,
+    /// Duration of the run, s.
+    t_max: f64,
+    /// The longest step of a pulse, s; infinite for a record.
+    longest: f64,
+}
+
+/// What [`SwingH`] depends on, with the [body](body_parameters); where u_y is given, its yield time follows from the
+/// ground's peak.
+pub(crate) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
+    let mut swing = vec![Parameter::TH, Parameter::Psi, Parameter::AlphaY, Parameter::BoucWenN];
+    if grid.gives_strength() {
+        swing.extend([Parameter::UY, Parameter::YieldForce]);
+        swing.extend(PEAK);
+    }
+    swing
+}
+
+/// What a clock depends on.
+pub(crate) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
+    [&body_parameters()[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
+}
+
+/// What [`SwingV`] depends on, with the body.
+pub(crate) const SWING_V: [Parameter; 1] = [Parameter::TV];
+/// What [`Span`] depends on.
+pub(crate) const SPAN: [Parameter; 4] =
+    [Parameter::Omega, Parameter::Cycles, Parameter::Gamma, Parameter::TMax];
+
+impl Plan {
+    /// The horizontal part of a cell's clock.
+    pub(crate) fn swing_h(&self, case: &Case, body: &Body) -> SwingH {
+        let p2 = body.most_p2();
+        let Some(law) = &case.isolation.horizontal else {
+            return SwingH { squares: p2, longest: f64::INFINITY };
+        };
+        let square = (TAU / law.t_h).powi(2);
+        let [left, right] = body.stiffening_h();
+        let squares = [(square * left).max(p2[0]), (square * right).max(p2[1])];
+        let longest = if self.has_hysteretic_variable(law.psi) {
+            let yield_time = law.alpha_y * law.t_h / (TAU * f64::from(law.n));
+            self.resolution.longest_in_yield(yield_time)
+        } else {
+            f64::INFINITY
+        };
+        SwingH { squares, longest }
+    }
+
+    /// The vertical part.
+    pub(crate) fn swing_v(&self, case: &Case, body: &Body) -> SwingV {
+        let Some(law) = &case.isolation.vertical else { return SwingV { squares: [0.0; 2] } };
+        let square = (TAU / law.t_v).powi(2);
+        SwingV { squares: body.stiffening_v().map(|stiffening| square * stiffening) }
+    }
+
+    /// The part of the excitation and the run.
+    pub(crate) fn span(&self, case: &Case) -> Span {
+        let t_max = case.t_max;
+        match (&self.scene.excitation, case.shaking) {
+            (_, Shaking::Pulse(pulse)) => {
+                let longest = self.resolution.longest_in_pulse(pulse.shortest_period());
+                let forced = pulse.duration().min(t_max);
+                Span { omega: Some(pulse.omega), forced, t_max, longest }
+            }
+            (Excitation::Record(pair), _) => {
+                Span { omega: None, forced: pair.duration(), t_max, longest: f64::INFINITY }
+            }
+            // A scene under a pulse has no cell under a record.
+            (Excitation::Pulse(_), _) => {
+                Span { omega: None, forced: 0.0, t_max, longest: f64::INFINITY }
+            }
+        }
+    }
+
+    /// The steps of a cell: the pulse's end is a step boundary.
+    pub fn clock(&self, case: &Case) -> Clock {
+        let case = self.locked(case);
+        let body = Body::of(&case);
+        self.clock_of(&self.swing_h(&case, &body), &self.swing_v(&case, &body), &self.span(&case))
+    }
+
+    /// The clock of its parts.
+    #[inline]
+    pub(crate) fn clock_of(&self, h: &SwingH, v: &SwingV, span: &Span) -> Clock {
+        let square = |corner: usize| h.squares[corner] + v.squares[corner];
+        let square = square(0).max(square(1));
+        // The longest step is bounded by the cell's fastest period, infinite where nothing
+        // oscillates.
+        let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
+        let (steps_forced, substeps) = match &self.scene.excitation {
+            Excitation::Pulse(_) => {
+                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
+            }
+            Excitation::Record(pair) => {
+                let substeps = (pair.dt / longest).ceil().max(1.0);
+                (substeps * (pair.len() - 1) as f64, substeps)
+            }
+        };
+        let free = span.t_max - span.forced;
+        // What rounding leaves of a duration is no step.
+        let steps_free = (free / longest - 1.0e-9).ceil().max(0.0);
+        Clock {
+            step_forced: span.forced / steps_forced,
+            step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
+            // `as` saturates; `Plan::new` refuses a scene that comes near.
+            steps_forced: steps_forced as u32,
+            substeps: substeps as u32,
+            steps: (steps_forced + steps_free) as u32,
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! What the motions in full contact depend on: see [`full_contact`](super::full_contact).
+
+use crate::cells::clock_parts::clock_parameters;
+use crate::cells::plan::Plan;
+use crate::cells::window::{Combinations, Window};
+use crate::scene::isolation::{HORIZONTAL, VERTICAL};
+use crate::scene::{Grid, Parameter};
+
+/// The masses that a base's yield force in newtons is divided by.
+const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
+/// The parameters that the ground's motion depends on, beside a pulse's amplitudes.
+const GROUND: [Parameter; 6] = [
+    Parameter::Scale,
+    Parameter::Pga,
+    Parameter::Omega,
+    Parameter::Cycles,
+    Parameter::Gamma,
+    Parameter::Phase,
+];
+
+/// The parameters that the motions of each direction depend on, and whether v is at rest.
+pub(crate) struct Dependence {
+    pub(crate) across: Vec<Parameter>,
+    pub(crate) up: Vec<Parameter>,
+    pub(crate) still: bool,
+}
+
+impl Dependence {
+    pub(crate) fn of(plan: &Plan, grid: &Grid) -> Dependence {
+        let base = plan.scene.isolation;
+        let recorded = plan.scene.excitation.record().is_some();
+        let still = !recorded
+            && grid
+                .corners()
+                .all(|case| case.shaking.pulse().is_some_and(|pulse| pulse.a_v == 0.0));
+        let (mut across, mut up) = (GROUND.to_vec(), Vec::new());
+        if base.moves_h() {
+            across.extend(HORIZONTAL);
+            if grid.gives_strength() {
+                across.extend(MASSES);
+            }
+        }
+        if !still {
+            up.extend(GROUND);
+            up.push(Parameter::AV);
+        }
+        if base.moves_v() {
+            // At rest it hangs by its static deflection.
+            up.extend(if still { &[Parameter::TV][..] } else { &VERTICAL });
+        }
+        if !recorded {
+            // The steps of a pulse are those of the cells.
+            across.extend(clock_parameters(grid));
+            if plan.shared_amplitude(grid).is_none() {
+                across.push(Parameter::AH);
+            }
+            if !still {
+                up.extend(clock_parameters(grid));
+            }
+        }
+        Dependence { across, up, still }
+    }
+
+    /// All combinations of what the motions of u and of v depend on.
+    pub(crate) fn combinations(&self, grid: &Grid) -> [Combinations; 2] {
+        let window = Window::whole(grid);
+        [&self.across, &self.up].map(|parameters| window.combinations(grid, parameters))
+    }
+}
+
+impl Plan {
+    /// A_h of the shared motions of u, m/s^2: by (21) u is proportional to it. None under a record, and
+    /// where the base's strength is given: there u is not proportional to A_h.
+    pub(crate) fn shared_amplitude(&self, grid: &Grid) -> Option<f64> {
+        if self.scene.excitation.record().is_some() || grid.gives_strength() {
+            return None;
+        }
+        let amplitudes = grid.corners().map(|case| case.shaking.peak_h());
+        Some(amplitudes.fold(0.0, f64::max))
+    }
+}

@@ -1,0 +1,191 @@
+//! Full contact, once for all cells that share it.
+//!
+//! While the block stands on both corners u and v are coupled neither to each other, (5), nor to the
+//! block: u(t) depends on the horizontal isolation and the ground, v(t) on the vertical isolation and the
+//! ground. Under a record a grid of N values of T_h by N of T_v has 2 N such motions, N of u and N of v;
+//! a grid of blocks has two, one of each. Under a pulse they have the cells' steps, which depend on Omega
+//! and the periods, and u is proportional to A_h where u_y is (21): a map of N frequencies has N motions,
+//! and v is at rest where A_v = 0. They are integrated through the excitation; a cell compares its two
+//! and begins its own integration at the first gap between samples (of a pulse, the first step) in which
+//! it may lift. A cell that cannot lift under the excitation is done at its end, or goes on from there.
+
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use super::bounded_motions;
+use super::dependence::Dependence;
+use super::kept_motions::{Kept, horizontal, vertical};
+use super::motions::{HORIZONTAL_FIELDS, MotionPair, Motions, VERTICAL_FIELDS};
+use super::motions_with_forces;
+use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
+use crate::cells::listing::{Entries, Index, occurring};
+use crate::cells::plan::Plan;
+use crate::cells::window::Combinations;
+use crate::model::excitation::Ground;
+use crate::model::real::Real;
+use crate::scene::grid::Place;
+use crate::scene::{Excitation, Grid, Parameter};
+use crate::work::progress::Progress;
+use crate::work::vectors::lanes_of;
+
+/// Largest memory for the motions, bytes; for a grid that needs more each cell integrates its own full
+/// contact.
+const MOST_MEMORY: usize = 1 << 29;
+/// Cells that take as long as a motion that they share, where contact forces are not asked for: under 148 motions, of
+/// grids of 6 x 6, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.6, 1.4 and 0.66 of the time.
+const CELLS_A_MOTION: usize = 7;
+
+/// The full-contact motions that cells of a plan's grid share.
+#[derive(Debug)]
+pub struct FullContactMotions<R> {
+    /// Of u: one for each combination of what it depends on.
+    pub(crate) across: Motions<R>,
+    /// Of v: the same.
+    pub(crate) up: Motions<R>,
+    /// The base does not move vertically before the block lifts.
+    pub(crate) still: bool,
+    /// Forces inside gaps are known.
+    pub(crate) forces: bool,
+    /// The vector instructions of this machine.
+    pub(crate) level: Level,
+}
+
+/// True where the motions of these combinations fit in memory. Those of a pulse are looked at until they do not.
+fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
+    let mut left = MOST_MEMORY / size_of::<R>();
+    all.iter().zip([HORIZONTAL_FIELDS, VERTICAL_FIELDS]).all(|(all, fields)| {
+        let most = left / fields;
+        let samples = match &plan.scene.excitation {
+            Excitation::Record(pair) => all.count().saturating_mul(pair.len()),
+            // A motion has two samples at least.
+            Excitation::Pulse(_) if all.count() > most / 2 => most + 1,
+            Excitation::Pulse(_) => {
+                let mut samples = 0;
+                for number in 0..all.count() {
+                    samples +=
+                        plan.clock(&grid.case_at(&all.place(number))).steps_forced as usize + 1;
+                    if samples > most {
+                        break;
+                    }
+                }
+                samples
+            }
+        };
+        left = left.saturating_sub(samples.saturating_mul(fields));
+        samples <= most
+    })
+}
+
+/// The motions that a list needs, with those that are there; all of the grid where they are no more than the list's
+/// cells, or no more than twice as many.
+fn wanted(
+    (grid, cells): (&Grid, &[usize]),
+    all: [Combinations; 2],
+    known: Option<[&Entries; 2]>,
+) -> [Entries; 2] {
+    let count = all[0].count().saturating_add(all[1].count());
+    if count <= cells.len() {
+        return all.map(Entries::all);
+    }
+    let needed = [0, 1].map(|k| {
+        let mut needed = occurring(grid, &all[k], cells);
+        if let Some(known) = known.map(|known| known[k]) {
+            needed.extend((0..known.count()).map(|entry| known.combination(entry)));
+            needed.sort_unstable();
+            needed.dedup();
+        }
+        needed
+    });
+    if 2 * (needed[0].len() + needed[1].len()) >= count {
+        return all.map(Entries::all);
+    }
+    let [across, up] = needed;
+    [Entries::some(all[0], across), Entries::some(all[1], up)]
+}
+
+impl<R: Real> FullContactMotions<R> {
+    /// The motions that some cells of a grid need, under the plan's record, with those that are `known`; none where
+    /// cells do not share them (a block that starts tilted), where the plan has no such shortcut, where those of the
+    /// whole grid take too much memory, or where `progress` ends the work.
+    pub fn of(
+        plan: &Plan,
+        (grid, cells): (&Grid, &[usize]),
+        known: Option<&FullContactMotions<R>>,
+        record: &[Ground<R>],
+        progress: &dyn Progress,
+    ) -> Option<FullContactMotions<R>> {
+        let amplitude = plan.shared_amplitude(grid);
+        let of = Dependence::of(plan, grid);
+        let all = of.combinations(grid);
+        // With as many motions as cells there is nothing to save. Without forces a cell is so cheap that a motion takes as
+        // long as some of them.
+        let each = if plan.forces { 1 } else { CELLS_A_MOTION };
+        let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
+        let pays = grid.len() > motions && amplitude != Some(0.0);
+        let share = || plan.reductions.full_contact && !grid.tilts() && fit::<R>(plan, grid, &all);
+        if known.is_none() && !(pays && share()) {
+            return None;
+        }
+        let known = known.map(|known| [&known.across, &known.up]);
+        let wanted =
+            wanted((grid, cells), all, known.map(|known| known.map(|motions| &motions.entries)));
+        let (only_h, only_v) = (plan.without_vertical(), plan.without_horizontal());
+        let recorded = plan.scene.excitation.record().is_some();
+        let level = Level::new();
+        let sampled = |direction: Direction, places: &[Place]| {
+            let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
+            let variant = alone.variant();
+            // Under a pulse the steps are those of the cells.
+            let clock = if recorded { alone } else { plan };
+            let start = |place: &Place| {
+                let case = match amplitude {
+                    Some(amplitude) => grid.case_with(place, Parameter::AH, amplitude),
+                    None => grid.case_at(place),
+                };
+                Start::of(clock, &case, direction)
+            };
+            let some = |places: &[Place]| {
+                let starts: Vec<Start<R>> = places.iter().map(start).collect();
+                let batch = MotionBatch { variant, direction, record, starts: &starts };
+                if plan.forces {
+                    motions_with_forces::sample(batch, level)
+                } else {
+                    bounded_motions::sample(batch, level)
+                }
+            };
+            let wanted = |places| (!progress.cancelled()).then(|| some(places));
+            let motions =
+                places.par_chunks(lanes_of::<R>(level)).map(wanted).collect::<Option<Vec<_>>>()?;
+            Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())
+        };
+        let [across, up] = wanted;
+        let across = Kept::of(across, known.map(|known| known[0]));
+        let up = Kept::of(up, known.map(|known| known[1]));
+        // The stiffest vertical isolation takes the most steps: the motions of v begin first.
+        let (along_y, along_x) = rayon::join(
+            || sampled(Direction::Vertical, &up.missing()),
+            || sampled(Direction::Horizontal, &across.missing()),
+        );
+        let (along_x, along_y) = (along_x?, along_y?);
+        let (up, across) =
+            rayon::join(|| vertical(&up, &along_y), || horizontal(&across, &along_x));
+        Some(FullContactMotions { across, up, still: of.still, forces: plan.forces, level })
+    }
+
+    /// Where the cells of a list find the motions of u and of v.
+    pub(crate) fn index(&self, grid: &Grid, cells: &[usize]) -> [Index; 2] {
+        [&self.across, &self.up].map(|motions| motions.entries.index(grid, cells))
+    }
+
+    /// True where those that a list needs are there.
+    pub(crate) fn hold(&self, grid: &Grid, cells: &[usize]) -> bool {
+        [&self.across, &self.up].iter().all(|motions| motions.entries.hold(grid, cells))
+    }
+
+    /// Motions of u and of v, by their numbers.
+    #[inline(always)]
+    pub(crate) fn pair(&self, [across, up]: [usize; 2]) -> MotionPair<'_, R> {
+        let FullContactMotions { still, forces, level, .. } = *self;
+        MotionPair { across: self.across.at(across), up: self.up.at(up), still, forces, level }
+    }
+}

@@ -1,0 +1,118 @@
+//! Motions in full contact as they are kept: those that are there already, and those that were integrated.
+
+use super::motions::{
+    ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
+    HYSTERETIC, LEAST, LIGHTEST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH,
+    VELOCITY, VERTICAL_FIELDS,
+};
+use super::shared_motion::{Sample, SampledMotion};
+use crate::cells::listing::Entries;
+use crate::model::real::Real;
+use crate::scene::grid::Place;
+
+/// The motions of a direction that are to be there, and those that are.
+pub(crate) struct Kept<'a, R> {
+    entries: Entries,
+    /// With the number of each in it.
+    known: Option<(&'a Motions<R>, Vec<Option<usize>>)>,
+}
+
+impl<'a, R: Real> Kept<'a, R> {
+    /// Of these entries.
+    pub(crate) fn of(entries: Entries, known: Option<&'a Motions<R>>) -> Kept<'a, R> {
+        let known = known.map(|known| {
+            let number = |entry| known.entries.entry(entries.combination(entry));
+            (known, (0..entries.count()).map(number).collect())
+        });
+        Kept { entries, known }
+    }
+
+    /// The number of an entry among the motions that are there.
+    fn known(&self, entry: usize) -> Option<(&'a Motions<R>, usize)> {
+        let (motions, numbers) = self.known.as_ref()?;
+        numbers[entry].map(|number| (*motions, number))
+    }
+
+    /// The places of the motions that are missing.
+    pub(crate) fn missing(&self) -> Vec<Place> {
+        let missing = (0..self.entries.count()).filter(|entry| self.known(*entry).is_none());
+        missing.map(|entry| self.entries.place(entry)).collect()
+    }
+}
+
+/// Where a motion comes from.
+enum Source<'a, R> {
+    /// It is there: the motions and its number among them.
+    Known(&'a Motions<R>, usize),
+    /// It was integrated.
+    Sampled(&'a SampledMotion<R>),
+}
+
+/// Stores what motions of both directions have, in so many fields, of which `crest` and those from `inside` on are each
+/// direction's own; `others` stores the rest of one that was sampled. Those of `kept` that are missing were sampled.
+fn stored<R: Real>(
+    [fields, crest, inside]: [usize; 3],
+    kept: &Kept<R>,
+    sampled: &[SampledMotion<R>],
+    others: impl Fn(&mut Motions<R>, usize, &SampledMotion<R>),
+) -> Motions<R> {
+    let count = kept.entries.count();
+    let mut rest = sampled.iter();
+    let sources: Vec<Source<R>> = (0..count)
+        .filter_map(|entry| match kept.known(entry) {
+            Some((motions, number)) => Some(Source::Known(motions, number)),
+            None => rest.next().map(Source::Sampled),
+        })
+        .collect();
+    let lengths = sources.iter().map(|source| match source {
+        Source::Known(motions, number) => motions.at(*number).length,
+        Source::Sampled(each) => each.samples.len(),
+    });
+    let mut motions = Motions::new(fields, lengths, kept.entries.clone());
+    for (number, source) in sources.iter().enumerate() {
+        let each = match source {
+            Source::Known(known, of) => {
+                let known = known.at(*of);
+                for field in 0..fields {
+                    motions.fill(field, number, known.field(field).iter().copied());
+                }
+                continue;
+            }
+            Source::Sampled(each) => each,
+        };
+        let mut fill = |field, of: fn(&Sample<R>) -> R| {
+            motions.fill(field, number, each.samples.iter().map(of));
+        };
+        fill(DISPLACEMENT, |sample| sample.displacement);
+        fill(VELOCITY, |sample| sample.velocity);
+        fill(ACCELERATION, |sample| sample.acceleration);
+        fill(TOP, |sample| sample.top);
+        motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
+        motions.fill(crest, number, each.gaps().map(|gap| gap.crest));
+        for (part, values) in each.inside.iter().enumerate() {
+            motions.fill(inside + part, number, values.iter().copied());
+        }
+        others(&mut motions, number, each);
+    }
+    motions
+}
+
+/// Stores motions of u.
+pub(crate) fn horizontal<R: Real>(kept: &Kept<R>, sampled: &[SampledMotion<R>]) -> Motions<R> {
+    stored([HORIZONTAL_FIELDS, CREST, QUARTERS_H], kept, sampled, |motions, number, each| {
+        motions.fill(HYSTERETIC, number, each.samples.iter().map(|sample| sample.hysteretic));
+        motions.fill(MOST, number, each.gaps().map(|gap| gap.most));
+        motions.fill(HIGHEST, number, each.highest.iter().copied());
+        motions.fill(DEEPEST, number, each.deepest.iter().copied());
+        motions.fill(STRONGEST, number, each.strongest.iter().copied());
+    })
+}
+
+/// Stores motions of v.
+pub(crate) fn vertical<R: Real>(kept: &Kept<R>, sampled: &[SampledMotion<R>]) -> Motions<R> {
+    stored([VERTICAL_FIELDS, TROUGH, EIGHTHS_V], kept, sampled, |motions, number, each| {
+        motions.fill(BOTTOM, number, each.samples.iter().map(|sample| sample.bottom));
+        motions.fill(LOWEST, number, each.samples.iter().map(|sample| sample.lowest));
+        motions.fill(LIGHTEST, number, each.deepest.iter().map(|deepest| -*deepest));
+    })
+}

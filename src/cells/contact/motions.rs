@@ -1,0 +1,145 @@
+//! Full-contact motions in one array: quantity by quantity, in each quantity motion by motion, in each
+//! motion sample by sample. A device has the same array (`shaders/shared_contact.wgsl`): there
+//! neighbouring cells read neighbouring numbers.
+
+use fearless_simd::Level;
+
+use crate::cells::listing::Entries;
+use crate::model::real::Real;
+
+/// u or v at each sample, m.
+pub const DISPLACEMENT: usize = 0;
+/// Its rate, m/s.
+pub const VELOCITY: usize = 1;
+/// X or Y of (14), m/s^2.
+pub const ACCELERATION: usize = 2;
+/// Lower bound of the acceleration from each sample to the next.
+pub const LEAST: usize = 3;
+/// Largest |u|, or largest v, up to each sample, m.
+pub const TOP: usize = 4;
+/// Of v: least of the acceleration up to each sample.
+pub const LOWEST: usize = 5;
+/// Of v: least of the acceleration from each sample to the next, crests between steps included.
+pub const TROUGH: usize = 6;
+/// Of u: z.
+pub const HYSTERETIC: usize = 5;
+/// Of u: upper bound of the acceleration from each sample to the next.
+pub const MOST: usize = 6;
+/// Of u: largest upper bound up to and with each gap.
+pub const HIGHEST: usize = 7;
+/// Of u: largest negative of the lower bound, up to and with each gap.
+pub const DEEPEST: usize = 8;
+/// Of u: largest magnitude of the acceleration up to and with each gap.
+pub const STRONGEST: usize = 9;
+/// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
+/// included.
+pub const CREST: usize = 10;
+/// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
+pub const EIGHTHS_V: usize = 7;
+/// Of v: least v up to each sample, m.
+pub const BOTTOM: usize = 14;
+/// Of u: the same after the first quarter of each gap; two quarters more follow.
+pub const QUARTERS_H: usize = 11;
+/// Of v: least lower bound up to and with each gap.
+pub const LIGHTEST: usize = 15;
+/// Quantities of a motion of v.
+pub const VERTICAL_FIELDS: usize = 16;
+/// Quantities of a motion of u.
+pub const HORIZONTAL_FIELDS: usize = 14;
+
+/// The motions of one direction.
+#[derive(Debug)]
+pub struct Motions<R> {
+    /// All numbers.
+    pub values: Vec<R>,
+    /// First sample of each motion, and the end of the last one.
+    pub first: Vec<u32>,
+    /// Which combinations of values have one.
+    pub entries: Entries,
+}
+
+impl<R: Real> Motions<R> {
+    /// Zeros for motions of these lengths.
+    pub fn new(
+        fields: usize,
+        lengths: impl Iterator<Item = usize>,
+        entries: Entries,
+    ) -> Motions<R> {
+        let mut first = vec![0];
+        let mut samples = 0;
+        for length in lengths {
+            samples += length;
+            // The memory limit keeps the samples below 2^32.
+            first.push(samples as u32);
+        }
+        Motions { values: vec![R::of(0.0); fields * samples], first, entries }
+    }
+
+    /// Samples of all motions.
+    pub fn samples(&self) -> usize {
+        self.first.last().map_or(0, |samples| *samples as usize)
+    }
+
+    /// Samples of the longest motion.
+    pub fn longest(&self) -> usize {
+        self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
+    }
+
+    /// Stores a quantity of a motion. A quantity of gaps has one number less than one of samples: the
+    /// last number stays zero.
+    pub fn fill(&mut self, field: usize, number: usize, values: impl Iterator<Item = R>) {
+        let start = field * self.samples() + self.first[number] as usize;
+        for (place, value) in self.values[start..].iter_mut().zip(values) {
+            *place = value;
+        }
+    }
+
+    /// A motion, by its number.
+    #[inline(always)]
+    pub fn at(&self, number: usize) -> MotionSlice<'_, R> {
+        let (first, end) = (self.first[number] as usize, self.first[number + 1] as usize);
+        MotionSlice { values: &self.values[first..], samples: self.samples(), length: end - first }
+    }
+}
+
+/// One motion.
+#[derive(Clone, Copy)]
+pub struct MotionSlice<'a, R> {
+    /// From its first sample on.
+    values: &'a [R],
+    /// Samples of all motions.
+    samples: usize,
+    /// Samples of this one.
+    pub length: usize,
+}
+
+impl<'a, R> MotionSlice<'a, R> {
+    /// The gap that stands for a gap of the other direction's motion: the last one where this motion is shorter.
+    #[inline(always)]
+    pub fn gap(&self, other: usize) -> usize {
+        // The last sample ends no gap.
+        other.min(self.length.saturating_sub(2))
+    }
+
+    /// A quantity at its samples.
+    #[inline(always)]
+    pub fn field(&self, field: usize) -> &'a [R] {
+        let start = field * self.samples;
+        &self.values[start..start + self.length]
+    }
+}
+
+/// The two motions of a cell.
+#[derive(Clone, Copy)]
+pub struct MotionPair<'a, R> {
+    /// Of u.
+    pub across: MotionSlice<'a, R>,
+    /// Of v.
+    pub up: MotionSlice<'a, R>,
+    /// The base does not move vertically before the block lifts.
+    pub still: bool,
+    /// Forces inside gaps are known.
+    pub forces: bool,
+    /// The vector instructions of this machine.
+    pub level: Level,
+}

@@ -1,0 +1,304 @@
+//! Motions in full contact with the contact forces inside their gaps, as many motions at once as a vector has lanes.
+//!
+//! All lanes go through a gap together, and through each of its steps. A lane whose step is cut at kinks of the Bouc-Wen
+//! law takes more turns, and one that has more steps to a gap takes more of them; the others wait.
+
+use fearless_simd::Level;
+
+use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
+use super::sampling::{Gaps, add, load};
+use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
+use crate::model::dynamics::{Contact, Rates};
+use crate::model::motion::Motion;
+use crate::model::real::{Real, Vector};
+use crate::stepping::extremes::parabola;
+use crate::stepping::lanes::{Lanes, Shared, each};
+use crate::stepping::log::Listener;
+use crate::stepping::rk4::hermite;
+use crate::work::vectors::vectorized;
+
+/// Most parts that a gap is kept in.
+const MOST_PARTS: usize = 8;
+
+/// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
+pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
+    let zero = R::of(0.0);
+    let mut sampled = Vec::new();
+    vectorized!(level, zero => sampled = integrate(batch, zero));
+    sampled
+}
+
+/// X or Y in the spans that each lane has taken: a step is one span, or more where z or u' changed its sign in it.
+struct Spans<V> {
+    direction: Direction,
+    /// Spans of the step.
+    count: V,
+    /// In the middle of the last span and at its end.
+    mid: V,
+    end: V,
+    /// The largest magnitude, or the least, of the gap's spans.
+    crest: V,
+}
+
+impl<V: Vector> Listener<V> for Spans<V> {
+    const FORCES: bool = true;
+
+    #[inline(always)]
+    fn feel(&mut self, lanes: V::Mask, [start, mid, end]: [Contact<V>; 3]) {
+        let direction = self.direction;
+        let (start, mid, end) = (direction.of(start), direction.of(mid), direction.of(end));
+        self.count = V::select(lanes, self.count + start.like(1.0), self.count);
+        self.mid = V::select(lanes, mid, self.mid);
+        self.end = V::select(lanes, end, self.end);
+        self.crest = direction.crest(lanes, self.crest, [start, mid, end]);
+    }
+}
+
+type Motions<'a, V> = Lanes<'a, V, Spans<V>>;
+
+#[inline(always)]
+fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+    let MotionBatch { variant, direction, record, starts } = batch;
+    let models: Vec<_> = starts.iter().map(|start| start.model).collect();
+    let spans =
+        Spans { direction, count: zero, mid: zero, end: zero, crest: direction.no_crest(zero) };
+    let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, spans);
+    let parts = direction.parts();
+    let substeps: Vec<u32> = starts.iter().map(|start| start.cell.substeps).collect();
+    let steps = gap_steps(parts, &substeps, zero);
+    let by_quarters = by_quarters(parts, &substeps);
+    let mut sampled = load(&mut lanes, &batch, parts);
+    let mut values = [zero; MOST_PARTS + 1];
+    let mut now = direction.of(lanes.contact());
+    // A block that lifts at once, at a jump, has no forces on record.
+    let (mut lowest, mut missed) = (Direction::Vertical.no_crest(zero), zero);
+    let first = Gaps::at(now).known(zero, lowest);
+    for (lane, sampled) in sampled.iter_mut().enumerate() {
+        add(sampled, &lanes, lane, direction, &first);
+    }
+    let mut through = lanes.running();
+    while through != 0 {
+        let mut gap = Gaps::at(now);
+        values[0] = now;
+        lanes.log.crest = direction.no_crest(zero);
+        let mut ended = 0;
+        for GapStep { lanes: some, ends } in &steps {
+            lanes.run_only(through & some & !ended);
+            let [reached, over] = if ends.is_empty() {
+                step(&mut lanes)
+            } else {
+                step_with_ends(&mut lanes, ends, gap.now, &mut values)
+            };
+            through &= reached | !some;
+            ended |= over;
+            gap.take(zero.mask(reached), lanes.log.end);
+        }
+        now = gap.now;
+        values[parts as usize] = now;
+        if by_quarters != 0 {
+            tell_others(&mut values, zero.mask(by_quarters));
+        }
+        let crest = lanes.log.crest;
+        let off = (kept_crest(direction, &values) - crest).abs();
+        missed = V::select(zero.mask(through), missed.max(off), missed);
+        lowest = lowest.min(crest);
+        let known = gap.known(crest, lowest);
+        for lane in each(through) {
+            let sampled = &mut sampled[lane];
+            for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
+                kept.push(value.lane(lane));
+            }
+            add(sampled, &lanes, lane, direction, &known);
+        }
+        through &= !ended;
+    }
+    let all = sampled.into_iter().zip(starts).enumerate();
+    let finished = all.map(|(lane, (sampled, start))| {
+        let allowed = direction.allowed(&sampled, start.model.gravity);
+        sampled.filled(samples(&start.cell)).finish(missed.lane(lane) > allowed)
+    });
+    finished.collect()
+}
+
+/// Eighths of some lanes' gaps that quarters tell.
+#[inline(always)]
+fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
+    for half in [0, 4] {
+        let (start, mid, end) = (values[half], values[half + 2], values[half + 4]);
+        let first = parabola(start, mid, end, start.like(0.25));
+        let second = parabola(start, mid, end, start.like(0.75));
+        values[half + 1] = V::select(lanes, first, values[half + 1]);
+        values[half + 3] = V::select(lanes, second, values[half + 3]);
+    }
+}
+
+/// Takes the running lanes over a step: those that are at its end, and those that go on no more, a bit each.
+#[inline(always)]
+fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
+    lanes.log.count = lanes.log.count.like(0.0);
+    if !lanes.has_kinks() {
+        return [lanes.running(), lanes.stand()];
+    }
+    let (mut reached, mut ended) = (0, 0);
+    while lanes.running() != 0 {
+        let over = lanes.advance();
+        let through = V::bits(lanes.between_steps());
+        reached |= through;
+        ended |= over;
+        lanes.leave_off(through | over);
+    }
+    [reached, ended]
+}
+
+/// The same where parts of a gap end in the step: `values` at these ends; `now` is that at its start.
+#[inline(always)]
+fn step_with_ends<V: Vector>(
+    lanes: &mut Motions<V>,
+    ends: &[PartEnds<V>],
+    now: V,
+    values: &mut [V; MOST_PARTS + 1],
+) -> [u64; 2] {
+    let (direction, running) = (lanes.log.direction, lanes.running());
+    let (zero, one) = (now.like(0.0), now.like(1.0));
+    let y0 = *lanes.motion();
+    let h = lanes.step_length();
+    let (start, end) = (lanes.ground(zero), lanes.ground(one));
+    let mut grounds = [start; MOST_PARTS];
+    for (ground, PartEnds { fraction, .. }) in grounds.iter_mut().zip(ends) {
+        *ground = lanes.ground(*fraction);
+    }
+    let over = step(lanes);
+    let whole = one.ge(lanes.log.count);
+    // The rates at both ends, where they are asked for.
+    let mut known = None;
+    for (ends, ground) in ends.iter().zip(grounds) {
+        let by_mid = ends.halfway & whole;
+        let mut value = V::select(by_mid, lanes.log.mid, now);
+        let by_cubic = ends.lanes & !(by_mid | ends.at_start) & zero.mask(running);
+        if V::any(by_cubic) {
+            let y1 = *lanes.motion();
+            let [k0, k1] = match known {
+                Some(rates) => rates,
+                None => [lanes.standing_rates(&y0, start), lanes.standing_rates(&y1, end)],
+            };
+            known = Some([k0, k1]);
+            let motion = between([&y0, &y1], [&k0, &k1], h, ends.fraction);
+            let found = direction.of(lanes.standing_rates(&motion, ground).contact());
+            value = V::select(by_cubic, found, value);
+        }
+        let those = running & V::bits(ends.lanes);
+        for (lane, &number) in ends.numbers.iter().enumerate() {
+            if those >> lane & 1 == 1 {
+                values[number].put(lane, value.lane(lane));
+            }
+        }
+    }
+    over
+}
+
+/// The motion at a fraction of a step, by the cubics through its ends.
+#[inline(always)]
+fn between<V: Vector>(
+    [y0, y1]: [&Motion<V>; 2],
+    [k0, k1]: [&Rates<V>; 2],
+    h: V,
+    fraction: V,
+) -> Motion<V> {
+    Motion {
+        u: hermite(y0.u, h * k0.du, y1.u, h * k1.du, fraction),
+        du: hermite(y0.du, h * k0.ddu, y1.du, h * k1.ddu, fraction),
+        v: hermite(y0.v, h * k0.dv, y1.v, h * k1.dv, fraction),
+        dv: hermite(y0.dv, h * k0.ddv, y1.dv, h * k1.ddv, fraction),
+        z: hermite(y0.z, h * k0.dz, y1.z, h * k1.dz, fraction),
+        ..*y0
+    }
+}
+
+/// The largest |X| or the least Y of a gap, by parabolas through its parts' ends.
+#[inline(always)]
+fn kept_crest<V: Vector>(direction: Direction, values: &[V; MOST_PARTS + 1]) -> V {
+    let all = values[0].mask(u64::MAX);
+    let mut so_far = direction.no_crest(values[0]);
+    for start in (0..direction.parts() as usize).step_by(2) {
+        let span = [values[start], values[start + 1], values[start + 2]];
+        so_far = direction.crest(all, so_far, span);
+    }
+    so_far
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cells::contact::shared_motion::{Sample, Start};
+    use crate::cells::plan::Plan;
+    use crate::model::excitation::Ground;
+    use crate::scene::record::synthetic;
+    use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
+    use crate::work::vectors::lanes_of;
+
+    /// All numbers of a motion.
+    fn numbers<R: Real>(motion: &SampledMotion<R>) -> (&[Sample<R>], Vec<R>) {
+        let quantities = [&motion.highest, &motion.deepest, &motion.strongest];
+        let others = quantities.into_iter().chain(&motion.inside).flatten().copied();
+        (&motion.samples, others.collect())
+    }
+
+    /// Lanes that wait, that have ended or that have no motion change nothing in the others.
+    fn each_is_what_it_is_alone<R: Real>(scene: &Scene, direction: Direction) {
+        let plan = Plan::new(scene, 0.01).unwrap();
+        let record: Vec<Ground<R>> = plan.record();
+        let alone = match direction {
+            Direction::Horizontal => plan.without_vertical(),
+            Direction::Vertical => plan.without_horizontal(),
+        };
+        let clock = if scene.excitation.record().is_some() { &alone } else { &plan };
+        let grid = Grid::of(scene);
+        let cases = (0..grid.len().min(lanes_of::<R>(Level::new()))).map(|cell| grid.case(cell));
+        let starts: Vec<Start<R>> = cases.map(|case| Start::of(clock, &case, direction)).collect();
+        let (variant, record, level) = (alone.variant(), &record[..], Level::new());
+        let of = |starts| sample(MotionBatch { variant, direction, record, starts }, level);
+        let together = of(&starts);
+        assert_eq!(together.len(), starts.len());
+        for (number, motion) in together.iter().enumerate() {
+            let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
+            assert_eq!(motion.samples.len(), samples(&starts[number].cell));
+            assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
+            let beyond = R::of(1.0e30);
+            assert!(motion.gaps().all(|gap| gap.most < beyond), "{direction:?} {number} is shared");
+        }
+    }
+
+    /// Under pulses of many lengths lanes end one by one.
+    #[test]
+    fn motions_under_pulses_are_those_of_each_alone() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::AV, 2.0)
+            .with(Parameter::AH, 5.0)
+            .with(Parameter::Omega, Range::even(0.5, 12.0, 16))
+            .check()
+            .unwrap();
+        for direction in [Direction::Horizontal, Direction::Vertical] {
+            each_is_what_it_is_alone::<f32>(&scene, direction);
+            each_is_what_it_is_alone::<f64>(&scene, direction);
+        }
+    }
+
+    /// Stiff bases have many steps to a gap, and others few.
+    #[test]
+    fn motions_under_a_record_are_those_of_each_alone() {
+        let scene = |parameter, from, to| {
+            let other = if parameter == Parameter::TH { Parameter::TV } else { Parameter::TH };
+            SceneBuilder::object(1)
+                .with(parameter, Range::even(from, to, 15))
+                .with(other, 1.0)
+                .check_under_motion(synthetic::pair())
+                .unwrap()
+        };
+        each_is_what_it_is_alone::<f32>(&scene(Parameter::TV, 0.03, 1.2), Direction::Vertical);
+        each_is_what_it_is_alone::<f64>(&scene(Parameter::TV, 0.03, 1.2), Direction::Vertical);
+        each_is_what_it_is_alone::<f32>(&scene(Parameter::TH, 0.3, 4.0), Direction::Horizontal);
+        each_is_what_it_is_alone::<f64>(&scene(Parameter::TH, 0.3, 4.0), Direction::Horizontal);
+    }
+}

@@ -1,0 +1,114 @@
+//! What the makers of shared motions have in common: motions on the lanes of a vector, and what is kept of each gap
+//! between two samples.
+
+use super::shared_motion::{Direction, MotionBatch, SLACK, Sample, SampledMotion, samples};
+use crate::model::excitation::Cell;
+use crate::model::real::{Real, Vector};
+use crate::stepping::lanes::{Job, Lanes};
+use crate::stepping::log::Listener;
+use crate::stepping::state::RUNNING;
+
+/// Puts each motion of a batch on a lane, up to the end of the excitation; the motions, nothing in them, whose gaps are
+/// kept in so many parts.
+#[inline(always)]
+pub(crate) fn load<V: Vector, L: Listener<V>>(
+    lanes: &mut Lanes<V, L>,
+    batch: &MotionBatch<V::Element>,
+    parts: u32,
+) -> Vec<SampledMotion<V::Element>> {
+    let mut sampled = Vec::with_capacity(batch.starts.len());
+    for (number, start) in batch.starts.iter().enumerate() {
+        sampled.push(SampledMotion::of(samples(&start.cell), parts));
+        let cell = Cell { body: number as u32, steps: start.cell.steps_forced, ..start.cell };
+        if start.state.status == RUNNING && cell.steps > 0 {
+            lanes.load(number, Job { number, cell, state: start.state });
+        }
+    }
+    sampled
+}
+
+/// X or Y of each lane since the gap in which it is began.
+pub(crate) struct Gaps<V> {
+    pub now: V,
+    least: V,
+    most: V,
+    /// The largest change in a step.
+    change: V,
+}
+
+impl<V: Vector> Gaps<V> {
+    /// At the start of a gap.
+    #[inline(always)]
+    pub fn at(now: V) -> Gaps<V> {
+        Gaps { now, least: now, most: now, change: now.like(0.0) }
+    }
+
+    /// Some lanes have taken a step.
+    #[inline(always)]
+    pub fn take(&mut self, lanes: V::Mask, next: V) {
+        self.change = V::select(lanes, self.change.max((next - self.now).abs()), self.change);
+        self.least = V::select(lanes, self.least.min(next), self.least);
+        self.most = V::select(lanes, self.most.max(next), self.most);
+        self.now = V::select(lanes, next, self.now);
+    }
+
+    /// Some lanes begin their next gap.
+    #[inline(always)]
+    pub fn begin(&mut self, lanes: V::Mask) {
+        self.least = V::select(lanes, self.now, self.least);
+        self.most = V::select(lanes, self.now, self.most);
+        self.change = V::select(lanes, self.change.like(0.0), self.change);
+    }
+
+    /// What is known of each lane's gap, but its crest and the least value so far: bounds with what may lie between the
+    /// ends of steps.
+    #[inline(always)]
+    pub fn known(&self, crest: V, lowest: V) -> Known<V> {
+        let Gaps { least, most, change, now } = *self;
+        let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
+        Known { now, least: least - slack, most: most + slack, crest, lowest }
+    }
+}
+
+/// X or Y at each lane's sample and in the gap that ends there, as a [`Sample`] has them.
+pub(crate) struct Known<V> {
+    now: V,
+    least: V,
+    most: V,
+    crest: V,
+    lowest: V,
+}
+
+/// Adds the sample that a lane is at.
+#[inline(always)]
+pub(crate) fn add<V: Vector, L: Listener<V>>(
+    sampled: &mut SampledMotion<V::Element>,
+    lanes: &Lanes<V, L>,
+    lane: usize,
+    direction: Direction,
+    known: &Known<V>,
+) {
+    let (motion, extremes) = (lanes.motion(), lanes.extremes());
+    let zero = V::Element::of(0.0);
+    let (displacement, velocity, hysteretic, bottom, top) = match direction {
+        Direction::Horizontal => {
+            (motion.u, motion.du, motion.z.lane(lane), zero, extremes.max_u.lane(lane))
+        }
+        Direction::Vertical => {
+            let range = (extremes.least_v.lane(lane), extremes.most_v.lane(lane));
+            (motion.v, motion.dv, zero, range.0, range.1)
+        }
+    };
+    sampled.samples.push(Sample {
+        displacement: displacement.lane(lane),
+        velocity: velocity.lane(lane),
+        hysteretic,
+        acceleration: known.now.lane(lane),
+        least: known.least.lane(lane),
+        most: known.most.lane(lane),
+        crest: known.crest.lane(lane),
+        lowest: known.lowest.lane(lane),
+        bottom,
+        top,
+    });
+}

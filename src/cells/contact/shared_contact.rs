@@ -1,0 +1,226 @@
+//! The full contact that cells share: where it takes a cell before the cell lifts. Twin of
+//! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
+
+use super::motions::{
+    ACCELERATION, BOTTOM, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LIGHTEST, LOWEST,
+    MOST, MotionPair, STRONGEST, TOP, VELOCITY,
+};
+use super::shared_friction::{at_samples, crests};
+use crate::model::block::Model;
+use crate::model::excitation::Cell;
+use crate::model::motion::Motion;
+use crate::model::number::Number;
+use crate::model::real::{Real, Vector};
+use crate::stepping::state::{FINISHED, State};
+use crate::work::vectors::vectorized;
+
+/// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
+/// (14) is between two bounds, and Y above one.
+#[inline(always)]
+fn lifts<N: Number>(arms: [N; 2], lever: N, most: N, least: N, least_y: N) -> N::Mask {
+    // A negative lever turns the bounds about.
+    let (one, other) = (lever * most, lever * least);
+    one.max(other).gt(arms[0] * least_y) | (-one).max(-other).gt(arms[1] * least_y)
+}
+
+/// Takes a cell from its start to the first gap in which it may lift, or to the end of the
+/// excitation.
+#[inline(always)]
+pub(crate) fn full_contact<R: Real>(
+    motions: &MotionPair<R>,
+    model: &Model<R>,
+    scale: R,
+    cell: &Cell<R>,
+    state: &mut State<R>,
+) {
+    let zero = R::of(0.0);
+    let (h, v) = (motions.across, motions.up);
+    // u is A_h times what it is for A_h = 1.
+    let lever = model.height * scale;
+    let size = scale.abs();
+    let arms = [model.left.arm, model.right.arm];
+    // A motion of v at rest is as long as it is asked for.
+    let last_v = v.length - 1;
+    let first = first_beyond(motions, arms, lever);
+    // A scan along rows of numbers, with the widest vectors that this machine has.
+    let (mut sample, mut friction, none) = (first, zero, zero);
+    vectorized!(motions.level, none => {
+        sample = first_lift(motions, arms, lever, first, none);
+        if motions.forces && !motions.still {
+            friction = at_samples(motions, size, sample, none);
+            friction = crests(motions, size, sample, friction, none);
+        }
+    });
+    if motions.still && sample > 0 {
+        let y = v.field(ACCELERATION)[0];
+        let strongest = h.field(STRONGEST)[sample - 1];
+        friction = if y > zero { size * strongest / y } else { zero };
+    }
+    let at = sample.min(last_v);
+    let z = h.field(HYSTERETIC)[sample];
+    state.motion = Motion {
+        u: scale * h.field(DISPLACEMENT)[sample],
+        du: scale * h.field(VELOCITY)[sample],
+        v: v.field(DISPLACEMENT)[at],
+        dv: v.field(VELOCITY)[at],
+        z: if scale < zero { -z } else { z },
+        phi: zero,
+        dphi: zero,
+    };
+    state.max_u = scale.abs() * h.field(TOP)[sample];
+    state.least_v = v.field(BOTTOM)[at];
+    state.most_v = v.field(TOP)[at];
+    let lowest = v.field(LOWEST)[at];
+    if lowest < state.min_contact {
+        state.min_contact = lowest;
+    }
+    state.friction = friction;
+    // A sample is a step of the cell or more, of which there are fewer than 2^32.
+    state.step = (sample as u32 * cell.substeps).min(cell.steps_forced);
+    if state.step >= cell.steps {
+        state.status = FINISHED;
+    }
+}
+
+/// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not fall and
+/// do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
+fn first_beyond<R: Real>(motions: &MotionPair<R>, arms: [R; 2], lever: R) -> usize {
+    let (h, v) = (motions.across, motions.up);
+    let last = h.length - 1;
+    let (highest, deepest) = (h.field(HIGHEST), h.field(DEEPEST));
+    let lightest = v.field(LIGHTEST);
+    let [left, right] = arms;
+    let (rising, falling) = if lever < R::of(0.0) { (right, left) } else { (left, right) };
+    let size = lever.abs();
+    let (mut low, mut high) = (0, last);
+    while low < high {
+        let gap = low.midpoint(high);
+        let least_y = lightest[v.gap(gap)];
+        if size * highest[gap] > rising * least_y || size * deepest[gap] > falling * least_y {
+            high = gap;
+        } else {
+            low = gap + 1;
+        }
+    }
+    low
+}
+
+/// The first gap in which a cell may lift, from a gap on, or the last sample: vector by vector, then gap by gap.
+#[inline(always)]
+fn first_lift<V: Vector>(
+    motions: &MotionPair<V::Element>,
+    arms: [V::Element; 2],
+    lever: V::Element,
+    first: usize,
+    zero: V,
+) -> usize {
+    let (h, v) = (motions.across, motions.up);
+    let (last, last_v) = (h.length - 1, v.length - 1);
+    let (most, least) = (h.field(MOST), h.field(LEAST));
+    let least_y = v.field(LEAST);
+    let lever_of_all = zero.like(lever.to_f64());
+    let arms_of_all = [zero.like(arms[0].to_f64()), zero.like(arms[1].to_f64())];
+    let mut sample = first;
+    while sample + V::LANES <= last.min(last_v) {
+        let (most, least) = (zero.first_of(&most[sample..]), zero.first_of(&least[sample..]));
+        let least_y = zero.first_of(&least_y[sample..]);
+        if V::any(lifts(arms_of_all, lever_of_all, most, least, least_y)) {
+            break;
+        }
+        sample += V::LANES;
+    }
+    while sample < last {
+        let least_y = least_y[v.gap(sample)];
+        if lifts(arms, lever, most[sample], least[sample], least_y) {
+            break;
+        }
+        sample += 1;
+    }
+    sample
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::motions::{CREST, TROUGH};
+    use super::super::shared_friction::{OVER, share, within_gaps};
+    use super::*;
+    use crate::cells::clock::DEFAULT_STEP;
+    use crate::cells::plan::Plan;
+    use crate::cells::ready::Cells;
+    use crate::model::excitation::Ground;
+    use crate::scene::record::synthetic;
+    use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
+    use crate::work::progress::Unwatched;
+
+    /// What bounds so far leave out changes nothing: gaps in which a cell may lift, samples and crests of the friction are
+    /// those of a look at every gap.
+    fn nothing_is_left_out<R: Real>(scene: &Scene) {
+        let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
+        let record: Vec<Ground<R>> = plan.record();
+        let cells: Vec<usize> = (0..grid.len()).collect();
+        let all = Cells::<R>::of(&plan, &grid, &cells, &record, &Unwatched);
+        let of = R::of;
+        let mut lifted = 0;
+        for (cell, scale) in (0..grid.len()).flat_map(|cell| {
+            [0.02, -0.1, 0.35, -0.7, 1.0].into_iter().map(move |scale| (cell, scale))
+        }) {
+            let motions = all.motions_of(&all.tables.cell(cell)).unwrap();
+            let (h, v) = (motions.across, motions.up);
+            let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
+            let (least_y, x, y) = (v.field(LEAST), h.field(ACCELERATION), v.field(ACCELERATION));
+            let last = h.length - 1;
+            let gap_v = |gap: usize| gap.min(v.length - 2);
+            let may = |gap: &usize| {
+                let (most, least) = (h.field(MOST)[*gap], h.field(LEAST)[*gap]);
+                lifts(arms, lever, most, least, least_y[gap_v(*gap)])
+            };
+            let sample = (0..last).find(may).unwrap_or(last);
+            lifted += usize::from(sample < last);
+            let shares = (0..sample).map(|gap| share(size, x[gap], y[gap_v(gap)]));
+            let friction = shares.fold(of(0.0), R::max);
+            let (mut found, none) = ((0, of(0.0), of(0.0)), of(0.0));
+            vectorized!(motions.level, none => {
+                let first = first_beyond(&motions, arms, lever);
+                let sample = first_lift(&motions, arms, lever, first, none);
+                let at_samples = at_samples(&motions, size, sample, none);
+                found = (sample, at_samples, crests(&motions, size, sample, at_samples, none));
+            });
+            assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");
+            let crest = (0..sample).fold(friction, |most, gap| {
+                let (crest, trough) = (h.field(CREST)[gap], v.field(TROUGH)[gap_v(gap)]);
+                let looked = size * crest > of(1.0 + OVER) * friction * trough;
+                let within = || within_gaps(&motions, size, (gap, gap_v(gap)));
+                if looked { most.max(within()) } else { most }
+            });
+            // A gap that exceeds the largest so far by less than this is not looked into.
+            let most = crest.max(found.2).to_f64();
+            assert!((crest - found.2).to_f64().abs() <= OVER * most, "cell {cell}, {scale}");
+        }
+        assert!(lifted > grid.len() / 2, "{lifted} lift");
+    }
+
+    #[test]
+    fn bounds_so_far_leave_nothing_out_under_pulses() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, 1.75)
+            .with(Parameter::TV, 0.75)
+            .with(Parameter::AV, 4.0)
+            .with(Parameter::AH, Range::even(9.0, 10.0, 12))
+            .with(Parameter::Omega, Range::even(0.5, 12.0, 16))
+            .check()
+            .unwrap();
+        nothing_is_left_out::<f32>(&scene);
+        nothing_is_left_out::<f64>(&scene);
+    }
+
+    #[test]
+    fn bounds_so_far_leave_nothing_out_under_a_record() {
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, Range::even(0.5, 4.0, 8))
+            .with(Parameter::TV, Range::even(0.2, 1.5, 8))
+            .check_under_motion(synthetic::pair())
+            .unwrap();
+        nothing_is_left_out::<f32>(&scene);
+        nothing_is_left_out::<f64>(&scene);
+    }
+}

@@ -1,0 +1,240 @@
+//! A motion in full contact, sample by sample, with what cells that share it ask of it: see
+//! [`full_contact`](super::full_contact).
+
+use crate::cells::plan::Plan;
+use crate::model::block::Model;
+use crate::model::dynamics::Contact;
+use crate::model::excitation::{Cell, Ground};
+use crate::model::isolation::Variant;
+use crate::model::number::Number;
+use crate::model::real::Real;
+use crate::scene::Case;
+use crate::stepping::extremes::{bend, crest};
+use crate::stepping::state::State;
+
+/// Share of its largest value by which an acceleration may exceed its values at the ends of steps:
+/// 80 steps a period leave 8e-4.
+pub(crate) const SLACK: f64 = 2.0e-3;
+/// Share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an
+/// extremum there. A motion that is faster is shared by nobody.
+const MISSED: f64 = 5.0e-4;
+
+/// A motion in one direction at a sample, and in the gap that ends there.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Sample<R> {
+    /// u or v, m.
+    pub displacement: R,
+    /// Its rate, m/s.
+    pub velocity: R,
+    /// z of u.
+    pub hysteretic: R,
+    /// X or Y of (14), m/s^2.
+    pub acceleration: R,
+    /// Bounds of it in the gap.
+    pub least: R,
+    pub most: R,
+    /// Its largest magnitude (of v its least) in the gap, crests between steps included.
+    pub crest: R,
+    /// Least of the acceleration so far.
+    pub lowest: R,
+    /// Least v so far, m; of u zero.
+    pub bottom: R,
+    /// Largest |u|, or largest v, so far, m.
+    pub top: R,
+}
+
+/// A motion in one direction, sample by sample.
+pub struct SampledMotion<R> {
+    /// The samples. No gap ends at the first.
+    pub samples: Vec<Sample<R>>,
+    /// The acceleration after each part of a gap: a quarter of X, an eighth of Y.
+    pub inside: Vec<Vec<R>>,
+    /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
+    /// acceleration, up to and with each gap.
+    pub highest: Vec<R>,
+    pub deepest: Vec<R>,
+    pub strongest: Vec<R>,
+}
+
+/// Which of the two directions a motion is in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Direction {
+    Horizontal,
+    Vertical,
+}
+
+impl Direction {
+    /// X or Y.
+    #[inline(always)]
+    pub(crate) fn of<R>(self, contact: Contact<R>) -> R {
+        match self {
+            Direction::Horizontal => contact.shear,
+            Direction::Vertical => contact.normal,
+        }
+    }
+
+    /// Parts that a gap is kept in.
+    pub(crate) fn parts(self) -> u32 {
+        match self {
+            Direction::Horizontal => 4,
+            Direction::Vertical => 8,
+        }
+    }
+
+    /// What parabolas through parts of gaps may miss, m/s^2.
+    pub(crate) fn allowed<R: Real>(self, sampled: &SampledMotion<R>, gravity: R) -> R {
+        R::of(MISSED)
+            * match self {
+                Direction::Horizontal => {
+                    sampled.gaps().fold(R::of(0.0), |most, gap| most.max(gap.crest))
+                }
+                Direction::Vertical => gravity,
+            }
+    }
+
+    /// The larger of the one so far and the largest |X|, or the lesser and the least Y, on the parabolas
+    /// through the starts, middles and ends of some lanes' spans.
+    #[inline(always)]
+    pub(crate) fn crest<N: Number>(
+        self,
+        lanes: N::Mask,
+        so_far: N,
+        [start, mid, end]: [N; 3],
+    ) -> N {
+        // A parabola goes beyond its values by no more than its bend: most spans need no division.
+        match self {
+            Direction::Horizontal => {
+                let (start, mid, end) = (start.abs(), mid.abs(), end.abs());
+                let most = start.max(mid).max(end);
+                let so_far = N::select(lanes, so_far.max(most), so_far);
+                let higher = lanes & (most + bend(start, mid, end)).gt(so_far);
+                if !N::any(higher) {
+                    return so_far;
+                }
+                N::select(higher, so_far.max(crest(start, mid, end)), so_far)
+            }
+            Direction::Vertical => {
+                let least = start.min(mid).min(end);
+                let so_far = N::select(lanes, so_far.min(least), so_far);
+                let lower = lanes & so_far.gt(least - bend(start, mid, end));
+                if !N::any(lower) {
+                    return so_far;
+                }
+                N::select(lower, so_far.min(crest(start, mid, end)), so_far)
+            }
+        }
+    }
+
+    /// That of no span at all.
+    #[inline(always)]
+    pub(crate) fn no_crest<N: Number>(self, like: N) -> N {
+        match self {
+            Direction::Horizontal => like.like(0.0),
+            Direction::Vertical => like.like(f64::from(f32::MAX)),
+        }
+    }
+}
+
+/// Where a motion begins.
+#[derive(Clone, Copy)]
+pub struct Start<R> {
+    /// A body that no lever arm lifts: its uplift moments (14) are zero.
+    pub model: Model<R>,
+    /// The numbers of a cell that shares the motion.
+    pub cell: Cell<R>,
+    /// The state at rest.
+    pub state: State<R>,
+}
+
+impl<R: Real> Start<R> {
+    /// That of a motion that a case has in one direction, in the steps of a plan.
+    pub fn of(plan: &Plan, case: &Case, direction: Direction) -> Start<R> {
+        let mut model = plan.model::<R>(case);
+        (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
+        let (mut cell, state) = plan.cell::<R>(case);
+        if direction == Direction::Horizontal {
+            // X by itself: over g it is the friction asked for where the ground does not move vertically.
+            cell.amplitude_v = R::of(0.0);
+        }
+        Start { model, cell, state }
+    }
+}
+
+/// Motions of one direction, under one record.
+#[derive(Clone, Copy)]
+pub struct MotionBatch<'a, R> {
+    /// The variant that has this direction alone.
+    pub variant: Variant,
+    /// The direction.
+    pub direction: Direction,
+    /// The record.
+    pub record: &'a [Ground<R>],
+    /// Where each begins.
+    pub starts: &'a [Start<R>],
+}
+
+/// Samples of a cell's motion in full contact: the ends of its gaps.
+pub fn samples<R>(cell: &Cell<R>) -> usize {
+    (cell.steps_forced / cell.substeps) as usize + 1
+}
+
+/// A bound beyond any acceleration, m/s^2.
+fn beyond<R: Real>() -> R {
+    R::of(f64::from(f32::MAX))
+}
+
+impl<R: Real> SampledMotion<R> {
+    /// A motion of so many samples, nothing in it.
+    pub(crate) fn of(count: usize, parts: u32) -> SampledMotion<R> {
+        SampledMotion {
+            samples: Vec::with_capacity(count),
+            inside: (1..parts).map(|_| Vec::with_capacity(count)).collect(),
+            highest: Vec::new(),
+            deepest: Vec::new(),
+            strongest: Vec::new(),
+        }
+    }
+
+    /// The gaps, each with the sample that ends it.
+    pub(crate) fn gaps(&self) -> impl Iterator<Item = &Sample<R>> {
+        self.samples.iter().skip(1)
+    }
+
+    /// The same with as many samples as it should have. A motion that the number type does not hold ends early: cells
+    /// that share it integrate by themselves.
+    pub(crate) fn filled(mut self, count: usize) -> SampledMotion<R> {
+        if let Some(&last) = self.samples.last()
+            && self.samples.len() < count
+        {
+            self.samples.resize(count, last);
+            self.bound_nothing();
+        }
+        self
+    }
+
+    /// With these bounds every cell may lift in every gap, and integrates by itself.
+    fn bound_nothing(&mut self) {
+        for sample in &mut self.samples {
+            (sample.least, sample.most) = (-beyond::<R>(), beyond());
+        }
+    }
+
+    /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
+    pub(crate) fn finish(mut self, missed: bool) -> SampledMotion<R> {
+        if missed {
+            self.bound_nothing();
+        }
+        let largest = |of: &dyn Fn(&Sample<R>) -> R| {
+            let mut most = -beyond::<R>();
+            let so_far = self.gaps().map(|gap| {
+                most = most.max(of(gap));
+                most
+            });
+            so_far.collect()
+        };
+        let highest = largest(&|gap| gap.most);
+        let deepest = largest(&|gap| -gap.least);
+        let strongest = largest(&|gap| gap.crest);
+        SampledMotion { highest, deepest, strongest, ..self }
+    }
+}

@@ -1,0 +1,86 @@
+//! The cells of a list: a cell's numbers and first state from the tables, and its outcome from its last
+//! state.
+
+use std::sync::Arc;
+
+use super::begin::begin;
+use super::cell_tables::CellTables;
+use super::clock::Clock;
+use super::contact::full_contact::FullContactMotions;
+use super::contact::motions::MotionPair;
+use super::listing::{CellAt, Index};
+use super::plan::Plan;
+use super::reader::Reader;
+use crate::model::block::Model;
+use crate::model::excitation::{Cell, Ground};
+use crate::model::real::Real;
+use crate::scene::{Case, Grid};
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::State;
+use crate::work::progress::Progress;
+
+/// The data from which some cells of a plan's grid are made.
+pub struct Cells<'a, R> {
+    /// Their numbers.
+    pub tables: CellTables<'a, R>,
+    /// Their shared motions in full contact, where they share them.
+    pub motions: Arc<Option<FullContactMotions<R>>>,
+    /// Where they find the motions of u and of v.
+    pub of_motions: Option<[Index; 2]>,
+}
+
+impl<'a, R: Real> Cells<'a, R> {
+    /// Some cells of a plan's grid under its record; `progress` may end the preparation, and then the sweep.
+    pub fn of(
+        plan: &'a Plan,
+        grid: &'a Grid,
+        cells: &'a [usize],
+        record: &[Ground<R>],
+        progress: &dyn Progress,
+    ) -> Cells<'a, R> {
+        let tables = CellTables::of(plan, grid, cells);
+        let motions = plan.full_contact_motions((grid, cells), record, progress);
+        let of_motions = motions.as_ref().as_ref().map(|motions| motions.index(grid, cells));
+        Cells { tables, motions, of_motions }
+    }
+
+    /// The bodies, by number.
+    pub fn bodies(&self) -> &[Model<R>] {
+        &self.tables.bodies.entries
+    }
+
+    /// A cell, by its number in the list, as its integration begins. Not inlined, so that it is compiled once, not
+    /// for every kind of vector.
+    #[inline(never)]
+    pub fn begin(&self, number: usize) -> (Cell<R>, State<R>) {
+        let cell = self.tables.cell(number);
+        begin(&self.tables, self.motions_of(&cell), &cell)
+    }
+
+    /// The motions that a cell shares, where it does.
+    #[inline(always)]
+    pub(crate) fn motions_of(&self, cell: &CellAt) -> Option<MotionPair<'_, R>> {
+        let motions = self.motions.as_ref().as_ref()?;
+        self.of_motions.as_ref().map(|of| motions.pair([of[0].of(cell), of[1].of(cell)]))
+    }
+
+    /// The outcome of a cell whose last state is `state`.
+    #[inline(never)]
+    pub fn outcome(&self, number: usize, state: &State<R>) -> Outcome {
+        let cell = self.tables.cell(number);
+        self.outcome_at(&cell, &self.tables.clock(&cell), state)
+    }
+
+    /// The same of a cell of this clock.
+    #[inline]
+    pub fn outcome_at(&self, cell: &CellAt, clock: &Clock, state: &State<R>) -> Outcome {
+        self.tables.readers.at(cell).outcome(clock, state)
+    }
+}
+
+impl Plan {
+    /// The outcome of a cell whose last state is `state`.
+    pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
+        Reader::of(case).outcome(&self.clock(case), state)
+    }
+}

@@ -1,0 +1,52 @@
+//! Tables of numbers that depend on some of a grid's axes only.
+//!
+//! A group of a cell's numbers depends on some of the axes only: under a pulse the steps on Omega, the
+//! yield displacement on A_h. A table has one entry for each combination of the values of those axes,
+//! so that a map of a thousand columns and rows needs a few thousand entries for its million cells. It has
+//! those alone that some cells need, so that a tile of a large grid needs a small one, and so does a list of
+//! cells, whatever the grid in which they lie.
+
+use rayon::prelude::*;
+
+use super::listing::{CellAt, Index, Listing};
+use crate::scene::{Case, Parameter};
+use crate::work::threads::install;
+
+/// Entries from which on all cores compute them.
+const MANY: usize = 1 << 10;
+
+/// One entry for each combination of values that a group depends on.
+#[derive(Debug, Clone)]
+pub struct Table<T> {
+    /// The entries, the first axis fastest.
+    pub entries: Vec<T>,
+    /// Where cells find theirs.
+    pub index: Index,
+}
+
+impl<T: Send> Table<T> {
+    /// The table of a group that depends on these parameters, for the cells of a list.
+    pub fn of(
+        list: &Listing,
+        parameters: &[Parameter],
+        entry: impl Fn(&Case) -> T + Sync,
+    ) -> Table<T> {
+        let known = list.entries(parameters);
+        let (entries, index) = &*known;
+        let (grid, count) = (list.grid(), entries.count());
+        let entry = |number| entry(&grid.case_at(&entries.place(number)));
+        let all = match count {
+            few if few < MANY => (0..count).map(entry).collect(),
+            _ => install(|| (0..count).into_par_iter().with_min_len(MANY / 4).map(entry).collect()),
+        };
+        Table { entries: all, index: index.clone() }
+    }
+}
+
+impl<T> Table<T> {
+    /// The entry of a cell.
+    #[inline(always)]
+    pub fn at(&self, cell: &CellAt) -> &T {
+        &self.entries[self.index.of(cell)]
+    }
+}

@@ -1,0 +1,8 @@
+//! How work is done: threads, vectors, and what is watched and ended.
+
+pub mod observed;
+pub mod observer;
+pub mod progress;
+pub mod several;
+pub mod threads;
+pub mod vectors;
