@@ -31,7 +31,7 @@ pub fn history<'py>(
     method.check_step(request.scene.force).map_err(of_scene)?;
     let mut plan = method.plan(&scene).map_err(of_scene)?;
     // A history is the motion to its end, proved or not.
-    plan.reductions.certificate = false;
+    plan.shortcuts.certificate = false;
     let case = scene.case();
     let (of_scene, of_case) = (scene.clone(), case);
     let run = move || match (backend, method.precision) {

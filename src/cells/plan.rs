@@ -42,7 +42,7 @@ pub struct Plan {
     /// How finely its cells are stepped.
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
-    pub reductions: Shortcuts,
+    pub shortcuts: Shortcuts,
     /// Contact forces are asked for: where they are not, min_contact and the friction asked for are not looked for.
     pub forces: bool,
     /// The laws that all its cells have.
@@ -59,14 +59,14 @@ impl Plan {
     /// The plan of a scene, not yet [checked](Plan::resolved) for the number of its steps.
     pub(crate) fn unchecked(scene: &Scene, resolution: Resolution) -> Plan {
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
-        let (copy, reductions, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
+        let (copy, shortcuts, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
         let bodies = Grid::of(scene).sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
         let cycles = most > 1.0;
         let mut plan = Plan {
             scene: copy,
             resolution,
-            reductions,
+            shortcuts,
             forces: true,
             laws,
             bodies,
@@ -84,7 +84,7 @@ impl Plan {
 
     /// The plan without shortcuts.
     pub fn full_model(&self) -> Plan {
-        let mut plan = Plan { reductions: Shortcuts::NONE, ..self.clone() };
+        let mut plan = Plan { shortcuts: Shortcuts::NONE, ..self.clone() };
         plan.laws = plan.laws_of(&plan.scene.case());
         plan
     }
@@ -204,7 +204,7 @@ impl Plan {
     /// True where z is integrated. Where psi = 1 no force depends on it; the full model integrates it all
     /// the same, and needs steps that resolve it.
     pub(crate) fn has_hysteretic_variable(&self, psi: f64) -> bool {
-        psi < 1.0 || !self.reductions.linear
+        psi < 1.0 || !self.shortcuts.linear
     }
 
     /// The numbers of a cell's equations that come from its block and the masses of its base.
@@ -227,7 +227,7 @@ impl Plan {
             isolated_v,
             kinks: self.resolution.kinks && yields,
             yields,
-            certificate: self.reductions.certificate,
+            certificate: self.shortcuts.certificate,
             forces: self.forces,
             bodies: self.bodies,
             bouc_wen_n,

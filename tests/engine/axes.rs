@@ -165,7 +165,7 @@ fn near(a: f64, b: f64, share: f64) -> bool {
 }
 
 /// True for two outcomes of one cell that tell the same: what a sweep shares or leaves out may move a
-/// column by a thousandth, see docs/reductions.md.
+/// column by a thousandth, see docs/shortcuts.md.
 fn alike(a: &Outcome, b: &Outcome, share: f64) -> bool {
     let columns = |cell: &Outcome| {
         [cell.zeta, cell.max_u, cell.max_v, cell.t_uplift.unwrap_or(-1.0), cell.friction]

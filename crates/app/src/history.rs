@@ -100,7 +100,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     }
     let mut plan = options.plan(scene).map_err(|e| flag_error(&e))?;
     // A history is the motion to its end, proved or not.
-    plan.reductions.certificate = false;
+    plan.shortcuts.certificate = false;
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
     let earlier = output::refuse_other(&options.out, Kind::History)?;

@@ -105,7 +105,8 @@ pub struct Reduced {
     /// Coordinates that are integrated.
     pub state: Vec<&'static str>,
     /// What is left out where it has no say in the result; all false with --full-model.
-    pub reductions: Shortcuts,
+    #[serde(rename = "reductions")]
+    pub shortcuts: Shortcuts,
     /// Cells that ended early, their results proved final.
     pub proved_cells: usize,
     /// Mean time simulated by a cell that stands, s.
@@ -212,7 +213,7 @@ impl Reduced {
         ];
         Reduced {
             state: state.into_iter().filter(|(has, _)| *has).map(|(_, name)| name).collect(),
-            reductions: plan.reductions,
+            shortcuts: plan.shortcuts,
             proved_cells: tally.proved,
             mean_time: tally.mean_time,
         }

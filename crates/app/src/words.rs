@@ -192,15 +192,15 @@ fn model(plan: &Plan) -> String {
         state.push("v");
     }
     state.push("φ");
-    let reductions = plan.reductions;
+    let shortcuts = plan.shortcuts;
     let mut parts = vec![state.join(" ")];
-    if reductions == Shortcuts::NONE {
+    if shortcuts == Shortcuts::NONE {
         parts.push("nothing left out".into());
     }
-    if reductions.certificate {
+    if shortcuts.certificate {
         parts.push("cells end early when an energy bound proves their results final".into());
     }
-    if reductions.full_contact && !Grid::of(&plan.scene).tilts() {
+    if shortcuts.full_contact && !Grid::of(&plan.scene).tilts() {
         parts.push("full contact is integrated once for all cells that share it".into());
     }
     parts.join(", ")

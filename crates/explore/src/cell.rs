@@ -56,7 +56,7 @@ pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Resul
     };
     let mut plan = session.settings(precision).method.plan(&scene)?;
     // A motion is told to its end, proved or not.
-    plan.reductions.certificate = false;
+    plan.shortcuts.certificate = false;
     let case = scene.case();
     let go_on = |rows: usize| rows <= MOST && !stop.load(Ordering::Relaxed);
     let (rows, outcome) = by_steps_while(precision, &plan.at(precision), &case, &go_on);

@@ -122,7 +122,7 @@ impl<R: Real> FullContactMotions<R> {
         let each = if plan.forces { 1 } else { CELLS_A_MOTION };
         let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
         let pays = grid.len() > motions && amplitude != Some(0.0);
-        let share = || plan.reductions.full_contact && !grid.tilts() && fit::<R>(plan, grid, &all);
+        let share = || plan.shortcuts.full_contact && !grid.tilts() && fit::<R>(plan, grid, &all);
         if known.is_none() && !(pays && share()) {
             return None;
         }

@@ -14,7 +14,7 @@ pub(crate) struct Key {
     pub(crate) scene: Scene,
     pub(crate) grid: Grid,
     pub(crate) resolution: Resolution,
-    pub(crate) reductions: Shortcuts,
+    pub(crate) shortcuts: Shortcuts,
     pub(crate) forces: bool,
     pub(crate) laws: Laws,
 }

@@ -23,8 +23,8 @@ impl Plan {
         progress: &dyn Progress,
     ) -> Arc<Option<FullContactMotions<R>>> {
         let (scene, grid) = (self.scene.clone(), grid.clone());
-        let Plan { resolution, reductions, forces, laws, .. } = *self;
-        let key = Key { scene, grid, resolution, reductions, forces, laws };
+        let Plan { resolution, shortcuts, forces, laws, .. } = *self;
+        let key = Key { scene, grid, resolution, shortcuts, forces, laws };
         let known = self.motion_cache.find::<Option<FullContactMotions<R>>>(&key);
         if let Some(motions) = &known
             && motions.as_ref().as_ref().is_none_or(|motions| motions.hold(&key.grid, cells))

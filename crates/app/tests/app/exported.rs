@@ -144,7 +144,7 @@ fn outcome(outcome: &Outcome) -> Value {
 fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
     // The page integrates the full contact of each cell by itself.
     let mut plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    plan.reductions.full_contact = false;
+    plan.shortcuts.full_contact = false;
     let grid = Grid::of(scene);
     let cells = all(&grid);
     let parts = plan.parts(&grid, &cells);
@@ -381,7 +381,7 @@ fn motions_for_the_browser_are_written() {
         let scene = builder(&asked, None).unwrap().check().unwrap();
         let mut plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         // A motion is shown to its end, proved or not.
-        plan.reductions.certificate = false;
+        plan.shortcuts.certificate = false;
         let case = scene.case();
         let (rows, outcome) = by_steps::<f32>(&plan.at(Precision::F32), &case);
         let mode = |row: &Row| match row.mode {

@@ -1,4 +1,4 @@
-//! What a sweep leaves out has no say in the result: each reduction against the full model, over
+//! What a sweep leaves out has no say in the result: each shortcut against the full model, over
 //! whole maps, on the CPU and, where there is one, on an adapter.
 
 use std::time::Instant;
@@ -76,13 +76,13 @@ fn compare(full: &[Outcome], less: &[Outcome], seconds: [f64; 2]) -> Compared {
     }
 }
 
-/// A scene with all of the model and with `reductions`, in f64; the accuracy of the step on zeta
+/// A scene with all of the model and with `shortcuts`, in f64; the accuracy of the step on zeta
 /// and the displacements is a median of 1e-6, some hundred times that at the 99th percentile.
-fn hold(name: &str, scene: &Scene, reductions: Shortcuts) -> Vec<Outcome> {
+fn hold(name: &str, scene: &Scene, shortcuts: Shortcuts) -> Vec<Outcome> {
     let grid = Grid::of(scene);
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let mut less = plan.clone();
-    less.reductions = reductions;
+    less.shortcuts = shortcuts;
     let run = |plan: &Plan| {
         let began = Instant::now();
         let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &Unwatched);
@@ -235,7 +235,7 @@ fn all_of_them_together() {
 /// The shader leaves out the same.
 #[test]
 fn in_the_shader() {
-    let Some(gpu) = gpu("reductions in the shader", Precision::F32) else { return };
+    let Some(gpu) = gpu("shortcuts in the shader", Precision::F32) else { return };
     for (name, scene) in
         [("pulse", map("dual", None, 0.5, 40)), ("record", record_map(1, -0.4, 16, Some(40.0)))]
     {
@@ -346,7 +346,7 @@ fn full_contact_of_a_given_device() {
         let cells = hold(&format!("given u_y, {name}"), &scene, FULL_CONTACT);
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
         let mut plan = plan.without_forces();
-        plan.reductions = FULL_CONTACT;
+        plan.shortcuts = FULL_CONTACT;
         let without = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
         let mut others = 0;
         for (all, less) in cells.iter().zip(&without) {
@@ -376,9 +376,9 @@ fn a_shared_motion_that_diverges_is_nobodys() {
     pair.horizontal = vec![0.0; pair.horizontal.len()].into();
     let scene = given.check_under(Excitation::Record(pair)).unwrap();
     let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
-    let run = |reductions: Shortcuts| {
+    let run = |shortcuts: Shortcuts| {
         let mut plan = plan.clone().without_forces();
-        plan.reductions = reductions;
+        plan.shortcuts = shortcuts;
         cpu::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
     };
     let (shared, alone) = (run(FULL_CONTACT), run(Shortcuts::NONE));
