@@ -20,9 +20,9 @@ use topple_lab::chart::{figure, peers};
 use topple_pictures::drawing::render;
 
 use super::options::flag_error;
-use super::output::{self, write_figure};
 use super::print::print_line;
 use super::progress::Bar;
+use super::results_directory::{self, write_picture};
 use super::seismic::write_synthetic;
 use super::{InputError, examples};
 
@@ -58,7 +58,7 @@ pub struct ChartCommand {
 impl ChartCommand {
     /// Runs the trials and draws them.
     pub fn run(&self) -> anyhow::Result<()> {
-        let out = output::open(&self.out)?;
+        let out = results_directory::open(&self.out)?;
         let mut record = self.record.clone();
         if record.horizontal.is_none() && record.vertical.is_none() {
             record = write_synthetic(&out, record)?;
@@ -176,7 +176,7 @@ fn draw(out: &Directory, benches: &[Bench], rows: &[Row]) -> anyhow::Result<()> 
             continue;
         }
         let svg = figure::draw(&bench.title, &of_bench)?;
-        write_figure(out, bench.name, &svg, &render::png(&svg)?)?;
+        write_picture(out, bench.name, &svg, &render::png(&svg)?)?;
     }
     Ok(())
 }

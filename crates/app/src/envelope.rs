@@ -1,7 +1,7 @@
 //! `topple envelope`.
 
 use serde::Serialize;
-use topple::results::earlier::{self, Kind};
+use topple::results::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::render;
@@ -13,10 +13,10 @@ use topple_studies::suites::verified::Verified;
 use super::errors::sweep_error;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
-use super::output::picture_files;
+use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Reporter;
-use super::{examples, output, suite};
+use super::{examples, suite};
 
 /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
 #[derive(clap::Args)]
@@ -59,7 +59,6 @@ struct Manifest<'a> {
     feasible: usize,
     /// What the reference says of a sample.
     verified: &'a Verified,
-    files: &'a [String],
 }
 
 /// The tables, and the name of the picture.
@@ -74,14 +73,14 @@ impl EnvelopeCommand {
     /// Runs the sweeps and writes the envelope.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let earlier = output::refuse_other(&options.out, Kind::Envelope)?;
+        let place = Place::of(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
         let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
         let request = self.motions.request(&self.common, options, text)?;
         request.check().map_err(|error| flag_error(&error))?;
         request.check_envelope(&limits).map_err(|error| flag_error(&error))?;
         let names = [TABLE, ZETA].map(String::from).into_iter().chain(picture_files(PICTURE));
-        self.motions.refuse_foreign(options, &earlier, &names.collect::<Vec<_>>())?;
+        self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
@@ -89,7 +88,7 @@ impl EnvelopeCommand {
         let Some(swept) = self.motions.run(job, 1, options, &say)? else {
             return Ok(());
         };
-        let out = output::open(&options.out)?;
+        let mut out = place.open()?;
         let mut envelope = Envelope::of(swept, limits);
         let swept = &envelope.sweep;
         let title = format!("Envelope of {} motions", swept.motions.len());
@@ -101,24 +100,23 @@ impl EnvelopeCommand {
         if svg.is_some() {
             files.extend(picture_files(PICTURE));
         }
-        output::replace(&out, &earlier, &files, &say)?;
+        out.begin(files, &say)?;
         out.write(TABLE, |w| envelope::write(&envelope, w))?;
         out.write(ZETA, |w| envelope::write_zeta(&envelope, w))?;
         if let Some(svg) = &svg {
-            output::write_figure(&out, PICTURE, svg, &render::png(svg)?)?;
+            out.picture(PICTURE, svg, &render::png(svg)?)?;
         }
         let best = envelope.best();
         let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(Kind::Envelope, swept, motions, options),
+            suite: self.motions.manifest(swept, motions, options),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,
             feasible: best.len(),
             verified: &swept.verified,
-            files: &files,
         };
-        earlier::finish(&out, &manifest)?;
+        out.finish(&manifest)?;
         tell(&envelope, &best, &say);
         suite_run::tell_verified(swept, &say);
         envelope.sweep.discard_saved()?;

@@ -5,8 +5,7 @@ use std::time::{Duration, Instant};
 use crate::manifest::{Facts, Manifest, Steps, Timings};
 use topple::backend::backend_error::BackendError;
 use topple::refine::refined::RefinedMap;
-use topple::results::earlier::{self, Earlier, RUN};
-use topple::results::files::Directory;
+use topple::results::earlier::RUN;
 use topple::scene::Parameter;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
@@ -17,21 +16,18 @@ use topple_pictures::map::thinned::DRAWN;
 
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
+use super::map_files;
 use super::options::Talk;
-use super::output;
 use super::print::print_line;
 use super::progress::Screen;
 use super::refined;
+use super::results_directory::Results;
 use super::words::{self, Reporter};
 
 /// How a map is finished.
 pub struct Finish<'a> {
-    /// Where to.
-    pub out: &'a Directory,
     /// The files of the whole map.
     pub files: &'a [MapFile],
-    /// What an earlier command left there.
-    pub earlier: &'a Earlier,
     /// The map refined, where that was asked for.
     pub refined: Option<&'a RefinedMap>,
     /// What the reference runs again.
@@ -56,11 +52,12 @@ fn lap(began: &mut Instant) -> f64 {
 /// Writes a map's files, and has the reference verify it.
 pub fn write(
     mut map: MapSweep,
+    results: &mut Results,
     to: &Finish,
     say: &Reporter,
     screen: &Screen,
 ) -> anyhow::Result<()> {
-    let Finish { out, files, .. } = *to;
+    let files = to.files;
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
     if let Some(repair) = &map.repair {
@@ -96,11 +93,11 @@ pub fn write(
         None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
-    let figures = output::draw(&slices)?;
+    let figures = map_files::draw(&slices)?;
     took.drawing = lap(&mut began);
-    let names = output::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
-    output::replace(out, to.earlier, &names, say)?;
-    let pictures = match output::write(out, &map, (&slices, &figures), files, screen) {
+    let names = map_files::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
+    results.begin(names, say)?;
+    let pictures = match map_files::write(&results.out, &map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
         Err(_) if super::interrupt::asked() => {
             let cancelled: SweepError = BackendError::Cancelled.into();
@@ -109,20 +106,20 @@ pub fn write(
         Err(error) => return Err(error),
     };
     if let Some(map) = to.refined {
-        refined::write(out, map, files)?;
+        refined::write(&results.out, map, files)?;
     }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
     drop((slices, figures));
     if files.contains(&MapFile::Zarr) {
-        map.publish(&out.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
+        map.publish(&results.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
         screen.clear();
     }
     took.writing = lap(&mut began);
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
-    let facts = Facts { tally, steps, drawn, files: &names, tag: to.tag, refined, sharpness };
-    earlier::finish(out, &Manifest::of(&map, &facts, took))?;
+    let facts = Facts { tally, steps, drawn, tag: to.tag, refined, sharpness };
+    results.finish(Manifest::of(&map, &facts, took))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
     let thinned = match cells == all {
@@ -140,7 +137,7 @@ pub fn write(
         }
     }
     let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
-    say.line("data", format!("{} with {}", out.file(data[0]).display(), data[1..].join(", ")));
+    say.line("data", format!("{} with {}", results.file(data[0]).display(), data[1..].join(", ")));
     if to.verify.cells > 0 && map.by_reference() {
         say.line("reference", "it computed the map: there is nothing to verify");
     } else if to.verify.cells > 0 {
@@ -155,13 +152,13 @@ pub fn write(
     }
     let manifest = Manifest::of(&map, &facts, took);
     if map.verification.is_some() {
-        earlier::finish(out, &manifest)?;
+        results.finish(&manifest)?;
     }
     if to.talk.verbose {
         say.line("time", words::phases(&manifest.timings));
     }
     if to.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&manifest)?);
+        print_line!("{}", serde_json::to_string_pretty(&results.run(&manifest))?);
     }
     Ok(())
 }

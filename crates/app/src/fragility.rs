@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use topple::backend::backend_error::BackendError;
-use topple::results::earlier::{self, Kind};
+use topple::results::earlier::Kind;
 use topple::scene::{Values, bounded, path_text};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
@@ -22,13 +22,14 @@ use topple_studies::uncertain::Varied;
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
+use super::map_files::Figure;
 use super::numbers::seed;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
-use super::output::{Figure, picture_files};
 use super::progress::Screen;
+use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Reporter;
-use super::{InputError, examples, output, suite};
+use super::{InputError, examples, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
@@ -136,7 +137,6 @@ struct Manifest<'a> {
     unresolved: usize,
     /// What the reference says of a sample.
     verified: &'a Verified,
-    files: &'a [String],
 }
 
 /// The tables.
@@ -155,7 +155,7 @@ impl FragilityCommand {
     /// Runs the sweeps and writes the fragility.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let earlier = output::refuse_other(&options.out, Kind::Fragility)?;
+        let place = Place::of(&options.out, Kind::Fragility)?;
         let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
         let text = self.common.text(Some("Fragility"), std::iter::empty());
         let request = self.request(self.motions.request(&self.common, options, text)?);
@@ -166,7 +166,7 @@ impl FragilityCommand {
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
         let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
-        self.motions.refuse_foreign(options, &earlier, &self.names(&asked.states))?;
+        self.motions.refuse_foreign(&place, &self.names(&asked.states))?;
         let Some(swept) = self.motions.run(sweep, asked.times, options, &say)? else {
             return Ok(());
         };
@@ -177,7 +177,7 @@ impl FragilityCommand {
         };
         screen.clear();
         let swept = &study.sweep;
-        let out = output::open(&options.out)?;
+        let mut out = place.open()?;
         let figures = self.figures(&study, hazard.as_ref())?;
         let varies = study.asked.unknown.is_some();
         let mut files = vec![COUNTS, FITS];
@@ -189,7 +189,7 @@ impl FragilityCommand {
         let tables = files.len();
         let pictures = figures.iter().map(|(name, ..)| name);
         files.extend(pictures.flat_map(|name| picture_files(name)));
-        output::replace(&out, &earlier, &files, &say)?;
+        out.begin(files.clone(), &say)?;
         out.write(COUNTS, |w| tables::write_counts(&study, w))?;
         out.write(FITS, |w| tables::write_fits(&study, w))?;
         if varies {
@@ -205,11 +205,11 @@ impl FragilityCommand {
             out.write(RATES, |w| tables::write_rates(&study, hazard, self.target, w))?;
         }
         for (name, svg, png) in &figures {
-            output::write_figure(&out, name, svg, png)?;
+            out.picture(name, svg, png)?;
         }
         let records = study.records().collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(Kind::Fragility, swept, records, options),
+            suite: self.motions.manifest(swept, records, options),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.asked.states,
@@ -222,16 +222,15 @@ impl FragilityCommand {
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             verified: &swept.verified,
-            files: &files,
         };
-        earlier::finish(&out, &manifest)?;
+        out.finish(&manifest)?;
         told::tell(&study, hazard.as_ref(), self.target, &say);
         suite_run::tell_verified(swept, &say);
         study.sweep.discard_saved()?;
         for (name, ..) in &figures {
             say.line("picture", out.file(&format!("{name}.png")).display());
         }
-        say.line("tables", format!("{} with run.json", told::listed(&out, &files[..tables])));
+        say.line("tables", format!("{} with run.json", told::listed(&out.out, &files[..tables])));
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use topple::backend::history as motion;
 use topple::backend::request::BackendRequest;
 use topple::model::precision::Precision;
-use topple::results::earlier::{self, Kind};
+use topple::results::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
@@ -20,7 +20,7 @@ use topple_pictures::map::figure::history as figure;
 use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
-use super::output;
+use super::results_directory::Place;
 use super::save::save;
 use super::words::{self, Reporter};
 use super::{InputError, examples};
@@ -47,15 +47,12 @@ pub struct HistoryCommand {
 /// run.json of a history.
 #[derive(Serialize)]
 struct Manifest<'a> {
-    kind: Kind,
-    version: &'static str,
     scene: &'a Scene,
     backend: &'static str,
     record: Option<&'a Provenance>,
     #[serde(flatten)]
     method: Method,
     outcome: &'a Outcome,
-    files: &'a [String],
 }
 
 impl HistoryCommand {
@@ -103,10 +100,10 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     plan.shortcuts.certificate = false;
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
-    let earlier = output::refuse_other(&options.out, Kind::History)?;
+    let place = Place::of(&options.out, Kind::History)?;
     let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
-    output::refuse_foreign(&options.out, &earlier, &files)?;
-    let (out, _held) = output::open_alone(&options.out)?;
+    place.refuse_foreign(&files)?;
+    let mut out = place.open_alone()?;
     let case = scene.case();
     let (rows, outcome) = match (options.backend(), options.precision()) {
         (BackendRequest::Reference, _) => motion::by_reference(scene, &case),
@@ -116,21 +113,18 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
     let png = render::png(&svg)?;
-    output::replace(&out, &earlier, &files, &Reporter::unless(options.quiet))?;
+    out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;
-    output::write_figure(&out, "history", &svg, &png)?;
+    out.picture("history", &svg, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     let manifest = Manifest {
-        kind: Kind::History,
-        version: env!("CARGO_PKG_VERSION"),
         scene,
         backend,
         record: scene.excitation.provenance(),
         method: options.method(),
         outcome: &outcome,
-        files: &files,
     };
-    earlier::finish(&out, &manifest)?;
+    out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {

@@ -11,7 +11,6 @@ use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
 use topple::cells::shortcuts::Shortcuts;
 use topple::refine::report::RefineReport;
-use topple::results::earlier::Kind;
 use topple::results::sharpness::Sharpness;
 use topple::results::tally::Tally;
 use topple::scene::record::Provenance;
@@ -24,12 +23,8 @@ use topple::sweep::verification::Verification;
 /// Everything about a run that its data do not hold.
 #[derive(Debug, Serialize)]
 pub struct Manifest<'a> {
-    /// What the files are of.
-    pub kind: Kind,
     /// A checksum of all that the map depends on; none of a map that was joined.
     pub tag: Option<u32>,
-    /// Version of topple.
-    pub version: &'static str,
     /// The scene as run, defaults filled in.
     pub scene: &'a Scene,
     /// Where its record came from, if it has one that was read from files.
@@ -73,8 +68,6 @@ pub struct Manifest<'a> {
     pub drawn: (usize, usize),
     /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
     pub parts: Vec<Origin<'a>>,
-    /// The files beside this one.
-    pub files: &'a [String],
 }
 
 /// A run of cells and what ran them.
@@ -122,8 +115,6 @@ pub struct Facts<'a> {
     pub steps: Steps,
     /// Columns and rows that are drawn.
     pub drawn: (usize, usize),
-    /// The files beside run.json.
-    pub files: &'a [String],
     /// A checksum of all that it depends on.
     pub tag: Option<u32>,
     /// How it was refined, where that was asked for.
@@ -135,7 +126,7 @@ pub struct Facts<'a> {
 impl<'a> Manifest<'a> {
     /// What is known of a map; `took` has the times of what came beside the sweep.
     pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
-        let Facts { tally, steps, drawn, files, tag, refined, sharpness } = facts;
+        let Facts { tally, steps, drawn, tag, refined, sharpness } = facts;
         let MapSweep { plan, grid, method, parts, .. } = map;
         let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
         let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -152,9 +143,7 @@ impl<'a> Manifest<'a> {
         let adapter = parts[0].1.adapter.as_ref();
         let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
         Manifest {
-            kind: Kind::Map,
             tag: *tag,
-            version: env!("CARGO_PKG_VERSION"),
             scene: &plan.scene,
             record: plan.scene.excitation.provenance(),
             cells: grid.len(),
@@ -179,7 +168,6 @@ impl<'a> Manifest<'a> {
                 .iter()
                 .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
                 .collect(),
-            files,
         }
     }
 }

@@ -19,8 +19,9 @@ use super::finish::{self, Finish};
 use super::map_file::MapFile;
 use super::options::{Talk, Verify, flag_error, share};
 use super::progress::{Bar, Screen};
+use super::results_directory::Place;
 use super::words::{self, Reporter, with_flags};
-use super::{InputError, examples, interrupt, output};
+use super::{InputError, examples, interrupt, map_files};
 
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
@@ -67,16 +68,16 @@ impl MergeCommand {
         let joined = Parts::join(&self.parts, &bar);
         bar.finish();
         let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
-        let earlier = output::refuse_other(&self.out, Kind::Map)?;
-        let out = output::open(&self.out)?;
+        let place = Place::of(&self.out, Kind::Map)?;
         let files = |cells: usize| match self.files.is_empty() {
             true => MapFile::of(cells),
             false => self.files.clone(),
         };
         let grid = Grid::of(&parts.content.scene);
         let refines = self.refine.is_some();
-        let names = output::places(&parts.content.scene, &grid, &files(grid.len()), refines);
-        output::refuse_foreign(&self.out, &earlier, &names)?;
+        let names = map_files::places(&parts.content.scene, &grid, &files(grid.len()), refines);
+        place.refuse_foreign(&names)?;
+        let mut results = place.open()?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = parts.store(&self.out).map_err(sweep_error)?;
@@ -116,10 +117,10 @@ impl MergeCommand {
                 super::run::refine(&map, &opened.backends, (self.refine, self.smooth), &screen)?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
-        let (out, files, earlier) = (&out, &files[..], &earlier);
+        let files = &files[..];
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
         let refined = refined.as_ref();
-        let to = Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
-        finish::write(map, &to, &say, &screen)
+        let to = Finish { files, refined, verify, estimate, tag, sharpness, talk };
+        finish::write(map, &mut results, &to, &say, &screen)
     }
 }

@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use serde::Serialize;
 use topple::results::block::bytes_a_cell;
-use topple::results::earlier::{self, Earlier, Kind};
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
 use topple::sweep::settings::Method;
@@ -15,18 +14,16 @@ use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
 
 use super::errors::sweep_error;
+use super::memory;
 use super::options::{MapOptions, Verify};
-use super::output::picture_files;
 use super::print::print_line;
 use super::progress::Screen;
+use super::results_directory::{Place, picture_files};
 use super::words::{self, Reporter};
-use super::{memory, output};
 
 /// run.json of a probability map.
 #[derive(Serialize)]
 struct Manifest<'a> {
-    kind: Kind,
-    version: &'static str,
     /// The scene, numbers that vary at their own values.
     scene: &'a Scene,
     record: Option<&'a Provenance>,
@@ -45,7 +42,6 @@ struct Manifest<'a> {
     largest_standard_error: f64,
     /// Cells that the reference ran again, and those of another outcome.
     verified: [usize; 2],
-    files: &'a [String],
 }
 
 /// The table, and the name of the picture.
@@ -58,14 +54,14 @@ pub fn names() -> Vec<String> {
 }
 
 /// Runs the sweeps of a checked scene and writes their probabilities.
-pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Result<()> {
+pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<()> {
     let uncertainty = options.uncertain.uncertainty();
     let grid = Grid::of(scene);
     let columns = bytes_a_cell(options.run.precision()) + size_of::<[u32; 5]>();
     let needed = grid.len() as u64 * columns as u64;
     memory::fits(needed, &format!("the probabilities of {} cells", grid.len()))?;
     let say = Reporter::unless(options.run.quiet || options.talk.json);
-    let (out, _held) = output::open_alone(&options.run.out)?;
+    let mut out = place.open_alone()?;
     words::scene(&say, scene, &grid);
     for varied in &uncertainty.vary {
         say.line("varies", varied);
@@ -87,15 +83,13 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
     if svg.is_some() {
         files.extend(picture_files(PICTURE));
     }
-    output::replace(&out, earlier, &files, &say)?;
+    out.begin(files, &say)?;
     out.write(TABLE, |w| probability::write(&all, &uncertainty, w))?;
     if let Some(svg) = &svg {
-        output::write_figure(&out, PICTURE, svg, &render::png(svg)?)?;
+        out.picture(PICTURE, svg, &render::png(svg)?)?;
     }
     let cells = grid.len() * uncertainty.samples as usize;
     let manifest = Manifest {
-        kind: Kind::Probability,
-        version: env!("CARGO_PKG_VERSION"),
         scene,
         record: scene.excitation.provenance(),
         uncertainty: &uncertainty,
@@ -108,9 +102,8 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
         certain: all.certain(),
         largest_standard_error: all.largest_error(),
         verified: all.verified,
-        files: &files,
     };
-    earlier::finish(&out, &manifest)?;
+    out.finish(&manifest)?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());
     say.line("sweep", format!("{samples}, {}, {}", all.backend, words::speed(cells, all.seconds)));
     let certain = 100.0 * all.certain();
@@ -131,13 +124,13 @@ pub fn run(scene: &Scene, options: &MapOptions, earlier: &Earlier) -> anyhow::Re
         Some(_) => say.line("picture", out.file("probability.png").display()),
         None => say.line("picture", "none: it has one axis or two of several values"),
     }
-    say.line("table", format!("{} with run.json", out.file(&files[0]).display()));
+    say.line("table", format!("{} with run.json", out.file(TABLE).display()));
     if options.talk.verbose {
         let rest = began.elapsed().as_secs_f64();
         say.line("time", format!("sweep {:.2} s, files {rest:.2} s", all.seconds));
     }
     if options.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&manifest)?);
+        print_line!("{}", serde_json::to_string_pretty(&out.run(&manifest))?);
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use topple::backend::dispatch::Backend;
 use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;
-use topple::results::earlier::{Earlier, Kind, RUN};
+use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Grid, Scene};
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
@@ -16,8 +16,9 @@ use super::errors::sweep_error;
 use super::finish::{self, Finish};
 use super::options::{MapOptions, Verify};
 use super::progress::Screen;
+use super::results_directory::Place;
 use super::words::{self, Reporter};
-use super::{InputError, disk, estimate, interrupt, output, probability};
+use super::{InputError, disk, estimate, interrupt, map_files, probability};
 
 /// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
@@ -29,7 +30,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     // What is wrong with the scene is told before anything is made.
     options.check(scene)?;
     if options.uncertain.asked() {
-        return probability::run(scene, options, &earlier(scene, options)?);
+        return probability::run(scene, options, place(scene, options)?);
     }
     let settings = options.settings(scene);
     if options.dry_run {
@@ -37,19 +38,20 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     }
     interrupt::listen();
     let say = Reporter::unless(options.run.quiet || options.talk.json);
-    let earlier = earlier(scene, options)?;
-    let out = output::open(&options.run.out)?;
+    let place = place(scene, options)?;
+    let finished = place.tag();
+    let mut results = place.open()?;
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
     // A finished map may have been refined otherwise, or not at all.
     let whole = options.tile.is_none() && options.refine.is_none();
     if options.resume && whole && job.left() == job.wanted.len() {
-        match earlier.tag {
+        match finished {
             Some(finished) if Some(finished) == tag => {
                 say.line(
                     "resumed",
-                    format!("nothing to do: {} is finished", out.file(RUN).display()),
+                    format!("nothing to do: {} is finished", results.file(RUN).display()),
                 );
                 return Ok(());
             }
@@ -100,14 +102,13 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     match ended {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
-            let (out, files, earlier) = (&out, &files[..], &earlier);
+            let files = &files[..];
             let (sharpness, talk) = (options.sharpness, options.talk);
             let refined =
                 refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
             let refined = refined.as_ref();
-            let to =
-                Finish { out, files, earlier, refined, verify, estimate, tag, sharpness, talk };
-            finish::write(*map, &to, &say, &screen)
+            let to = Finish { files, refined, verify, estimate, tag, sharpness, talk };
+            finish::write(*map, &mut results, &to, &say, &screen)
         }
         SweepResult::Part(part) => {
             say.line("tiles", format!("{}; topple merge joins the parts", part.folder.display()));
@@ -116,24 +117,24 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     }
 }
 
-/// What an earlier command left in the directory of the results.
+/// The directory of the results.
 ///
 /// # Errors
 /// It holds something of another kind, or something that no run wrote has the place of a file of this one.
-pub fn earlier(scene: &Scene, options: &MapOptions) -> Result<Earlier, InputError> {
+pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
     let kind = options.kind();
-    let earlier = output::refuse_other(&options.run.out, kind)?;
+    let place = Place::of(&options.run.out, kind)?;
     let names = match kind {
         Kind::Probability => probability::names(),
         _ => {
             let (grid, refines) = (Grid::of(scene), options.refine.is_some());
-            output::places(scene, &grid, &options.files(&grid), refines)
+            map_files::places(scene, &grid, &options.files(&grid), refines)
         }
     };
     if options.tile.is_none() {
-        output::refuse_foreign(&options.run.out, &earlier, &names)?;
+        place.refuse_foreign(&names)?;
     }
-    Ok(earlier)
+    Ok(place)
 }
 
 /// The map refined in so many levels, where that is asked for.

@@ -10,7 +10,7 @@ use topple::scene::{Excitation, bounded};
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
-use super::output;
+use super::results_directory;
 use super::save::{self, save};
 use super::{InputError, examples, run};
 
@@ -44,7 +44,10 @@ impl SeismicCommand {
                 }
                 // The pair lies beside the scene that names it.
                 let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-                record = write_synthetic(&output::open(folder.unwrap_or(Path::new(".")))?, record)?;
+                record = write_synthetic(
+                    &results_directory::open(folder.unwrap_or(Path::new(".")))?,
+                    record,
+                )?;
                 let text = self.common.text(None, self.numbers.placed());
                 let text = SceneBuilder { record: Some(record), force, ..text };
                 return save(path, text, "run");
@@ -53,8 +56,8 @@ impl SeismicCommand {
                 return run::run_map(&scene, &self.options);
             }
             self.options.check(&scene)?;
-            run::earlier(&scene, &self.options)?;
-            let out = output::open(&self.options.run.out)?;
+            run::place(&scene, &self.options)?;
+            let out = results_directory::open(&self.options.run.out)?;
             record = write_synthetic(&out, record)?;
         }
         let text = self.common.text(None, self.numbers.placed());

@@ -4,15 +4,16 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::Serialize;
-use topple::results::earlier::{self, Kind};
+use topple::results::earlier::Kind;
 use topple::scene::path_text;
 use topple::scene::record::Provenance;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::{Suite, SuiteError, table};
 
+use super::results_directory::Place;
 use super::words::{Reporter, with_columns};
-use super::{InputError, examples, output};
+use super::{InputError, examples};
 
 /// Read a folder, a zip or a list of records as one suite, and tell what is in it.
 ///
@@ -38,8 +39,6 @@ pub struct SuiteCommand {
 /// run.json of a suite.
 #[derive(Serialize)]
 struct Manifest<'a> {
-    kind: Kind,
-    version: &'static str,
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a std::path::Path,
     motions: usize,
@@ -49,7 +48,6 @@ struct Manifest<'a> {
     left_out: BTreeMap<&'a str, &'a str>,
     /// Files that are no part of any line.
     unused: &'a [String],
-    files: &'a [&'a str],
 }
 
 /// Where a motion came from.
@@ -68,19 +66,17 @@ impl SuiteCommand {
     /// Reads the suite and writes its table.
     pub fn run(&self) -> anyhow::Result<()> {
         let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
-        let earlier = output::refuse_other(&self.out, Kind::Suite)?;
-        let (out, _held) = output::open_alone(&self.out)?;
+        let place = Place::of(&self.out, Kind::Suite)?;
         let say = Reporter::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
-        output::refuse_foreign(&self.out, &earlier, &files.map(String::from))?;
+        place.refuse_foreign(&files.map(String::from))?;
+        let mut out = place.open_alone()?;
         let svg = picture::draw(&suite);
         let png = render::png(&svg)?;
-        output::replace(&out, &earlier, &files.map(String::from), &say)?;
+        out.begin(files.map(String::from).to_vec(), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;
-        output::write_figure(&out, "suite", &svg, &png)?;
+        out.picture("suite", &svg, &png)?;
         let manifest = Manifest {
-            kind: Kind::Suite,
-            version: env!("CARGO_PKG_VERSION"),
             suite: &self.path,
             motions: suite.motions().count(),
             records: suite
@@ -92,9 +88,8 @@ impl SuiteCommand {
                 .collect(),
             left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
             unused: &suite.unused,
-            files: &files,
         };
-        earlier::finish(&out, &manifest)?;
+        out.finish(&manifest)?;
         tell(&suite, &say);
         say.line("picture", out.file(files[2]).display());
         say.line("table", format!("{} with run.json", out.file(files[0]).display()));

@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use topple::results::earlier::{Earlier, Kind};
 use topple::results::part::Part;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
@@ -18,8 +17,9 @@ use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::progress::Screen;
+use super::results_directory::{self, Place};
 use super::words::Reporter;
-use super::{InputError, interrupt, output, suite};
+use super::{InputError, interrupt, suite};
 
 /// Which motions, and how they are run.
 #[derive(clap::Args)]
@@ -50,8 +50,6 @@ pub struct SuiteFlags {
 /// Numbers of run.json that every command with a suite has.
 #[derive(Serialize)]
 pub struct SuiteManifest<'a> {
-    kind: Kind,
-    version: &'static str,
     /// The scene under the first motion.
     scene: &'a Scene,
     #[serde(serialize_with = "path_text::serialize")]
@@ -96,16 +94,11 @@ impl SuiteFlags {
 
     /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
     /// written: not by a dry run, nor by a part.
-    pub fn refuse_foreign(
-        &self,
-        options: &RunOptions,
-        earlier: &Earlier,
-        names: &[String],
-    ) -> Result<(), InputError> {
+    pub fn refuse_foreign(&self, place: &Place, names: &[String]) -> Result<(), InputError> {
         if self.dry_run || self.tile.is_some() {
             return Ok(());
         }
-        output::refuse_foreign(&options.out, earlier, names)
+        place.refuse_foreign(names)
     }
 
     /// Reads the suite; from here on Ctrl-C is heard.
@@ -145,7 +138,7 @@ impl SuiteFlags {
             say.line("time", format!("about {} of sweep", duration(seconds)));
             return Ok(None);
         }
-        output::open(&options.out)?;
+        results_directory::open(&options.out)?;
         let swept = job.run(&screen).map_err(sweep_error)?;
         screen.clear();
         if self.resume {
@@ -171,15 +164,12 @@ impl SuiteFlags {
     /// What run.json says of a sweep, each of its records once.
     pub fn manifest<'a>(
         &'a self,
-        kind: Kind,
         swept: &'a SuiteSweep,
         motions: Vec<&'a str>,
         options: &RunOptions,
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         SuiteManifest {
-            kind,
-            version: env!("CARGO_PKG_VERSION"),
             scene: &swept.scene,
             suite: &self.suite,
             motions,

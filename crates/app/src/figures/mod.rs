@@ -23,9 +23,9 @@ use topple_pictures::drawing::render;
 use super::errors::of_figure;
 use super::memory;
 use super::options::RunOptions;
-use super::output;
 use super::print::print_line;
 use super::progress::Bar;
+use super::results_directory;
 use super::{InputError, examples, interrupt, load};
 
 /// Most points of an axis.
@@ -108,7 +108,7 @@ impl FiguresCommand {
         }
         let work = Work {
             options: &self.options,
-            out: output::open(&self.options.out)?,
+            out: results_directory::open(&self.options.out)?,
             // A request opens one backend at least.
             backend: self.options.open_backends()?.swap_remove(0),
         };
@@ -248,7 +248,7 @@ impl Work<'_> {
     /// Writes a figure's picture, and says where it is and what it took.
     fn picture(&self, name: &str, svg: &str, what: &str) -> anyhow::Result<()> {
         let png = render::png(svg)?;
-        output::write_figure(&self.out, name, svg, &png)?;
+        results_directory::write_picture(&self.out, name, svg, &png)?;
         self.say(&format!("{name:10} {what}; {}", self.out.file(&format!("{name}.png")).display()));
         Ok(())
     }

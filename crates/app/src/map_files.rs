@@ -1,15 +1,11 @@
 //! The files of a map.
 
-use std::fs;
 use std::iter;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use rayon::prelude::*;
 use topple::results::columns::Column;
-use topple::results::earlier::{Earlier, Kind};
-use topple::results::files::{Directory, WriteError};
-use topple::results::lock::Lock;
-use topple::results::store::Store;
+use topple::results::files::Directory;
 use topple::results::{csv, npz};
 use topple::scene::{Grid, Scene};
 use topple::sweep::map::MapSweep;
@@ -21,73 +17,16 @@ use topple_pictures::map::figure::fields::Field;
 use topple_pictures::map::figure::{field, fields, main};
 use topple_pictures::map::slices::{MOST, Slice};
 use topple_pictures::map::{self, Map};
-use topple_studies::suites::saved;
 
 use super::map_file::MapFile;
 use super::progress::Screen;
-use super::words::Reporter;
-use super::{InputError, refined};
+use super::refined;
+use super::results_directory::{picture_files, write_picture};
 
 /// How the names of the pictures of a map begin; that of a whole one has no more.
 const MAIN: &str = "map";
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
-
-/// Opens the directory for the results.
-pub fn open(out: &Path) -> Result<Directory, InputError> {
-    Directory::open(out).map_err(|error| InputError(format!("--out: {error}")))
-}
-
-/// The directory of a command that saves nothing on its way: no other run begins there while it is held.
-pub struct Held {
-    /// Gone before the directory is.
-    lock: Option<Lock>,
-    path: PathBuf,
-    is_new: bool,
-}
-
-/// Opens the directory for the results, and holds it.
-pub fn open_alone(out: &Path) -> Result<(Directory, Held), InputError> {
-    let is_new = !out.exists();
-    let directory = open(out)?;
-    let lock = Store::lock(out).map_err(|error| InputError(format!("--out: {error}")))?;
-    Ok((directory, Held { lock: Some(lock), path: out.into(), is_new }))
-}
-
-impl Drop for Held {
-    /// A directory that was made, and in which nothing was written, goes.
-    fn drop(&mut self) {
-        drop(self.lock.take());
-        if self.is_new {
-            // One in which something lies stays.
-            let _ = fs::remove_dir(&self.path);
-        }
-    }
-}
-
-/// Refuses a directory that holds something of another kind: its files are not to lie beside the new ones.
-pub fn refuse_other(out: &Path, kind: Kind) -> Result<Earlier, InputError> {
-    let earlier = Earlier::of(out).map_err(|error| InputError(format!("--out: {error}")))?;
-    let of_suite = matches!(kind, Kind::Envelope | Kind::Fragility);
-    let at_work = [
-        ("a map runs", kind != Kind::Map && Store::is_begun(out)),
-        ("a sweep under a suite runs", !of_suite && saved::is_taken(out)),
-    ];
-    if let Some((what, _)) = at_work.iter().find(|(_, is_begun)| *is_begun) {
-        let problem =
-            format!("{what} in {}, or was interrupted; give another directory", out.display());
-        return Err(InputError(format!("--out: {problem}")));
-    }
-    match earlier.kind {
-        Some(other) if other != kind => {
-            let (other, new) = (other.name(), kind.name());
-            let problem =
-                format!("{} holds {other}; give {new} a directory of its own", out.display());
-            Err(InputError(format!("--out: {problem}")))
-        }
-        _ => Ok(earlier),
-    }
-}
 
 /// The names of the files that the map of a scene gets, those of a refined one among them.
 pub fn places(scene: &Scene, grid: &Grid, files: &[MapFile], refines: bool) -> Vec<String> {
@@ -110,35 +49,6 @@ fn pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
         slices if slices <= MOST => (0..slices).map(name_of).collect(),
         _ => Vec::new(),
     }
-}
-
-/// The files of a picture.
-pub fn picture_files(name: &str) -> [String; 2] {
-    [format!("{name}.svg"), format!("{name}.png")]
-}
-
-/// Refuses a directory in which something that no run wrote has the place of one of these files.
-pub fn refuse_foreign(out: &Path, earlier: &Earlier, names: &[String]) -> Result<(), InputError> {
-    let free = earlier.refuse_foreign(names, out);
-    free.map_err(|error| InputError(format!("--out: {error}")))
-}
-
-/// Makes the directory ready for these files: removes what an earlier command left that a new one does not write, and
-/// says it.
-pub fn replace(
-    out: &Directory,
-    earlier: &Earlier,
-    files: &[String],
-    say: &Reporter,
-) -> anyhow::Result<()> {
-    let removed = earlier.begin(files, out).map_err(|error| match error {
-        error @ WriteError::Foreign(_) => InputError(format!("--out: {error}")).into(),
-        error => anyhow::Error::from(error),
-    })?;
-    if !removed.is_empty() {
-        say.line("removed", format!("{} of the run before", removed.join(", ")));
-    }
-    Ok(())
 }
 
 /// Draws the slices of a map.
@@ -182,7 +92,7 @@ pub fn write(
         out.write(BOUNDARIES, |w| map::boundaries::write(&whole.map, w))?;
     }
     for (name, svg, png) in figures {
-        write_figure(out, name, svg, png)?;
+        write_picture(out, name, svg, png)?;
     }
     let maps = figures.iter().filter(|(name, ..)| name.starts_with(MAIN));
     Ok(maps.map(|(name, ..)| out.file(&format!("{name}.png"))).collect())
@@ -229,13 +139,4 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
     let title = format!("{}: {} and {}", map.scene.title, normal.title, friction.title);
     figures.push(finish(normal.name, field::beside(map, &[normal, friction], &title)?)?);
     Ok(figures)
-}
-
-/// Writes a picture as NAME.svg and NAME.png.
-pub fn write_figure(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
-    use std::io::Write;
-    let [of_svg, of_png] = picture_files(name);
-    out.write(&of_svg, |w| w.write_all(svg.as_bytes()))?;
-    out.write(&of_png, |w| w.write_all(png))?;
-    Ok(())
 }
