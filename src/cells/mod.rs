@@ -5,8 +5,8 @@
 //! ```
 
 pub(crate) mod at_rest;
-pub mod begin;
-pub mod body;
+pub(crate) mod begin;
+pub(crate) mod body;
 pub(crate) mod bounds;
 pub mod cell_tables;
 pub mod clock;
@@ -15,11 +15,11 @@ pub(crate) mod coefficients;
 pub mod contact;
 pub mod groups;
 pub(crate) mod laws;
-pub mod listing;
+pub(crate) mod listing;
 pub mod plan;
-pub mod prepare;
-pub mod reader;
+pub(crate) mod prepare;
+pub(crate) mod reader;
 pub mod ready;
 pub mod shortcuts;
-pub mod table;
-pub mod window;
+pub(crate) mod table;
+pub(crate) mod window;

@@ -15,12 +15,12 @@ pub mod impact;
 pub mod isolation;
 pub(crate) mod layout;
 pub mod motion;
-pub mod number;
+pub(crate) mod number;
 pub mod polynomials;
 pub mod precision;
 pub mod pulse;
 pub mod real;
-pub mod vector;
+pub(crate) mod vector;
 
 use block::Model;
 use excitation::{Cell, Ground};

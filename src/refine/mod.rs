@@ -11,16 +11,16 @@
 //! in it. An island that lies between these cells is missed: cells in it are drawn at random and run, and tell how
 //! large the share missed can be.
 
-pub mod bound;
-pub mod boxes;
+pub(crate) mod bound;
+pub(crate) mod boxes;
 pub mod codes;
 pub mod curve;
-pub mod error;
-pub mod leaves;
-pub mod probes;
+pub(crate) mod error;
+pub(crate) mod leaves;
+pub(crate) mod probes;
 pub mod refined;
 mod refiner;
 pub mod report;
 pub mod run;
 pub mod settings;
-pub mod smooth;
+pub(crate) mod smooth;

@@ -7,7 +7,7 @@
 pub mod block;
 pub mod bounded;
 pub mod builder;
-pub mod case;
+pub(crate) mod case;
 mod check;
 pub mod excitation;
 pub mod grid;
@@ -15,10 +15,10 @@ pub mod isolation;
 pub mod keys;
 #[cfg(feature = "clap")]
 pub mod manual;
-pub mod numbers;
+pub(crate) mod numbers;
 pub mod parameters;
 pub mod path_text;
-pub mod range;
+pub(crate) mod range;
 pub mod record;
 pub mod shown;
 pub mod values;

@@ -11,9 +11,9 @@
 //! for: a step of theirs is [`standing`]. Under a record the lanes are sorted by [`phases`].
 
 pub mod certificate;
-pub mod crossing;
-pub mod cubic;
-pub mod extremes;
+pub(crate) mod crossing;
+pub(crate) mod cubic;
+pub(crate) mod extremes;
 pub mod forcing;
 pub mod guards;
 pub mod lanes;
@@ -23,11 +23,11 @@ pub mod outcome;
 pub mod phases;
 pub mod reference;
 pub mod rk4;
-pub mod search;
+pub(crate) mod search;
 pub mod single;
-pub mod span;
-pub mod standing;
+pub(crate) mod span;
+pub(crate) mod standing;
 pub mod state;
-pub mod switching;
+pub(crate) mod switching;
 pub mod trials;
-pub mod turn;
+pub(crate) mod turn;

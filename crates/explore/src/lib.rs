@@ -4,31 +4,31 @@
 //! request -> asked (a scene) -> view, cell, section ... -> frames, JSON -> page
 //! ```
 
-pub mod about;
+pub(crate) mod about;
 pub mod asked;
-pub mod body;
-pub mod cell;
-pub mod command;
+pub(crate) mod body;
+pub(crate) mod cell;
+pub(crate) mod command;
 pub mod constants;
-pub mod dropped;
-pub mod ending;
+pub(crate) mod dropped;
+pub(crate) mod ending;
 pub mod export;
-pub mod frame;
-pub mod guard;
+pub(crate) mod frame;
+pub(crate) mod guard;
 
-pub mod page;
+pub(crate) mod page;
 pub mod records;
-pub mod refused;
-pub mod routes;
-pub mod save;
-pub mod section;
+pub(crate) mod refused;
+pub(crate) mod routes;
+pub(crate) mod save;
+pub(crate) mod section;
 pub mod server;
 pub mod session;
-pub mod stage;
-pub mod stages;
+pub(crate) mod stage;
+pub(crate) mod stages;
 pub mod start;
-pub mod suite;
-pub mod suites;
-pub mod verify;
-pub mod view;
-pub mod watched;
+pub(crate) mod suite;
+pub(crate) mod suites;
+pub(crate) mod verify;
+pub(crate) mod view;
+pub(crate) mod watched;

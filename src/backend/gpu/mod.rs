@@ -3,9 +3,9 @@
 pub mod adapter;
 pub mod check;
 mod chunk;
-pub mod device;
-pub mod inputs;
-pub mod listed;
+pub(crate) mod device;
+pub(crate) mod inputs;
+pub(crate) mod listed;
 mod loaded;
 mod made;
 pub mod opened;

@@ -2,14 +2,14 @@
 
 pub(crate) mod bounded_motions;
 pub(crate) mod dependence;
-pub mod full_contact;
+pub(crate) mod full_contact;
 pub(crate) mod gap_steps;
 pub(crate) mod kept_motions;
 pub(crate) mod motion_cache;
 pub mod motions;
 pub(crate) mod motions_with_forces;
 pub(crate) mod sampling;
-pub mod shared;
-pub mod shared_contact;
+pub(crate) mod shared;
+pub(crate) mod shared_contact;
 pub(crate) mod shared_friction;
 pub(crate) mod shared_motion;

@@ -1,18 +1,18 @@
 //! Ground-motion records.
 
-pub mod at2;
-pub mod columns;
+pub(crate) mod at2;
+pub(crate) mod columns;
 pub mod component;
-pub mod cosmos;
-pub mod csmip;
-pub mod esm;
+pub(crate) mod cosmos;
+pub(crate) mod csmip;
+pub(crate) mod esm;
 pub mod joined;
-pub mod knet;
-pub mod lines;
-pub mod pair;
-pub mod provenance;
+pub(crate) mod knet;
+pub(crate) mod lines;
+pub(crate) mod pair;
+pub(crate) mod provenance;
 pub mod read;
-pub mod smc;
+pub(crate) mod smc;
 pub mod synthetic;
 mod text;
 pub mod zips;

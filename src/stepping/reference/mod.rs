@@ -5,15 +5,15 @@
 //! a kink there and a step across it has no order. Switches are located to [`EVENT_TIME`], the
 //! extremes of motion and contact forces between the ends of steps too ([`extremes`]).
 
-pub mod cubic;
-pub mod extremes;
-pub mod guards;
+pub(crate) mod cubic;
+pub(crate) mod extremes;
+pub(crate) mod guards;
 mod momenta;
-pub mod pulse;
-pub mod step;
+pub(crate) mod pulse;
+pub(crate) mod step;
 pub mod system;
-pub mod tableau;
-pub mod trial;
+pub(crate) mod tableau;
+pub(crate) mod trial;
 
 use crate::scene::{Case, Scene};
 

@@ -7,15 +7,15 @@
 pub mod canvas;
 pub mod caption;
 pub mod error;
-pub mod font;
+pub(crate) mod font;
 pub mod frame;
 pub mod legend;
 pub mod raster;
 pub mod render;
-pub mod scale;
+pub(crate) mod scale;
 pub mod swatch;
 pub mod text;
-pub mod ticks;
+pub(crate) mod ticks;
 
 /// Points of a millimetre.
 pub const MILLIMETRE: f64 = 72.0 / 25.4;

@@ -4,5 +4,5 @@ pub mod envelope;
 pub mod envelope_curves;
 pub mod fragility;
 pub mod probability;
-pub mod shades;
+pub(crate) mod shades;
 pub mod suite;

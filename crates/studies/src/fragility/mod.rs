@@ -8,8 +8,8 @@
 //!   -> study (all cells) -> tables, picture
 //! ```
 
-pub mod binary;
-pub mod capacity;
+pub(crate) mod binary;
+pub(crate) mod capacity;
 pub mod cloud;
 mod draws;
 pub mod estimate;
@@ -17,18 +17,18 @@ pub mod fit;
 pub mod hazard;
 mod hazard_error;
 pub mod ida;
-pub mod interval;
+pub(crate) mod interval;
 pub mod levels;
 pub mod limit_state;
-pub mod link;
-pub mod newton;
+pub(crate) mod link;
+pub(crate) mod newton;
 pub mod profile;
 pub mod request;
 pub mod runs;
 pub mod sensitivity;
 pub mod stripes;
 pub mod study;
-pub mod suite_runs;
+pub(crate) mod suite_runs;
 pub mod table_columns;
 pub mod tables;
 

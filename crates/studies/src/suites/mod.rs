@@ -6,10 +6,10 @@
 //! ```
 
 pub mod columns;
-pub mod entry;
+pub(crate) mod entry;
 pub mod envelope;
-pub mod error;
-pub mod estimate;
+pub(crate) mod error;
+pub(crate) mod estimate;
 mod files;
 mod gather;
 pub mod intensity;

@@ -7,13 +7,13 @@
 //! ```
 
 pub mod distribution;
-pub mod ensemble;
-pub mod indices;
+pub(crate) mod ensemble;
+pub(crate) mod indices;
 pub mod normal;
-pub mod pixel;
-pub mod points;
+pub(crate) mod pixel;
+pub(crate) mod points;
 pub mod probability;
-pub mod varied;
+pub(crate) mod varied;
 
 pub use distribution::Distribution;
 pub use ensemble::Ensemble;

@@ -30,6 +30,7 @@ pub fn shares(coordinates: usize, samples: usize, seed: u32) -> Vec<Vec<f64>> {
 }
 
 /// So many points, each with a value of every parameter.
+#[cfg(test)]
 pub fn points(varied: &[Varied], samples: usize, seed: u32) -> Vec<Vec<f64>> {
     let points = shares(varied.len(), samples, seed);
     points.iter().map(|shares| values(varied, shares)).collect()

@@ -1,13 +1,13 @@
 //! The pictures of a map, and of one cell's motion.
 
-pub mod curves;
+pub(crate) mod curves;
 pub mod field;
 pub mod fields;
 pub mod greys;
 pub mod history;
-pub mod islands;
+pub(crate) mod islands;
 pub mod keys;
-pub mod labels;
+pub(crate) mod labels;
 pub mod layout;
 pub mod main;
 pub mod overlay;
