@@ -15,7 +15,6 @@ pub(crate) mod ending;
 pub mod export;
 pub(crate) mod frame;
 pub(crate) mod guard;
-
 pub(crate) mod page;
 pub mod records;
 pub(crate) mod refused;

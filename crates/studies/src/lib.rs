@@ -1,8 +1,7 @@
 //! Many sweeps as one: a suite of records, its envelope and its fragility, and numbers of which only a distribution is known.
 //!
 //! ```text
-//! suites -> fragility
-//!    uncertain -^
+//! suites, uncertain -> fragility
 //! ```
 
 pub mod fragility;

@@ -7,6 +7,8 @@ use assert_cmd::Command;
 use proptest::prelude::*;
 use tempfile::TempDir;
 
+use crate::common::names;
+
 fn topple() -> Command {
     Command::cargo_bin("topple").unwrap()
 }
@@ -39,15 +41,6 @@ fn small_map(extra: &[&str]) -> (TempDir, String) {
         .success();
     let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
     (out, said)
-}
-
-fn names(directory: &Path) -> Vec<String> {
-    let mut names: Vec<String> = fs::read_dir(directory)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    names
 }
 
 #[test]

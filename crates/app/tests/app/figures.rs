@@ -10,19 +10,13 @@ use topple_lab::figures::Figure;
 use topple_lab::figures::motions;
 use topple_lab::figures::text::FigureInputs;
 
+use crate::common::names;
+
 fn figures(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {
     let mut command = Command::cargo_bin("topple").unwrap();
     // The user's own directory of records is no part of these tests.
     command.env_remove("TOPPLE_RECORDS");
     command.args(["figures", "--backend", "cpu", "--out"]).arg(out).args(arguments).assert()
-}
-
-fn names(directory: &Path) -> Vec<String> {
-    let entries = fs::read_dir(directory).unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 /// What a picture says, its lines joined.

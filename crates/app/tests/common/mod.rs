@@ -1,19 +1,25 @@
 //! What the tests of the command share, and what those of the engine do.
 
-#![allow(dead_code, unused_imports, clippy::unwrap_used)] // each test binary uses a part of it
+#![allow(clippy::unwrap_used)] // tests
 
 #[path = "../../../../tests/common/mod.rs"]
 mod engine;
 
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::Path;
 use std::sync::LazyLock;
 
 use assert_cmd::Command;
 pub use engine::*;
 
-/// A file or a folder of the repository.
-pub fn of_repository(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+/// The names in a directory, in their order.
+pub fn names(directory: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(directory)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
 }
 
 /// The lines that topple wrote to stderr, without those of a driver: some have a word to say to every
