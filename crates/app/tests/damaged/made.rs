@@ -15,6 +15,8 @@ use topple_studies::{
     Varied,
 };
 
+use crate::run::alone;
+
 fn builder() -> SceneBuilder {
     SceneBuilder::object(1)
         .with(Parameter::TH, 1.75)
@@ -55,6 +57,7 @@ fn none() -> Vec<Values> {
 
 #[test]
 fn values_that_are_none_are_refused() {
+    let _alone = alone();
     let good = builder().check().unwrap();
     for values in none() {
         let refused = builder().with(Parameter::Omega, values.clone()).check().unwrap_err();
@@ -80,6 +83,7 @@ fn values_that_are_none_are_refused() {
 
 #[test]
 fn motions_that_are_none_are_refused() {
+    let _alone = alone();
     let good = synthetic::pair();
     let samples = |samples: &[f64]| -> Arc<[f64]> { samples.into() };
     for pair in [
@@ -107,6 +111,7 @@ fn motions_that_are_none_are_refused() {
 /// 2^40 cells, each of some 60 bytes; 2^30 sweeps; every cell of a map by the reference.
 #[test]
 fn no_size_is_taken_at_its_word() {
+    let _alone = alone();
     let large = Range::even(1.0, 2.0, 1 << 20);
     let scene = builder().with(Parameter::Omega, large).with(Parameter::AH, large).check().unwrap();
     let refused = sweep(&scene, &[], &settings(), &Unwatched).map(|_| ()).unwrap_err();
@@ -143,6 +148,7 @@ fn no_size_is_taken_at_its_word() {
 
 #[test]
 fn distributions_that_are_none_are_refused() {
+    let _alone = alone();
     let scene = builder().check().unwrap();
     let normal = Form::Normal { mean: 1.75, deviation: 0.1 };
     for distribution in [
@@ -174,6 +180,7 @@ fn suite(count: usize) -> Suite {
 
 #[test]
 fn a_suite_of_more_cells_than_are_held_is_refused() {
+    let _alone = alone();
     let suite = suite(300);
     let scene = SceneBuilder::object(1).with(Parameter::UY, 0.01).with(Parameter::TV, 0.5);
     let large = scene.clone().with(Parameter::TH, Range::even(1.0, 4.0, 1 << 20));
@@ -196,6 +203,7 @@ fn a_suite_of_more_cells_than_are_held_is_refused() {
 
 #[test]
 fn a_method_is_bounded_by_its_steps() {
+    let _alone = alone();
     for step in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300] {
         let method = Method { largest_step: step, ..Method::default() };
         line(&method.plan(&builder().check().unwrap()).unwrap_err());

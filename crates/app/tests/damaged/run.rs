@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -24,8 +24,12 @@ const CASES: &str = "TOPPLE_DAMAGED_CASES";
 /// The one case that is tried: reader/number.
 const CASE: &str = "TOPPLE_DAMAGED_CASE";
 
-/// Memory is the whole process's: one case at a time.
 static ALONE: Mutex<()> = Mutex::new(());
+
+/// Memory is the whole process's: while one test counts it, no other takes any, or gives it back.
+pub fn alone() -> MutexGuard<'static, ()> {
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Says something past the test harness.
 fn say(line: std::fmt::Arguments) {
@@ -63,7 +67,7 @@ pub fn judge(read: Read, bytes: &[u8]) -> Result<Result<(), String>, String> {
 
 /// The same by itself, without the words of a panic.
 pub fn quietly(read: Read, bytes: &[u8]) -> Result<Result<(), String>, String> {
-    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let _alone = alone();
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let judged = judge(read, bytes);
@@ -94,7 +98,7 @@ impl Watch<'_> {
 
 /// Tries the cases that the environment asks for, of all readers.
 pub fn all(readers: &[Reader]) {
-    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let _alone = alone();
     let asked = std::env::var(CASE).ok();
     let cases = std::env::var(CASES).ok().map(|count| count.parse().expect(CASES));
     let mut broken = Vec::new();
