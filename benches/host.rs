@@ -26,7 +26,7 @@ use topple::results::block::Block;
 use topple::scene::record::synthetic;
 use topple::scene::{self, Grid, Parameter, Scene};
 use topple::stepping::state::{FINISHED, State};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 /// Cells of a tile.
 const TILE: usize = 1 << 18;

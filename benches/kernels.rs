@@ -8,6 +8,7 @@ use std::hint::black_box;
 use std::io::Cursor;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use topple::backend::cell_run::CellRun;
 use topple::backend::{cpu, lanes};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
@@ -22,7 +23,7 @@ use topple::scene::{Grid, Scene};
 use topple::stepping::certificate::is_final;
 use topple::stepping::outcome::Class;
 use topple::stepping::single::Single;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 fn scene(omega: &str, a_h: &str) -> Scene {
     let text = format!(
@@ -39,7 +40,7 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let grid = Grid::of(&scene);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
     let cells: Vec<usize> = (0..grid.len()).collect();
-    let outcomes = cpu::sweep::<R>(&plan, &grid, &cells, &Unwatched);
+    let outcomes = cpu::sweep(R::PRECISION, &plan, &grid, &cells, &Unwatched);
     let standing = cells.iter().filter(|index| outcomes[**index].class == Class::Rocking);
     let index = *standing.max_by_key(|index| outcomes[**index].impacts).unwrap();
     let model = plan.model::<R>(&plan.scene.case());
@@ -87,7 +88,7 @@ fn writers(c: &mut Criterion) {
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    let outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
+    let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
     c.bench_function("writer, csv, 128 x 128", |b| {
         b.iter(|| results::csv::write(&grid, &outcomes, Vec::with_capacity(1 << 22)).unwrap());
     });
@@ -107,11 +108,13 @@ fn sweeps(c: &mut Criterion) {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
     c.bench_function("sweep, a cell at a time, f64, 24 x 24", |b| {
-        b.iter(|| cpu::sweep_one_by_one::<f64>(&plan, &grid, &cells, &Unwatched));
+        b.iter(|| cpu::sweep_one_by_one(Precision::F64, &plan, &grid, &cells, &Unwatched));
     });
     for (name, level) in lanes::levels() {
         c.bench_function(&format!("sweep, lanes f32, {name}, 24 x 24"), |b| {
-            b.iter(|| lanes::sweep::<f32>(&plan, &grid, &cells, &Unwatched, level));
+            b.iter(|| {
+                lanes::sweep(&CellRun::of(&plan, &grid, &cells, Precision::F32), &Unwatched, level)
+            });
         });
     }
 }

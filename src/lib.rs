@@ -83,15 +83,15 @@ pub use stepping::outcome::{Class, Outcome, Status};
 pub use sweep::error::SweepError;
 pub use sweep::estimate::Estimate;
 pub use sweep::job::{Job, PartSweep, SweepResult};
-pub use sweep::list::{ListOutcomes, sweep_cells};
+pub use sweep::list::sweep_cells;
 pub use sweep::map::MapSweep;
 pub use sweep::parts_error::PartsError;
 pub use sweep::repaired::Repair;
 pub use sweep::run::sweep;
+pub use sweep::runner::ListOutcomes;
 pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
-pub use work::observer::{Observer, Phase};
-pub use work::progress::{Progress, Unwatched};
+pub use work::observer::{Observer, Phase, Unwatched};
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

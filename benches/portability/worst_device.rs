@@ -21,7 +21,7 @@ use topple::model::precision::Precision;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::chart::bench::MAPS;
 
 /// What a device is to show.

@@ -12,7 +12,7 @@ use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::log::Listener;
 use topple::stepping::state::State;
 use topple::stepping::trials::{Purpose, Trial};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 /// Cells that a thread takes at once: as many as the sweep's.
 pub const BATCH: usize = 64;

@@ -10,7 +10,7 @@ use std::time::Duration;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use topple::work::threads::Threads;
-use topple::{Observer, Phase, Progress};
+use topple::{Observer, Phase};
 
 /// Time between two questions whether Ctrl-C was pressed.
 const ASKED_EVERY: Duration = Duration::from_millis(20);
@@ -25,7 +25,7 @@ pub struct Watch {
     phase: Mutex<Option<(&'static str, usize)>>,
 }
 
-impl Progress for Watch {
+impl Observer for Watch {
     fn advance(&self, cells: usize) {
         self.done.fetch_add(cells, Ordering::Relaxed);
     }
@@ -33,9 +33,7 @@ impl Progress for Watch {
     fn cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
-}
 
-impl Observer for Watch {
     fn begins(&self, phase: Phase, total: usize) {
         let name = match phase {
             Phase::Sweeping => "sweep",

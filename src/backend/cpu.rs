@@ -4,6 +4,7 @@ use bytemuck::Zeroable;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
+use super::cell_run::CellRun;
 use super::lanes;
 use crate::cells::plan::Plan;
 use crate::cells::ready::Cells;
@@ -14,33 +15,35 @@ use crate::scene::Grid;
 use crate::stepping::log::{Event, FirstSwitches, Log};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::single;
-use crate::work::progress::{Progress, Unwatched};
+use crate::work::observer::{Observer, Unwatched};
 use crate::work::threads::install;
 
 /// Cells that a thread takes at once.
 const BLOCK: usize = 16;
 
-/// Runs cells of a grid on all cores, on the widest vectors that this machine has; `progress` hears
-/// of each cell done.
-pub fn sweep<R: Real>(
+/// Runs cells of a grid on all cores, on the widest vectors that this machine has, once each; `observer` hears of cells that
+/// are done.
+pub fn sweep(
+    precision: Precision,
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &dyn Progress,
+    observer: &dyn Observer,
 ) -> Vec<Outcome> {
-    lanes::sweep::<R>(plan, grid, cells, progress, Level::new())
+    lanes::sweep(&CellRun::of(plan, grid, cells, precision), observer, Level::new())
 }
 
 /// The same, a cell at a time: vectors of one lane.
-pub fn sweep_one_by_one<R: Real>(
+pub fn sweep_one_by_one(
+    precision: Precision,
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &dyn Progress,
+    observer: &dyn Observer,
 ) -> Vec<Outcome> {
-    match R::PRECISION {
-        Precision::F32 => outcomes::<f32>(plan, grid, cells, progress),
-        Precision::F64 => outcomes::<f64>(plan, grid, cells, progress),
+    match precision {
+        Precision::F32 => outcomes::<f32>(plan, grid, cells, observer),
+        Precision::F64 => outcomes::<f64>(plan, grid, cells, observer),
     }
 }
 
@@ -48,9 +51,9 @@ fn outcomes<R: Real>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &dyn Progress,
+    observer: &dyn Observer,
 ) -> Vec<Outcome> {
-    let ran = each::<R, ()>(plan, grid, cells, progress, || ());
+    let ran = each::<R, ()>(plan, grid, cells, observer, || ());
     ran.into_iter().map(|(outcome, ())| outcome).collect()
 }
 
@@ -71,12 +74,12 @@ fn each<R: Real, L: Log<R> + Send>(
     plan: &Plan,
     grid: &Grid,
     cells: &[usize],
-    progress: &dyn Progress,
+    observer: &dyn Observer,
     log: impl Fn() -> L + Sync,
 ) -> Vec<(Outcome, L)> {
     let variant = plan.variant();
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, cells, &record, progress);
+    let all = Cells::of(plan, grid, cells, &record, observer);
     let mut outcomes = Vec::with_capacity(cells.len());
     let all_cells = (0..cells.len()).into_par_iter().with_max_len(BLOCK).map(|number| {
         let (cell, state) = all.begin(number);
@@ -84,7 +87,7 @@ fn each<R: Real, L: Log<R> + Send>(
         let set = CellEquations { variant, model, cell: &cell, record: &record };
         let mut log = log();
         let state = single::run(&set, &state, &mut log);
-        progress.advance(1);
+        observer.advance(1);
         (all.outcome(number, &state), log)
     });
     install(|| all_cells.collect_into_vec(&mut outcomes));

@@ -1,23 +1,23 @@
 //! What a sweep runs on.
 
-use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use fearless_simd::Level;
 use rayon::prelude::*;
 
 use super::backend_error::BackendError;
-use super::cpu;
+use super::by_reference::by_reference;
+use super::cell_run::{CellRun, Snapshots};
 use super::description::AdapterDescription;
 #[cfg(feature = "gpu")]
 use super::gpu::{opened::Gpu, run::Sweeper};
-use super::snapshots::{PassedOn, resolve};
-use crate::cells::plan::{Part, Plan};
+use super::lanes;
+use crate::cells::part::Part;
 use crate::model::precision::Precision;
 use crate::results::block::Block;
-use crate::scene::Grid;
-use crate::stepping::outcome::Outcome;
-use crate::stepping::reference;
-use crate::work::progress::Progress;
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::reference::Settings;
+use crate::work::observer::Observer;
 use crate::work::threads::install;
 
 /// A backend ready to run.
@@ -64,8 +64,7 @@ impl Backend {
         }
     }
 
-    /// True where the cells of a running batch are given as they are done, see [`Progress::snapshot`]: a batch
-    /// may take long.
+    /// True where the cells of a running batch are given as they are done, see [`Snapshots`]: a batch may take long.
     pub fn gives_snapshots(&self) -> bool {
         matches!(self, Backend::Cpu)
     }
@@ -89,108 +88,68 @@ impl Backend {
         }
     }
 
-    /// Runs all cells of a grid; `progress` is called with the number of cells done since its last call.
+    /// Runs cells; `observer` hears of each as it is done, twice where it runs twice. A cell has the outcome that it has in a
+    /// run of the whole grid: on the CPU to the last bit.
     ///
     /// # Errors
-    /// Any [`BackendError`] of a GPU; the others do not fail.
-    pub fn sweep(
+    /// Any [`BackendError`] of a GPU; that it was cancelled.
+    pub fn run(
         &self,
-        plan: &Plan,
-        grid: &Grid,
-        precision: Precision,
-        progress: &dyn Progress,
+        run: &CellRun,
+        observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
-        self.sweep_range(plan, grid, 0..grid.len(), precision, false, progress)
+        match run.resolve {
+            true => self.run_twice(run, observer),
+            false => self.run_once(run, observer),
+        }
     }
 
-    /// Runs some of a grid's cells, numbered one after the other, each once, or twice to `resolve` it.
-    ///
-    /// # Errors
-    /// Those of [`Backend::sweep`].
-    pub fn sweep_range(
+    fn run_once(
         &self,
-        plan: &Plan,
-        grid: &Grid,
-        cells: Range<usize>,
-        precision: Precision,
-        resolve: bool,
-        progress: &dyn Progress,
+        run: &CellRun,
+        observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
-        let cells: Vec<usize> = cells.collect();
-        self.sweep_list(plan, grid, &cells, (precision, resolve), progress)
-    }
-
-    /// Runs a list of a grid's cells, by their numbers and in any order, each once, or twice to `resolve` it. The
-    /// outcomes are in the list's order. A cell has the outcome that it has in a sweep of the whole grid: on the CPU
-    /// to the last bit.
-    ///
-    /// # Errors
-    /// Those of [`Backend::sweep`].
-    pub fn sweep_list(
-        &self,
-        plan: &Plan,
-        grid: &Grid,
-        cells: &[usize],
-        (precision, resolve): (Precision, bool),
-        progress: &dyn Progress,
-    ) -> Result<BackendOutcomes, BackendError> {
-        let sweep = if resolve { Backend::sweep_resolved } else { Backend::sweep_cells };
-        sweep(self, plan, grid, cells, precision, progress)
-    }
-
-    /// Runs a list of a grid's cells once each.
-    ///
-    /// # Errors
-    /// Those of [`Backend::sweep`].
-    fn sweep_cells(
-        &self,
-        plan: &Plan,
-        grid: &Grid,
-        cells: &[usize],
-        precision: Precision,
-        progress: &dyn Progress,
-    ) -> Result<BackendOutcomes, BackendError> {
-        let began = Instant::now();
+        let (began, count) = (Instant::now(), run.cells.len());
         let mut times = Times::default();
-        let parts = plan.at(precision).parts(grid, cells);
+        let parts = Part::of(&run.plan.at(run.precision), run.grid, &run.cells);
         let mut ran = Vec::with_capacity(parts.len());
         for part in &parts {
-            let of_batch = |block| part.scatter_into(cells.len(), part.mark_locked(block));
-            let progress = PassedOn { progress, change: Some(&of_batch) };
-            ran.push(part.mark_locked(self.part(part, grid, precision, &progress, &mut times)?));
+            let take = run.snapshots.map(|to| {
+                move |block| (to.take)(part.scatter_into(count, part.mark_locked(block)))
+            });
+            let snapshots = run.snapshots.zip(take.as_ref());
+            let snapshots = snapshots.map(|(to, take)| Snapshots { due: to.due, take });
+            let cells = part.cells.as_slice().into();
+            let run = CellRun { plan: &part.plan, cells, snapshots, ..*run };
+            ran.push(part.mark_locked(self.run_part(&run, observer, &mut times)?));
         }
-        if progress.cancelled() {
+        if observer.cancelled() {
             return Err(BackendError::Cancelled);
         }
-        let block = in_order(cells.len(), self.columns(precision), &parts, ran);
+        let block = in_order(count, self.columns(run.precision), &parts, ran);
         let Times { compile, device } = times;
         Ok(BackendOutcomes { block, elapsed: began.elapsed() - compile, compile, device })
     }
 
-    /// Runs a list of a grid's cells twice, the second time with steps half as long and, where the backend has it,
-    /// in f64, and calls those unresolved whose class the step or the rounding decides; the rest is
-    /// of the second run. `progress` hears of every cell twice.
-    ///
-    /// # Errors
-    /// Those of [`Backend::sweep`].
-    pub fn sweep_resolved(
+    /// Runs cells twice, the second time with steps half as long and, where the backend has it, in f64, and calls those
+    /// unresolved whose class the step or the rounding decides; the rest is of the second run.
+    fn run_twice(
         &self,
-        plan: &Plan,
-        grid: &Grid,
-        cells: &[usize],
-        precision: Precision,
-        progress: &dyn Progress,
+        run: &CellRun,
+        observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
-        // Of the first run nobody is to have outcomes.
-        let first = PassedOn { progress, change: None };
-        let coarse = self.sweep_cells(plan, grid, cells, precision, &first)?;
-        let finer = self.finest(precision);
+        // Nobody is to have outcomes of the first run.
+        let coarse = self.run_once(&CellRun { snapshots: None, ..run.clone() }, observer)?;
         let resolved = |mut block: Block| {
             resolve(&mut block, &coarse.block);
             block
         };
-        let second = PassedOn { progress, change: Some(&resolved) };
-        let mut fine = self.sweep_cells(&plan.halved(), grid, cells, finer, &second)?;
+        let take = run.snapshots.map(|to| move |block| (to.take)(resolved(block)));
+        let snapshots = run.snapshots.zip(take.as_ref());
+        let snapshots = snapshots.map(|(to, take)| Snapshots { due: to.due, take });
+        let (plan, precision) = (&run.plan.halved(), self.finest(run.precision));
+        let finer = CellRun { plan, precision, snapshots, ..run.clone() };
+        let mut fine = self.run_once(&finer, observer)?;
         resolve(&mut fine.block, &coarse.block);
         fine.elapsed += coarse.elapsed;
         fine.compile += coarse.compile;
@@ -211,57 +170,56 @@ impl Backend {
         }
     }
 
-    /// Runs the cells of a part, in its order.
-    fn part(
+    /// Runs cells that run one model.
+    fn run_part(
         &self,
-        part: &Part,
-        grid: &Grid,
-        precision: Precision,
-        progress: &dyn Progress,
+        run: &CellRun,
+        observer: &dyn Observer,
         #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
         times: &mut Times,
     ) -> Result<Block, BackendError> {
-        let (plan, cells) = (&part.plan, part.cells.as_slice());
-        let columns = |outcomes: Vec<Outcome>| {
-            let precision = self.columns(precision);
-            if progress.cancelled() {
-                // Some cells have not run.
-                return Ok(Block::of_outcomes(&outcomes, precision));
-            }
-            let mut block = Block::pending(outcomes.len(), precision);
-            install(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
-            Ok(block)
-        };
-        match (self, precision) {
-            (Backend::Reference, _) => columns(by_reference(plan, grid, cells, progress)),
-            (Backend::Cpu, Precision::F32) => {
-                columns(cpu::sweep::<f32>(plan, grid, cells, progress))
-            }
-            (Backend::Cpu, Precision::F64) => {
-                columns(cpu::sweep::<f64>(plan, grid, cells, progress))
-            }
+        let outcomes = match self {
+            Backend::Reference => all_by_reference(run, observer),
+            Backend::Cpu => lanes::sweep(run, observer, Level::new()),
             #[cfg(feature = "gpu")]
-            (Backend::Gpu(gpu), _) => {
-                let compiling = Instant::now();
-                let sweeper = Sweeper::new(gpu, precision, plan.variant())?;
-                times.compile += compiling.elapsed();
-                let (block, time) = match precision {
-                    Precision::F32 => {
-                        let ran = sweeper.sweep::<f32>(plan, grid, cells, progress)?;
-                        (ran.block, ran.device)
-                    }
-                    Precision::F64 => {
-                        let ran = sweeper.sweep::<f64>(plan, grid, cells, progress)?;
-                        (ran.block, ran.device)
-                    }
-                };
-                if let Some(time) = time {
-                    times.device = Some(times.device.unwrap_or_default() + time);
-                }
-                Ok(block)
-            }
+            Backend::Gpu(gpu) => return on_device(gpu, run, observer, times),
+        };
+        let precision = self.columns(run.precision);
+        if observer.cancelled() {
+            // Some cells have not run.
+            return Ok(Block::of_outcomes(&outcomes, precision));
         }
+        let mut block = Block::pending(outcomes.len(), precision);
+        install(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
+        Ok(block)
     }
+}
+
+#[cfg(feature = "gpu")]
+fn on_device(
+    gpu: &Gpu,
+    run: &CellRun,
+    observer: &dyn Observer,
+    times: &mut Times,
+) -> Result<Block, BackendError> {
+    let compiling = Instant::now();
+    let sweeper = Sweeper::new(gpu, run.precision, run.plan.variant())?;
+    times.compile += compiling.elapsed();
+    let CellRun { plan, grid, cells, .. } = run;
+    let (block, time) = match run.precision {
+        Precision::F32 => {
+            let ran = sweeper.sweep::<f32>(plan, grid, cells, observer)?;
+            (ran.block, ran.device)
+        }
+        Precision::F64 => {
+            let ran = sweeper.sweep::<f64>(plan, grid, cells, observer)?;
+            (ran.block, ran.device)
+        }
+    };
+    if let Some(time) = time {
+        times.device = Some(times.device.unwrap_or_default() + time);
+    }
+    Ok(block)
 }
 
 /// What the parts of a sweep took of a GPU.
@@ -286,20 +244,25 @@ fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Blo
     block
 }
 
-fn by_reference(
-    plan: &Plan,
-    grid: &Grid,
-    cells: &[usize],
-    progress: &dyn Progress,
-) -> Vec<Outcome> {
-    let settings = reference::Settings::default();
-    let run = |&index: &usize| {
-        let case = plan.locked(&grid.case(index));
-        let outcome =
-            reference::run_while(&plan.scene, &case, &settings, &|| !progress.cancelled());
-        progress.advance(1);
+fn all_by_reference(run: &CellRun, observer: &dyn Observer) -> Vec<Outcome> {
+    let settings = Settings::default();
+    let go_on = || !observer.cancelled();
+    let cell = |&index: &usize| {
+        let outcome = by_reference(run.plan, &run.grid.case(index), &settings, &go_on);
+        observer.advance(1);
         // That of a sweep which is cancelled is not used.
         outcome.unwrap_or(Outcome::PENDING)
     };
-    install(|| cells.par_iter().map(run).collect())
+    install(|| run.cells.par_iter().map(cell).collect())
+}
+
+/// Calls cells unresolved that another run classifies otherwise; those that have not run stay so.
+fn resolve(block: &mut Block, other: &Block) {
+    block.recode(|cell, class, status| {
+        if class == other.class(cell) || class == Class::Unresolved {
+            (class, status)
+        } else {
+            (Class::Unresolved, Status::Undecided)
+        }
+    });
 }

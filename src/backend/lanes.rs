@@ -6,35 +6,26 @@ use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 
+use super::cell_run::CellRun;
 use super::order::by_motions;
-use crate::cells::plan::Plan;
 use crate::cells::ready::Cells;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::results::block::Block;
-use crate::scene::Grid;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::phases::Phases;
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 use crate::work::threads::install;
 use crate::work::vectors::vectorized;
 
 /// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
 const BATCH: usize = 64;
 
-/// A sweep's cells.
-struct Sweep<'a> {
-    plan: &'a Plan,
-    grid: &'a Grid,
-    cells: &'a [usize],
-    progress: &'a dyn Progress,
-    level: Level,
-}
-
 /// The cells that a thread takes from the queue, and the outcomes that it gives back, in batches.
 struct ThreadFeed<'a, R> {
-    sweep: &'a Sweep<'a>,
+    run: &'a CellRun<'a>,
+    observer: &'a dyn Observer,
     all: &'a Cells<'a, R>,
     /// See [`by_motions`]; without shared motions that of the list.
     order: Option<&'a [u32]>,
@@ -47,14 +38,16 @@ struct ThreadFeed<'a, R> {
 impl<R: Real> ThreadFeed<'_, R> {
     /// Stores the outcomes in the cells' order.
     fn deliver(&mut self) {
-        self.sweep.progress.advance(self.ended.len());
+        self.observer.advance(self.ended.len());
         // A thread that panicked has stored whole outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
         for (number, outcome) in self.ended.drain(..) {
             outcomes[number] = outcome;
         }
-        if self.sweep.progress.wants_snapshot() {
-            self.sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
+        if let Some(snapshots) = self.run.snapshots
+            && (snapshots.due)()
+        {
+            (snapshots.take)(Block::of_outcomes(&outcomes, R::PRECISION));
         }
     }
 }
@@ -66,7 +59,7 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
             if self.cancelled() {
                 return None;
             }
-            let count = self.sweep.cells.len();
+            let count = self.run.cells.len();
             let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
             self.batch = from..(from + BATCH).min(count);
         }
@@ -77,7 +70,7 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     }
 
     fn cancelled(&self) -> bool {
-        self.sweep.progress.cancelled()
+        self.observer.cancelled()
     }
 
     #[inline(always)]
@@ -90,31 +83,19 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     }
 }
 
-/// Runs cells of a grid on all cores with the vectors of a level; `progress` is called with the number of
-/// cells done since its last call.
-pub fn sweep<R: Real>(
-    plan: &Plan,
-    grid: &Grid,
-    cells: &[usize],
-    progress: &dyn Progress,
-    level: Level,
-) -> Vec<Outcome> {
-    let sweep = Sweep { plan, grid, cells, progress, level };
-    at(R::PRECISION, &sweep)
-}
-
-/// Not generic, so that its callers do not compile all kinds of vectors again.
-fn at(precision: Precision, sweep: &Sweep) -> Vec<Outcome> {
-    match precision {
-        Precision::F32 => run::<f32>(sweep),
-        Precision::F64 => run::<f64>(sweep),
+/// Runs cells on all cores with the vectors of a level, once each; `observer` hears of cells that are done. Not generic, so
+/// that its callers do not compile all kinds of vectors again.
+pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Vec<Outcome> {
+    match run.precision {
+        Precision::F32 => on_lanes::<f32>(run, observer, level),
+        Precision::F64 => on_lanes::<f64>(run, observer, level),
     }
 }
 
-fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
-    let Sweep { plan, grid, cells, level, .. } = *sweep;
+fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Vec<Outcome> {
+    let CellRun { plan, grid, ref cells, .. } = *run;
     let record = plan.record::<R>();
-    let all = Cells::of(plan, grid, cells, &record, sweep.progress);
+    let all = Cells::of(plan, grid, cells, &record, observer);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let order = all.of_motions.as_ref().map(|motions| install(|| by_motions(motions, grid, cells)));
     let queue = AtomicUsize::new(0);
@@ -122,7 +103,8 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
     install(|| {
         rayon::broadcast(|_| {
             let mut feed = ThreadFeed {
-                sweep,
+                run,
+                observer,
                 all: &all,
                 order: order.as_deref(),
                 queue: &queue,
@@ -140,9 +122,11 @@ fn run<R: Real>(sweep: &Sweep) -> Vec<Outcome> {
         })
     });
     let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
-    if sweep.progress.cancelled() {
+    if observer.cancelled()
+        && let Some(snapshots) = run.snapshots
+    {
         // What was done is not lost.
-        sweep.progress.snapshot(Block::of_outcomes(&outcomes, R::PRECISION));
+        (snapshots.take)(Block::of_outcomes(&outcomes, R::PRECISION));
     }
     outcomes
 }

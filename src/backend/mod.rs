@@ -5,6 +5,8 @@
 //! ```
 
 pub mod backend_error;
+pub mod by_reference;
+pub mod cell_run;
 pub mod cpu;
 pub mod description;
 pub mod dispatch;
@@ -15,4 +17,3 @@ pub mod lanes;
 pub(crate) mod order;
 pub mod report;
 pub mod request;
-pub(crate) mod snapshots;

@@ -61,7 +61,7 @@ mod tests {
     use crate::cells::plan::Plan;
     use crate::cells::ready::Cells;
     use crate::scene::{Parameter, Range, SceneBuilder};
-    use crate::work::progress::Unwatched;
+    use crate::work::observer::Unwatched;
 
     /// Cells of the same motions come together, and each cell once, also from a list that leaves some out.
     #[test]

@@ -1,14 +1,10 @@
-//! The state of a cell at rest, and one cell made by itself. Twin of `shaders/at_rest.wgsl`.
+//! The state of a cell at rest. Twin of `shaders/at_rest.wgsl`.
 
 use bytemuck::Zeroable;
 
-use super::body::Body;
-use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
-use super::plan::Plan;
 use crate::model::block::{FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT};
-use crate::model::excitation::Cell;
 use crate::model::real::Real;
-use crate::scene::{Case, GRAVITY};
+use crate::scene::GRAVITY;
 use crate::stepping::state::{DIVERGED, State};
 
 /// The corner that a block of this tilt turns about.
@@ -35,23 +31,4 @@ pub(crate) fn at_rest<R: Real>(finite: bool, tilt: R) -> State<R> {
         state.status = DIVERGED;
     }
     state
-}
-
-impl Plan {
-    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium. Its body
-    /// is number 0.
-    pub fn cell<R: Real>(&self, case: &Case) -> (Cell<R>, State<R>) {
-        let case = self.locked(case);
-        let body = Body::of(&case);
-        let groups = Groups {
-            horizontal: Horizontal::of(&case, &body),
-            vertical: Vertical::of(&case, &body),
-            drive: Drive::of(&case, None),
-            steps: Steps::of(self.span(&case).omega, &self.clock(&case), body.fall()),
-            body: 0,
-        };
-        let cell = groups.cell();
-        let state = at_rest(groups.finite(), groups.drive.tilt);
-        (cell, state)
-    }
 }

@@ -4,7 +4,10 @@
 
 use super::body::{Body, body_parameters};
 use super::clock::Clock;
-use super::clock_parts::{SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters};
+use super::clock_parts::{
+    ClockRule, SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters,
+};
+use super::contact::dependence::shared_amplitude;
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::listing::{CellAt, Listing};
 use super::plan::Plan;
@@ -37,7 +40,7 @@ pub struct Parts {
 /// The tables of a list of cells.
 #[derive(Debug)]
 pub struct CellTables<'a, R> {
-    plan: &'a Plan,
+    rule: ClockRule<'a>,
     grid: &'a Grid,
     cells: &'a [usize],
     /// Of the bodies: the block on its base.
@@ -69,7 +72,7 @@ fn by_body<T: Send>(
 impl<'a, R: Real> CellTables<'a, R> {
     /// The tables of some cells of a plan's grid.
     pub fn of(plan: &'a Plan, grid: &'a Grid, cells: &'a [usize]) -> CellTables<'a, R> {
-        let shared = plan.shared_amplitude(grid);
+        let (rule, shared) = (plan.clock_rule(), shared_amplitude(plan, grid));
         let all = clock_parameters(grid);
         let list = Listing::of(grid, cells);
         let of = (plan, &list);
@@ -77,19 +80,19 @@ impl<'a, R: Real> CellTables<'a, R> {
         let clocks = if list.share(&all) || cells.len() == 1 {
             Clocks::Shared(by_body(of, &all, |case, body| {
                 let clock = plan.clock(case);
-                (clock, Steps::of(plan.span(case).omega, &clock, body.fall()))
+                (clock, Steps::of(rule.span(case).omega, &clock, body.fall()))
             }))
         } else {
             let swing = swing_parameters(grid);
             Clocks::Own(Box::new(Parts {
-                swing_h: by_body(of, &swing, |case, body| plan.swing_h(case, body)),
-                swing_v: by_body(of, &SWING_V, |case, body| plan.swing_v(case, body)),
-                span: Table::of(&list, &SPAN, |case| plan.span(case)),
+                swing_h: by_body(of, &swing, |case, body| rule.swing_h(case, body)),
+                swing_v: by_body(of, &SWING_V, |case, body| rule.swing_v(case, body)),
+                span: Table::of(&list, &SPAN, |case| rule.span(case)),
                 fall: by_body(of, &[], |_, body| body.fall()),
             }))
         };
         CellTables {
-            plan,
+            rule,
             grid,
             cells,
             bodies: by_body(of, &[], |_, body| body.model()),
@@ -140,7 +143,7 @@ impl<'a, R: Real> CellTables<'a, R> {
     #[inline(always)]
     pub(crate) fn own_clock(&self, parts: &Parts, cell: &CellAt) -> OwnClock {
         let span = parts.span.at(cell);
-        let clock = self.plan.clock_of(parts.swing_h.at(cell), parts.swing_v.at(cell), span);
+        let clock = self.rule.clock_of(parts.swing_h.at(cell), parts.swing_v.at(cell), span);
         OwnClock { clock, omega: span.omega, fall: *parts.fall.at(cell) }
     }
 

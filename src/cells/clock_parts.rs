@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use super::body::{Body, body_parameters};
-use super::clock::Clock;
-use super::plan::Plan;
+use super::clock::{Clock, Resolution};
+use super::shortcuts::Shortcuts;
 use crate::scene::case::PEAK;
 use crate::scene::{Case, Excitation, Grid, Parameter, Shaking};
 
@@ -61,7 +61,15 @@ pub(crate) const SWING_V: [Parameter; 1] = [Parameter::TV];
 pub(crate) const SPAN: [Parameter; 4] =
     [Parameter::Omega, Parameter::Cycles, Parameter::Gamma, Parameter::TMax];
 
-impl Plan {
+/// What the clocks of a plan's cells follow from, beside the cells' numbers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ClockRule<'a> {
+    pub(crate) resolution: Resolution,
+    pub(crate) shortcuts: Shortcuts,
+    pub(crate) excitation: &'a Excitation,
+}
+
+impl ClockRule<'_> {
     /// The horizontal part of a cell's clock.
     pub(crate) fn swing_h(&self, case: &Case, body: &Body) -> SwingH {
         let p2 = body.most_p2();
@@ -71,7 +79,7 @@ impl Plan {
         let square = (TAU / law.t_h).powi(2);
         let [left, right] = body.stiffening_h();
         let squares = [(square * left).max(p2[0]), (square * right).max(p2[1])];
-        let longest = if self.has_hysteretic_variable(law.psi) {
+        let longest = if self.shortcuts.integrate_z(law.psi) {
             let yield_time = law.alpha_y * law.t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)
         } else {
@@ -90,7 +98,7 @@ impl Plan {
     /// The part of the excitation and the run.
     pub(crate) fn span(&self, case: &Case) -> Span {
         let t_max = case.t_max;
-        match (&self.scene.excitation, case.shaking) {
+        match (self.excitation, case.shaking) {
             (_, Shaking::Pulse(pulse)) => {
                 let longest = self.resolution.longest_in_pulse(pulse.shortest_period());
                 let forced = pulse.duration().min(t_max);
@@ -106,13 +114,6 @@ impl Plan {
         }
     }
 
-    /// The steps of a cell: the pulse's end is a step boundary.
-    pub fn clock(&self, case: &Case) -> Clock {
-        let case = self.locked(case);
-        let body = Body::of(&case);
-        self.clock_of(&self.swing_h(&case, &body), &self.swing_v(&case, &body), &self.span(&case))
-    }
-
     /// The clock of its parts.
     #[inline]
     pub(crate) fn clock_of(&self, h: &SwingH, v: &SwingV, span: &Span) -> Clock {
@@ -121,7 +122,7 @@ impl Plan {
         // The longest step is bounded by the cell's fastest period, infinite where nothing
         // oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
-        let (steps_forced, substeps) = match &self.scene.excitation {
+        let (steps_forced, substeps) = match self.excitation {
             Excitation::Pulse(_) => {
                 ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
             }

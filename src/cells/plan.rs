@@ -1,38 +1,35 @@
-//! A scene made ready to run: its step lengths, its shortcuts, and its parts that run one model each.
+//! A scene made ready to run: its step lengths, its shortcuts, and what each cell begins with. A scene whose cells take too
+//! many steps is refused.
 
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
 
+use super::at_rest::at_rest;
 use super::body::{Body, body_parameters};
-use super::clock::Resolution;
+use super::clock::{Clock, Resolution};
+use super::clock_parts::ClockRule;
 use super::contact::motion_cache::MotionCache;
+use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::laws::Laws;
+use super::reader::Reader;
 use super::shortcuts::Shortcuts;
 use crate::model::block::Model;
-use crate::model::excitation::Ground;
+use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
 use crate::model::precision::Precision;
 use crate::model::pulse::Shape;
 use crate::model::real::Real;
-use crate::scene::{Case, Excitation, Grid, Parameter, Scene};
+use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positive};
+use crate::stepping::outcome::Outcome;
+use crate::stepping::state::State;
+
+/// Most steps that a cell may take: some minutes of one core.
+pub const MOST_STEPS: f64 = 1.0e9;
 
 /// A vertical isolation whose period is below this share of a record's time step is rigid for that
 /// record, which holds nothing faster than two steps.
 pub const RIGID_SHARE: f64 = 0.2;
-
-/// Cells that run one model.
-#[derive(Debug, Clone)]
-pub struct Part {
-    /// The plan of these cells.
-    pub plan: Plan,
-    /// The cells' numbers in the grid.
-    pub cells: Vec<usize>,
-    /// Their places in the list that was divided into parts.
-    pub places: Vec<usize>,
-    /// Their vertical isolation is rigid for the record, and is locked.
-    pub vertical_locked: bool,
-}
 
 /// A scene made ready for its cells.
 #[derive(Debug, Clone)]
@@ -56,8 +53,27 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The plan of a scene, not yet [checked](Plan::resolved) for the number of its steps.
-    pub(crate) fn unchecked(scene: &Scene, resolution: Resolution) -> Plan {
+    /// The plan of a scene with steps of at most `largest_step` seconds.
+    ///
+    /// # Errors
+    /// A step that is no positive number, and a duration of more than [`MOST_STEPS`] steps.
+    pub fn new(scene: &Scene, largest_step: f64) -> Result<Plan, SceneError> {
+        Plan::resolved(scene, Resolution::bounded(largest_step))
+    }
+
+    /// The plan of a scene with steps of a given resolution.
+    ///
+    /// # Errors
+    /// Those of [`Plan::new`].
+    pub fn resolved(scene: &Scene, resolution: Resolution) -> Result<Plan, SceneError> {
+        positive("step", resolution.largest_step)?;
+        let plan = Plan::unchecked(scene, resolution);
+        plan.check_steps()?;
+        Ok(plan)
+    }
+
+    /// The plan of a scene, not yet checked for the number of its steps.
+    fn unchecked(scene: &Scene, resolution: Resolution) -> Plan {
         let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
         let (copy, shortcuts, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
         let bodies = Grid::of(scene).sweeps(&body_parameters());
@@ -127,48 +143,18 @@ impl Plan {
         case
     }
 
-    /// The model that a cell runs.
-    fn laws_of(&self, case: &Case) -> Laws {
-        let base = self.locked(case).isolation;
-        Laws {
-            moves: [base.horizontal.is_some(), base.vertical.is_some()],
-            yields: base.horizontal.is_some_and(|law| self.has_hysteretic_variable(law.psi)),
-            bouc_wen_n: base.horizontal.map_or(2, |law| law.n),
+    /// A cell as it runs: one that is as stiff as that runs without the vertical direction.
+    pub(crate) fn as_run(&self, case: &Case) -> Case {
+        let mut case = self.locked(case);
+        if self.locks_vertical(&case) {
+            case.isolation.vertical = None;
         }
+        case
     }
 
-    /// The plan of some of a grid's cells in parts that each run one model: cells whose base yields and
-    /// those whose base does not, those of one exponent n, and those whose vertical isolation is rigid for
-    /// the record, with that direction locked. The cells may be in any order.
-    pub fn parts(&self, grid: &Grid, cells: &[usize]) -> Vec<Part> {
-        let deciding = [Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
-        let Some(first) = cells.first() else { return Vec::new() };
-        if !grid.sweeps(&deciding) && !self.locks_vertical(&grid.case(*first)) {
-            return vec![Part {
-                plan: self.clone(),
-                cells: cells.to_vec(),
-                places: (0..cells.len()).collect(),
-                vertical_locked: false,
-            }];
-        }
-        let mut parts: Vec<Part> = Vec::new();
-        for (place, &cell) in cells.iter().enumerate() {
-            let case = grid.case(cell);
-            let vertical_locked = self.locks_vertical(&case);
-            let mut laws = self.laws_of(&case);
-            laws.moves[1] &= !vertical_locked;
-            if let Some(part) = parts.iter_mut().find(|part| part.plan.laws == laws) {
-                part.cells.push(cell);
-                part.places.push(place);
-                continue;
-            }
-            let mut plan = if vertical_locked { self.without_vertical() } else { self.clone() };
-            plan.laws = laws;
-            parts.push(Part { plan, cells: vec![cell], places: vec![place], vertical_locked });
-        }
-        // Parts without a locked direction come first.
-        parts.sort_by_key(|part| part.vertical_locked);
-        parts
+    /// The model that a cell runs.
+    pub(crate) fn laws_of(&self, case: &Case) -> Laws {
+        Laws::of(&self.locked(case).isolation, self.shortcuts)
     }
 
     /// The same with the horizontal direction locked.
@@ -201,12 +187,6 @@ impl Plan {
         }
     }
 
-    /// True where z is integrated. Where psi = 1 no force depends on it; the full model integrates it all
-    /// the same, and needs steps that resolve it.
-    pub(crate) fn has_hysteretic_variable(&self, psi: f64) -> bool {
-        psi < 1.0 || !self.shortcuts.linear
-    }
-
     /// The numbers of a cell's equations that come from its block and the masses of its base.
     pub fn model<R: Real>(&self, case: &Case) -> Model<R> {
         Body::of(&self.locked(case)).model()
@@ -232,5 +212,100 @@ impl Plan {
             bodies: self.bodies,
             bouc_wen_n,
         }
+    }
+
+    /// What the clocks of its cells follow from.
+    pub(crate) fn clock_rule(&self) -> ClockRule<'_> {
+        let Plan { resolution, shortcuts, .. } = *self;
+        ClockRule { resolution, shortcuts, excitation: &self.scene.excitation }
+    }
+
+    /// The steps of a cell: the pulse's end is a step boundary.
+    pub fn clock(&self, case: &Case) -> Clock {
+        let (case, rule) = (self.locked(case), self.clock_rule());
+        let body = Body::of(&case);
+        rule.clock_of(&rule.swing_h(&case, &body), &rule.swing_v(&case, &body), &rule.span(&case))
+    }
+
+    /// A cell's numbers and the state that it starts in: at rest, the base in static equilibrium. Its body is number 0.
+    pub fn cell<R: Real>(&self, case: &Case) -> (Cell<R>, State<R>) {
+        let case = self.locked(case);
+        let body = Body::of(&case);
+        let omega = self.clock_rule().span(&case).omega;
+        let groups = Groups {
+            horizontal: Horizontal::of(&case, &body),
+            vertical: Vertical::of(&case, &body),
+            drive: Drive::of(&case, None),
+            steps: Steps::of(omega, &self.clock(&case), body.fall()),
+            body: 0,
+        };
+        let cell = groups.cell();
+        let state = at_rest(groups.finite(), groups.drive.tilt);
+        (cell, state)
+    }
+
+    /// The outcome of a cell whose last state is `state`.
+    pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
+        Reader::of(case).outcome(&self.clock(case), state)
+    }
+
+    /// Frees the motions that its cells share, at the end of a sweep.
+    pub fn forget(&self) {
+        self.motion_cache.clear();
+    }
+
+    /// Checks the steps that its cells take.
+    ///
+    /// # Errors
+    /// The key `t_max`: a duration of more than [`MOST_STEPS`] steps.
+    pub(crate) fn check_steps(&self) -> Result<(), SceneError> {
+        for mut case in Grid::of(&self.scene).corners() {
+            if let (Some(rigid), Some(law)) = (self.rigid_period(), &mut case.isolation.vertical) {
+                // Stiffer cells run without the vertical direction.
+                law.t_v = law.t_v.max(rigid);
+            }
+            let clock = self.clock(&case);
+            if f64::from(clock.steps) > MOST_STEPS {
+                let problem = format!(
+                    "{} s take more than {MOST_STEPS:e} steps at the shortest period; shorten t_max, \
+                     or lock a direction as stiff as that",
+                    case.t_max
+                );
+                return Err(SceneError::new("t_max", problem));
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::precision::Precision;
+    use crate::scene::{Parameter, SceneBuilder};
+    use crate::sweep::settings::Method;
+
+    /// At T_v = 0.05 s a period has 160 steps in f32 and 640 in f64, a second 3,200 and 12,800: those are counted that are
+    /// taken.
+    #[test]
+    fn steps_are_bounded_as_they_are_taken() {
+        let accepted = |t_max: f64, method: Method| {
+            let scene = SceneBuilder::object(1)
+                .with(Parameter::TH, 2.0)
+                .with(Parameter::TV, 0.05)
+                .with(Parameter::Omega, 5.0)
+                .with(Parameter::AH, 5.0)
+                .with(Parameter::TMax, t_max);
+            let plan = method.plan(&scene.check().unwrap());
+            plan.as_ref().map_err(|error| assert_eq!(error.key, "t_max")).is_ok()
+        };
+        let f32 = Method::default();
+        let f64 = Method { precision: Precision::F64, ..f32 };
+        let (twice, thrice) = (Method { resolve: true, ..f32 }, Method { repair: true, ..f32 });
+        // A block makes the base stiffer by some percent.
+        let most = |t_max| [f32, f64, twice, thrice].map(|method| accepted(t_max, method));
+        assert_eq!(most(1.0e5), [true, false, false, false]);
+        assert_eq!(most(5.0e4), [true, true, false, false]);
+        assert_eq!(most(2.5e4), [true, true, true, false]);
+        assert_eq!(most(1.2e4), [true; 4]);
     }
 }

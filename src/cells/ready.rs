@@ -8,16 +8,16 @@ use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::contact::full_contact::FullContactMotions;
 use super::contact::motions::MotionPair;
+use super::contact::shared::shared_motions;
 use super::listing::{CellAt, Index};
 use super::plan::Plan;
-use super::reader::Reader;
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
-use crate::scene::{Case, Grid};
+use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 
 /// The data from which some cells of a plan's grid are made.
 pub struct Cells<'a, R> {
@@ -30,16 +30,16 @@ pub struct Cells<'a, R> {
 }
 
 impl<'a, R: Real> Cells<'a, R> {
-    /// Some cells of a plan's grid under its record; `progress` may end the preparation, and then the sweep.
+    /// Some cells of a plan's grid under its record; `observer` may end the preparation, and then the sweep.
     pub fn of(
         plan: &'a Plan,
         grid: &'a Grid,
         cells: &'a [usize],
         record: &[Ground<R>],
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Cells<'a, R> {
         let tables = CellTables::of(plan, grid, cells);
-        let motions = plan.full_contact_motions((grid, cells), record, progress);
+        let motions = shared_motions(plan, (grid, cells), record, observer);
         let of_motions = motions.as_ref().as_ref().map(|motions| motions.index(grid, cells));
         Cells { tables, motions, of_motions }
     }
@@ -75,12 +75,5 @@ impl<'a, R: Real> Cells<'a, R> {
     #[inline]
     pub fn outcome_at(&self, cell: &CellAt, clock: &Clock, state: &State<R>) -> Outcome {
         self.tables.readers.at(cell).outcome(clock, state)
-    }
-}
-
-impl Plan {
-    /// The outcome of a cell whose last state is `state`.
-    pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
-        Reader::of(case).outcome(&self.clock(case), state)
     }
 }

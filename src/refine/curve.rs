@@ -5,12 +5,13 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::backend::backend_error::BackendError;
+use crate::backend::by_reference::by_reference;
 use crate::backend::dispatch::Backend;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Parameter, Scene};
 use crate::stepping::outcome::Outcome;
-use crate::stepping::reference::{self, Settings};
+use crate::stepping::reference::Settings;
 use crate::sweep::error::SweepError;
 use crate::sweep::points::sweep_points;
 use crate::work::observer::Observer;
@@ -146,7 +147,7 @@ impl Curve<'_> {
         let count = changes.len();
         let wanted = wanted.min(count);
         let chosen: Vec<usize> = (0..wanted).map(|k| (2 * k + 1) * count / (2 * wanted)).collect();
-        let ask = |k: &usize| self.by_reference(&plan, changes[*k], observer);
+        let ask = |k: &usize| self.asked_at(&plan, changes[*k], observer);
         let told: Option<Vec<Option<f64>>> = install(|| chosen.par_iter().map(ask).collect());
         let told = told.ok_or(BackendError::Cancelled)?;
         let mut word = ReferenceWord { asked: wanted, found: 0, farthest: 0.0 };
@@ -162,22 +163,20 @@ impl Curve<'_> {
 
     /// The change by the reference, up to 4^8 times as far from the curve's as that is bisected; none where it was
     /// cancelled.
-    fn by_reference(
+    fn asked_at(
         &self,
         plan: &Plan,
         point: &CurvePoint,
         observer: &dyn Observer,
     ) -> Option<Option<f64>> {
+        // All of them are under the plan's excitation.
         let go_on = || !observer.cancelled();
         let beyond = |value: f64| -> Option<bool> {
             let [across, along] = self.parameters;
             let scene = self.scene.clone().with(across, point.at).with(along, value);
-            let mut case = Grid::of(&scene).case(0);
-            if plan.locks_vertical(&case) {
-                case.isolation.vertical = None;
-            }
-            reference::run_while(&scene, &case, &Settings::default(), &go_on)
-                .map(|outcome| (self.is_beyond)(&outcome))
+            let case = Grid::of(&scene).case(0);
+            let outcome = by_reference(plan, &case, &Settings::default(), &go_on);
+            outcome.map(|outcome| (self.is_beyond)(&outcome))
         };
         let mut found = None;
         for reach in (0..=8).map(|k| self.within * 4.0_f64.powi(k)) {
@@ -206,23 +205,18 @@ mod tests {
 
     use super::*;
     use crate::scene::SceneBuilder;
-    use crate::work::progress::Progress;
     use crate::work::threads::Threads;
 
     /// Hears on how many threads it is asked whether to go on.
     #[derive(Default)]
     struct Ear(Mutex<BTreeSet<usize>>);
 
-    impl Progress for Ear {
-        fn advance(&self, _: usize) {}
-
+    impl Observer for Ear {
         fn cancelled(&self) -> bool {
             self.0.lock().unwrap().insert(rayon::current_num_threads());
             false
         }
     }
-
-    impl Observer for Ear {}
 
     /// Asks the reference at points of a block on the ground, whose change is not looked for.
     fn ask(observer: &dyn Observer) -> Result<ReferenceWord, SweepError> {

@@ -18,8 +18,8 @@ use crate::results::columns::Column;
 use crate::results::outcomes::each_block;
 use crate::results::rounds::Rounds;
 use crate::sweep::error::SweepError;
-use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
+use crate::sweep::runner::Runner;
 use crate::work::observer::{Observer, Phase};
 use crate::work::threads::install;
 
@@ -32,7 +32,7 @@ const SAVED: usize = 1 << 16;
 /// A map that is being refined.
 pub(super) struct Refiner<'a> {
     /// What runs its cells.
-    pub(super) list: ListSweep<'a>,
+    pub(super) runner: Runner<'a>,
     /// Who hears of them.
     pub(super) observer: &'a dyn Observer,
     /// Its boxes.
@@ -115,7 +115,7 @@ impl Refiner<'_> {
                 saved
             }
             None => {
-                let ran = self.list.run(cells, self.observer)?.outcomes;
+                let ran = self.runner.list(cells, self.observer)?.outcomes;
                 if let Some(rounds) = &mut self.rounds {
                     rounds.save(cells, &ran)?;
                 }

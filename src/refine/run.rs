@@ -15,8 +15,8 @@ use crate::backend::dispatch::Backend;
 use crate::results::store::LISTS;
 use crate::scene::{Grid, Scene, SceneError};
 use crate::sweep::error::SweepError;
-use crate::sweep::list::ListSweep;
 use crate::sweep::map::MapSweep;
+use crate::sweep::runner::Runner;
 use crate::sweep::settings::RunSettings;
 use crate::work::observer::Observer;
 
@@ -69,14 +69,14 @@ pub fn refine_on(
     let scene = finer(&map.plan.scene, &map.grid, settings.levels);
     let (plan, grid) = (map.method.plan(&scene)?, Grid::of(&scene));
     let (precision, resolve) = (map.method.precision, map.method.resolve);
-    let list = ListSweep { plan: &plan, grid: &grid, backends, precision, resolve };
+    let runner = Runner { plan: &plan, grid: &grid, backends, precision, resolve };
     let (columns, rows) = boxes.shape();
     let ran = RanCells::new(map.precision());
     let codes = vec![NOT_RUN; columns * rows];
     let smooth = settings.smooth.map(Smooth::new);
     let rounds = map.rounds(&format!("{LISTS}-{columns}x{rows}"))?;
     let saved_in = map.saved_in();
-    let mut refiner = Refiner { list, observer, boxes, codes, ran, smooth, rounds, saved_in };
+    let mut refiner = Refiner { runner, observer, boxes, codes, ran, smooth, rounds, saved_in };
     refiner.begin(map)?;
     // The generator sets the last bit: the seed stands above it, so that each has a sequence of its own.
     let mut random = Pcg64Mcg::new((1 << 64) ^ (u128::from(settings.seed) << 1));

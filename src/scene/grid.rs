@@ -166,6 +166,16 @@ impl Grid {
         axes.fold(0, |cell, (axis, at)| cell * axis.count() + at)
     }
 
+    /// The neighbours of a cell along the first two axes: those in its slice.
+    pub fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
+        let columns = self.x().count();
+        let rows = self.y().map_or(1, Axis::count);
+        let (column, row) = (cell % columns, cell / columns % rows);
+        let along = [(column > 0).then(|| cell - 1), (column + 1 < columns).then(|| cell + 1)];
+        let across = [(row > 0).then(|| cell - columns), (row + 1 < rows).then(|| cell + columns)];
+        along.into_iter().chain(across).flatten()
+    }
+
     /// Values of all axes at a cell.
     pub fn coordinates(&self, cell: usize) -> impl Iterator<Item = f64> + '_ {
         let place = self.place(cell);

@@ -4,11 +4,12 @@ use std::time::Duration;
 
 use super::error::SweepError;
 use super::settings::Method;
+use crate::backend::cell_run::CellRun;
 use crate::backend::dispatch::Backend;
 use crate::results::about::Source;
 use crate::results::size::FileSizes;
 use crate::scene::{Grid, Scene};
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 
 /// Least and most points of each axis of a sample over two axes; one over more or fewer axes has as many cells in all.
 const SIDE: [f64; 2] = [16.0, 96.0];
@@ -38,7 +39,7 @@ impl Estimate {
         method: &Method,
         backend: &Backend,
         cells: usize,
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Result<Estimate, SweepError> {
         let mut sample = scene.clone();
         let side = (cells as f64 / SHARE).sqrt().clamp(SIDE[0], SIDE[1]);
@@ -52,9 +53,9 @@ impl Estimate {
             }
         }
         let (plan, grid) = (method.plan(&sample)?, Grid::of(&sample));
-        let all = 0..grid.len();
         let Method { precision, resolve, .. } = *method;
-        let swept = backend.sweep_range(&plan, &grid, all, precision, resolve, progress)?;
+        let all = CellRun::all(&plan, &grid, precision).resolving(resolve);
+        let swept = backend.run(&all, observer)?;
         let source = Source { scene, precision: backend.columns(precision) };
         let files = FileSizes::of(&grid, &swept.block, source, Grid::of(scene).len())?;
         let rate = grid.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);

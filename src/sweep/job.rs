@@ -3,15 +3,15 @@
 use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::batch_watch::{BatchWatch, SHORTEST};
-use super::batches::{self, BatchError, Sizes, WorkReport, Worker};
+use super::batches::{BatchError, Sizes, WorkReport};
 use super::error::SweepError;
 use super::estimate::Estimate;
 use super::identity::Content;
 use super::map::MapSweep;
+use super::runner::{Runner, SHORTEST};
 use super::settings::{Method, RunSettings, Saving};
 use crate::backend::backend_error::BackendError;
 use crate::backend::dispatch::Backend;
@@ -31,7 +31,6 @@ use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::work::observer::{Observer, Phase};
-use crate::work::progress::Progress;
 
 /// A sweep that is ready to run.
 pub struct Job {
@@ -177,11 +176,11 @@ impl Job {
     /// Those of the backend.
     pub fn estimate_if_long(
         &self,
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Result<Option<Estimate>, SweepError> {
         match self.left() {
             few if few < SMALL => Ok(None),
-            _ => self.estimate(progress).map(Some),
+            _ => self.estimate(observer).map(Some),
         }
     }
 
@@ -189,9 +188,9 @@ impl Job {
     ///
     /// # Errors
     /// Those of the backend.
-    pub fn estimate(&self, progress: &dyn Progress) -> Result<Estimate, SweepError> {
+    pub fn estimate(&self, observer: &dyn Observer) -> Result<Estimate, SweepError> {
         let scene = &self.plan.scene;
-        Estimate::of(scene, &self.settings.method, &self.backends()[0], self.left(), progress)
+        Estimate::of(scene, &self.settings.method, &self.backends()[0], self.left(), observer)
     }
 
     /// Bytes that the columns of so many cells take in memory.
@@ -322,23 +321,10 @@ impl Job {
         let Method { precision, resolve, .. } = self.settings.method;
         let cells = self.left();
         observer.begins(Phase::Sweeping, if resolve { 2 * cells } else { cells });
-        let saving = self.settings.saving.as_ref();
-        let every = saving.map(|saving| saving.every);
-        let worker = |backend| -> Worker<'_> {
-            let backend: &Backend = backend;
-            Box::new(move |cells, hand_over| {
-                let (first, last) = (cells.start, Mutex::new(Instant::now()));
-                let watch = BatchWatch { observer, first, hand_over, every, last };
-                backend.sweep_range(plan, grid, cells, precision, resolve, &watch)
-            })
-        };
-        let workers: Vec<Worker> = backends.iter().map(worker).collect();
-        // Several workers are all to have some, and to end together.
-        let most = match workers.len() {
-            1 => backends[0].batch(),
-            several => backends[0].batch().min(cells.div_ceil(4 * several).max(1)),
-        };
-        let takes = saving.map_or(BATCH, |saving| saving.every.max(SHORTEST));
+        let runner = Runner { plan, grid, backends, precision, resolve };
+        let every = self.settings.saving.as_ref().map(|saving| saving.every);
+        let most = runner.most(cells);
+        let takes = every.map_or(BATCH, |every| every.max(SHORTEST));
         // Cells that are slow are to be saved in time, too.
         let first = estimate.map_or(UNKNOWN, |estimate| {
             (SAMPLE_SLOWER * estimate.rate * takes.as_secs_f64()) as usize
@@ -347,7 +333,7 @@ impl Job {
             true => Sizes::fixed(most),
             false => Sizes { first, most, takes },
         };
-        batches::sweep(&workers, &self.left, sizes, keep).map_err(|error| match error {
+        runner.ranges(&self.left, sizes, every, observer, keep).map_err(|error| match error {
             BatchError::Backend(error) => error.into(),
             BatchError::Keep(error) => SweepError::from(error),
         })

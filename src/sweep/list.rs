@@ -1,81 +1,10 @@
-//! Lists of a grid's cells, by their numbers: what refinement, repair and bisection ask for.
+//! Some cells of a scene's grid alone, by their numbers.
 
-use std::convert::Infallible;
-use std::time::Duration;
-
-use super::batches::{self, BatchError, Sizes, Worker};
 use super::error::SweepError;
-use super::settings::RunSettings;
-use crate::backend::backend_error::BackendError;
-use crate::backend::dispatch::Backend;
-use crate::cells::plan::Plan;
-use crate::model::precision::Precision;
-use crate::results::columns::Column;
+use super::runner::{ListOutcomes, Runner};
+use super::settings::{Method, RunSettings};
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
-use crate::stepping::outcome::Outcome;
 use crate::work::observer::{Observer, Phase};
-
-/// The outcomes of a list of cells.
-#[derive(Debug, Clone)]
-pub struct ListOutcomes {
-    /// One a cell, in the list's order.
-    pub outcomes: Vec<Outcome>,
-    /// Time of the sweep.
-    pub elapsed: Duration,
-}
-
-/// Runs lists of cells of a plan's grid.
-#[derive(Clone, Copy)]
-pub struct ListSweep<'a> {
-    /// The plan.
-    pub plan: &'a Plan,
-    /// The grid that numbers the cells.
-    pub grid: &'a Grid,
-    /// What runs them: one, or several GPUs that are alike.
-    pub backends: &'a [Backend],
-    /// Number type.
-    pub precision: Precision,
-    /// Each cell runs twice, see [`Method::resolve`](super::settings::Method::resolve).
-    pub resolve: bool,
-}
-
-impl ListSweep<'_> {
-    /// Runs the cells of these numbers; `observer` hears of cells. Lists in the grid's order run fastest: neighbours
-    /// do much the same.
-    ///
-    /// # Errors
-    /// Those of the backend; that it was cancelled.
-    pub fn run(
-        &self,
-        cells: &[usize],
-        observer: &dyn Observer,
-    ) -> Result<ListOutcomes, BackendError> {
-        let ListSweep { plan, grid, backends, precision, resolve } = *self;
-        let worker = |backend| -> Worker<'_> {
-            let backend: &Backend = backend;
-            Box::new(move |places, _| {
-                backend.sweep_list(plan, grid, &cells[places], (precision, resolve), observer)
-            })
-        };
-        let workers: Vec<Worker> = backends.iter().map(worker).collect();
-        // Several workers are all to have some, and to end together.
-        let most = match workers.len() {
-            1 => backends[0].batch(),
-            several => backends[0].batch().min(cells.len().div_ceil(4 * several).max(1)),
-        };
-        let mut outcomes = vec![Outcome::PENDING; cells.len()];
-        let places = 0..cells.len();
-        let work = batches::sweep(&workers, &[places], Sizes::fixed(most), |first, some| {
-            some.read(0, &Column::ALL, &mut outcomes[first..first + some.len()]);
-            Ok::<(), Infallible>(())
-        });
-        let work = work.map_err(|error| match error {
-            BatchError::Backend(error) => error,
-            BatchError::Keep(never) => match never {},
-        })?;
-        Ok(ListOutcomes { outcomes, elapsed: work.elapsed })
-    }
-}
 
 /// Runs some cells of a scene's grid alone, with `axes` in place of its numbers: the grid may be far finer than one
 /// that could be swept as a whole. Cells are numbered as those of a [`Grid`], the first axis fastest
@@ -106,8 +35,8 @@ pub fn sweep_cells(
     }
     let opened = settings.backend.open(method.precision, &settings.adapters)?;
     observer.begins(Phase::Sweeping, cells.len() * if method.resolve { 2 } else { 1 });
-    let (precision, resolve) = (method.precision, method.resolve);
-    let list =
-        ListSweep { plan: &plan, grid: &grid, backends: &opened.backends, precision, resolve };
-    Ok(list.run(cells, observer)?)
+    let Method { precision, resolve, .. } = method;
+    let runner =
+        Runner { plan: &plan, grid: &grid, backends: &opened.backends, precision, resolve };
+    Ok(runner.list(cells, observer)?)
 }

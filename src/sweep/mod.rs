@@ -1,10 +1,9 @@
 //! A scene over its grid: batches of cells, saving, parts, repair, and the check against the reference.
 //!
 //! ```text
-//! run -> job -> batches -> backend -> outcomes -> map -> verification
+//! run -> job -> runner -> batches -> backend -> outcomes -> map -> verification
 //! ```
 
-pub(crate) mod batch_watch;
 pub mod batches;
 pub mod error;
 pub mod estimate;
@@ -19,6 +18,7 @@ pub mod points;
 pub(crate) mod repair;
 pub mod repaired;
 pub mod run;
+pub(crate) mod runner;
 pub mod sample;
 pub mod settings;
 pub mod verdict;

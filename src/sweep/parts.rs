@@ -19,7 +19,7 @@ use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
 use crate::scene::{Excitation, Grid, bounded, shown};
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 
 /// Largest identity that is read, bytes: it has all samples of a record as text.
 const LARGEST_IDENTITY: u64 = 1 << 30;
@@ -46,16 +46,16 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Finds the parts in directories, each a run's or a part's own, and joins them; `progress` hears of
+    /// Finds the parts in directories, each a run's or a part's own, and joins them; `observer` hears of
     /// cells that are found whole.
     ///
     /// # Errors
     /// [`PartsError`].
-    pub fn join(directories: &[PathBuf], progress: &dyn Progress) -> Result<Parts, PartsError> {
+    pub fn join(directories: &[PathBuf], observer: &dyn Observer) -> Result<Parts, PartsError> {
         let mut pieces = Vec::new();
         for directory in directories {
             for place in folders(directory)? {
-                pieces.push(Piece::read(place, progress)?);
+                pieces.push(Piece::read(place, observer)?);
             }
         }
         let first = pieces.first().ok_or_else(|| PartsError::None(PathBuf::new()))?;
@@ -116,7 +116,7 @@ impl Parts {
 }
 
 impl Piece {
-    fn read(place: PathBuf, progress: &dyn Progress) -> Result<Piece, PartsError> {
+    fn read(place: PathBuf, observer: &dyn Observer) -> Result<Piece, PartsError> {
         let text = |name: &str, most: u64| {
             let path = place.join(name);
             let bytes = bounded::read(&path, most).map_err(StoreError::file(&path))?;
@@ -136,7 +136,7 @@ impl Piece {
         let identity = Identity::new(written, content.part);
         let grid = Grid::of(&content.scene);
         let found = SavedTiles::in_folder(&place, &Tiling::of(&grid), identity.tag(), &|cells| {
-            progress.advance(cells)
+            observer.advance(cells)
         })?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {

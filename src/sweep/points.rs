@@ -1,7 +1,7 @@
 //! Cells at any values of two parameters, not of a grid: what bisection asks for.
 
 use super::error::SweepError;
-use super::list::ListSweep;
+use super::runner::Runner;
 use crate::backend::dispatch::Backend;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
@@ -53,8 +53,8 @@ pub fn sweep_points(
         grid.cell(&place)
     };
     let cells: Vec<usize> = points.iter().map(cell).collect();
-    let list = ListSweep { plan: &plan, grid: &grid, backends, precision, resolve: false };
-    let ran = list.run(&cells, observer)?;
+    let runner = Runner { plan: &plan, grid: &grid, backends, precision, resolve: false };
+    let ran = runner.list(&cells, observer)?;
     plan.forget();
     Ok(ran.outcomes)
 }

@@ -11,29 +11,17 @@ use std::io;
 use std::time::Instant;
 
 use super::error::SweepError;
-use super::list::ListSweep;
 use super::map::MapSweep;
 use super::repaired::Repair;
+use super::runner::Runner;
 use super::sample::beside_boundary;
 use crate::backend::dispatch::Backend;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::results::replaced::ReplacedOutcomes;
-use crate::scene::Grid;
-use crate::scene::grid::Axis;
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::work::observed::ObservedOutcomes;
 use crate::work::observer::{Observer, Phase};
-
-/// The neighbours of a cell along the first two axes, those of one slice.
-pub(crate) fn neighbours(grid: &Grid, cell: usize) -> impl Iterator<Item = usize> + use<> {
-    let columns = grid.x().count();
-    let rows = grid.y().map_or(1, Axis::count);
-    let (column, row) = (cell % columns, cell / columns % rows);
-    let along = [(column > 0).then(|| cell - 1), (column + 1 < columns).then(|| cell + 1)];
-    let across = [(row > 0).then(|| cell - columns), (row + 1 < rows).then(|| cell + columns)];
-    along.into_iter().chain(across).flatten()
-}
 
 /// A map that is being repaired.
 struct Repairing<'a> {
@@ -77,7 +65,7 @@ impl MapSweep {
         let precision = backends[0].finest(self.method.precision);
         let (half, quarter) = (self.plan.halved(), self.plan.halved().halved());
         let grid = &self.grid;
-        let list = |plan| ListSweep { plan, grid, backends, precision, resolve: false };
+        let runner = |plan| Runner { plan, grid, backends, precision, resolve: false };
         let mut map = Repairing { outcomes: &*self.outcomes, replaced: BTreeMap::new() };
         let mut wanted = Vec::new();
         observer.begins(Phase::Counting, grid.len());
@@ -92,7 +80,7 @@ impl MapSweep {
             repair.rounds += 1;
             repair.checked += wanted.len();
             observer.begins(Phase::Repairing, wanted.len());
-            let finer = list(&half).run(&wanted, observer)?.outcomes;
+            let finer = runner(&half).list(&wanted, observer)?.outcomes;
             let mut changed = Vec::new();
             for (cell, outcome) in wanted.iter().zip(finer) {
                 if outcome.class != map.class(*cell)? {
@@ -102,7 +90,7 @@ impl MapSweep {
             let cells: Vec<usize> = changed.iter().map(|(cell, _)| *cell).collect();
             let finest = match cells.is_empty() {
                 true => Vec::new(),
-                false => list(&quarter).run(&cells, observer)?.outcomes,
+                false => runner(&quarter).list(&cells, observer)?.outcomes,
             };
             for ((cell, mut outcome), finest) in changed.into_iter().zip(finest) {
                 if outcome.class == finest.class {
@@ -116,7 +104,7 @@ impl MapSweep {
             wanted.clear();
             for cell in cells {
                 let class = map.class(cell)?;
-                for next in neighbours(grid, cell) {
+                for next in grid.neighbours(cell) {
                     if map.class(next)? != class && asked.insert(next) {
                         wanted.push(next);
                     }

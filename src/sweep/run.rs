@@ -23,7 +23,7 @@ use crate::work::observer::Observer;
 /// [`SweepError`]: numbers or settings that make no sense, by their keys; a backend that failed; a directory
 /// that cannot be written; an observer that ended it.
 ///
-/// [`Unwatched`]: crate::work::progress::Unwatched
+/// [`Unwatched`]: crate::work::observer::Unwatched
 pub fn sweep(
     scene: &Scene,
     axes: &[(Parameter, Values)],

@@ -5,7 +5,6 @@ use std::io;
 use crate::results::columns::Column;
 use crate::results::outcomes::{BLOCK, Outcomes};
 use crate::scene::Grid;
-use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
 
 /// A cell to be run again.
@@ -27,7 +26,6 @@ pub(crate) fn beside_boundary(
     mut tell: impl FnMut(usize, bool),
 ) -> io::Result<()> {
     let (columns, rows) = grid.shape();
-    let height_of_slice = grid.y().map_or(1, Axis::count);
     let height = (BLOCK / columns).max(1);
     for first in (0..rows).step_by(height) {
         let last = (first + height).min(rows);
@@ -35,15 +33,9 @@ pub(crate) fn beside_boundary(
         let read = outcomes.read(below * columns..above * columns, &[Column::Outcome])?;
         for j in first..last {
             for i in 0..columns {
-                let cell = (j - below) * columns + i;
-                let differs = |other: usize| read[other].class != read[cell].class;
-                // Of further axes the picture shows a slice each.
-                let row = j % height_of_slice;
-                let beside = (i > 0 && differs(cell - 1))
-                    || (i + 1 < columns && differs(cell + 1))
-                    || (row > 0 && differs(cell - columns))
-                    || (row + 1 < height_of_slice && differs(cell + columns));
-                tell(j * columns + i, beside);
+                let cell = j * columns + i;
+                let class = |cell: usize| read[cell - below * columns].class;
+                tell(cell, grid.neighbours(cell).any(|other| class(other) != class(cell)));
             }
         }
     }

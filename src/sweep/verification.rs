@@ -6,11 +6,12 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::sample::Chosen;
+use crate::backend::by_reference::by_reference;
 use crate::cells::plan::Plan;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
-use crate::stepping::reference::{self, Settings};
-use crate::work::progress::Progress;
+use crate::stepping::reference::Settings;
+use crate::work::observer::Observer;
 use crate::work::threads::install;
 
 /// Where a cell lies whose outcome differs.
@@ -155,25 +156,22 @@ impl Verification {
 }
 
 /// Runs chosen cells of a sweep again by the reference and compares; those that are not done `within` a time are
-/// left out. `progress` hears of cells; none where it is cancelled.
+/// left out. `observer` hears of cells; none where it is cancelled.
 pub fn verify(
     plan: &Plan,
     grid: &Grid,
     (chosen, within): (&[Chosen], Duration),
-    progress: &dyn Progress,
+    observer: &dyn Observer,
 ) -> Option<Verification> {
     let settings = Settings { rest_speed: REST_SPEED, ..Settings::default() };
     let began = Instant::now();
     let judge = |&chosen: &Chosen| {
-        let go_on = || !progress.cancelled() && began.elapsed() < within;
+        let go_on = || !observer.cancelled() && began.elapsed() < within;
         if !go_on() {
             return None;
         }
-        let mut case = grid.case(chosen.cell);
-        if plan.locks_vertical(&case) {
-            case.isolation.vertical = None;
-        }
-        let run = |case: &Case| reference::run_while(&plan.scene, case, &settings, &go_on);
+        let case = grid.case(chosen.cell);
+        let run = |case: &Case| by_reference(plan, case, &settings, &go_on);
         let reference = run(&case)?;
         let mut judged = Judged { chosen, reference, sensitive: false };
         if chosen.outcome.class != reference.class && judged.region() == Region::Inside {
@@ -183,11 +181,11 @@ pub fn verify(
                 run(&changed).is_some_and(|other| other.class != reference.class)
             });
         }
-        progress.advance(1);
+        observer.advance(1);
         Some(judged)
     };
     let judged: Vec<Option<Judged>> = install(|| chosen.par_iter().map(judge).collect());
-    if progress.cancelled() {
+    if observer.cancelled() {
         return None;
     }
     let report = compare(grid, judged.into_iter().flatten());

@@ -2,7 +2,5 @@
 
 pub mod observed;
 pub mod observer;
-pub mod progress;
-pub mod several;
 pub mod threads;
 pub mod vectors;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
 
-use super::progress::Progress;
+use super::observer::Observer;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
@@ -12,22 +12,22 @@ use crate::stepping::outcome::Outcome;
 /// Outcomes that are read under somebody's eyes, who hears of cells times columns.
 pub struct ObservedOutcomes<'a> {
     outcomes: &'a dyn Outcomes,
-    progress: &'a dyn Progress,
+    observer: &'a dyn Observer,
 }
 
 impl<'a> ObservedOutcomes<'a> {
-    /// Outcomes whose reading `progress` hears of.
-    pub fn new(outcomes: &'a dyn Outcomes, progress: &'a dyn Progress) -> ObservedOutcomes<'a> {
-        ObservedOutcomes { outcomes, progress }
+    /// Outcomes whose reading `observer` hears of.
+    pub fn new(outcomes: &'a dyn Outcomes, observer: &'a dyn Observer) -> ObservedOutcomes<'a> {
+        ObservedOutcomes { outcomes, observer }
     }
 }
 
 impl Outcomes for ObservedOutcomes<'_> {
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
-        if self.progress.cancelled() {
+        if self.observer.cancelled() {
             return Err(io::Error::new(io::ErrorKind::Interrupted, "cancelled"));
         }
-        self.progress.advance(cells.len() * columns.len());
+        self.observer.advance(cells.len() * columns.len());
         self.outcomes.read(cells, columns)
     }
 }

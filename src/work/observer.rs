@@ -1,8 +1,6 @@
-//! Who watches a sweep: its phases and its cells; and may end it.
+//! Who watches a sweep: hears of its phases and its cells, and may end it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-
-use super::progress::{Progress, Unwatched};
 
 /// What a sweep is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,24 +24,33 @@ pub enum Phase {
     Writing,
 }
 
-/// Hears of a sweep's phases and progress; its [`Progress::cancelled`] ends the sweep within a tenth of a
-/// second.
-pub trait Observer: Progress {
+/// Hears of a sweep's phases and of its progress, and may end it.
+pub trait Observer: Sync {
     /// Hears that a phase begins, and how much there is to do.
     fn begins(&self, phase: Phase, total: usize) {
         let _ = (phase, total);
     }
+
+    /// Hears of cells that are done since it last heard of some.
+    fn advance(&self, cells: usize) {
+        let _ = cells;
+    }
+
+    /// True when the work is to end, which it does within a tenth of a second. Every thread asks it many times a second.
+    fn cancelled(&self) -> bool {
+        false
+    }
 }
+
+/// Nobody watches, and the work goes to its end.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unwatched;
 
 impl Observer for Unwatched {}
 
 /// A flag that ends a sweep when it is set.
-impl Progress for AtomicBool {
-    fn advance(&self, _: usize) {}
-
+impl Observer for AtomicBool {
     fn cancelled(&self) -> bool {
         self.load(Ordering::Relaxed)
     }
 }
-
-impl Observer for AtomicBool {}

@@ -2,6 +2,7 @@
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::run::Sweeper;
@@ -12,7 +13,7 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene, Values};
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{gpu, say, scene, synthetic_pair, under};
 
@@ -156,7 +157,11 @@ fn alone(scene: &Scene, grid: &Grid, cell: usize) -> Scene {
 
 fn sweep(backend: &Backend, scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    backend.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().block.to_outcomes()
+    backend
+        .run(&CellRun::all(&plan, &Grid::of(scene), precision), &Unwatched)
+        .unwrap()
+        .block
+        .to_outcomes()
 }
 
 /// Two numbers within a share of each other, and of one.

@@ -13,7 +13,7 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
 use topple::stepping::state::{RUNNING, State};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
 

@@ -7,7 +7,7 @@ use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, judge, scene, shaken, synthetic_pair, under};
 
@@ -17,10 +17,10 @@ fn swept(scene: &Scene) -> Vec<Vec<Outcome>> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let (single, double) = (plan.at(Precision::F32), plan.at(Precision::F64));
     vec![
-        cpu::sweep::<f32>(&single, &grid, &all(&grid), &Unwatched),
-        cpu::sweep::<f64>(&double, &grid, &all(&grid), &Unwatched),
-        cpu::sweep_one_by_one::<f64>(&double, &grid, &all(&grid), &Unwatched),
-        cpu::sweep::<f64>(&double.full_model(), &grid, &all(&grid), &Unwatched),
+        cpu::sweep(Precision::F32, &single, &grid, &all(&grid), &Unwatched),
+        cpu::sweep(Precision::F64, &double, &grid, &all(&grid), &Unwatched),
+        cpu::sweep_one_by_one(Precision::F64, &double, &grid, &all(&grid), &Unwatched),
+        cpu::sweep(Precision::F64, &double.full_model(), &grid, &all(&grid), &Unwatched),
     ]
 }
 
@@ -215,7 +215,7 @@ fn a_grazing_uplift_and_its_mirror_image() {
         ));
         let grid = Grid::of(&scene);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).full_model();
-        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let cells = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         assert!(cells[0].uplifts > 0, "{sign}: {:?}", cells[0]);
     }
 }

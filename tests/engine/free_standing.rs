@@ -4,9 +4,10 @@ use approx::assert_abs_diff_eq;
 use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{judge, object, say, scene, shaken};
 
@@ -37,7 +38,7 @@ fn pulse(alpha: f64, w: f64, a: f64) -> Scene {
 
 fn swept(scene: &Scene) -> Outcome {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &Unwatched)[0]
+    cpu::sweep(Precision::F64, &plan, &Grid::of(scene), &[0], &Unwatched)[0]
 }
 
 /// Impacts before overturning; none for a block that stands.
@@ -211,7 +212,13 @@ fn isolation_makes_a_frequency_dangerous() {
                 let scene = text(0.8 + 0.6 * f64::from(k));
                 let grid = Grid::of(&scene);
                 let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-                let cells = cpu::sweep::<f64>(&plan, &grid, &crate::common::all(&grid), &Unwatched);
+                let cells = cpu::sweep(
+                    Precision::F64,
+                    &plan,
+                    &grid,
+                    &crate::common::all(&grid),
+                    &Unwatched,
+                );
                 let first = cells.iter().position(|cell| cell.class.overturned());
                 first.map_or(f64::INFINITY, |index| grid.case(index).shaking.peak_h())
             })

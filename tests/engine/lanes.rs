@@ -1,6 +1,7 @@
 //! The sweep on vectors: against the same code at a width of one, and every lane apart from its
 //! neighbours.
 
+use topple::backend::cell_run::CellRun;
 use topple::backend::{cpu, lanes};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
@@ -11,7 +12,7 @@ use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::phases::Phases;
 use topple::stepping::state::{DIVERGED, EVENT_LIMIT, RUNNING};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, object, say, scene, synthetic_pair, under};
 
@@ -55,7 +56,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
 }
 
 fn one_by_one<R: Real>(plan: &Plan, grid: &Grid) -> Vec<Outcome> {
-    cpu::sweep_one_by_one::<R>(plan, grid, &all(grid), &Unwatched)
+    cpu::sweep_one_by_one(R::PRECISION, plan, grid, &all(grid), &Unwatched)
 }
 
 /// What two sweeps of the same cells differ by.
@@ -93,7 +94,7 @@ fn lanes_agree_with_the_scalar_twin_in_f64() {
     for (name, scene) in scenes() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64);
         let grid = Grid::of(&scene);
-        let ours = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let ours = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         let twin = one_by_one::<f64>(&plan, &grid);
         let apart = apart(&ours, &twin);
         say(&format!(
@@ -115,7 +116,7 @@ fn lanes_agree_with_the_scalar_twin_on_the_full_model() {
     for (name, scene) in scenes().into_iter().take(2) {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
         let grid = Grid::of(&scene);
-        let ours = cpu::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched);
+        let ours = cpu::sweep(Precision::F32, &plan, &grid, &all(&grid), &Unwatched);
         let apart = apart(&ours, &one_by_one::<f32>(&plan, &grid));
         assert_eq!(apart.classes, 0, "{name}");
         // Rounding: 1e-7, times what 30 s make of it.
@@ -136,8 +137,10 @@ fn every_level_agrees_with_the_scalar_twin() {
     let twins = (one_by_one::<f32>(&plan, &grid), one_by_one::<f64>(&plan, &grid));
     for (name, level) in levels {
         say(&format!("lanes: {name}"));
-        let f32s = lanes::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched, level);
-        let f64s = lanes::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched, level);
+        let f32s =
+            lanes::sweep(&CellRun::of(&plan, &grid, all(&grid), Precision::F32), &Unwatched, level);
+        let f64s =
+            lanes::sweep(&CellRun::of(&plan, &grid, all(&grid), Precision::F64), &Unwatched, level);
         let (single, double) = (apart(&f32s, &twins.0), apart(&f64s, &twins.1));
         assert_eq!((single.classes, double.classes), (0, 0), "{name}");
         assert!(single.zeta[0] <= 1.0e-6, "{name}: {:?}", single.zeta);
@@ -152,13 +155,13 @@ fn a_cell_does_not_see_its_neighbours() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let grid = Grid::of(&scene);
         let cells = all(&grid);
-        let together = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
+        let together = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
         let backwards: Vec<usize> = cells.iter().rev().copied().collect();
-        let mut reversed = cpu::sweep::<f32>(&plan, &grid, &backwards, &Unwatched);
+        let mut reversed = cpu::sweep(Precision::F32, &plan, &grid, &backwards, &Unwatched);
         reversed.reverse();
         assert!(together == reversed, "{name}");
         for index in (0..cells.len()).step_by(97) {
-            let alone = cpu::sweep::<f32>(&plan, &grid, &[index], &Unwatched);
+            let alone = cpu::sweep(Precision::F32, &plan, &grid, &[index], &Unwatched);
             assert_eq!(alone, [together[index]], "{name}, cell {index}");
         }
     }
@@ -168,7 +171,7 @@ fn a_cell_does_not_see_its_neighbours() {
 fn a_sweep_may_have_no_cells() {
     let scene = map(0.2, 0.0);
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    assert!(cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[], &Unwatched).is_empty());
+    assert!(cpu::sweep(Precision::F32, &plan, &Grid::of(&scene), &[], &Unwatched).is_empty());
 }
 
 /// Jobs in, jobs out.

@@ -1,10 +1,11 @@
 //! Lists of cells: each has the outcome that it has in a sweep of the whole grid.
 
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple::{BackendRequest, Outcome, RunSettings, sweep_cells};
 
 use crate::common::{gpu, object, scene, synthetic_pair, under};
@@ -40,10 +41,12 @@ fn a_list_has_the_outcomes_of_the_whole_sweep_to_the_last_bit() {
         let (plan, cells) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), some(&grid));
         for how in [(Precision::F32, false), (Precision::F64, false), (Precision::F32, true)] {
             let (precision, resolve) = how;
-            let all = 0..grid.len();
-            let dense = Backend::Cpu.sweep_range(&plan, &grid, all, precision, resolve, &Unwatched);
+            let all = CellRun::all(&plan, &grid, precision).resolving(resolve);
+            let dense = Backend::Cpu.run(&all, &Unwatched);
             let dense = dense.unwrap().block.to_outcomes();
-            let listed = Backend::Cpu.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap();
+            let listed = Backend::Cpu
+                .run(&CellRun::of(&plan, &grid, &cells, how.0).resolving(how.1), &Unwatched)
+                .unwrap();
             let expected: Vec<Outcome> = cells.iter().map(|cell| dense[*cell]).collect();
             assert!(listed.block.to_outcomes() == expected, "{}, {how:?}", scene.title);
         }
@@ -98,12 +101,14 @@ fn lists_of_few_cells_have_the_outcomes_of_the_whole_sweep_to_the_last_bit() {
             };
             for precision in [Precision::F32, Precision::F64] {
                 let backend = Backend::Cpu;
-                let dense = backend.sweep(&plan(), &grid, precision, &Unwatched);
+                let dense = backend.run(&CellRun::all(&plan(), &grid, precision), &Unwatched);
                 let dense = dense.unwrap().block.to_outcomes();
                 let plan = plan();
                 for some in cells.chunks(17) {
                     let how = (precision, false);
-                    let listed = backend.sweep_list(&plan, &grid, some, how, &Unwatched).unwrap();
+                    let listed = backend
+                        .run(&CellRun::of(&plan, &grid, some, how.0).resolving(how.1), &Unwatched)
+                        .unwrap();
                     let expected: Vec<Outcome> = some.iter().map(|cell| dense[*cell]).collect();
                     let told = format!("{:?}, {precision:?}, forces {forces}", scene.numbers);
                     assert!(listed.block.to_outcomes() == expected, "{told}");
@@ -154,11 +159,17 @@ fn a_list_on_the_shader_has_the_outcomes_of_the_whole_sweep() {
     for scene in [pulse(), record()] {
         let grid = Grid::of(&scene);
         let (plan, cells) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), some(&grid));
-        let dense =
-            backend.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().block.to_outcomes();
+        let dense = backend
+            .run(&CellRun::all(&plan, &grid, Precision::F32), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes();
         let how = (Precision::F32, false);
-        let listed =
-            backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap().block.to_outcomes();
+        let listed = backend
+            .run(&CellRun::of(&plan, &grid, &cells, how.0).resolving(how.1), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes();
         let classes = listed.iter().map(|cell| (cell.class, cell.impacts));
         assert!(classes.eq(cells.iter().map(|cell| (dense[*cell].class, dense[*cell].impacts))));
     }

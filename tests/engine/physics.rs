@@ -9,6 +9,7 @@ use topple::model::CellEquations;
 use topple::model::block::ROCKING_LEFT;
 use topple::model::impact::{change_corner, come_to_rest};
 use topple::model::motion::Motion;
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::guards::IMPACT;
 use topple::stepping::log::Log;
@@ -18,7 +19,7 @@ use topple::stepping::reference::system::{
 };
 use topple::stepping::single;
 use topple::stepping::state::State;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{object, scene};
 
@@ -245,8 +246,13 @@ fn without_eccentricity_the_block_is_symmetric() {
     assert_eq!(left, right);
     let outcome = |a_h: &str| {
         let scene = object(1, 0.0, (1.75, 0.75), 0.0, "5", a_h);
-        cpu::sweep::<f64>(&Plan::new(&scene, 0.004).unwrap(), &Grid::of(&scene), &[0], &Unwatched)
-            [0]
+        cpu::sweep(
+            Precision::F64,
+            &Plan::new(&scene, 0.004).unwrap(),
+            &Grid::of(&scene),
+            &[0],
+            &Unwatched,
+        )[0]
     };
     let (one, other) = (outcome("3.5"), outcome("-3.5"));
     assert_eq!((one.class, other.class), (Class::OverturnedRight, Class::OverturnedLeft));

@@ -8,11 +8,12 @@ use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::excitation::Cell;
+use topple::model::precision::Precision;
 use topple::model::pulse::{Modulation, Shape, wave};
 use topple::model::real::Real;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{judge, say, scene};
 
@@ -203,7 +204,7 @@ fn standing(sample: &Sample, a_h: f64, rest: &str) -> Scene {
 
 fn swept(scene: &Scene) -> Outcome {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    cpu::sweep::<f64>(&plan, &Grid::of(scene), &[0], &Unwatched)[0]
+    cpu::sweep(Precision::F64, &plan, &Grid::of(scene), &[0], &Unwatched)[0]
 }
 
 #[test]

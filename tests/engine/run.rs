@@ -6,6 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::backend::request::BackendRequest;
 use topple::cells::plan::Plan;
@@ -16,8 +17,7 @@ use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, Saving, VerifySettings};
 use topple::sweep::verification::Verdict;
-use topple::work::observer::{Observer, Phase};
-use topple::work::progress::{Progress, Unwatched};
+use topple::work::observer::{Observer, Phase, Unwatched};
 
 use crate::common::{object, synthetic_pair, under};
 
@@ -52,7 +52,7 @@ impl Ear {
     }
 }
 
-impl Progress for Ear {
+impl Observer for Ear {
     fn advance(&self, cells: usize) {
         self.heard.fetch_add(cells, Ordering::Relaxed);
     }
@@ -60,9 +60,7 @@ impl Progress for Ear {
     fn cancelled(&self) -> bool {
         self.heard.load(Ordering::Relaxed) >= self.ends_at
     }
-}
 
-impl Observer for Ear {
     fn begins(&self, phase: Phase, total: usize) {
         self.phases.lock().unwrap().push((phase, total));
     }
@@ -87,7 +85,11 @@ fn a_call_gives_columns_and_tells_its_phases() {
     assert_eq!(map.grid.shape(), (7, 25));
     let alone = {
         let (plan, grid) = (Plan::new(&expected, 1.0 / 128.0).unwrap(), Grid::of(&expected));
-        Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap().block.to_outcomes()
+        Backend::Cpu
+            .run(&CellRun::all(&plan, &grid, Precision::F32), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes()
     };
     let (zeta, outcome) = (map.column(Column::Zeta).unwrap(), map.column(Column::Outcome).unwrap());
     for (cell, expected) in alone.iter().enumerate() {

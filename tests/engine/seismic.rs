@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use rayon::prelude::*;
+use topple::backend::cell_run::CellRun;
 use topple::backend::cpu;
 use topple::backend::dispatch::Backend;
 use topple::backend::gpu::run::Sweeper;
@@ -12,7 +13,7 @@ use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, gpu, record, say, scene};
 
@@ -35,7 +36,11 @@ fn rinaldi_scene(files: &(String, String), object: u32, e: f64, base: &str) -> S
 
 fn sweep(scene: &Scene, precision: Precision) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-    Backend::Cpu.sweep(&plan, &Grid::of(scene), precision, &Unwatched).unwrap().block.to_outcomes()
+    Backend::Cpu
+        .run(&CellRun::all(&plan, &Grid::of(scene), precision), &Unwatched)
+        .unwrap()
+        .block
+        .to_outcomes()
 }
 
 /// Counts of a comparison over several maps.
@@ -282,7 +287,7 @@ fn the_ground_is_linear_between_samples() {
         let fraction = t / clock.step_forced - f64::from(step);
         assert!((ground_at(&set, step, fraction).h - a).abs() < 1e-9, "t = {t}");
     }
-    let outcomes = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0], &Unwatched);
+    let outcomes = cpu::sweep(Precision::F32, &plan, &Grid::of(&scene), &[0], &Unwatched);
     assert_eq!(outcomes[0].class, Class::FullContact);
     assert_eq!(outcomes[0].t_end, 0.06);
 }

@@ -19,7 +19,7 @@ use topple::stepping::reference::system::{DPHI, DU, DV, Pole, System, U, V, Z};
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::{PROVED, RUNNING, State};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
 
@@ -85,7 +85,7 @@ fn hold(name: &str, scene: &Scene, shortcuts: Shortcuts) -> Vec<Outcome> {
     less.shortcuts = shortcuts;
     let run = |plan: &Plan| {
         let began = Instant::now();
-        let cells = cpu::sweep::<f64>(plan, &grid, &all(&grid), &Unwatched);
+        let cells = cpu::sweep(Precision::F64, plan, &grid, &all(&grid), &Unwatched);
         (cells, began.elapsed().as_secs_f64())
     };
     let (full, slow) = run(&plan.full_model());
@@ -268,7 +268,7 @@ fn the_reference_agrees_with_what_is_left() {
     for isolation in ["dual", "none"] {
         let scene = map(isolation, None, 0.5, 24);
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
-        let cells = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let cells = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         let differ = (0..grid.len()).filter(|index| {
             let right = reference::run(&scene, &grid.case(*index), &Settings::default());
             right.class != cells[*index].class
@@ -347,7 +347,7 @@ fn full_contact_of_a_given_device() {
         let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
         let mut plan = plan.without_forces();
         plan.shortcuts = FULL_CONTACT;
-        let without = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let without = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         let mut others = 0;
         for (all, less) in cells.iter().zip(&without) {
             others += usize::from(all.min_contact != less.min_contact);
@@ -379,7 +379,7 @@ fn a_shared_motion_that_diverges_is_nobodys() {
     let run = |shortcuts: Shortcuts| {
         let mut plan = plan.clone().without_forces();
         plan.shortcuts = shortcuts;
-        cpu::sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
+        cpu::sweep(Precision::F32, &plan, &grid, &all(&grid), &Unwatched)
     };
     let (shared, alone) = (run(FULL_CONTACT), run(Shortcuts::NONE));
     let lost = alone.iter().filter(|cell| cell.status == Status::Diverged).count();

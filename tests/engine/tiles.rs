@@ -10,7 +10,7 @@ use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
-use topple::work::progress::Progress;
+use topple::work::observer::Observer;
 
 use crate::common::{all, gpu, object, synthetic_pair, under};
 
@@ -33,7 +33,7 @@ fn record() -> Scene {
 /// Counts the cells that it hears of.
 struct Heard(AtomicUsize);
 
-impl Progress for Heard {
+impl Observer for Heard {
     fn advance(&self, cells: usize) {
         self.0.fetch_add(cells, Ordering::Relaxed);
     }

@@ -15,7 +15,7 @@ use topple::cells::ready::Cells;
 use topple::model::real::{Real, Vector};
 use topple::scene::{Grid, Scene};
 use topple::stepping::trials::{Purpose, Trial};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use traces::{Packed, Traces, record};
 
 use crate::common::{all, object};
@@ -39,7 +39,7 @@ fn traces_are_what_cells_do<R: Real + Vector<Element = R>>() {
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let (traces, states, turns) = record(&plan, &grid, R::of(0.0));
     assert_eq!(turns, traces.all().len(), "a lane by itself is never without a cell");
-    let outcomes = cpu::sweep_one_by_one::<R>(&plan, &grid, &all(&grid), &Unwatched);
+    let outcomes = cpu::sweep_one_by_one(R::PRECISION, &plan, &grid, &all(&grid), &Unwatched);
     let numbers = all(&grid);
     let all = Cells::<R>::of(&plan, &grid, &numbers, &[], &Unwatched);
     for (cell, (state, outcome)) in states.iter().zip(&outcomes).enumerate() {

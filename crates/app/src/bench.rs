@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
+use topple::backend::cell_run::CellRun;
 use topple::backend::gpu::adapter;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::run::Sweeper;
@@ -18,7 +19,7 @@ use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::operations::of_step;
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::{Progress, Unwatched};
+use topple::work::observer::{Observer, Unwatched};
 
 use super::print::print_line;
 use super::progress::Bar;
@@ -101,18 +102,13 @@ impl BenchCommand {
             let name = "a cell at a time".to_string();
             rows.push(self.time(name, precision, false, &courses, &|course| {
                 let Course { plan, grid, cells } = course;
-                Ok(match precision {
-                    Precision::F32 => cpu::sweep_one_by_one::<f32>(plan, grid, cells, &Unwatched),
-                    Precision::F64 => cpu::sweep_one_by_one::<f64>(plan, grid, cells, &Unwatched),
-                })
+                Ok(cpu::sweep_one_by_one(precision, plan, grid, cells, &Unwatched))
             })?);
             for (name, level) in lanes::levels() {
                 rows.push(self.time(name.into(), precision, false, &courses, &|course| {
                     let Course { plan, grid, cells } = course;
-                    Ok(match precision {
-                        Precision::F32 => lanes::sweep::<f32>(plan, grid, cells, &Unwatched, level),
-                        Precision::F64 => lanes::sweep::<f64>(plan, grid, cells, &Unwatched, level),
-                    })
+                    let run = CellRun::of(plan, grid, cells, precision);
+                    Ok(lanes::sweep(&run, &Unwatched, level))
                 })?);
             }
             if !self.no_shader
@@ -269,7 +265,7 @@ fn by_shader<R: Real>(
 /// Steps that all cells of a course take.
 fn steps(course: &Course) -> u64 {
     let Course { plan, grid, cells } = course;
-    let outcomes = cpu::sweep::<f32>(plan, grid, cells, &Unwatched);
+    let outcomes = cpu::sweep(Precision::F32, plan, grid, cells, &Unwatched);
     let of = |(&index, cell): (&usize, &Outcome)| {
         plan.clock(&grid.case(index)).steps_until(cell.t_simulated)
     };

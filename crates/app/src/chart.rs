@@ -10,7 +10,7 @@ use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::results::files::Directory;
 use topple::scene::excitation::RecordText;
-use topple::work::progress::Progress;
+use topple::work::observer::Observer;
 use topple_lab::chart::bench::{self, Bench, FULL, QUICK};
 use topple_lab::chart::errors::compare;
 use topple_lab::chart::table::{self, Row};

@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use topple::work::observer::{Observer, Phase};
-use topple::work::progress::Progress;
 
 use super::interrupt;
 
@@ -55,7 +54,7 @@ impl Bar {
     }
 }
 
-impl Progress for Bar {
+impl Observer for Bar {
     fn advance(&self, cells: usize) {
         self.bar.inc(cells as u64);
         if self.began.elapsed() > PATIENCE && !self.shown.swap(true, Ordering::Relaxed) {
@@ -91,7 +90,7 @@ impl Screen {
     }
 }
 
-impl Progress for Screen {
+impl Observer for Screen {
     fn advance(&self, cells: usize) {
         self.with(|bar| bar.advance(cells));
     }
@@ -99,9 +98,7 @@ impl Progress for Screen {
     fn cancelled(&self) -> bool {
         interrupt::asked()
     }
-}
 
-impl Observer for Screen {
     fn begins(&self, phase: Phase, total: usize) {
         let new = match phase {
             Phase::Repairing => {

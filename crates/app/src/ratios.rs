@@ -8,9 +8,10 @@ use topple::backend::cpu;
 use topple::backend::report::threads;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
+use topple::model::precision::Precision;
 use topple::scene::Grid;
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::chart::bench::{self, FULL};
 use topple_lab::chart::{peers, truth};
 
@@ -82,7 +83,7 @@ fn timed(scene: &topple::scene::Scene) -> anyhow::Result<(f64, Vec<Outcome>)> {
     let mut outcomes = Vec::new();
     for _ in 0..REPEAT {
         let began = Instant::now();
-        outcomes = cpu::sweep::<f32>(&plan, &grid, &cells, &Unwatched);
+        outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
         shortest = shortest.min(began.elapsed().as_secs_f64());
     }
     Ok((cells.len() as f64 / shortest, outcomes))

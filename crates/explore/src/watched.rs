@@ -8,7 +8,6 @@ use serde_json::json;
 
 use super::frame::frame;
 use topple::work::observer::{Observer, Phase};
-use topple::work::progress::Progress;
 
 /// Time between two words, and before the first one: a stage that is quick is not talked about.
 const BETWEEN: Duration = Duration::from_millis(300);
@@ -35,7 +34,7 @@ impl<'a> Watched<'a> {
     }
 }
 
-impl Progress for Watched<'_> {
+impl Observer for Watched<'_> {
     fn advance(&self, cells: usize) {
         let done = self.done.fetch_add(cells, Ordering::Relaxed) + cells;
         // Another thread tells it just now.
@@ -52,9 +51,7 @@ impl Progress for Watched<'_> {
     fn cancelled(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
-}
 
-impl Observer for Watched<'_> {
     fn begins(&self, _: Phase, total: usize) {
         // What is stored is whole, whoever panicked.
         let _told = self.told.lock().unwrap_or_else(PoisonError::into_inner);

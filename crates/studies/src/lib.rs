@@ -5,6 +5,7 @@
 //! ```
 
 pub mod fragility;
+mod several;
 pub mod suites;
 pub mod uncertain;
 

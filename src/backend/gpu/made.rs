@@ -14,7 +14,7 @@ use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::state::State;
-use crate::work::progress::Unwatched;
+use crate::work::observer::Unwatched;
 
 /// Cells of a tile as a device makes them.
 pub struct Made<R> {

@@ -15,7 +15,7 @@ use crate::model::real::Real;
 use crate::scene::Grid;
 use crate::stepping::log::Event;
 use crate::stepping::state::State;
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 
 /// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
 const MOST_CELLS: usize = 1 << 18;
@@ -85,7 +85,7 @@ impl<'a> Sweeper<'a> {
         Sweeper { most_cells: cells, ..self }
     }
 
-    /// Runs cells of a grid; `progress` hears of cells as they are done, a running one
+    /// Runs cells of a grid; `observer` hears of cells as they are done, a running one
     /// by the share of its steps.
     ///
     /// # Errors
@@ -95,10 +95,10 @@ impl<'a> Sweeper<'a> {
         plan: &Plan,
         grid: &Grid,
         cells: &[usize],
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Result<DeviceOutcomes<R>, BackendError> {
         let record = plan.record::<R>();
-        let all = Cells::of(plan, grid, cells, &record, progress);
+        let all = Cells::of(plan, grid, cells, &record, observer);
         let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
         let slots = self.gpu.slots(|slots| slots.suit::<R>(tile, self.events_kept));
         let mut slots = match slots {
@@ -107,7 +107,7 @@ impl<'a> Sweeper<'a> {
         };
         let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile)?;
-        let results = tiles.run(progress)?;
+        let results = tiles.run(observer)?;
         // After a failure the slots are not used again.
         self.gpu.keep(slots);
         Ok(results)

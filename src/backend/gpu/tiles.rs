@@ -24,7 +24,7 @@ use crate::cells::ready::Cells;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::results::block::Block;
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 
 /// A sweep's tiles.
 pub struct Tiles<'a, R> {
@@ -102,11 +102,11 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Runs them all to their cells' ends.
-    pub fn run(mut self, progress: &dyn Progress) -> Result<DeviceOutcomes<R>, BackendError> {
+    pub fn run(mut self, observer: &dyn Observer) -> Result<DeviceOutcomes<R>, BackendError> {
         let count = self.rest.len();
         let (mut told, mut ended) = (0, Instant::now());
         loop {
-            if progress.cancelled() {
+            if observer.cancelled() {
                 return Err(BackendError::Cancelled);
             }
             while self.flights.len() < FLIGHTS && self.submit()? {}
@@ -117,7 +117,7 @@ impl<'a, R: Real> Tiles<'a, R> {
                 ended = Instant::now();
                 self.hear(&flight, &report)?;
                 let done = self.done();
-                progress.advance(done.saturating_sub(told));
+                observer.advance(done.saturating_sub(told));
                 told = told.max(done);
             } else if !freed {
                 break;
@@ -126,7 +126,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         if self.results.done < count {
             return Err(BackendError::Unfinished(count - self.results.done));
         }
-        progress.advance(count.saturating_sub(told));
+        observer.advance(count.saturating_sub(told));
         Ok(self.results)
     }
 

@@ -51,7 +51,7 @@ impl Dependence {
         if !recorded {
             // The steps of a pulse are those of the cells.
             across.extend(clock_parameters(grid));
-            if plan.shared_amplitude(grid).is_none() {
+            if shared_amplitude(plan, grid).is_none() {
                 across.push(Parameter::AH);
             }
             if !still {
@@ -68,14 +68,12 @@ impl Dependence {
     }
 }
 
-impl Plan {
-    /// A_h of the shared motions of u, m/s^2: by (21) u is proportional to it. None under a record, and
-    /// where the base's strength is given: there u is not proportional to A_h.
-    pub(crate) fn shared_amplitude(&self, grid: &Grid) -> Option<f64> {
-        if self.scene.excitation.record().is_some() || grid.gives_strength() {
-            return None;
-        }
-        let amplitudes = grid.corners().map(|case| case.shaking.peak_h());
-        Some(amplitudes.fold(0.0, f64::max))
+/// A_h of the shared motions of u, m/s^2: by (21) u is proportional to it. None under a record, and where the base's strength
+/// is given: there u is not proportional to A_h.
+pub(crate) fn shared_amplitude(plan: &Plan, grid: &Grid) -> Option<f64> {
+    if plan.scene.excitation.record().is_some() || grid.gives_strength() {
+        return None;
     }
+    let amplitudes = grid.corners().map(|case| case.shaking.peak_h());
+    Some(amplitudes.fold(0.0, f64::max))
 }

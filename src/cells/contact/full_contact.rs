@@ -13,7 +13,7 @@ use fearless_simd::Level;
 use rayon::prelude::*;
 
 use super::bounded_motions;
-use super::dependence::Dependence;
+use super::dependence::{Dependence, shared_amplitude};
 use super::kept_motions::{Kept, horizontal, vertical};
 use super::motions::{HORIZONTAL_FIELDS, MotionPair, Motions, VERTICAL_FIELDS};
 use super::motions_with_forces;
@@ -25,7 +25,7 @@ use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 use crate::scene::{Excitation, Grid, Parameter};
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 use crate::work::vectors::lanes_of;
 
 /// Largest memory for the motions, bytes; for a grid that needs more each cell integrates its own full
@@ -106,15 +106,15 @@ fn wanted(
 impl<R: Real> FullContactMotions<R> {
     /// The motions that some cells of a grid need, under the plan's record, with those that are `known`; none where
     /// cells do not share them (a block that starts tilted), where the plan has no such shortcut, where those of the
-    /// whole grid take too much memory, or where `progress` ends the work.
+    /// whole grid take too much memory, or where `observer` ends the work.
     pub fn of(
         plan: &Plan,
         (grid, cells): (&Grid, &[usize]),
         known: Option<&FullContactMotions<R>>,
         record: &[Ground<R>],
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Option<FullContactMotions<R>> {
-        let amplitude = plan.shared_amplitude(grid);
+        let amplitude = shared_amplitude(plan, grid);
         let of = Dependence::of(plan, grid);
         let all = of.combinations(grid);
         // With as many motions as cells there is nothing to save. Without forces a cell is so cheap that a motion takes as
@@ -153,7 +153,7 @@ impl<R: Real> FullContactMotions<R> {
                     bounded_motions::sample(batch, level)
                 }
             };
-            let wanted = |places| (!progress.cancelled()).then(|| some(places));
+            let wanted = |places| (!observer.cancelled()).then(|| some(places));
             let motions =
                 places.par_chunks(lanes_of::<R>(level)).map(wanted).collect::<Option<Vec<_>>>()?;
             Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())

@@ -10,84 +10,77 @@ use crate::model::excitation::Ground;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::Grid;
-use crate::work::progress::Progress;
+use crate::work::observer::Observer;
 use crate::work::threads::install;
 
-impl Plan {
-    /// The motions in full contact of some cells of the plan's grid under its record, as [`FullContactMotions::of`] has
-    /// them: those that lists before needed are used again.
-    pub(crate) fn full_contact_motions<R: Real>(
-        &self,
-        (grid, cells): (&Grid, &[usize]),
-        record: &[Ground<R>],
-        progress: &dyn Progress,
-    ) -> Arc<Option<FullContactMotions<R>>> {
-        let (scene, grid) = (self.scene.clone(), grid.clone());
-        let Plan { resolution, shortcuts, forces, laws, .. } = *self;
-        let key = Key { scene, grid, resolution, shortcuts, forces, laws };
-        let known = self.motion_cache.find::<Option<FullContactMotions<R>>>(&key);
-        if let Some(motions) = &known
-            && motions.as_ref().as_ref().is_none_or(|motions| motions.hold(&key.grid, cells))
-        {
-            return Arc::clone(motions);
-        }
-        // Computed without the lock: a thread that waits for the lock may be needed by the computation.
-        // Two threads that begin at the same time compute the same motions twice.
-        let record = bytemuck::cast_slice(record);
-        let known = known.map(|known| known as Arc<dyn Any + Send + Sync>);
-        let some = (&key.grid, cells);
-        let motions = install(|| self.motions(R::PRECISION, some, known, record, progress));
-        // They are of the type that was asked for.
-        let motions: Arc<Option<FullContactMotions<R>>> = motions.downcast().unwrap_or_default();
-        // None of a sweep that is cancelled does not mean that there are none.
-        if !progress.cancelled() {
-            self.motion_cache.put(key, Arc::clone(&motions));
-        }
-        motions
+/// The motions in full contact of some cells of the plan's grid under its record, as [`FullContactMotions::of`] has them:
+/// those that lists before needed are used again.
+pub(crate) fn shared_motions<R: Real>(
+    plan: &Plan,
+    (grid, cells): (&Grid, &[usize]),
+    record: &[Ground<R>],
+    observer: &dyn Observer,
+) -> Arc<Option<FullContactMotions<R>>> {
+    let (scene, grid) = (plan.scene.clone(), grid.clone());
+    let Plan { resolution, shortcuts, forces, laws, .. } = *plan;
+    let key = Key { scene, grid, resolution, shortcuts, forces, laws };
+    let known = plan.motion_cache.find::<Option<FullContactMotions<R>>>(&key);
+    if let Some(motions) = &known
+        && motions.as_ref().as_ref().is_none_or(|motions| motions.hold(&key.grid, cells))
+    {
+        return Arc::clone(motions);
     }
+    // Computed without the lock: a thread that waits for the lock may be needed by the computation.
+    // Two threads that begin at the same time compute the same motions twice.
+    let record = bytemuck::cast_slice(record);
+    let known = known.map(|known| known as Arc<dyn Any + Send + Sync>);
+    let some = (&key.grid, cells);
+    let motions = install(|| at(R::PRECISION, plan, some, known, record, observer));
+    // They are of the type that was asked for.
+    let motions: Arc<Option<FullContactMotions<R>>> = motions.downcast().unwrap_or_default();
+    // None of a sweep that is cancelled does not mean that there are none.
+    if !observer.cancelled() {
+        plan.motion_cache.put(key, Arc::clone(&motions));
+    }
+    motions
+}
 
-    /// Those of a precision, with those known of it, under a record of that precision given as bytes. Not generic, so that
-    /// its callers do not compile all kinds of vectors again.
-    fn motions(
-        &self,
-        precision: Precision,
+/// Those of a precision, with those known of it, under a record of that precision given as bytes. Not generic, so that its
+/// callers do not compile all kinds of vectors again.
+fn at(
+    precision: Precision,
+    plan: &Plan,
+    some: (&Grid, &[usize]),
+    known: Option<Arc<dyn Any + Send + Sync>>,
+    record: &[u8],
+    observer: &dyn Observer,
+) -> Arc<dyn Any + Send + Sync> {
+    fn of<R: Real>(
+        record: &[u8],
+        plan: &Plan,
         some: (&Grid, &[usize]),
         known: Option<Arc<dyn Any + Send + Sync>>,
-        record: &[u8],
-        progress: &dyn Progress,
+        observer: &dyn Observer,
     ) -> Arc<dyn Any + Send + Sync> {
-        fn of<R: Real>(
-            record: &[u8],
-            plan: &Plan,
-            some: (&Grid, &[usize]),
-            known: Option<Arc<dyn Any + Send + Sync>>,
-            progress: &dyn Progress,
-        ) -> Arc<dyn Any + Send + Sync> {
-            // They were such a slice, and lie as one does.
-            let record: &[Ground<R>] = bytemuck::cast_slice(record);
-            let known: Option<Arc<Option<FullContactMotions<R>>>> =
-                known.and_then(|known| known.downcast().ok());
-            let known = known.as_ref().and_then(|known| known.as_ref().as_ref());
-            Arc::new(FullContactMotions::of(plan, some, known, record, progress))
-        }
-        let of = match precision {
-            Precision::F32 => of::<f32>,
-            Precision::F64 => of::<f64>,
-        };
-        of(record, self, some, known, progress)
+        // They were such a slice, and lie as one does.
+        let record: &[Ground<R>] = bytemuck::cast_slice(record);
+        let known: Option<Arc<Option<FullContactMotions<R>>>> =
+            known.and_then(|known| known.downcast().ok());
+        let known = known.as_ref().and_then(|known| known.as_ref().as_ref());
+        Arc::new(FullContactMotions::of(plan, some, known, record, observer))
     }
-
-    /// Frees the motions that the tiles share, at the end of a sweep.
-    pub fn forget(&self) {
-        self.motion_cache.clear();
-    }
+    let of = match precision {
+        Precision::F32 => of::<f32>,
+        Precision::F64 => of::<f64>,
+    };
+    of(record, plan, some, known, observer)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::{Parameter, Range, SceneBuilder};
-    use crate::work::progress::Unwatched;
+    use crate::work::observer::Unwatched;
 
     /// The batches of a sweep have grids of their own, which are alike: later ones find the first one's motions.
     #[test]
@@ -104,7 +97,7 @@ mod tests {
         let record: Vec<Ground<f32>> = plan.record();
         let cells: Vec<usize> = (0..64).collect();
         let grid = || Grid::of(&scene);
-        let motions = || plan.clone().full_contact_motions((&grid(), &cells), &record, &Unwatched);
+        let motions = || shared_motions(&plan.clone(), (&grid(), &cells), &record, &Unwatched);
         let first = motions();
         assert!(first.is_some(), "they are shared");
         assert!(Arc::ptr_eq(&first, &motions()));
@@ -123,8 +116,7 @@ mod tests {
             .unwrap();
         let (plan, grid) = (Plan::new(&scene, 0.01).unwrap(), Grid::of(&scene));
         let record: Vec<Ground<f32>> = plan.record();
-        let motions =
-            |cells: &[usize]| plan.full_contact_motions((&grid, cells), &record, &Unwatched);
+        let motions = |cells: &[usize]| shared_motions(&plan, (&grid, cells), &record, &Unwatched);
         let counts = |cells: &[usize]| {
             let motions = motions(cells);
             let motions = motions.as_ref().as_ref().unwrap();

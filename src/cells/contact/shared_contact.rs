@@ -150,7 +150,7 @@ mod tests {
     use crate::model::excitation::Ground;
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
-    use crate::work::progress::Unwatched;
+    use crate::work::observer::Unwatched;
 
     /// What bounds so far leave out changes nothing: gaps in which a cell may lift, samples and crests of the friction are
     /// those of a look at every gap.

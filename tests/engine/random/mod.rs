@@ -23,7 +23,7 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::Grid;
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use truth::Truth;
 
 use crate::common::{all, gpu, say};
@@ -65,7 +65,7 @@ impl Run<'_> {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
         let grid = Grid::of(&self.case.scene);
         for (name, plan) in [(names[0], plan.clone()), (names[1], plan.full_model())] {
-            let cells = cpu::sweep::<R>(&plan, &grid, &all(&grid), &Unwatched);
+            let cells = cpu::sweep(R::PRECISION, &plan, &grid, &all(&grid), &Unwatched);
             self.judge(name, precision, &cells);
         }
     }

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use topple::backend::backend_error::BackendError;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::cells::clock::Resolution;
 use topple::cells::plan::Plan;
@@ -224,10 +225,10 @@ impl Work<'_> {
     ) -> anyhow::Result<Vec<Outcome>> {
         let options = self.options;
         let (plan, grid) = (plan(options, scene, fixed, place)?, Grid::of(scene));
-        let (cells, precision, resolve) = (0..grid.len(), options.precision(), options.resolve);
+        let run = CellRun::all(&plan, &grid, options.precision()).resolving(options.resolve);
         Ok(self
             .backend
-            .sweep_range(&plan, &grid, cells, precision, resolve, progress)
+            .run(&run, progress)
             .map_err(|error| of_figure(error.into()))?
             .block
             .to_outcomes())

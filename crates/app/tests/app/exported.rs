@@ -10,16 +10,18 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use serde_json::{Value, json};
 use topple::BackendRequest;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::backend::history::{Row, by_steps};
 use topple::cells::cell_tables::{CellTables, Clocks};
 use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::part::Part;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene, SceneBuilder};
 use topple::stepping::outcome::Outcome;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_explore::asked::{Flat, SYNTHETIC, builder};
 use topple_explore::constants::constants;
 use topple_explore::export::export;
@@ -147,13 +149,14 @@ fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
     plan.shortcuts.full_contact = false;
     let grid = Grid::of(scene);
     let cells = all(&grid);
-    let parts = plan.parts(&grid, &cells);
+    let parts = Part::of(&plan, &grid, &cells);
     let parts = parts.iter().map(
         |part| json!({ "cells": part.cells, "tables": tables(&part.plan, &grid, &part.cells) }),
     );
     let how = (Precision::F32, false);
-    let swept =
-        backend.map(|backend| backend.sweep_list(&plan, &grid, &cells, how, &Unwatched).unwrap());
+    let swept = backend.map(|backend| {
+        backend.run(&CellRun::of(&plan, &grid, &cells, how.0).resolving(how.1), &Unwatched).unwrap()
+    });
     let outcomes =
         swept.map(|swept| swept.block.to_outcomes().iter().map(outcome).collect::<Vec<_>>());
     json!({ "parts": parts.collect::<Vec<_>>(), "outcomes": outcomes })

@@ -8,12 +8,13 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::Grid;
 use topple::scene::builder::SceneBuilder;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 /// How many of each there are.
 const SCENES: u32 = 9_000;
@@ -164,7 +165,8 @@ fn any_scene_is_refused_or_runs() {
         let steps = f64::from(most) * grid.len() as f64;
         if steps < MOST_STEPS {
             ran.update(|count| count + 1);
-            let swept = Backend::Cpu.sweep(&plan, &grid, Precision::F32, &Unwatched).unwrap();
+            let swept =
+                Backend::Cpu.run(&CellRun::all(&plan, &grid, Precision::F32), &Unwatched).unwrap();
             prop_assert_eq!(swept.block.len(), grid.len());
         }
         Ok(())

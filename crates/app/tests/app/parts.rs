@@ -10,6 +10,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::{Backend, BackendOutcomes};
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
@@ -28,7 +29,7 @@ use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
 use topple::sweep::identity::Content;
 use topple::sweep::parts::Parts;
 use topple::sweep::settings::Method;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_pictures::map::thinned::{DRAWN, thinned};
 
 use crate::common::{object, own_lines, synthetic_pair, under, xy};
@@ -103,7 +104,8 @@ fn sweep(
             if let Some(error) = fail(number, done.fetch_add(1, Ordering::Relaxed)) {
                 return Err(error);
             }
-            Backend::Cpu.sweep_range(plan, grid, cells, Precision::F32, false, &Unwatched)
+            let cells: Vec<usize> = cells.collect();
+            Backend::Cpu.run(&CellRun::of(plan, grid, cells, Precision::F32), &Unwatched)
         })
     };
     let workers: Vec<Worker> = (0..workers).map(double).collect();
@@ -196,8 +198,10 @@ fn what_cannot_be_kept_ends_the_sweep() {
 fn after_a_lost_device_the_run_goes_on() {
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
-    let run =
-        |cells| Backend::Cpu.sweep_range(&plan, &grid, cells, Precision::F32, false, &Unwatched);
+    let run = |cells: Range<usize>| {
+        let cells: Vec<usize> = cells.collect();
+        Backend::Cpu.run(&CellRun::of(&plan, &grid, cells, Precision::F32), &Unwatched)
+    };
     let alone = run(0..grid.len()).unwrap().block.to_outcomes();
     for in_memory in [true, false] {
         let out = TempDir::new().unwrap();

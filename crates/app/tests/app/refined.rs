@@ -16,7 +16,7 @@ use topple::refine::settings::RefineSettings;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::{
-    BackendRequest, Observer, Outcome, Progress, RunSettings, Saving, Scene, SweepError, Unwatched,
+    BackendRequest, Observer, Outcome, RunSettings, Saving, Scene, SweepError, Unwatched,
     VerifySettings, sweep,
 };
 
@@ -372,7 +372,7 @@ fn what_cannot_be_refined_is_refused() {
 /// Ends a sweep after so many cells.
 struct Ends(AtomicUsize);
 
-impl Progress for Ends {
+impl Observer for Ends {
     fn advance(&self, cells: usize) {
         let left = self.0.load(Ordering::Relaxed);
         self.0.store(left.saturating_sub(cells), Ordering::Relaxed);
@@ -382,8 +382,6 @@ impl Progress for Ends {
         self.0.load(Ordering::Relaxed) == 0
     }
 }
-
-impl Observer for Ends {}
 
 /// What an interrupted run had refined is taken from its files, and the map is the same.
 #[test]

@@ -13,7 +13,7 @@ use topple::scene::{Grid, Parameter, Range, Scene, Values};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, VerifySettings};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_studies::uncertain::{Probabilities, Uncertainty};
 
 use crate::common::{refused, scene, synthetic_pair, under};

@@ -18,7 +18,7 @@ use topple::scene::{Excitation, Grid, Scene, SceneError};
 use topple::stepping::log::Event;
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::Settings;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 /// A way to integrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -171,7 +171,7 @@ impl Trial {
                 } else if self.method == Method::Naive {
                     outcomes.push(naive::sweep(plan, grid, &cells, 0).0);
                 } else {
-                    outcomes.push(cpu::sweep::<R>(plan, grid, &cells, &Unwatched));
+                    outcomes.push(cpu::sweep(R::PRECISION, plan, grid, &cells, &Unwatched));
                 }
             }
             Ok(device)

@@ -16,7 +16,7 @@ use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::sample::Chosen;
 use topple::sweep::verification::{self, compare};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::chart::bench::MAPS;
 
 use crate::common::{all, gpu, object, say};
@@ -82,12 +82,12 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
 
 #[test]
 fn cpu_f64_agrees_with_the_reference() {
-    hold("cpu f64", 1, |plan, grid| cpu::sweep::<f64>(plan, grid, &all(grid), &Unwatched));
+    hold("cpu f64", 1, |plan, grid| cpu::sweep(Precision::F64, plan, grid, &all(grid), &Unwatched));
 }
 
 #[test]
 fn cpu_f32_agrees_with_the_reference() {
-    hold("cpu f32", 4, |plan, grid| cpu::sweep::<f32>(plan, grid, &all(grid), &Unwatched));
+    hold("cpu f32", 4, |plan, grid| cpu::sweep(Precision::F32, plan, grid, &all(grid), &Unwatched));
 }
 
 fn hold_gpu<R: Real>(precision: Precision, allowed: usize) {
@@ -170,7 +170,7 @@ fn locked_directions_agree_with_the_reference() {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
         let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
-        let twin = cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched);
+        let twin = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         let report = compare(
             &grid,
             judged.iter().map(|&(index, reference)| both(index, twin[index], reference)),

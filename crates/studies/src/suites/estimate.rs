@@ -1,6 +1,5 @@
 //! What a suite's sweep will take, from a sample of its motions.
 
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::swept::SuiteJob;
@@ -11,8 +10,6 @@ use topple::sweep::estimate::Estimate;
 use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::VerifySettings;
 use topple::work::observer::Observer;
-use topple::work::progress::Progress;
-use topple::work::several::OneOfSeveral;
 
 /// Motions of the sample.
 const MOTIONS: usize = 5;
@@ -24,7 +21,7 @@ impl SuiteJob {
     ///
     /// # Errors
     /// Those of the backend, and that it was cancelled.
-    pub fn estimate(&self, progress: &dyn Progress) -> Result<f64, SweepError> {
+    pub fn estimate(&self, observer: &dyn Observer) -> Result<f64, SweepError> {
         let samples = |wanted: &WantedMotion| wanted.pair.horizontal.len() as f64;
         let mut sorted: Vec<&(WantedMotion, Scene)> = self.all[self.motions()].iter().collect();
         sorted.sort_by(|a, b| samples(&a.0).total_cmp(&samples(&b.0)));
@@ -36,7 +33,7 @@ impl SuiteJob {
             let level = (2 * k + 1) * wanted.factors.len() / (2 * count);
             let mut scene = scene.clone();
             scene.set(Parameter::Scale, wanted.factors[level] * wanted.pair.factor);
-            let (cells, took) = self.sample(&scene, progress)?;
+            let (cells, took) = self.sample(&scene, observer)?;
             work += cells as f64 * samples(wanted);
             seconds += took;
         }
@@ -47,33 +44,26 @@ impl SuiteJob {
     }
 
     /// Cells of a sample of a sweep, and the seconds that they took: all cells, where they are few.
-    fn sample(&self, scene: &Scene, progress: &dyn Progress) -> Result<(usize, f64), SweepError> {
+    fn sample(&self, scene: &Scene, observer: &dyn Observer) -> Result<(usize, f64), SweepError> {
         let cells = self.grid.len();
         if cells > FEW {
             let (method, backend) = (&self.settings.run.method, &self.opened.backends[0]);
-            let took = Estimate::of(scene, method, backend, cells, progress)?;
+            let took = Estimate::of(scene, method, backend, cells, observer)?;
             return Ok((took.sampled, took.sampled as f64 / took.rate));
         }
         let mut settings = self.settings.run.clone();
         (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
-        let never = AtomicBool::new(false);
-        let watch = Cancels(progress);
-        let watch = OneOfSeveral::of(&watch, &never);
         let began = Instant::now();
-        sweep_outcomes(&self.opened, scene, &[], &settings, &watch)?;
+        sweep_outcomes(&self.opened, scene, &[], &settings, &Cancels(observer))?;
         Ok((cells, began.elapsed().as_secs_f64()))
     }
 }
 
 /// Hears nothing, and ends the work where another would.
-struct Cancels<'a>(&'a dyn Progress);
+struct Cancels<'a>(&'a dyn Observer);
 
-impl Progress for Cancels<'_> {
-    fn advance(&self, _: usize) {}
-
+impl Observer for Cancels<'_> {
     fn cancelled(&self) -> bool {
         self.0.cancelled()
     }
 }
-
-impl Observer for Cancels<'_> {}

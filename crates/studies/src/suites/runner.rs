@@ -12,6 +12,7 @@ use super::swept::SuiteJob;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
+use crate::several::OneOfSeveral;
 use topple::backend::backend_error::BackendError;
 use topple::backend::dispatch::Backend;
 use topple::scene::{Parameter, Scene, SceneError, Values};
@@ -20,7 +21,6 @@ use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::{RunSettings, VerifySettings};
 use topple::sweep::verification;
 use topple::work::observer::Observer;
-use topple::work::several::OneOfSeveral;
 use topple::work::threads::Threads;
 
 /// Motions that are swept at a time on the CPU. Its cores share each; a second one fills them while the first
@@ -205,7 +205,7 @@ impl<'a> Runner<'a> {
                 .map_err(|error| SceneError { key: "levels", problem: error.to_string() })?;
             axes.push((Parameter::Scale, values));
         }
-        let watch = OneOfSeveral::of(self.observer, &self.stopped);
+        let watch = OneOfSeveral::of(self.observer, Some(&self.stopped));
         let map = sweep_outcomes(&self.job.opened, scene, &axes, &settings, &watch)?;
         gather(&map, &self.job.grid, factors.len(), motion)?;
         if sampled == 0 || map.by_reference() {

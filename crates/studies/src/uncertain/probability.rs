@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
 
@@ -10,6 +9,7 @@ use super::ensemble::Ensemble;
 use super::pixel;
 use super::points::{shares, values};
 use super::varied::Varied;
+use crate::several::OneOfSeveral;
 use topple::results::columns::Column;
 use topple::results::csv::Number;
 use topple::scene::{Grid, Parameter, Scene, SceneError, Values};
@@ -19,7 +19,6 @@ use topple::sweep::job::check_held;
 use topple::sweep::run::sweep_outcomes;
 use topple::sweep::settings::RunSettings;
 use topple::work::observer::{Observer, Phase};
-use topple::work::several::OneOfSeveral;
 
 /// Most sweeps that tell a probability.
 pub const MOST_SAMPLES: u32 = 1 << 20;
@@ -132,8 +131,8 @@ impl Probabilities {
         let samples = uncertainty.samples as usize;
         let runs = if settings.method.resolve { 2 } else { 1 };
         observer.begins(Phase::Sweeping, runs * samples * grid.len());
-        let (never, method) = (AtomicBool::new(false), settings.method);
-        let several = OneOfSeveral::of(observer, &never);
+        let method = settings.method;
+        let several = OneOfSeveral::of(observer, None);
         let opened = Arc::new(settings.backend.open(method.precision, &settings.adapters)?);
         let mut run = settings.clone();
         (run.verify, run.saving) = (settings.verify.shared_out(samples), None);

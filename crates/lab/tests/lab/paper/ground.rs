@@ -6,7 +6,7 @@ use topple::backend::dispatch::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::scene::{Directions, Grid, Scene};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::figures::boundary::{self, Bisection, Least};
 
 use crate::common::{object, say};

@@ -12,13 +12,14 @@ mod strip;
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::figures::motions::{self, Motion};
 use topple_lab::figures::shares::Shares;
 use topple_lab::figures::text::FigureInputs;
@@ -39,7 +40,7 @@ fn figure(name: &str, cells: Option<u32>, records: Option<&Path>) -> (Figure, Ve
 fn swept(scene: &Scene) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     Backend::Cpu
-        .sweep(&plan, &Grid::of(scene), Precision::F32, &Unwatched)
+        .run(&CellRun::all(&plan, &Grid::of(scene), Precision::F32), &Unwatched)
         .unwrap()
         .block
         .to_outcomes()

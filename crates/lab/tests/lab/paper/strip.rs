@@ -4,11 +4,12 @@ use topple::backend::cpu;
 use topple::cells::clock::{DEFAULT_STEP, Resolution};
 use topple::cells::plan::Plan;
 use topple::model::CellEquations;
+use topple::model::precision::Precision;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{all, object, say, synthetic_pair, under};
 
@@ -35,7 +36,7 @@ fn a_fixed_step_paints_the_strip_and_a_converged_one_does_not() {
             Some(step) => {
                 let plan = Plan::resolved(&scene, Resolution::exactly(step)).unwrap().full_model();
                 let grid = Grid::of(&scene);
-                cpu::sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched)
+                cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched)
             }
         };
         (scene, cells)

@@ -1,6 +1,7 @@
 //! Beside the boundaries between outcomes, where no method is right for ever.
 
 use rayon::prelude::*;
+use topple::backend::cell_run::CellRun;
 use topple::backend::dispatch::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
@@ -9,7 +10,7 @@ use topple::model::real::Real;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{object, say, synthetic_pair, under};
 
@@ -99,10 +100,13 @@ fn standing(name: &str, scene: &Scene) -> [Standing; 2] {
     let (loose, tight) = (right(1e-10), right(1e-12));
     let undecided = loose.iter().zip(&tight).filter(|(a, b)| a != b).count();
     [Precision::F32, Precision::F64].map(|precision| {
-        let plain =
-            Backend::Cpu.sweep(&plan, &grid, precision, &Unwatched).unwrap().block.to_outcomes();
+        let plain = Backend::Cpu
+            .run(&CellRun::all(&plan, &grid, precision), &Unwatched)
+            .unwrap()
+            .block
+            .to_outcomes();
         let resolved = Backend::Cpu
-            .sweep_range(&plan, &grid, 0..grid.len(), precision, true, &Unwatched)
+            .run(&CellRun::all(&plan, &grid, precision).resolving(true), &Unwatched)
             .unwrap()
             .block
             .to_outcomes();

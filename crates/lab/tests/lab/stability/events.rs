@@ -3,13 +3,14 @@
 use topple::backend::cpu;
 use topple::cells::clock::{DEFAULT_STEP, Resolution};
 use topple::cells::plan::Plan;
+use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Scene};
 use topple::stepping::guards::IMPACT;
 use topple::stepping::log::Log;
 use topple::stepping::outcome::{Class, Status};
 use topple::stepping::reference::Settings;
 use topple::stepping::state::State;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 use topple_lab::chart::SWITCHES;
 use topple_lab::chart::truth::{Kind, TimedSwitch, by_reference, of_events};
 
@@ -306,7 +307,8 @@ fn both_uplift_inequalities_at_once() {
         ));
         let grid = Grid::of(&map);
         let plan = Plan::new(&map, DEFAULT_STEP).unwrap().full_model();
-        let cells = cpu::sweep::<f64>(&plan, &grid, &crate::common::all(&grid), &Unwatched);
+        let cells =
+            cpu::sweep(Precision::F64, &plan, &grid, &crate::common::all(&grid), &Unwatched);
         cells_in_all += grid.len();
         for (index, cell) in cells.iter().enumerate() {
             let right =

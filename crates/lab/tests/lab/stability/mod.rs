@@ -21,12 +21,12 @@ use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
 use topple::stepping::state::State;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 /// The first cell of a scene with steps as they are asked for, all of it simulated.
 fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {
     let plan = Plan::resolved(scene, Resolution::exactly(step)).unwrap().full_model();
-    cpu::sweep::<R>(&plan, &Grid::of(scene), &[0], &Unwatched)[0]
+    cpu::sweep(R::PRECISION, &plan, &Grid::of(scene), &[0], &Unwatched)[0]
 }
 
 /// The first cell of a scene as a sweep runs it.
@@ -38,7 +38,7 @@ fn swept<R: Real>(scene: &Scene) -> Outcome {
 fn all_swept<R: Real>(scene: &Scene) -> Vec<Outcome> {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(scene);
-    cpu::sweep::<R>(&plan, &grid, &crate::common::all(&grid), &Unwatched)
+    cpu::sweep(R::PRECISION, &plan, &grid, &crate::common::all(&grid), &Unwatched)
 }
 
 /// The reference's settings at a tolerance far tighter than its default.

@@ -10,7 +10,7 @@ use topple::model::real::Real;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{gpu, object, say, shaken};
 
@@ -248,7 +248,7 @@ fn in_the_shader() {
 fn one_cell_of_a_grid() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3:1e39:2");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-    let cells = cpu::sweep::<f32>(&plan, &Grid::of(&scene), &[0, 1], &Unwatched);
+    let cells = cpu::sweep(Precision::F32, &plan, &Grid::of(&scene), &[0, 1], &Unwatched);
     assert_ne!(cells[0].class, Class::Unresolved);
     unresolved("the second cell", &cells[1]);
 }

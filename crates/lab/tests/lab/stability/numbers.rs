@@ -6,7 +6,7 @@ use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{GRAVITY, Grid, Parameter, Scene};
 use topple::stepping::outcome::Class;
-use topple::work::progress::Unwatched;
+use topple::work::observer::Unwatched;
 
 use crate::common::{gpu, object, say, shaken};
 

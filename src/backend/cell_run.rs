@@ -1,0 +1,57 @@
+//! What a backend is asked for: cells of a plan's grid, and how they are run.
+
+use std::borrow::Cow;
+
+use crate::cells::plan::Plan;
+use crate::model::precision::Precision;
+use crate::results::block::Block;
+use crate::scene::Grid;
+
+/// Cells that a backend is to run.
+#[derive(Clone)]
+pub struct CellRun<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// The grid that numbers the cells.
+    pub grid: &'a Grid,
+    /// Their numbers, in any order; the outcomes are in this order.
+    pub cells: Cow<'a, [usize]>,
+    /// Number type.
+    pub precision: Precision,
+    /// Each cell runs twice, see [`Method::resolve`](crate::sweep::settings::Method::resolve).
+    pub resolve: bool,
+    /// Who takes the cells that are done while the others run.
+    pub snapshots: Option<Snapshots<'a>>,
+}
+
+/// Takes the outcomes of a run that goes on: in the order of its cells, and as they will be at the end. Cells that have not
+/// run are pending.
+#[derive(Clone, Copy)]
+pub struct Snapshots<'a> {
+    /// True when a snapshot is due.
+    pub due: &'a (dyn Fn() -> bool + Sync),
+    /// Takes one.
+    pub take: &'a (dyn Fn(Block) + Sync),
+}
+
+impl<'a> CellRun<'a> {
+    /// Some cells of a grid, once each.
+    pub fn of(
+        plan: &'a Plan,
+        grid: &'a Grid,
+        cells: impl Into<Cow<'a, [usize]>>,
+        precision: Precision,
+    ) -> CellRun<'a> {
+        CellRun { plan, grid, cells: cells.into(), precision, resolve: false, snapshots: None }
+    }
+
+    /// All cells of a grid, once each.
+    pub fn all(plan: &'a Plan, grid: &'a Grid, precision: Precision) -> CellRun<'a> {
+        CellRun::of(plan, grid, (0..grid.len()).collect::<Vec<usize>>(), precision)
+    }
+
+    /// The same, its cells twice each where that is asked for.
+    pub fn resolving(self, resolve: bool) -> CellRun<'a> {
+        CellRun { resolve, ..self }
+    }
+}
