@@ -32,6 +32,9 @@ pub struct ListOutcomes {
     pub elapsed: Duration,
 }
 
+/// The cells at some places of a list.
+type CellsAt<'c> = dyn Fn(Range<usize>) -> Cow<'c, [usize]> + Sync + 'c;
+
 /// Runs cells of a plan's grid.
 #[derive(Clone, Copy)]
 pub struct Runner<'a> {
@@ -96,10 +99,10 @@ impl Runner<'_> {
         }
     }
 
-    /// Runs places of a list in batches; `cells` gives the cells at some of them.
+    /// Runs what is at places of a list in batches.
     fn batches<'c, E: Send>(
         &self,
-        (cells, places): (&(dyn Fn(Range<usize>) -> Cow<'c, [usize]> + Sync), &[Range<usize>]),
+        (cells, places): (&CellsAt<'c>, &[Range<usize>]),
         sizes: Sizes,
         every: Option<Duration>,
         observer: &dyn Observer,

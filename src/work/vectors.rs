@@ -14,12 +14,17 @@ macro_rules! vectorized {
     ($level:expr, $number:ident => $run:expr) => {{
         let level: fearless_simd::Level = $level;
         // SSE4.2 is left out: it has little beyond SSE2, and each level compiles the turn once more.
-        #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(test)))]
         if let Some(simd) = level.as_avx512() {
             $crate::work::vectors::vectorized!(@run simd.lanes, $number => $run);
         } else if let Some(simd) = level.as_avx2() {
             $crate::work::vectors::vectorized!(@run simd.lanes, $number => $run);
         } else if let Some(simd) = level.as_sse2() {
+            $crate::work::vectors::vectorized!(@run simd.few_lanes, $number => $run);
+        }
+        // The unit tests compile the turn for one level alone; `tests/engine/lanes.rs` has them all.
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2", test))]
+        if let Some(simd) = level.as_sse2() {
             $crate::work::vectors::vectorized!(@run simd.few_lanes, $number => $run);
         }
         #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
