@@ -68,7 +68,7 @@ pub use results::block::Values as ColumnValues;
 pub use results::columns::{Column, STATUS_NAMES};
 pub use results::files::WriteError;
 pub use results::outcomes::Outcomes;
-pub use results::part::{Part, PartError};
+pub use results::shard::{Shard, ShardError};
 pub use results::size::FileSizes;
 pub use results::store_error::StoreError;
 pub use results::tally::Tally;
@@ -82,14 +82,14 @@ pub use scene::{
 pub use stepping::outcome::{Class, Outcome, Status};
 pub use sweep::error::SweepError;
 pub use sweep::estimate::Estimate;
-pub use sweep::job::{Job, PartSweep, SweepResult};
+pub use sweep::job::{Job, ShardSweep, SweepResult};
 pub use sweep::list::sweep_cells;
 pub use sweep::map::MapSweep;
-pub use sweep::parts_error::PartsError;
 pub use sweep::repaired::Repair;
 pub use sweep::run::sweep;
 pub use sweep::runner::ListOutcomes;
 pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
+pub use sweep::shards_error::ShardsError;
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
 pub use work::observer::{Observer, Phase, Unwatched};
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tries sweep.sbatch for real: a Slurm cluster of three nodes on this host, on the loopback, an array of
-# four tasks of which one is killed and queued again, the parts merged, and the map compared with that of
+# four tasks of which one is killed and queued again, the shards merged, and the map compared with that of
 # a single run. Needs Debian's slurmctld, slurmd, slurm-client and munge, root, and the path of a topple:
 #
 #   docs/slurm/try.sh target/release/topple
@@ -68,13 +68,13 @@ map=(pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 1:12:100 
     --backend reference)
 job="$(TOPPLE="$topple" sbatch --parsable --array=1-4 "$here/sweep.sbatch" "${map[@]}")"
 # The second task is killed as soon as it has left something to go on from.
-until [ -d topple-parts/part-2-of-4/status/c ]; do sleep 0.1; done
+until [ -d topple-shards/part-2-of-4/status/c ]; do sleep 0.1; done
 squeue --format='%8i %.10T %.6N %.8M'
 scontrol requeue "${job}_2"
 echo "killed and queued again: task 2"
 until [ -z "$(squeue --noheader)" ]; do sleep 0.5; done
-for part in 1 2 3 4; do tail -n 99 "topple-${job}_$part.log" | grep -E '^(part|resumed|sweep)'; done
-"$topple" merge topple-parts --out merged
+for shard in 1 2 3 4; do tail -n 99 "topple-${job}_$shard.log" | grep -E '^(shard|resumed|sweep)'; done
+"$topple" merge topple-shards --out merged
 "$topple" "${map[@]}" --out single --quiet
 for file in map.csv map.npz map.png map.svg; do
     cmp "merged/$file" "single/$file"

@@ -31,7 +31,7 @@ pub fn of_sweep(error: SweepError) -> PyErr {
             Some(key) => of_keyword(key, error),
             None => PyRuntimeError::new_err(error.to_string()),
         },
-        SweepError::Parts(_) => PyValueError::new_err(error.to_string()),
+        SweepError::Shards(_) => PyValueError::new_err(error.to_string()),
         SweepError::Stopped { error: inner, .. }
             if matches!(**inner, SweepError::Scene(_) | SweepError::Backend(_)) =>
         {

@@ -315,8 +315,8 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
             }
         }
         "tile" => {
-            let part = text()?.parse().map_err(|error| named(&error))?;
-            saving(settings).part = Some(part);
+            let shard = text()?.parse().map_err(|error| named(&error))?;
+            saving(settings).shard = Some(shard);
         }
         // One of `SETTINGS` that has no case here.
         _ => return Err(of_keyword(key, "not read; this is a mistake in topple")),

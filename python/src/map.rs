@@ -15,7 +15,7 @@ use topple::results::files;
 use topple::results::listed::{CELL, CountColumn};
 use topple::results::own;
 use topple::results::sharpness::Sharpness;
-use topple::sweep::parts::Parts;
+use topple::sweep::shards::Shards;
 use topple::{
     Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings, Status,
     SweepError, SweepResult,
@@ -44,7 +44,7 @@ struct Arrays {
 type Returned<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
 /// Runs a map: `(columns, about)`, a column a one-dimensional array in the grid's order, the first axis fastest;
-/// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a part `about` is None, too.
+/// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a shard `about` is None, too.
 /// With `refine` a column has a value a leaf, and `about` has `counts`.
 ///
 /// `recorded`: a record shakes the base.
@@ -64,13 +64,13 @@ pub fn sweep<'py>(
     if let Some(refining) = &refining {
         refine::check(&scene, refining.levels).map_err(of_scene)?;
     }
-    let part = settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+    let shard = settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
     if let Some(saving) = &settings.saving {
         if saving.directory.as_os_str().is_empty() {
             return Err(of_keyword("out", "missing; resume and tile need a directory"));
         }
         fs::create_dir_all(&saving.directory)?;
-        if !part {
+        if !shard {
             free(&saving.directory)?;
         }
     }
@@ -79,7 +79,7 @@ pub fn sweep<'py>(
         let job = Job::open(&scene, &[], settings)?;
         let estimate = job.estimate_if_long(watch)?;
         match job.run(estimate.as_ref(), watch)? {
-            SweepResult::Part(_) => Ok(None),
+            SweepResult::Shard(_) => Ok(None),
             SweepResult::Map(map) => {
                 let refining = refining.as_ref();
                 let to = Finish { settings, saved: saved.as_deref(), refining, sharpness };
@@ -87,7 +87,7 @@ pub fn sweep<'py>(
             }
         }
     })?;
-    debug_assert!(!part || matches!(ran, Ok(None) | Err(_)));
+    debug_assert!(!shard || matches!(ran, Ok(None) | Err(_)));
     match ran.map_err(of_sweep)? {
         Some(map) => returned(py, map),
         None => Ok((None, None)),
@@ -103,13 +103,13 @@ pub fn check(recorded: bool, keywords: &Bound<'_, PyDict>) -> PyResult<()> {
     request.settings.method.check_step(request.scene.force).map_err(of_scene)
 }
 
-/// Joins the parts in directories that `tile` left: `(columns, about)` as of `sweep`.
+/// Joins the shards in directories that `tile` left: `(columns, about)` as of `sweep`.
 ///
 /// Of the keywords there are `out`, `verify`, `threads` and `sharpness`.
 #[pyfunction]
 pub fn merge<'py>(
     py: Python<'py>,
-    parts: Vec<PathBuf>,
+    shards: Vec<PathBuf>,
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Returned<'py>> {
@@ -119,10 +119,10 @@ pub fn merge<'py>(
     out.map(|out| fs::create_dir_all(out).map_err(PyErr::from).and_then(|()| free(out)))
         .transpose()?;
     let joined = watch::run(py, progress, &threads, |watch| {
-        let parts = Parts::join(&parts, watch)?;
-        let store = out.map(|out| parts.store(out)).transpose()?;
+        let shards = Shards::join(&shards, watch)?;
+        let store = out.map(|out| shards.store(out)).transpose()?;
         let to = Finish { settings: &settings, saved: out, refining: None, sharpness };
-        finish(MapSweep::of_parts(parts, store)?, &to, watch)
+        finish(MapSweep::of_shards(shards, store)?, &to, watch)
     })?;
     returned(py, joined.map_err(of_sweep)?)
 }
@@ -233,7 +233,7 @@ fn leaves(
 
 /// What arrays of a grid are, and how the map was made.
 fn about(map: &MapSweep, mut about: Map<String, Value>, grid: &Grid) -> Map<String, Value> {
-    let (_, first) = &map.parts[0];
+    let (_, first) = &map.shards[0];
     // With its folders, from which the motion of a cell is read again.
     if let Some(files) = map.plan.scene.excitation.provenance() {
         about.insert("record".into(), json!(files));

@@ -65,7 +65,7 @@ const FRAGILITY: [&str; 16] = [
 /// Tables, CSV by name, and JSON; of a part of the motions there are none.
 type Tables<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
-/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON, None of a part.
+/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
 #[pyfunction]
 pub fn envelope<'py>(
     py: Python<'py>,
@@ -83,7 +83,7 @@ pub fn envelope<'py>(
     let run = |watch: &watch::Watch| -> Result<Option<Envelope>, SweepError> {
         let job = of_this_run(request.open(&suite)?, resume)?;
         let swept = job.run(watch)?;
-        Ok(request.settings.part.is_none().then(|| Envelope::of(swept, limits)))
+        Ok(request.settings.shard.is_none().then(|| Envelope::of(swept, limits)))
     };
     let envelope = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
     let Some(mut envelope) = envelope else { return Ok((None, None)) };
@@ -101,7 +101,7 @@ pub fn envelope<'py>(
 /// Feasible cells that are told.
 const BEST: usize = 20;
 
-/// How likely a block falls under a suite: `(tables, about)`, CSV by name and JSON, None of a part.
+/// How likely a block falls under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
 #[pyfunction]
 pub fn fragility<'py>(
     py: Python<'py>,
@@ -153,7 +153,7 @@ pub fn fragility<'py>(
     let run = |watch: &watch::Watch| -> Result<Option<FragilityStudy>, SweepError> {
         let FragilityJob { sweep, asked } = request.open(&suite)?;
         let sweep = of_this_run(sweep, resume)?;
-        if request.suite.settings.part.is_some() {
+        if request.suite.settings.shard.is_some() {
             return sweep.run(watch).map(|_| None);
         }
         FragilityJob { sweep, asked }.run(watch).map(Some)
@@ -217,14 +217,14 @@ fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyRes
         return Err(of_keyword("out", "missing; resume and tile need a directory"));
     }
     let resume = saving.is_some_and(|saving| saving.resume);
-    if let Some(Saving { directory, part: None, .. }) = saving
+    if let Some(Saving { directory, shard: None, .. }) = saving
         && saved::is_begun(directory)
         && !resume
     {
         return Err(of_sweep(SweepError::Folder(StoreError::Unfinished(directory.clone()))));
     }
     request.settings.saving = saving.map(|saving| saved::folder(&saving.directory));
-    request.settings.part = saving.and_then(|saving| saving.part);
+    request.settings.shard = saving.and_then(|saving| saving.shard);
     request.settings.run = settings;
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
     Ok(Asked { suite: suite.map_err(of_suite)?, request, threads, resume })

@@ -152,9 +152,12 @@ pub fn sharpness(keywords: &Bound<'_, PyDict>, settings: &RunSettings) -> PyResu
         return Ok(false);
     };
     let asked = taken::<bool>(SHARPNESS, &value, "True or False")?;
-    let part = settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
-    if asked && part {
-        return Err(of_keyword(SHARPNESS, "a part has no boundaries of its own; give it to merge"));
+    let shard = settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
+    if asked && shard {
+        return Err(of_keyword(
+            SHARPNESS,
+            "a shard has no boundaries of its own; give it to merge",
+        ));
     }
     Ok(asked)
 }

@@ -53,7 +53,7 @@ LONG = {"object": 1, "t_h": 1.75, "t_v": 0.75, "omega": "0.2:15:3000", "a_h": "0
         ({"vary": {"t_h": "normal(0.2,0.1)"}}, "^vary: .*2\\.3 %"),
         ({"pixel": True, "omega": "1:9:5", "samples": 1}, "^samples: 1 is not in 2 to"),
         ({"pixel": True, "omega": "1:9:5", "repair": True}, "^repair: probabilities have none"),
-        ({"sharpness": True, "out": "x", "tile": "1/2"}, "^sharpness: a part has no boundaries"),
+        ({"sharpness": True, "out": "x", "tile": "1/2"}, "^sharpness: a shard has no boundaries"),
     ],
 )
 def test_bad_input_is_a_line_with_its_keyword(keywords, line):

@@ -171,7 +171,7 @@ def merge(
     threads: int | None = None,
     progress: bool | Progress | None = None,
 ) -> Any:
-    """Join the parts of a map that calls with ``tile`` left.
+    """Join the shards of a map that calls with ``tile`` left.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ def merge(
         As of `pulse`.
     """
     if isinstance(parts, (str, os.PathLike)) or not all(isinstance(part, (str, os.PathLike)) for part in parts):
-        raise ValueError("parts: give a sequence of the parts' directories")
+        raise ValueError("parts: give a sequence of the shards' directories")
     place = None if out is None else os.fspath(out)
     keywords = {"out": place, "verify": verify, "sharpness": sharpness, "threads": threads}
     with heard(progress) as hears:
@@ -267,8 +267,8 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     resume : bool, optional
         Go on from what an interrupted call, or calls with ``tile``, left in ``out``.
     tile : str, optional
-        Run the part ``k/n`` of the motions, and leave it in ``out``; the call returns None. The same call with
-        ``resume=True`` in the place of ``tile`` joins the parts.
+        Run the shard ``k/n`` of the motions, and leave it in ``out``; the call returns None. The same call with
+        ``resume=True`` in the place of ``tile`` joins the shards.
     **keywords
         The scene and how it is run, as of `pulse`; ``u_y`` or ``yield_force`` in the place of ``alpha_y``.
 

@@ -40,7 +40,7 @@ WORDS = {
     "resume": ("bool", "go on from what an interrupted call left in ``out``"),
     "refine": ("int", "halve the cells beside boundaries so many times; the result is the leaves, as `open` gives them"),
     "smooth": ("float", "with ``refine``: share of its range by which a number between cells that ran may be off"),
-    "tile": ("str", "part ``k/n`` of the grid, left in ``out`` for `merge`"),
+    "tile": ("str", "shard ``k/n`` of the grid, left in ``out`` for `merge`"),
     "threads": ("int", "threads of the CPU; by default as many as it has cores"),
     "vary": (
         "str | Sequence[str] | Mapping[str, str]",

@@ -149,7 +149,7 @@ class Settings(TypedDict, total=False):
     out: Path
     # go on from what an interrupted call left in ``out``
     resume: bool
-    # part ``k/n`` of the grid, left in ``out`` for `merge`
+    # shard ``k/n`` of the grid, left in ``out`` for `merge`
     tile: str
     # threads of the CPU; by default as many as it has cores
     threads: int

@@ -7,7 +7,7 @@ use super::dispatch::Backend;
 use crate::model::precision::Precision;
 use crate::scene::record::Provenance;
 
-/// How a part was run.
+/// How a shard was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// The first of its cells.
@@ -24,20 +24,20 @@ pub struct Report {
     pub threads: usize,
     /// Seconds to open the backend and compile the shader.
     pub start: f64,
-    /// Seconds of the sweep, of the cells that the last run of the part had left.
+    /// Seconds of the sweep, of the cells that the last run of the shard had left.
     pub sweep: f64,
     /// Cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
-    /// The files of the record that a part read; those of a whole map are its scene's.
+    /// The files of the record that a shard read; those of a whole map are its scene's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record: Option<Provenance>,
 }
 
-/// The number type of the columns of parts, each with what it stands by: f64 where the reference ran any of
+/// The number type of the columns of shards, each with what it stands by: f64 where the reference ran any of
 /// them.
-pub fn columns<T>(parts: &[(T, Report)], precision: Precision) -> Precision {
+pub fn columns<T>(shards: &[(T, Report)], precision: Precision) -> Precision {
     let by_reference = |(_, report): &(T, Report)| report.backend == Backend::Reference.name();
-    if parts.iter().any(by_reference) { Precision::F64 } else { precision }
+    if shards.iter().any(by_reference) { Precision::F64 } else { precision }
 }
 
 /// Threads that a sweep on the CPU takes.

@@ -24,12 +24,12 @@ pub enum Clocks<R> {
     /// They do not depend on every axis.
     Shared(Table<(Clock, Steps<R>)>),
     /// They do, and are computed for each cell from its parts.
-    Own(Box<Parts>),
+    Own(Box<ClockParts>),
 }
 
 /// The parts of clocks.
 #[derive(Debug)]
-pub struct Parts {
+pub struct ClockParts {
     swing_h: Table<SwingH>,
     swing_v: Table<SwingV>,
     span: Table<Span>,
@@ -84,7 +84,7 @@ impl<'a, R: Real> CellTables<'a, R> {
             }))
         } else {
             let swing = swing_parameters(grid);
-            Clocks::Own(Box::new(Parts {
+            Clocks::Own(Box::new(ClockParts {
                 swing_h: by_body(of, &swing, |case, body| rule.swing_h(case, body)),
                 swing_v: by_body(of, &SWING_V, |case, body| rule.swing_v(case, body)),
                 span: Table::of(&list, &SPAN, |case| rule.span(case)),
@@ -141,7 +141,7 @@ impl<'a, R: Real> CellTables<'a, R> {
 
     /// The clock of a cell from its parts, and the other numbers of its steps.
     #[inline(always)]
-    pub(crate) fn own_clock(&self, parts: &Parts, cell: &CellAt) -> OwnClock {
+    pub(crate) fn own_clock(&self, parts: &ClockParts, cell: &CellAt) -> OwnClock {
         let span = parts.span.at(cell);
         let clock = self.rule.clock_of(parts.swing_h.at(cell), parts.swing_v.at(cell), span);
         OwnClock { clock, omega: span.omega, fall: *parts.fall.at(cell) }

@@ -220,11 +220,11 @@ impl<'a> OutcomeCollector<'a> {
         Ok(true)
     }
 
-    /// Ends the collection of a part: all of its cells are on disk.
+    /// Ends the collection of a shard: all of its cells are on disk.
     ///
     /// # Errors
     /// Those of the store.
-    pub fn finish_part(mut self) -> Result<(), StoreError> {
+    pub fn finish_shard(mut self) -> Result<(), StoreError> {
         self.save_all()?;
         let whole = self.cells_on_disk() == self.wanted.len();
         if whole { Ok(()) } else { Err(StoreError::Incomplete) }

@@ -2,24 +2,24 @@
 
 use serde_json::Value;
 
-use super::part::Part;
+use super::shard::Shard;
 
 /// Everything that a map depends on, as JSON; what it holds is the sweep's business.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identity {
     text: String,
-    part: Option<Part>,
+    shard: Option<Shard>,
 }
 
 impl Identity {
     /// An identity of a text, of a whole map or of a part of it.
-    pub fn new(text: String, part: Option<Part>) -> Identity {
-        Identity { text, part }
+    pub fn new(text: String, shard: Option<Shard>) -> Identity {
+        Identity { text, shard }
     }
 
     /// The part of the grid, unless it is all of it.
-    pub fn part(&self) -> Option<Part> {
-        self.part
+    pub fn shard(&self) -> Option<Shard> {
+        self.shard
     }
 
     /// The identity as text: JSON.

@@ -13,7 +13,7 @@ use crate::scene::parameters::PARAMETERS;
 
 /// Name of the file of a sweep's identity.
 pub const IDENTITY: &str = "identity.json";
-/// Name of a finished part's report.
+/// Name of a finished shard's report.
 pub const REPORT: &str = "report.json";
 /// Name of a map's group in a run's directory.
 pub const MAP: &str = "map.zarr";

@@ -77,7 +77,7 @@ pub struct PartFolder {
 /// A column of a tile in a folder, all three by their numbers.
 type Place = (usize, usize, usize);
 
-/// Outcomes that lie on disk, in one folder or in several that hold a part each.
+/// Outcomes that lie on disk, in one folder or in several that hold a shard each.
 #[derive(Debug)]
 pub struct TileReader {
     tiling: Tiling,

@@ -3,7 +3,7 @@
 //! A folder in the run's directory holds the run's [`Identity`], a lock, and a [Zarr group](super::zarr)
 //! whose chunks are tiles. A file appears whole or not at all; of a tile's files that of the status comes
 //! last, and says which of its cells have run. A whole map's folder is `unfinished`, and goes when the map is
-//! written. A part's is `part-3-of-16`, and stays: a report is added when the part is done.
+//! written. A shard's is `shard-3-of-16`, and stays: a report is added when the shard is done.
 //!
 //! What goes is what a run wrote, by its [names](super::own); a folder in which something else lies is not a run's
 //! before it has an identity, and stays with that after.
@@ -72,9 +72,9 @@ impl Store {
         contents: Contents,
         resume: bool,
     ) -> Result<(Store, SavedTiles), StoreError> {
-        let (path, place) = match identity.part() {
+        let (path, place) = match identity.shard() {
             None => (out.join(FOLDER), out.to_path_buf()),
-            Some(part) => (out.join(part.folder()), out.join(part.folder())),
+            Some(shard) => (out.join(shard.folder()), out.join(shard.folder())),
         };
         let directory = Directory::open(out)?;
         let lock = lock(&path, &place, Holds::Alone)?;
@@ -87,7 +87,7 @@ impl Store {
         let folder = Directory::open(&path)?;
         // Nobody else is writing there: the lock is held.
         folder.remove_leftovers(&[])?;
-        if identity.part().is_none() {
+        if identity.shard().is_none() {
             directory.remove_leftovers(&RENAMED)?;
         }
         let documents = zarr::documents(contents.grid, &contents.source);
@@ -241,7 +241,7 @@ impl Store {
         self.path.join(zarr::chunk_path(array, &self.tiling, tile))
     }
 
-    /// Says that all of a part is there, and how it was run, in its report; one that is there already
+    /// Says that all of a shard is there, and how it was run, in its report; one that is there already
     /// and is `resumed` whole stays.
     ///
     /// # Errors

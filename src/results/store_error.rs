@@ -15,8 +15,8 @@ pub enum StoreError {
     /// An earlier run was interrupted there.
     #[error("{0} holds an unfinished run; `resume` goes on with it, or give another directory")]
     Unfinished(PathBuf),
-    /// A part is there, whole.
-    #[error("{0} holds a finished part; `resume` leaves it as it is, or give another directory")]
+    /// A shard is there, whole.
+    #[error("{0} holds a finished shard; `resume` leaves it as it is, or give another directory")]
     Finished(PathBuf),
     /// The unfinished run is another one.
     #[error(

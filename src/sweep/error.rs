@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::parts_error::PartsError;
+use super::shards_error::ShardsError;
 use crate::backend::backend_error::BackendError;
 use crate::results::store_error::StoreError;
 use crate::scene::SceneError;
@@ -27,9 +27,9 @@ pub enum SweepError {
     /// Finished cells cannot be saved.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// Parts that are no map.
+    /// Shards that are no map.
     #[error(transparent)]
-    Parts(#[from] PartsError),
+    Shards(#[from] ShardsError),
     /// Outcomes on disk that cannot be read any more.
     #[error(transparent)]
     Read(#[from] io::Error),
@@ -50,12 +50,12 @@ pub enum SweepError {
 impl SweepError {
     /// The key of the setting or the number at fault, of bad input; none for a run that failed. Of settings it is
     /// `step` ([`Method::largest_step`]), `adapter` ([`RunSettings::adapters`]), `out` ([`Saving::directory`])
-    /// or `tile` ([`Saving::part`]).
+    /// or `tile` ([`Saving::shard`]).
     ///
     /// [`Method::largest_step`]: super::settings::Method::largest_step
     /// [`RunSettings::adapters`]: super::settings::RunSettings::adapters
     /// [`Saving::directory`]: super::settings::Saving::directory
-    /// [`Saving::part`]: super::settings::Saving::part
+    /// [`Saving::shard`]: super::settings::Saving::shard
     pub fn key(&self) -> Option<&'static str> {
         match self {
             SweepError::Scene(error) => Some(error.key),

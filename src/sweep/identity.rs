@@ -8,7 +8,7 @@ use super::settings::Method;
 use crate::backend::dispatch::Backend;
 use crate::model::precision::Precision;
 use crate::results::identity::Identity;
-use crate::results::part::Part;
+use crate::results::shard::Shard;
 use crate::scene::{Excitation, Scene};
 
 /// Everything that a map depends on.
@@ -24,11 +24,12 @@ pub struct Content {
     pub method: Method,
     backend: String,
     adapter: Option<String>,
-    /// The part of the grid, unless it is all of it.
-    pub part: Option<Part>,
+    /// The shard of the grid, unless it is all of it.
+    #[serde(rename = "part")]
+    pub shard: Option<Shard>,
 }
 
-/// Keys in which the parts of one map may differ.
+/// Keys in which the shards of one map may differ.
 pub const MAY_DIFFER: [&str; 3] = ["backend", "adapter", "part"];
 
 /// A record's accelerations, m/s^2.
@@ -40,7 +41,7 @@ struct Samples {
 
 impl Content {
     /// Of a scene, or of a part of it, that a backend runs.
-    pub fn new(scene: &Scene, backend: &Backend, method: &Method, part: Option<Part>) -> Content {
+    pub fn new(scene: &Scene, backend: &Backend, method: &Method, shard: Option<Shard>) -> Content {
         let samples = match &scene.excitation {
             Excitation::Pulse(_) => None,
             Excitation::Record(pair) => Some(Samples {
@@ -55,7 +56,7 @@ impl Content {
             method: *method,
             backend: backend.name().into(),
             adapter: backend.adapter().map(|adapter| adapter.name.clone()),
-            part,
+            shard,
         }
     }
 
@@ -74,9 +75,9 @@ impl Content {
         Ok(content)
     }
 
-    /// The same of the map that its part is of.
+    /// The same of the map that its shard is of.
     pub fn whole(&self) -> Content {
-        Content { part: None, ..self.clone() }
+        Content { shard: None, ..self.clone() }
     }
 
     /// The number type of its columns: the reference computes in f64 whatever a sweep would.
@@ -93,6 +94,6 @@ impl Content {
     /// # Errors
     /// The JSON writer's: none for the numbers that a checked scene has.
     pub fn identity(&self) -> serde_json::Result<Identity> {
-        Ok(Identity::new(serde_json::to_string_pretty(self)?, self.part))
+        Ok(Identity::new(serde_json::to_string_pretty(self)?, self.shard))
     }
 }

@@ -53,11 +53,11 @@ pub enum SweepResult {
     /// A whole map.
     Map(Box<MapSweep>),
     /// A part of one.
-    Part(Box<PartSweep>),
+    Shard(Box<ShardSweep>),
 }
 
 /// A part of a map that was run.
-pub struct PartSweep {
+pub struct ShardSweep {
     /// Its folder.
     pub folder: PathBuf,
     /// What ran it.
@@ -201,7 +201,7 @@ impl Job {
     /// True where the map is held in memory until it is written.
     pub fn holds(&self) -> bool {
         self.settings.saving.as_ref().is_none_or(|saving| {
-            saving.part.is_none() && self.bytes(self.grid.len()) <= saving.memory
+            saving.shard.is_none() && self.bytes(self.grid.len()) <= saving.memory
         })
     }
 
@@ -231,17 +231,21 @@ impl Job {
             let Some(store) = store else { return Err(StoreError::Incomplete.into()) };
             let resumed = report.resumed_cells == report.cells;
             let folder = store.finish(&report, resumed)?;
-            return Ok(SweepResult::Part(Box::new(PartSweep { folder, report, lost: work.lost })));
+            return Ok(SweepResult::Shard(Box::new(ShardSweep {
+                folder,
+                report,
+                lost: work.lost,
+            })));
         };
         let lost = work.lost;
-        let parts = vec![(None, report)];
+        let shards = vec![(None, report)];
         let repair = settings.method.repair;
         let mut sweep = MapSweep {
             plan,
             grid,
             method: settings.method,
             outcomes,
-            parts,
+            shards,
             lost,
             repair: None,
             verification: None,
@@ -253,7 +257,7 @@ impl Job {
         Ok(SweepResult::Map(Box::new(sweep)))
     }
 
-    /// The outcomes of all cells, but for a part, which stays on disk.
+    /// The outcomes of all cells, but for a shard, which stays on disk.
     fn collect(
         &self,
         estimate: Option<&Estimate>,
@@ -278,7 +282,7 @@ impl Job {
                 });
             }
         };
-        let part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+        let shard = self.settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
         let saved = collector.cells_on_disk();
         let ended = |error| match (&self.saved, error) {
             // It was ended while the last tiles were saved.
@@ -288,8 +292,8 @@ impl Job {
             }
             (_, error) => SweepError::from(error),
         };
-        if part {
-            collector.finish_part().map_err(ended)?;
+        if shard {
+            collector.finish_shard().map_err(ended)?;
             return Ok((None, work));
         }
         Ok((Some(collector.finish().map_err(ended)?), work))
@@ -342,7 +346,7 @@ impl Job {
     fn report(&self, estimate: Option<&Estimate>, work: &WorkReport) -> Report {
         let sampled = estimate.map_or(Duration::ZERO, |estimate| estimate.compile);
         let backend = &self.backends()[0];
-        let is_part = self.settings.saving.as_ref().is_some_and(|saving| saving.part.is_some());
+        let is_shard = self.settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
         Report {
             first: self.wanted.start,
             cells: self.wanted.len(),
@@ -353,7 +357,7 @@ impl Job {
             start: (self.opening + sampled + work.compile).as_secs_f64(),
             sweep: work.elapsed.as_secs_f64(),
             resumed_cells: self.wanted.len() - self.left(),
-            record: is_part.then(|| self.plan.scene.excitation.provenance().cloned()).flatten(),
+            record: is_shard.then(|| self.plan.scene.excitation.provenance().cloned()).flatten(),
         }
     }
 }
@@ -378,10 +382,10 @@ pub fn check_held(grid: &Grid) -> Result<(), SceneError> {
 
 /// The cells to run.
 fn wanted(grid: &Grid, saving: Option<&Saving>) -> Result<Range<usize>, SceneError> {
-    let Some(part) = saving.and_then(|saving| saving.part) else { return Ok(0..grid.len()) };
-    let cells = part.cells(grid.len());
+    let Some(shard) = saving.and_then(|saving| saving.shard) else { return Ok(0..grid.len()) };
+    let cells = shard.cells(grid.len());
     if cells.is_empty() {
-        let problem = format!("part {part} of {} cells has none; give fewer parts", grid.len());
+        let problem = format!("shard {shard} of {} cells has none; give fewer shards", grid.len());
         return Err(SceneError { key: "tile", problem });
     }
     Ok(cells)
@@ -395,7 +399,7 @@ fn saved(
     settings: &RunSettings,
     saving: &Saving,
 ) -> Result<(Store, SavedTiles), SweepError> {
-    let content = Content::new(&plan.scene, backend, &settings.method, saving.part);
+    let content = Content::new(&plan.scene, backend, &settings.method, saving.shard);
     let identity = content.identity().map_err(io::Error::from)?;
     let source = Source { scene: &plan.scene, precision: content.columns() };
     let contents = Contents { grid, source };

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::error::SweepError;
-use super::parts::Parts;
 use super::repaired::Repair;
 use super::sample::{self, Chosen};
 use super::settings::{Method, VerifySettings};
+use super::shards::Shards;
 use super::verification::{self, Verification};
 use crate::backend::backend_error::BackendError;
 use crate::backend::dispatch::Backend;
@@ -41,8 +41,8 @@ pub struct MapSweep {
     pub method: Method,
     /// What became of them.
     pub outcomes: Box<dyn Outcomes>,
-    /// What ran them, part by part; a part of another run has a folder.
-    pub parts: Vec<(Option<PathBuf>, Report)>,
+    /// What ran them, shard by shard; a part of another run has a folder.
+    pub shards: Vec<(Option<PathBuf>, Report)>,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
     /// How it was repaired, where it was.
@@ -54,19 +54,19 @@ pub struct MapSweep {
 }
 
 impl MapSweep {
-    /// The map of parts; `store` is the folder of the directory that it is to be written to.
+    /// The map of shards; `store` is the folder of the directory that it is to be written to.
     ///
     /// # Errors
     /// Those of [`Plan::new`].
-    pub fn of_parts(parts: Parts, store: Option<Store>) -> Result<MapSweep, SweepError> {
-        let Parts { content, reports, reader } = parts;
-        let parts = reports.into_iter().map(|(folder, report)| (Some(folder), report)).collect();
+    pub fn of_shards(shards: Shards, store: Option<Store>) -> Result<MapSweep, SweepError> {
+        let Shards { content, reports, reader } = shards;
+        let shards = reports.into_iter().map(|(folder, report)| (Some(folder), report)).collect();
         Ok(MapSweep {
             plan: content.method.plan(&content.scene)?,
             grid: Grid::of(&content.scene),
             method: content.method,
             outcomes: Box::new(reader),
-            parts,
+            shards,
             lost: Vec::new(),
             repair: None,
             verification: None,
@@ -76,12 +76,12 @@ impl MapSweep {
 
     /// The number type of its columns: f64 where the reference ran any of it.
     pub fn precision(&self) -> Precision {
-        report::columns(&self.parts, self.method.precision)
+        report::columns(&self.shards, self.method.precision)
     }
 
-    /// Seconds that its cells took, all parts together.
+    /// Seconds that its cells took, all shards together.
     pub fn sweep_seconds(&self) -> f64 {
-        self.parts.iter().map(|(_, report)| report.sweep).sum()
+        self.shards.iter().map(|(_, report)| report.sweep).sum()
     }
 
     /// What its files are of.
@@ -144,7 +144,7 @@ impl MapSweep {
 
     /// True where the reference computed all of it, so that it has nothing to verify.
     pub fn by_reference(&self) -> bool {
-        self.parts.iter().all(|(_, report)| report.backend == Backend::Reference.name())
+        self.shards.iter().all(|(_, report)| report.backend == Backend::Reference.name())
     }
 
     /// Runs a sample of its cells again by the reference; those that are not done in the time of the settings

@@ -1,4 +1,4 @@
-//! A scene over its grid: batches of cells, saving, parts, repair, and the check against the reference.
+//! A scene over its grid: batches of cells, saving, shards, repair, and the check against the reference.
 //!
 //! ```text
 //! run -> job -> runner -> batches -> backend -> outcomes -> map -> verification
@@ -12,8 +12,6 @@ pub mod job;
 pub(crate) mod list;
 pub mod map;
 pub mod motion_of_cell;
-pub mod parts;
-pub(crate) mod parts_error;
 pub mod points;
 pub(crate) mod repair;
 pub mod repaired;
@@ -21,5 +19,7 @@ pub mod run;
 pub(crate) mod runner;
 pub mod sample;
 pub mod settings;
+pub mod shards;
+pub(crate) mod shards_error;
 pub mod verdict;
 pub mod verification;

@@ -30,7 +30,7 @@ pub fn sweep(
     settings: &RunSettings,
     observer: &dyn Observer,
 ) -> Result<MapSweep, SweepError> {
-    if settings.saving.as_ref().is_some_and(|saving| saving.part.is_some()) {
+    if settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some()) {
         return Err(no_map());
     }
     finish(Job::open(scene, axes, settings)?, settings, observer)
@@ -67,11 +67,11 @@ fn finish(
             }
             Ok(*map)
         }
-        SweepResult::Part(..) => Err(no_map()),
+        SweepResult::Shard(..) => Err(no_map()),
     }
 }
 
 fn no_map() -> SweepError {
-    let problem = "a part is no map; run it as a job".into();
+    let problem = "a shard is no map; run it as a job".into();
     SceneError { key: "tile", problem }.into()
 }

@@ -9,7 +9,7 @@ use crate::backend::request::BackendRequest;
 use crate::cells::clock::DEFAULT_STEP;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
-use crate::results::part::Part;
+use crate::results::shard::Shard;
 use crate::scene::{Scene, SceneError};
 
 /// How cells are computed: all that a map depends on beside its scene and its backend.
@@ -113,7 +113,7 @@ impl VerifySettings {
         Ok(())
     }
 
-    /// The part that each of so many sweeps has: a cell at least, where there is to be any.
+    /// The shard that each of so many sweeps has: a cell at least, where there is to be any.
     pub fn shared_out(self, sweeps: usize) -> VerifySettings {
         let sweeps = sweeps.max(1);
         let within = match self.within {
@@ -161,7 +161,7 @@ impl Default for RunSettings {
 /// Where and when what is done is saved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saving {
-    /// The directory; a folder `unfinished`, or a part's, is made in it.
+    /// The directory; a folder `unfinished`, or a shard's, is made in it.
     pub directory: PathBuf,
     /// Go on with an interrupted run there.
     pub resume: bool,
@@ -170,7 +170,7 @@ pub struct Saving {
     /// Bytes that the columns may take in memory; of a larger map what is done lies on disk only.
     pub memory: u64,
     /// Run this part of the grid only, and leave it there.
-    pub part: Option<Part>,
+    pub shard: Option<Shard>,
     /// A run that its observer ends does not save what it has done since the last saving: it ends at once.
     pub ends_at_once: bool,
 }
@@ -186,7 +186,7 @@ impl Saving {
             resume: false,
             every: Duration::from_secs(2),
             memory: MEMORY,
-            part: None,
+            shard: None,
             ends_at_once: false,
         }
     }

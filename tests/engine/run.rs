@@ -233,7 +233,7 @@ fn errors_name_keys() {
     assert!(sweep(&scene(), &[], &saving, &Ear::ending_at(520)).is_err());
     let (of, said) = key(&scene(), &saving);
     assert!(of == Some("out") && said.contains("`resume` goes on with it"), "{said}");
-    saving.saving = Some(Saving { part: Some("1/2".parse().unwrap()), ..Saving::to(out.path()) });
+    saving.saving = Some(Saving { shard: Some("1/2".parse().unwrap()), ..Saving::to(out.path()) });
     assert_eq!(key(&scene(), &saving).0, Some("tile"));
 }
 
@@ -262,6 +262,6 @@ fn a_run_that_is_to_end_at_once_saves_nothing_more() {
             Saving { resume: true, memory: 0, ends_at_once: at_once, ..Saving::to(out.path()) };
         saving.saving = Some(whole);
         let map = sweep(&scene(), &[], &saving, &Unwatched).unwrap();
-        assert_eq!(map.parts[0].1.resumed_cells > 0, !at_once);
+        assert_eq!(map.shards[0].1.resumed_cells > 0, !at_once);
     }
 }

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
 use topple::results::earlier::{Kind, RUN};
 use topple::results::store::IDENTITY;
-use topple::results::{npz, part, zarr};
+use topple::results::{npz, shard, zarr};
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
@@ -68,10 +68,10 @@ struct Refined {
 /// What is wrong with them and what to do.
 pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     // Its cells are saved as those of a map in chunks.
-    if holds_parts(path) {
-        return Some(
-            Err("parts of a map; join them by topple merge, and run the map again".into()),
-        );
+    if holds_shards(path) {
+        return Some(Err(
+            "shards of a map; join them by topple merge, and run the map again".into()
+        ));
     }
     // A map in chunks is a folder beside run.json.
     let is_zarr = path.join(zarr::DOCUMENT).exists();
@@ -106,12 +106,12 @@ pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     Some(read.and_then(|written| written.again(folder)))
 }
 
-/// True of a directory with parts of a map and no whole one, and of a part's own.
-fn holds_parts(path: &Path) -> bool {
-    let is_part = |name: &OsStr| name.to_string_lossy().starts_with(part::FOLDER);
+/// True of a directory with shards of a map and no whole one, and of a shard's own.
+fn holds_shards(path: &Path) -> bool {
+    let is_shard = |name: &OsStr| name.to_string_lossy().starts_with(shard::FOLDER);
     let entries = || fs::read_dir(path).into_iter().flatten().flatten();
-    let has_parts = || entries().any(|entry| is_part(&entry.file_name()));
-    path.join(IDENTITY).exists() || (!path.join(RUN).exists() && has_parts())
+    let has_shards = || entries().any(|entry| is_shard(&entry.file_name()));
+    path.join(IDENTITY).exists() || (!path.join(RUN).exists() && has_shards())
 }
 
 /// The document of a Zarr group.

@@ -24,17 +24,17 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let job = Job::open(scene, &[], &settings).map_err(sweep_error)?;
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let (grid, backend) = (&job.grid, &job.backends()[0]);
-    let wanted = options.tile.map_or(0..grid.len(), |part| part.cells(grid.len()));
+    let wanted = options.tile.map_or(0..grid.len(), |shard| shard.cells(grid.len()));
     let screen = Screen::new(options.run.quiet);
     let takes = job.estimate(&screen).map_err(sweep_error)?;
     // What is asked for is told, however quiet.
     let say = Reporter::unless(false);
-    let part = match options.tile {
+    let shard = match options.tile {
         None => String::new(),
-        Some(part) => format!(", part {part} of them {}", wanted.len()),
+        Some(shard) => format!(", shard {shard} of them {}", wanted.len()),
     };
     let workers = job.backends().len() as f64;
-    say.line("cells", format!("{} = {}{part}", words::sides(grid), grid.len()));
+    say.line("cells", format!("{} = {}{shard}", words::sides(grid), grid.len()));
     say.line("motion", format!("{:.3e} s simulated at the most", motion(&job, wanted.len())));
     let time = format!(
         "about {} of sweep by {} {}, {:.0} cells/s on {} cells",

@@ -112,10 +112,10 @@ Examples:
 /// Of `topple merge`.
 pub const MERGE: &str = "\
 Examples:
-  Two parts of a map, on two machines, and the map:
-    topple run scene.toml --tile 1/2 --out parts
-    topple run scene.toml --tile 2/2 --out parts
-    topple merge parts --out map";
+  Two shards of a map, on two machines, and the map:
+    topple run scene.toml --tile 1/2 --out shards
+    topple run scene.toml --tile 2/2 --out shards
+    topple merge shards --out map";
 
 /// Of `topple figures`.
 pub const FIGURES: &str = "\

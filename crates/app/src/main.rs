@@ -82,7 +82,7 @@ enum Command {
     Envelope(envelope::EnvelopeCommand),
     /// How likely the block overturns under a suite, by the intensity of its motions
     Fragility(Box<fragility::FragilityCommand>),
-    /// Join the parts of a map made with --tile
+    /// Join the shards of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
     History(history::HistoryCommand),

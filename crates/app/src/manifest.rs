@@ -33,9 +33,9 @@ pub struct Manifest<'a> {
     pub cells: usize,
     /// Cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
-    /// gpu, cpu or reference; of parts that differ all of them, as in cpu+gpu.
+    /// gpu, cpu or reference; of shards that differ all of them, as in cpu+gpu.
     pub backend: String,
-    /// The adapter, for a GPU, if all parts have run on the same.
+    /// The adapter, for a GPU, if all shards have run on the same.
     pub adapter: Option<&'a AdapterDescription>,
     /// Threads of the CPU.
     pub threads: usize,
@@ -67,13 +67,14 @@ pub struct Manifest<'a> {
     /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
     pub drawn: (usize, usize),
     /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
-    pub parts: Vec<Origin<'a>>,
+    #[serde(rename = "parts")]
+    pub shards: Vec<Origin<'a>>,
 }
 
 /// A run of cells and what ran them.
 #[derive(Debug, Serialize)]
 pub struct Origin<'a> {
-    /// The part's folder; none for what this run ran.
+    /// The shard's folder; none for what this run ran.
     #[serde(serialize_with = "path_text::serialize_some")]
     pub folder: Option<&'a Path>,
     /// The cells, and what ran them.
@@ -127,21 +128,21 @@ impl<'a> Manifest<'a> {
     /// What is known of a map; `took` has the times of what came beside the sweep.
     pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
         let Facts { tally, steps, drawn, tag, refined, sharpness } = facts;
-        let MapSweep { plan, grid, method, parts, .. } = map;
-        let sum = |of: fn(&Report) -> f64| parts.iter().map(|(_, report)| of(report)).sum::<f64>();
-        let resumed_cells = parts.iter().map(|(_, report)| report.resumed_cells).sum();
+        let MapSweep { plan, grid, method, shards, .. } = map;
+        let sum = |of: fn(&Report) -> f64| shards.iter().map(|(_, report)| of(report)).sum::<f64>();
+        let resumed_cells = shards.iter().map(|(_, report)| report.resumed_cells).sum();
         let timings = Timings {
             start: sum(|report| report.start),
             sweep: sum(|report| report.sweep),
             ..took
         };
         let mut backends: Vec<&str> =
-            parts.iter().map(|(_, report)| report.backend.as_str()).collect();
+            shards.iter().map(|(_, report)| report.backend.as_str()).collect();
         backends.sort_unstable();
         backends.dedup();
-        // One that all parts share, if they do; a map has one part at least.
-        let adapter = parts[0].1.adapter.as_ref();
-        let shared = parts.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
+        // One that all shards share, if they do; a map has one shard at least.
+        let adapter = shards[0].1.adapter.as_ref();
+        let shared = shards.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
         Manifest {
             tag: *tag,
             scene: &plan.scene,
@@ -164,7 +165,7 @@ impl<'a> Manifest<'a> {
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),
             drawn: *drawn,
-            parts: parts
+            shards: shards
                 .iter()
                 .map(|(folder, report)| Origin { folder: folder.as_deref(), report })
                 .collect(),

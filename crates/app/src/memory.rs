@@ -37,14 +37,14 @@ pub fn for_columns(scene: &Scene, precision: Precision) -> u64 {
 }
 
 /// Most memory that a run takes, bytes: that of a map's columns if it is held in memory, or else of what
-/// is drawn of it, unless it is a part; and of the batches at work, twice where each cell runs twice.
-pub fn of_run(job: &Job, (part, twice): (bool, bool)) -> u64 {
+/// is drawn of it, unless it is a shard; and of the batches at work, twice where each cell runs twice.
+pub fn of_run(job: &Job, (shard, twice): (bool, bool)) -> u64 {
     let runs = if twice { 2 } else { 1 };
     let batches = BATCHES * job.backends().iter().map(Backend::batch).sum::<usize>() * runs;
     let grid = &job.grid;
     let (columns, rows) = grid.shape();
     let most = for_columns(&job.plan.scene, job.method().precision);
-    let kept = match part {
+    let kept = match shard {
         true => 0,
         false if job.bytes(grid.len()) <= most => job.bytes(grid.len()),
         false => of_cells(columns.min(DRAWN) * rows.min(DRAWN)),

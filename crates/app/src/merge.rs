@@ -10,7 +10,7 @@ use topple::results::earlier::Kind;
 use topple::results::size::FileSizes;
 use topple::scene::Grid;
 use topple::sweep::map::MapSweep;
-use topple::sweep::parts::Parts;
+use topple::sweep::shards::Shards;
 use topple_pictures::map::thinned::thinned;
 
 use super::disk::{self, size};
@@ -26,13 +26,13 @@ use super::{InputError, examples, interrupt, map_files};
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
 
-/// Join the parts of a map made with --tile, and write its files.
+/// Join the shards of a map made with --tile, and write its files.
 #[derive(clap::Args)]
 #[command(after_help = examples::MERGE)]
 pub struct MergeCommand {
-    /// Directories of the runs with --tile, or the parts' own
+    /// Directories of the runs with --tile, or the shards' own
     #[arg(value_name = "DIR", required = true)]
-    parts: Vec<PathBuf>,
+    shards: Vec<PathBuf>,
     /// Directory for the map; made if need be
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
@@ -60,28 +60,28 @@ pub struct MergeCommand {
 }
 
 impl MergeCommand {
-    /// Joins the parts.
+    /// Joins the shards.
     pub fn run(&self) -> anyhow::Result<()> {
         interrupt::listen();
-        // What is wrong with the parts is wrong with what was given.
+        // What is wrong with the shards is wrong with what was given.
         let bar = Bar::checking(self.quiet);
-        let joined = Parts::join(&self.parts, &bar);
+        let joined = Shards::join(&self.shards, &bar);
         bar.finish();
-        let parts = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
+        let shards = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
         let place = Place::of(&self.out, Kind::Map)?;
         let files = |cells: usize| match self.files.is_empty() {
             true => MapFile::of(cells),
             false => self.files.clone(),
         };
-        let grid = Grid::of(&parts.content.scene);
+        let grid = Grid::of(&shards.content.scene);
         let refines = self.refine.is_some();
-        let names = map_files::places(&parts.content.scene, &grid, &files(grid.len()), refines);
+        let names = map_files::places(&shards.content.scene, &grid, &files(grid.len()), refines);
         place.refuse_foreign(&names)?;
         let mut results = place.open()?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
-        let store = parts.store(&self.out).map_err(sweep_error)?;
-        let mut map = MapSweep::of_parts(parts, Some(store)).map_err(sweep_error)?;
+        let store = shards.store(&self.out).map_err(sweep_error)?;
+        let mut map = MapSweep::of_shards(shards, Some(store)).map_err(sweep_error)?;
         let grid = map.grid.clone();
         let grid = &grid;
         Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
@@ -93,9 +93,9 @@ impl MergeCommand {
         disk::fits(bytes, &self.out)?;
         let say = Reporter::unless(self.quiet || self.talk.json);
         words::scene(&say, &map.plan.scene, grid);
-        for (folder, report) in &map.parts {
+        for (folder, report) in &map.shards {
             let folder = folder.as_ref().map(|folder| folder.display().to_string());
-            say.line("part", format!("{}: {}", folder.unwrap_or_default(), words::part(report)));
+            say.line("shard", format!("{}: {}", folder.unwrap_or_default(), words::shard(report)));
         }
         say.line("takes", format!("{} of disk", size(bytes)));
         let screen = Screen::new(self.quiet);
@@ -103,9 +103,9 @@ impl MergeCommand {
             refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
         }
         let mut refined = None;
-        // A part does not know its neighbours.
+        // A shard does not know its neighbours.
         if map.method.repair || self.refine.is_some() {
-            let on_cpu = map.parts.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
+            let on_cpu = map.shards.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
             let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
             let opened = request.open(map.method.precision, &[]);
             let opened = opened.map_err(|error| sweep_error(error.into()))?;

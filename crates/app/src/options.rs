@@ -12,7 +12,7 @@ use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::refine::run as refine;
 use topple::results::earlier::Kind;
-use topple::results::part::Part;
+use topple::results::shard::Shard;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
 use topple::scene::{Directions, Grid, Overturn, Parameter, Scene, SceneError, Values};
@@ -83,9 +83,9 @@ pub struct MapOptions {
     /// Least time between two savings of finished cells, which --resume goes on from, s
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
-    /// Run the k-th of n parts only, and leave it in the directory for topple merge
+    /// Run the k-th of n shards only, and leave it in the directory for topple merge
     #[arg(long, value_name = "K/N", conflicts_with_all = ["verify", "files"])]
-    pub tile: Option<Part>,
+    pub tile: Option<Shard>,
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
@@ -252,7 +252,7 @@ impl MapOptions {
             wanted && !excluded
         };
         // See what the flags themselves exclude, in [`MapOptions`].
-        let (part, sample) = (self.tile.is_some(), self.dry_run);
+        let (shard, sample) = (self.tile.is_some(), self.dry_run);
         let (repairs, refines) = (self.repair, self.refine.is_some());
         let unknown = self.uncertain.asked();
         let resolved = earlier.is_some_and(|earlier| earlier.resolve) && !self.run.resolve;
@@ -261,16 +261,16 @@ impl MapOptions {
         let not_repaired = self.run.resolve || sample || refines || unknown;
         self.repair |= takes("--repair", repaired, not_repaired);
         let refined = besides.refine.is_some() && !refines;
-        if takes("--refine", refined, repairs || part || sample || unknown) {
+        if takes("--refine", refined, repairs || shard || sample || unknown) {
             self.refine = besides.refine;
         }
         if self.refine.is_some() && self.smooth.is_none() {
             self.smooth = besides.smooth;
         }
         let sharp = besides.sharpness && !self.sharpness;
-        self.sharpness |= takes("--sharpness", sharp, part || sample || unknown);
-        // A part, a sample and probabilities have no files of a map.
-        if self.files.is_empty() && !part && !unknown {
+        self.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
+        // A shard, a sample and probabilities have no files of a map.
+        if self.files.is_empty() && !shard && !unknown {
             self.files.clone_from(&besides.files);
         }
         let resolve = resolve || self.run.resolve;
@@ -332,7 +332,7 @@ impl MapOptions {
             resume: self.resume,
             every: self.keep_every,
             memory: memory::for_columns(scene, self.run.precision()),
-            part: self.tile,
+            shard: self.tile,
             ..Saving::to(&self.run.out)
         });
         settings

@@ -86,15 +86,15 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     screen.clear();
     let lost = match &ended {
         SweepResult::Map(map) => &map.lost,
-        SweepResult::Part(part) => &part.lost,
+        SweepResult::Shard(shard) => &shard.lost,
     };
     for (number, error) in lost {
         let error = words::with_flags(&error.to_string());
         say.line("lost", format!("GPU {number}: {error}; the others did its cells"));
     }
     let seconds = match &ended {
-        SweepResult::Map(map) => map.parts[0].1.sweep,
-        SweepResult::Part(part) => part.report.sweep,
+        SweepResult::Map(map) => map.shards[0].1.sweep,
+        SweepResult::Shard(shard) => shard.report.sweep,
     };
     if left > 0 {
         say.line("sweep", words::speed(left, seconds));
@@ -110,8 +110,8 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let to = Finish { files, refined, verify, estimate, tag, sharpness, talk };
             finish::write(*map, &mut results, &to, &say, &screen)
         }
-        SweepResult::Part(part) => {
-            say.line("tiles", format!("{}; topple merge joins the parts", part.folder.display()));
+        SweepResult::Shard(shard) => {
+            say.line("tiles", format!("{}; topple merge joins the shards", shard.folder.display()));
             Ok(())
         }
     }
@@ -159,9 +159,9 @@ fn begin(say: &Reporter, job: &Job, options: &MapOptions) {
         say.line("again", format!("{}: {reason}", path.display()));
     }
     let wanted = &job.wanted;
-    if let Some(part) = options.tile {
+    if let Some(shard) = options.tile {
         let (count, first) = (wanted.len(), wanted.start);
-        say.line("part", format!("{part}, {count} cells from number {first} on"));
+        say.line("shard", format!("{shard}, {count} cells from number {first} on"));
     }
     let done = wanted.len() - job.left();
     if done > 0 {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use topple::results::part::Part;
+use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Scene, path_text};
@@ -36,12 +36,12 @@ pub struct SuiteFlags {
     /// Cells that the reference runs again, of all motions together, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
-    /// Go on with an interrupted run in the same directory, or with parts that --tile has left there
+    /// Go on with an interrupted run in the same directory, or with shards that --tile has left there
     #[arg(long)]
     resume: bool,
-    /// Run the k-th of n parts of the motions only, and leave it in the directory for --resume
+    /// Run the k-th of n shards of the motions only, and leave it in the directory for --resume
     #[arg(long, value_name = "K/N")]
-    tile: Option<Part>,
+    tile: Option<Shard>,
     /// Print the expected time, and run a sample only
     #[arg(long)]
     dry_run: bool,
@@ -83,7 +83,7 @@ impl SuiteFlags {
         let mut request = SuiteRequest::new(SceneBuilder { force: options.force, ..text });
         request.both_directions = self.both_directions;
         request.settings.saving = (!self.dry_run).then(|| saved::folder(&options.out));
-        request.settings.part = self.tile;
+        request.settings.shard = self.tile;
         let run = &mut request.settings.run;
         run.backend = options.backend();
         run.adapters.clone_from(&options.adapter);
@@ -93,7 +93,7 @@ impl SuiteFlags {
     }
 
     /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
-    /// written: not by a dry run, nor by a part.
+    /// written: not by a dry run, nor by a shard.
     pub fn refuse_foreign(&self, place: &Place, names: &[String]) -> Result<(), InputError> {
         if self.dry_run || self.tile.is_some() {
             return Ok(());
@@ -108,7 +108,7 @@ impl SuiteFlags {
     }
 
     /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
-    /// and of a part.
+    /// and of a shard.
     pub fn run(
         &self,
         job: SuiteJob,
@@ -151,11 +151,11 @@ impl SuiteFlags {
                 format!("{size}, {:.2} s, {speed:.0} records x cells a second", swept.seconds);
             say.line("sweep", text);
         }
-        if let Some(part) = self.tile {
+        if let Some(shard) = self.tile {
             tell_verified(&swept, say);
             let folder = saved::folder(&options.out);
-            let joins = "the same command without --tile and with --resume joins the parts";
-            say.line("motions", format!("part {part} in {}; {joins}", folder.display()));
+            let joins = "the same command without --tile and with --resume joins the shards";
+            say.line("motions", format!("shard {shard} in {}; {joins}", folder.display()));
             return Ok(None);
         }
         Ok(Some(swept))

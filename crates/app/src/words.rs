@@ -319,8 +319,8 @@ pub fn speed(cells: usize, seconds: f64) -> String {
     format!("{seconds:.2} s, {:.0} cells/s", cells as f64 / seconds.max(1.0e-9))
 }
 
-/// What a part is, in a line.
-pub fn part(report: &Report) -> String {
+/// What a shard is, in a line.
+pub fn shard(report: &Report) -> String {
     let on = match &report.adapter {
         Some(adapter) => format!("{}, {}", report.backend, adapter.name),
         None => report.backend.clone(),

@@ -122,8 +122,8 @@ pub fn sweep(ready: &Ready, observer: &dyn Observer) -> Result<MapSweep, SweepEr
     let job = Job::on(&ready.opened, &ready.scene, &[], &ready.settings)?;
     match job.run(None, observer)? {
         SweepResult::Map(map) => Ok(*map),
-        // A part is run where one is asked for, which the page does not.
-        SweepResult::Part(_) => Err(StoreError::Incomplete.into()),
+        // A shard is run where one is asked for, which the page does not.
+        SweepResult::Shard(_) => Err(StoreError::Incomplete.into()),
     }
 }
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 use rayon::prelude::*;
 
-use crate::cells::cell_tables::{CellTables, Clocks, OwnClock, Parts};
+use crate::cells::cell_tables::{CellTables, ClockParts, Clocks, OwnClock};
 use crate::cells::clock::Clock;
 use crate::cells::groups::Steps;
 use crate::cells::listing::Index;
@@ -182,7 +182,7 @@ impl<R: Real> OwnClocks<R> {
 /// Lists the clocks of some cells, from one on, and numbers them.
 fn list<R: Real>(
     tables: &CellTables<R>,
-    parts: &Parts,
+    parts: &ClockParts,
     first: usize,
     numbers: &mut [u32],
 ) -> Vec<OwnClock> {

@@ -136,7 +136,7 @@ fn a_record_is_found_again_or_missed() {
     assert!(refused(&same).contains("mine.txt has changed since that run"));
 }
 
-/// Parts on machines with their records in other folders are parts of one map, which runs again.
+/// Shards on machines with their records in other folders are shards of one map, which runs again.
 #[test]
 fn a_joined_map_of_a_record_runs_again() {
     let place = TempDir::new().unwrap();
@@ -233,7 +233,7 @@ fn a_refined_map_runs_again_with_all_it_had() {
     let parts = place.path().join("--tile1-2");
     for given in [parts.clone(), parts.join("part-1-of-2")] {
         let line = refused(&["run", &given.display().to_string()]);
-        assert!(line.contains("parts of a map; join them by topple merge"), "{line}");
+        assert!(line.contains("shards of a map; join them by topple merge"), "{line}");
     }
     for leaves in ["leaves.npz", "leaves.zarr"] {
         let line = refused(&["run", &first.join(leaves).display().to_string()]);

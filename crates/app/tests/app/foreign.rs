@@ -193,7 +193,7 @@ fn a_folder_of_a_runs_names_that_no_run_wrote_is_refused() {
     }
 }
 
-/// While a suite's motions are saved in a directory, or a part of them, no other run begins there; nor while a run that saves
+/// While a suite's motions are saved in a directory, or a shard of them, no other run begins there; nor while a run that saves
 /// nothing is there.
 #[test]
 fn a_directory_has_one_run_at_a_time() {
@@ -235,7 +235,7 @@ fn what_is_beside_a_run_stays() {
     for name in ["unfinished/thesis", "map.zarr/thesis", ".topple-thesis.backup"] {
         put(&out.path().join(name), "mine");
     }
-    // Motions of a part, and a file beside them.
+    // Motions of a shard, and a file beside them.
     topple(&[&envelope[..], &["--tile", "1/1"]].concat(), out.path()).assert().success();
     put(&out.path().join("motions/notes"), "mine");
     assert_eq!(fs::read_dir(out.path().join("motions")).unwrap().count(), 2);

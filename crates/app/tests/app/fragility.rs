@@ -1,4 +1,4 @@
-//! Fragility from the command line: what it counts against single maps, its levels, runs in parts, numbers that vary.
+//! Fragility from the command line: what it counts against single maps, its levels, runs in shards, numbers that vary.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -235,7 +235,7 @@ fn parts_are_the_whole() {
     run.success();
     assert!(!whole.join("motions").exists());
     let (parts, run) = envelope("parts", &["--tile", "1/2"]);
-    assert!(said(&run.success()).contains("--resume joins the parts"));
+    assert!(said(&run.success()).contains("--resume joins the shards"));
     let saved = || fs::read_dir(parts.join("motions")).unwrap().count();
     assert_eq!((saved(), parts.join("envelope.csv").exists()), (2, false));
     let (_, run) = envelope("parts", &[]);

@@ -134,7 +134,7 @@ fn what_is_missing_is_what_was_not_done() {
     let some = [run(4, 4), run(0, 2), run(5, 1), run(2, 2)];
     assert_eq!(missing(&some, &(0..10)), vec![8..10; 1]);
     assert!(missing(&[run(0, 10)], &(0..10)).is_empty());
-    // Of a part, with what lies before and behind it.
+    // Of a shard, with what lies before and behind it.
     assert_eq!(missing(&[run(0, 1), run(6, 2), run(12, 3)], &(5..10)), [5..6, 8..10]);
 }
 
@@ -239,7 +239,7 @@ fn outcomes_are_read_across_tiles() {
     let (one, other) = (held(6..10), held(0..6));
     assert!(reader(&[one.clone(), other.clone()]).is_some());
     assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
-    assert!(reader(&[one.clone(), one, other]).is_none(), "a part twice");
+    assert!(reader(&[one.clone(), one, other]).is_none(), "a shard twice");
 }
 
 /// What a killed run had begun to write goes when the next one begins.

@@ -64,7 +64,7 @@ fn a_record_whose_path_is_no_text_is_written_down_and_found_again() {
         same(&out, &again, "map.csv");
         assert_eq!(json(&again)["record"], json(&out)["record"]);
     }
-    // As a scene's file, which names it from anywhere, and in parts.
+    // As a scene's file, which names it from anywhere, and in shards.
     let saved = place.path().join("scene.toml");
     topple(&seismic, &[("--horizontal", &record), ("--save-scene", &saved)]).success();
     assert!(fs::read_to_string(&saved).unwrap().contains("caf%E9/mine.txt"));

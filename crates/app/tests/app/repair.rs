@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::stepping::reference::{self, Settings};
-use topple::sweep::parts::Parts;
+use topple::sweep::shards::Shards;
 use topple::{
     BackendRequest, Class, Column, ColumnValues, Grid, MapSweep, Parameter, Range, RunSettings,
     Scene, Status, Unwatched, Values, VerifySettings, sweep,
@@ -95,7 +95,7 @@ fn run(arguments: &[&str], folder: &Path, out: &Path) -> (String, Value) {
     (said, serde_json::from_str(&json).unwrap())
 }
 
-/// Parts are repaired when they are joined: a part does not know its neighbours.
+/// Shards are repaired when they are joined: a shard does not know its neighbours.
 #[test]
 fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     let dir = TempDir::new().unwrap();
@@ -107,10 +107,10 @@ fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     let repaired = &json["repaired"];
     assert_eq!(json["repair"], true);
     assert!(repaired["changed"].as_u64().unwrap() >= 3, "{repaired}");
-    run(&["--repair", "--tile", "1/2"], "parts");
-    run(&["--repair", "--tile", "2/2"], "parts");
+    run(&["--repair", "--tile", "1/2"], "shards");
+    run(&["--repair", "--tile", "2/2"], "shards");
     let mut merge = Command::cargo_bin("topple").unwrap();
-    merge.arg("merge").arg(at("parts")).args(["--files", "csv,zarr", "--quiet", "--out"]);
+    merge.arg("merge").arg(at("shards")).args(["--files", "csv,zarr", "--quiet", "--out"]);
     merge.arg(at("joined")).args(["--verify", "none"]).assert().success();
     let read = |folder: &str, name: &str| std::fs::read(at(folder).join(name)).unwrap();
     assert!(read("whole", "map.csv") == read("joined", "map.csv"));
@@ -120,5 +120,7 @@ fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     // What was saved while the sweep ran is not what map.zarr holds: its tiles are those of the repaired map.
     let status = "status/c/0/0";
     assert!(at("whole").join("map.zarr").join(status).exists(), "a chunk of the column");
-    assert!(Parts::join(&[at("parts")], &Unwatched).is_ok_and(|parts| parts.content.method.repair));
+    assert!(
+        Shards::join(&[at("shards")], &Unwatched).is_ok_and(|shards| shards.content.method.repair)
+    );
 }

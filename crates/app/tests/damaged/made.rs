@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use topple::results::part::Part;
+use topple::results::shard::Shard;
 use topple::scene::record::synthetic;
 use topple::{
     Axis, BackendRequest, Excitation, Grid, Method, Pair, Parameter, Range, Record, RunSettings,
@@ -141,7 +141,7 @@ fn no_size_is_taken_at_its_word() {
     assert_eq!(line(&refused), "verify: 4194304 cells are more than 1048576; give fewer");
 
     for part in ["4294967295/4294967295", "1/4294967295"] {
-        let part: Part = part.parse().unwrap();
+        let part: Shard = part.parse().unwrap();
         assert!(part.cells(1 << 40).len() <= 257);
     }
 }

@@ -1,4 +1,4 @@
-//! What runs have left: run.json, map.npz, map.zarr, parts of a map, lists of a refined one; and hazard curves.
+//! What runs have left: run.json, map.npz, map.zarr, shards of a map, lists of a refined one; and hazard curves.
 
 use std::fs;
 use std::io::Cursor;
@@ -12,7 +12,7 @@ use topple::results::earlier::Earlier;
 use topple::results::rounds::Rounds;
 use topple::results::{npz, zarr};
 use topple::sweep::map::MapSweep;
-use topple::sweep::parts::Parts;
+use topple::sweep::shards::Shards;
 use topple::{
     BackendRequest, Column, Job, Outcome, Precision, RunSettings, Saving, Scene, SceneBuilder,
     Unwatched, VerifySettings, sweep,
@@ -131,13 +131,13 @@ pub fn group(bytes: &[u8]) -> Result<(), String> {
     run_again(&path)
 }
 
-/// The parts of a map, and the paths of their files, those of what was run first.
+/// The shards of a map, and the paths of their files, those of what was run first.
 static PARTS: LazyLock<(TempDir, Vec<PathBuf>)> = LazyLock::new(|| {
     let folder = TempDir::new().unwrap();
     for part in ["1/2", "2/2"] {
         let mut settings = settings();
         let part = Some(part.parse().unwrap());
-        settings.saving = Some(Saving { part, ..Saving::to(folder.path()) });
+        settings.saving = Some(Saving { shard: part, ..Saving::to(folder.path()) });
         Job::open(&under_a_record(), &[], &settings).unwrap().run(None, &Unwatched).unwrap();
     }
     let (mut open, mut files) = (vec![folder.path().to_path_buf()], Vec::new());
@@ -192,9 +192,9 @@ pub fn part(bytes: &[u8]) -> Result<(), String> {
 
 /// Joins the parts in a folder, and reads some columns.
 fn join(folder: &Path) -> Result<(), String> {
-    let joined = Parts::join(&[folder.to_path_buf()], &Unwatched);
+    let joined = Shards::join(&[folder.to_path_buf()], &Unwatched);
     let parts = joined.map_err(|error| error.to_string())?;
-    let map = MapSweep::of_parts(parts, None).map_err(|error| error.to_string())?;
+    let map = MapSweep::of_shards(parts, None).map_err(|error| error.to_string())?;
     for column in [Column::Outcome, Column::Status, Column::Zeta] {
         map.column(column).map_err(|error| error.to_string())?;
     }

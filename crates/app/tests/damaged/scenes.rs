@@ -1,7 +1,7 @@
 //! Scenes, the numbers in them, and what else is written in words.
 
 use topple::model::precision::Precision;
-use topple::results::part::Part;
+use topple::results::shard::Shard;
 use topple::scene::{Grid, Scene, SceneBuilder, Values};
 use topple::sweep::settings::Method;
 use topple_lab::figures::motions;
@@ -93,7 +93,7 @@ pub fn value(bytes: &[u8]) -> Result<(), String> {
         }
         Err(error) => errors.push(error.to_string()),
     }
-    match text.parse::<Part>() {
+    match text.parse::<Shard>() {
         Ok(part) => {
             assert!(part.cells(1000).end <= 1000);
             return Ok(());

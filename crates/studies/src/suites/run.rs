@@ -11,13 +11,13 @@ use topple::sweep::error::SweepError;
 use topple::work::observer::{Observer, Phase};
 
 impl SuiteJob {
-    /// Runs it; the sweep has the motions of the part, where one was asked for, and these are saved.
+    /// Runs it; the sweep has the motions of the shard, where one was asked for, and these are saved.
     ///
     /// # Errors
     /// A backend that failed, a directory that is in use or cannot be written, an observer that ended it.
     pub fn run(self, observer: &dyn Observer) -> Result<SuiteSweep, SweepError> {
-        // Parts may run at the same time: each motion is a file of its own.
-        let holds = if self.settings.part.is_some() { Holds::Together } else { Holds::Alone };
+        // Shards may run at the same time: each motion is a file of its own.
+        let holds = if self.settings.shard.is_some() { Holds::Together } else { Holds::Alone };
         let folder = self.settings.saving.as_ref();
         let saved = folder.map(|folder| SavedMotions::lock(folder, holds)).transpose();
         let saved = saved.map_err(SweepError::Folder)?;

@@ -178,7 +178,7 @@ impl<'a> Runner<'a> {
             self.levels(scene, wanted, factors, share(sampled, k, sweeps), &mut motion)?;
         }
         if let Some((folder, tag)) = &place
-            && (settings.part.is_some() || began.elapsed() >= WORTH_SAVING)
+            && (settings.shard.is_some() || began.elapsed() >= WORTH_SAVING)
         {
             saved::save(folder, tag, &motion)?;
             self.saved.fetch_add(motion.outcomes.len(), Ordering::Relaxed);

@@ -1,5 +1,5 @@
 //! What is done of a suite's sweep, on disk: a file a motion, named by all that its cells depend on. So a run that
-//! was interrupted goes on, and parts that ran on several machines are one.
+//! was interrupted goes on, and shards that ran on several machines are one.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -58,7 +58,7 @@ pub struct SavedMotions {
 }
 
 impl SavedMotions {
-    /// Locks the folder: for one run that needs all of it, or for several of which each runs a part.
+    /// Locks the folder: for one run that needs all of it, or for several of which each runs a shard.
     ///
     /// # Errors
     /// [`StoreError::InUse`]; [`WriteError::Foreign`] where the folder holds no motions but something else; those of the

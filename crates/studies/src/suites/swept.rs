@@ -10,7 +10,7 @@ use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use topple::backend::request::OpenBackends;
-use topple::results::part::Part;
+use topple::results::shard::Shard;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
@@ -47,8 +47,8 @@ pub struct SuiteSettings {
     pub run: RunSettings,
     /// The directory in which each motion is saved when it is done; nowhere without it.
     pub saving: Option<PathBuf>,
-    /// Run the k-th of n parts of the motions only, and leave them there.
-    pub part: Option<Part>,
+    /// Run the k-th of n shards of the motions only, and leave them there.
+    pub shard: Option<Shard>,
 }
 
 /// A scene under a suite, ready to run.
@@ -104,10 +104,10 @@ impl SuiteJob {
         self.all[self.motions()].iter().map(cells).sum()
     }
 
-    /// The motions that are to run: all, or those of a part.
+    /// The motions that are to run: all, or those of a shard.
     pub fn motions(&self) -> Range<usize> {
         let count = self.all.len();
-        self.settings.part.map_or(0..count, |part| part.cells(count))
+        self.settings.shard.map_or(0..count, |shard| shard.cells(count))
     }
 }
 
@@ -122,7 +122,7 @@ fn check_size(
     if sweeps > MOST_SWEEPS {
         return refused(format!("{sweeps} sweeps are more than {MOST_SWEEPS}; give fewer motions"));
     }
-    let own = settings.part.map_or(0..sweeps, |part| part.cells(sweeps));
+    let own = settings.shard.map_or(0..sweeps, |shard| shard.cells(sweeps));
     let levels: usize = wanted[own].iter().map(|wanted| wanted.factors.len()).sum();
     let cells = grid.len().saturating_mul(levels);
     let axes: usize = grid.axes().iter().map(Axis::count).sum();

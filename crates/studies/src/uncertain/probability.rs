@@ -153,8 +153,8 @@ impl Probabilities {
             for (counts, code) in all.counts.iter_mut().zip(map.column(Column::Outcome)?) {
                 counts[code as usize] += 1;
             }
-            all.seconds += map.parts.iter().map(|(_, report)| report.sweep).sum::<f64>();
-            if let Some((_, report)) = map.parts.first() {
+            all.seconds += map.shards.iter().map(|(_, report)| report.sweep).sum::<f64>();
+            if let Some((_, report)) = map.shards.first() {
                 all.backend.clone_from(&report.backend);
             }
             if let Some(verification) = &map.verification {

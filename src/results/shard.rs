@@ -1,4 +1,4 @@
-//! The k-th of n parts of a grid, which one machine runs.
+//! The k-th of n shards of a grid, which one machine runs.
 
 use std::fmt;
 use std::ops::Range;
@@ -10,17 +10,17 @@ use crate::scene::shown::shown;
 
 /// The k-th of n runs of cells, as even as they can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+pub struct Shard {
     number: u32,
     of: u32,
 }
 
-/// A text that is no part.
+/// A text that is no shard.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("'{0}' is no part; give k/n with k from 1 to n, as in 3/16")]
-pub struct PartError(String);
+#[error("'{0}' is no shard; give k/n with k from 1 to n, as in 3/16")]
+pub struct ShardError(String);
 
-impl Part {
+impl Shard {
     /// Its cells in a grid of so many.
     pub fn cells(&self, count: usize) -> Range<usize> {
         let end = |number: u32| {
@@ -32,11 +32,11 @@ impl Part {
     }
 
     /// The first of its fellows that is not among some; none where they are not all of one n.
-    pub fn missing_beside(&self, some: impl Iterator<Item = Part>) -> Option<Part> {
-        let some: Vec<Part> = some.collect();
-        let all = (1..=self.of).map(|number| Part { number, of: self.of });
-        let alike = some.iter().all(|part| part.of == self.of);
-        all.filter(|_| alike).find(|part| !some.contains(part))
+    pub fn missing_beside(&self, some: impl Iterator<Item = Shard>) -> Option<Shard> {
+        let some: Vec<Shard> = some.collect();
+        let all = (1..=self.of).map(|number| Shard { number, of: self.of });
+        let alike = some.iter().all(|shard| shard.of == self.of);
+        all.filter(|_| alike).find(|shard| !some.contains(shard))
     }
 
     /// Name of its folder in a run's directory.
@@ -46,36 +46,36 @@ impl Part {
     }
 }
 
-/// How the name of a part's folder begins.
+/// How the name of a shard's folder begins.
 pub const FOLDER: &str = "part-";
 
-impl fmt::Display for Part {
+impl fmt::Display for Shard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}/{}", self.number, self.of)
     }
 }
 
-impl FromStr for Part {
-    type Err = PartError;
+impl FromStr for Shard {
+    type Err = ShardError;
 
-    fn from_str(text: &str) -> Result<Part, PartError> {
+    fn from_str(text: &str) -> Result<Shard, ShardError> {
         let numbers = text.split_once('/').and_then(|(k, n)| {
-            Some(Part { number: k.trim().parse().ok()?, of: n.trim().parse().ok()? })
+            Some(Shard { number: k.trim().parse().ok()?, of: n.trim().parse().ok()? })
         });
         numbers
-            .filter(|part| (1..=part.of).contains(&part.number))
-            .ok_or_else(|| PartError(shown(text)))
+            .filter(|shard| (1..=shard.of).contains(&shard.number))
+            .ok_or_else(|| ShardError(shown(text)))
     }
 }
 
-impl Serialize for Part {
+impl Serialize for Shard {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
 }
 
-impl<'de> Deserialize<'de> for Part {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Part, D::Error> {
+impl<'de> Deserialize<'de> for Shard {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Shard, D::Error> {
         String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
     }
 }

@@ -1,4 +1,4 @@
-//! A map in parts: run apart, by one worker or several that may vanish, and joined.
+//! A map in shards: run apart, by one worker or several that may vanish, and joined.
 
 use std::fs;
 use std::ops::Range;
@@ -19,16 +19,16 @@ use topple::results::block::Block;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::columns::Column;
 use topple::results::identity::Identity;
-use topple::results::part::Part;
 use topple::results::reader::missing;
+use topple::results::shard::Shard;
 use topple::results::store::{Contents, Store};
 use topple::results::tally::Tally;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
 use topple::sweep::identity::Content;
-use topple::sweep::parts::Parts;
 use topple::sweep::settings::Method;
+use topple::sweep::shards::Shards;
 use topple::work::observer::Unwatched;
 use topple_pictures::map::thinned::{DRAWN, thinned};
 
@@ -39,7 +39,7 @@ fn parts_hold_every_cell_once() {
     for (count, of) in [(10, 3), (3, 3), (100, 1), (7, 5), (1 << 40, 1_000_000)] {
         let mut from = 0;
         for number in (1..=of).filter(|number| of < 10 || number % 99_999 < 2 || *number == of) {
-            let cells = format!("{number}/{of}").parse::<Part>().unwrap().cells(count);
+            let cells = format!("{number}/{of}").parse::<Shard>().unwrap().cells(count);
             assert!(number % 99_999 > 1 || of < 10 || cells.start <= cells.end);
             if of < 10 {
                 assert_eq!(cells.start, from);
@@ -48,11 +48,11 @@ fn parts_hold_every_cell_once() {
             // As even as can be.
             assert!((count / of..=count / of + 1).contains(&cells.len()), "{cells:?}");
         }
-        let last: Part = format!("{of}/{of}").parse().unwrap();
+        let last: Shard = format!("{of}/{of}").parse().unwrap();
         assert_eq!(last.cells(count).end, count);
     }
     for text in ["0/3", "4/3", "1/0", "1", "", "a/b", "1/3/5", "-1/3", "1.5/3"] {
-        assert!(text.parse::<Part>().unwrap_err().to_string().contains("as in 3/16"), "{text}");
+        assert!(text.parse::<Shard>().unwrap_err().to_string().contains("as in 3/16"), "{text}");
     }
 }
 
@@ -80,10 +80,10 @@ fn a_scene_comes_back_from_its_identity() {
     odd.set(Parameter::Inertia, 0.1 + 0.2);
     odd.set(Parameter::TMax, f64::MIN_POSITIVE);
     for scene in [scene(), shaken, odd] {
-        let part = Some("2/5".parse().unwrap());
-        let content = Content::new(&scene, &Backend::Cpu, &method(), part);
+        let shard = Some("2/5".parse().unwrap());
+        let content = Content::new(&scene, &Backend::Cpu, &method(), shard);
         let read = Content::read(content.identity().unwrap().text()).unwrap();
-        assert_eq!((&read, &read.scene, read.part), (&content, &scene, part));
+        assert_eq!((&read, &read.scene, read.shard), (&content, &scene, shard));
         assert_eq!(read.identity().unwrap(), content.identity().unwrap());
     }
 }
@@ -273,14 +273,14 @@ fn pulse(out: &Path, more: &[&str]) -> Command {
 }
 
 /// A part of it.
-fn part(out: &Path, part: &str, more: &[&str]) {
+fn shard(out: &Path, shard: &str, more: &[&str]) {
     let backend: &[&str] = if more.contains(&"--backend") { &[] } else { &["--backend", "cpu"] };
-    pulse(out, &GRID).args(["--tile", part]).args(backend).args(more).assert().success();
+    pulse(out, &GRID).args(["--tile", shard]).args(backend).args(more).assert().success();
 }
 
-fn merge(parts: &[PathBuf], out: &Path) -> Command {
+fn merge(shards: &[PathBuf], out: &Path) -> Command {
     let mut command = Command::cargo_bin("topple").unwrap();
-    command.arg("merge").args(parts).args(["--quiet", "--out"]).arg(out);
+    command.arg("merge").args(shards).args(["--quiet", "--out"]).arg(out);
     command
 }
 
@@ -298,35 +298,36 @@ fn manifest(out: &Path) -> Value {
 #[test]
 fn merged_parts_are_the_map() {
     let dir = TempDir::new().unwrap();
-    let [whole, parts, merged] = ["whole", "parts", "merged"].map(|name| dir.path().join(name));
+    let [whole, shards, merged] = ["whole", "shards", "merged"].map(|name| dir.path().join(name));
     pulse(&whole, &GRID).args(["--backend", "cpu"]).assert().success();
     // In one directory, out of order; not of one n: they are what they hold.
     for k in ["4/4", "1/2", "3/4"] {
-        part(&parts, k, &[]);
+        shard(&shards, k, &[]);
     }
-    merge(std::slice::from_ref(&parts), &merged).assert().success();
+    merge(std::slice::from_ref(&shards), &merged).assert().success();
     same(&whole, &merged);
     let told = manifest(&merged);
     let held: Vec<_> = told["parts"].as_array().unwrap().iter().collect();
     assert_eq!(held.len(), 3);
-    let cells = |part: &Value| (part["first"].as_u64().unwrap(), part["cells"].as_u64().unwrap());
+    let cells =
+        |shard: &Value| (shard["first"].as_u64().unwrap(), shard["cells"].as_u64().unwrap());
     assert_eq!(
-        held.iter().map(|part| cells(part)).collect::<Vec<_>>(),
+        held.iter().map(|shard| cells(shard)).collect::<Vec<_>>(),
         [(0, 465), (465, 232), (697, 233)]
     );
     assert!(held[0]["folder"].as_str().unwrap().ends_with("part-1-of-2"));
     for key in ["scene", "cells", "outcomes", "precision", "backend", "steps", "model"] {
         assert_eq!(told[key], manifest(&whole)[key], "{key}");
     }
-    assert!(!merged.join("unfinished").exists() && parts.join("part-4-of-4").exists());
-    // A finished part that is run again is left as it is; begun anew it is refused.
-    let report = fs::read(parts.join("part-3-of-4/report.json")).unwrap();
-    part(&parts, "3/4", &["--resume"]);
-    assert_eq!(fs::read(parts.join("part-3-of-4/report.json")).unwrap(), report);
-    pulse(&parts, &GRID).args(["--tile", "3/4", "--backend", "cpu"]).assert().code(2);
+    assert!(!merged.join("unfinished").exists() && shards.join("shard-4-of-4").exists());
+    // A finished shard that is run again is left as it is; begun anew it is refused.
+    let report = fs::read(shards.join("shard-3-of-4/report.json")).unwrap();
+    shard(&shards, "3/4", &["--resume"]);
+    assert_eq!(fs::read(shards.join("shard-3-of-4/report.json")).unwrap(), report);
+    pulse(&shards, &GRID).args(["--tile", "3/4", "--backend", "cpu"]).assert().code(2);
 }
 
-/// Parts under a record, and of two backends: the manifest says which cells came from where.
+/// Shards under a record, and of two backends: the manifest says which cells came from where.
 #[test]
 fn parts_may_come_from_different_backends() {
     let dir = TempDir::new().unwrap();
@@ -343,10 +344,10 @@ fn parts_may_come_from_different_backends() {
     merge(&[other, one], &merged).assert().success();
     let told = manifest(&merged);
     assert_eq!(told["backend"], "cpu+reference");
-    let parts = told["parts"].as_array().unwrap();
-    let from = |part: &Value| (part["first"].clone(), part["backend"].clone());
+    let shards = told["parts"].as_array().unwrap();
+    let from = |shard: &Value| (shard["first"].clone(), shard["backend"].clone());
     assert_eq!(
-        parts.iter().map(from).collect::<Vec<_>>(),
+        shards.iter().map(from).collect::<Vec<_>>(),
         [(0.into(), "cpu".into()), (21.into(), "reference".into())]
     );
     // Half of the rows are the CPU's, the others not.
@@ -361,11 +362,11 @@ fn parts_may_come_from_different_backends() {
         assert!(merged.join(name).exists(), "{name}");
     }
     // What a joining saves is no run's: neither takes the other's for its own.
-    let joined = |directories: &[PathBuf]| Parts::join(directories, &Unwatched).unwrap();
+    let joined = |directories: &[PathBuf]| Shards::join(directories, &Unwatched).unwrap();
     let both = [dir.path().join("one"), dir.path().join("other")];
-    let parts = joined(&both);
-    let whole = parts.content.whole();
-    let store = parts.store(&dir.path().join("joining")).unwrap();
+    let shards = joined(&both);
+    let whole = shards.content.whole();
+    let store = shards.store(&dir.path().join("joining")).unwrap();
     assert_eq!(store.precision(), Precision::F64);
     assert_ne!(store.tag(), whole.identity().unwrap().tag());
 }
@@ -400,9 +401,9 @@ fn what_is_no_map_is_refused_by_name() {
     let dir = TempDir::new().unwrap();
     let place = |name: &str| dir.path().join(name);
     let out = place("out");
-    let refused = |parts: &[&str], said: &[&str]| {
-        let parts: Vec<PathBuf> = parts.iter().map(|name| place(name)).collect();
-        let run = merge(&parts, &out).assert().code(2);
+    let refused = |shards: &[&str], said: &[&str]| {
+        let shards: Vec<PathBuf> = shards.iter().map(|name| place(name)).collect();
+        let run = merge(&shards, &out).assert().code(2);
         let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
         assert_eq!(error.lines().count(), 1, "{error}");
         for word in said {
@@ -411,23 +412,23 @@ fn what_is_no_map_is_refused_by_name() {
         assert!(!out.exists(), "{error}: something was written");
     };
     for k in ["1/3", "2/3", "3/3"] {
-        part(&place(&k[..1]), k, &[]);
+        shard(&place(&k[..1]), k, &[]);
     }
-    refused(&["1", "3"], &["no part holds cells 310 to 619", "part 2/3 is missing"]);
+    refused(&["1", "3"], &["no shard holds cells 310 to 619", "shard 2/3 is missing"]);
     refused(&["2", "3"], &["cells 0 to 309", "1/3"]);
     refused(&["1", "2"], &["cells 620 to 929", "3/3"]);
-    part(&place("half"), "1/2", &[]);
+    shard(&place("half"), "1/2", &[]);
     refused(&["1", "2", "3", "half"], &["part-1-of-3", "part-1-of-2", "overlap", "0 to 309"]);
     refused(&["1", "1", "2", "3"], &["overlap"]);
-    part(&place("other"), "2/3", &["--eccentricity", "0.2"]);
+    shard(&place("other"), "2/3", &["--eccentricity", "0.2"]);
     let told = "scene.numbers.eccentricity is 0.2 there and 0.0 here";
     refused(&["1", "other", "3"], &["other/part-2-of-3", "1/part-1-of-3", told]);
-    part(&place("finer"), "2/3", &["--precision", "f64"]);
+    shard(&place("finer"), "2/3", &["--precision", "f64"]);
     refused(&["1", "finer", "3"], &["finer/part-2-of-3", "precision is \"f64\" there"]);
     fs::create_dir(place("empty")).unwrap();
-    refused(&["1", "empty"], &["empty holds no part"]);
+    refused(&["1", "empty"], &["empty holds no shard"]);
     refused(&["1", "2", "nowhere"], &["nowhere"]);
-    // Without its report a part is not finished, nor without a tile.
+    // Without its report a shard is not finished, nor without a tile.
     let two = place("2/part-2-of-3");
     let report = fs::read(two.join("report.json")).unwrap();
     fs::remove_file(two.join("report.json")).unwrap();
@@ -447,14 +448,14 @@ fn what_is_no_map_is_refused_by_name() {
     fs::remove_file(&zeta).unwrap();
     refused(&["1", "2", "3"], &["zeta/c/0/0: missing", "--resume"]);
     // What merge refuses, --resume mends.
-    part(&place("2"), "2/3", &["--resume"]);
+    shard(&place("2"), "2/3", &["--resume"]);
     assert_eq!((fs::read(&status).unwrap(), fs::read(&zeta).unwrap()), (bytes, whole));
-    // Another version's part.
+    // Another version's shard.
     let identity = two.join("identity.json");
     let text = fs::read_to_string(&identity).unwrap();
     let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
     let old = text.replace(version, "\"version\": \"0.0.1\"");
-    let Content { scene, part: number, .. } = Content::read(&old).unwrap();
+    let Content { scene, shard: number, .. } = Content::read(&old).unwrap();
     let grid = Grid::of(&scene);
     let source = Source { scene: &scene, precision: Precision::F32 };
     let contents = Contents { grid: &grid, source };

@@ -1,4 +1,4 @@
-//! Finished parts, joined: all cells once, of one scene, run in one way.
+//! Finished shards, joined: all cells once, of one scene, run in one way.
 
 use std::fs;
 use std::ops::Range;
@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 
 use super::error::SweepError;
 use super::identity::{Content, MAY_DIFFER};
-use super::parts_error::PartsError;
+use super::shards_error::ShardsError;
 use crate::backend::report::{self, Report};
 use crate::results::about::Source;
 use crate::results::identity::Identity;
-use crate::results::part;
 use crate::results::reader::{PartFolder, TileReader, missing};
 use crate::results::saved_tiles::SavedTiles;
+use crate::results::shard;
 use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
 use crate::results::tiling::Tiling;
@@ -24,7 +24,7 @@ use crate::work::observer::Observer;
 /// Largest identity that is read, bytes: it has all samples of a record as text.
 const LARGEST_IDENTITY: u64 = 1 << 30;
 
-/// A finished part.
+/// A finished shard.
 #[derive(Debug)]
 struct Piece {
     place: PathBuf,
@@ -34,37 +34,37 @@ struct Piece {
     cells: Range<usize>,
 }
 
-/// All parts of a map.
+/// All shards of a map.
 #[derive(Debug)]
-pub struct Parts {
-    /// What they are parts of; the first one's in what ran it.
+pub struct Shards {
+    /// What they are shards of; the first one's in what ran it.
     pub content: Content,
-    /// The parts' folders and reports, by their first cells.
+    /// The shards' folders and reports, by their first cells.
     pub reports: Vec<(PathBuf, Report)>,
     /// Their cells.
     pub reader: TileReader,
 }
 
-impl Parts {
-    /// Finds the parts in directories, each a run's or a part's own, and joins them; `observer` hears of
+impl Shards {
+    /// Finds the shards in directories, each a run's or a shard's own, and joins them; `observer` hears of
     /// cells that are found whole.
     ///
     /// # Errors
-    /// [`PartsError`].
-    pub fn join(directories: &[PathBuf], observer: &dyn Observer) -> Result<Parts, PartsError> {
+    /// [`ShardsError`].
+    pub fn join(directories: &[PathBuf], observer: &dyn Observer) -> Result<Shards, ShardsError> {
         let mut pieces = Vec::new();
         for directory in directories {
             for place in folders(directory)? {
                 pieces.push(Piece::read(place, observer)?);
             }
         }
-        let first = pieces.first().ok_or_else(|| PartsError::None(PathBuf::new()))?;
+        let first = pieces.first().ok_or_else(|| ShardsError::None(PathBuf::new()))?;
         for piece in &pieces {
             if let Some(difference) =
                 first.identity.difference_but(piece.identity.text(), &MAY_DIFFER)
             {
                 let (place, first) = (piece.place.clone(), first.place.clone());
-                return Err(PartsError::Other { place, first, difference });
+                return Err(ShardsError::Other { place, first, difference });
             }
         }
         let grid = Grid::of(&first.content.scene);
@@ -82,18 +82,18 @@ impl Parts {
             reports.push((piece.place, piece.report));
         }
         let reader = TileReader::new(Tiling::of(&grid), held, grid.len());
-        let overlap = || PartsError::Unreadable {
+        let overlap = || ShardsError::Unreadable {
             place: reports[0].0.clone(),
             reason: "its tiles overlap".into(),
         };
         let reader = reader.ok_or_else(overlap)?;
-        Ok(Parts { content, reports, reader })
+        Ok(Shards { content, reports, reader })
     }
 }
 
-impl Parts {
+impl Shards {
     /// The folder in a directory that the map is to be written to: no other run writes there, and what an
-    /// earlier, interrupted joining of the same parts saved is used. Its identity names all parts, so that no
+    /// earlier, interrupted joining of the same shards saved is used. Its identity names all shards, so that no
     /// run takes it for its own.
     ///
     /// # Errors
@@ -105,8 +105,8 @@ impl Parts {
             let adapter = report.adapter.as_ref().map(|adapter| &adapter.name);
             json!([report.first, report.cells, report.backend, adapter])
         };
-        let parts: Vec<Value> = self.reports.iter().map(ran).collect();
-        let identity = json!({ "columns": precision, "parts": parts, "map": self.content });
+        let shards: Vec<Value> = self.reports.iter().map(ran).collect();
+        let identity = json!({ "columns": precision, "parts": shards, "map": self.content });
         let identity = Identity::new(format!("{identity:#}"), None);
         let source = Source { scene: &self.content.scene, precision };
         let contents = Contents { grid: &grid, source };
@@ -116,39 +116,39 @@ impl Parts {
 }
 
 impl Piece {
-    fn read(place: PathBuf, observer: &dyn Observer) -> Result<Piece, PartsError> {
+    fn read(place: PathBuf, observer: &dyn Observer) -> Result<Piece, ShardsError> {
         let text = |name: &str, most: u64| {
             let path = place.join(name);
             let bytes = bounded::read(&path, most).map_err(StoreError::file(&path))?;
             Ok::<_, StoreError>(String::from_utf8_lossy(&bytes).into_owned())
         };
-        let unreadable = |name: &str, e: serde_json::Error| PartsError::Unreadable {
+        let unreadable = |name: &str, e: serde_json::Error| ShardsError::Unreadable {
             place: place.join(name),
             reason: shown::line(&e.to_string()),
         };
         let written = text(IDENTITY, LARGEST_IDENTITY)?;
         let content = Content::read(&written).map_err(|error| unreadable(IDENTITY, error))?;
         // What a run has written was checked; what is there may be another's.
-        content.scene.check().map_err(|error| PartsError::Unreadable {
+        content.scene.check().map_err(|error| ShardsError::Unreadable {
             place: place.join(IDENTITY),
             reason: error.to_string(),
         })?;
-        let identity = Identity::new(written, content.part);
+        let identity = Identity::new(written, content.shard);
         let grid = Grid::of(&content.scene);
         let found = SavedTiles::in_folder(&place, &Tiling::of(&grid), identity.tag(), &|cells| {
             observer.advance(cells)
         })?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {
-            return Err(PartsError::Broken { place, reason });
+            return Err(ShardsError::Broken { place, reason });
         }
-        let cells = content.part.map_or(0..grid.len(), |part| part.cells(grid.len()));
+        let cells = content.shard.map_or(0..grid.len(), |shard| shard.cells(grid.len()));
         if let Some(cells) = missing(&done, &cells).first() {
-            return Err(PartsError::Unfinished { place, cells: words(cells) });
+            return Err(ShardsError::Unfinished { place, cells: words(cells) });
         }
         if !place.join(REPORT).exists() {
             let cells = "its report and perhaps more".into();
-            return Err(PartsError::Unfinished { place, cells });
+            return Err(ShardsError::Unfinished { place, cells });
         }
         let report = serde_json::from_str(&text(REPORT, bounded::DOCUMENT)?)
             .map_err(|error| unreadable(REPORT, error))?;
@@ -156,8 +156,8 @@ impl Piece {
     }
 }
 
-/// The parts' folders in a run's directory, or the directory if it is such a folder itself.
-fn folders(directory: &Path) -> Result<Vec<PathBuf>, PartsError> {
+/// The shards' folders in a run's directory, or the directory if it is such a folder itself.
+fn folders(directory: &Path) -> Result<Vec<PathBuf>, ShardsError> {
     if directory.join(IDENTITY).exists() {
         return Ok(vec![directory.to_path_buf()]);
     }
@@ -165,32 +165,33 @@ fn folders(directory: &Path) -> Result<Vec<PathBuf>, PartsError> {
     let mut folders = Vec::new();
     for entry in fs::read_dir(directory).map_err(&failed)? {
         let entry = entry.map_err(&failed)?;
-        let is_part = entry.file_name().to_string_lossy().starts_with(part::FOLDER);
-        if is_part && entry.path().join(IDENTITY).exists() {
+        let is_shard = entry.file_name().to_string_lossy().starts_with(shard::FOLDER);
+        if is_shard && entry.path().join(IDENTITY).exists() {
             folders.push(entry.path());
         }
     }
     if folders.is_empty() {
-        return Err(PartsError::None(directory.to_path_buf()));
+        return Err(ShardsError::None(directory.to_path_buf()));
     }
     folders.sort();
     Ok(folders)
 }
 
-/// Refuses cells that two parts hold, or none.
-fn seamless(pieces: &[Piece], grid: &Grid) -> Result<(), PartsError> {
+/// Refuses cells that two shards hold, or none.
+fn seamless(pieces: &[Piece], grid: &Grid) -> Result<(), ShardsError> {
     let gap = |cells: Range<usize>| {
-        let named = pieces.iter().filter_map(|piece| piece.content.part);
-        let lost = named.clone().next().and_then(|part| part.missing_beside(named));
-        let hint = lost.map_or("give every part".into(), |part| format!("part {part} is missing"));
-        Err(PartsError::Gap { cells: words(&cells), hint })
+        let named = pieces.iter().filter_map(|piece| piece.content.shard);
+        let lost = named.clone().next().and_then(|shard| shard.missing_beside(named));
+        let hint =
+            lost.map_or("give every shard".into(), |shard| format!("shard {shard} is missing"));
+        Err(ShardsError::Gap { cells: words(&cells), hint })
     };
     for pair in pieces.windows(2) {
         let [one, other] = pair else { continue };
         if other.cells.start < one.cells.end {
             let both = other.cells.start..one.cells.end.min(other.cells.end);
             let (one, other) = (one.place.clone(), other.place.clone());
-            return Err(PartsError::Overlap { one, other, cells: words(&both) });
+            return Err(ShardsError::Overlap { one, other, cells: words(&both) });
         }
         if other.cells.start > one.cells.end {
             return gap(one.cells.end..other.cells.start);
