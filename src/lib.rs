@@ -64,7 +64,7 @@ pub use refine::refined::RefinedMap;
 pub use refine::report::{Level as RefineLevel, ProbeRound, RefineReport};
 pub use refine::run::refine;
 pub use refine::settings::RefineSettings;
-pub use results::block::Values as ColumnValues;
+pub use results::block::ColumnValues;
 pub use results::columns::{Column, STATUS_NAMES};
 pub use results::files::WriteError;
 pub use results::outcomes::Outcomes;

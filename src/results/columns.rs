@@ -1,95 +1,12 @@
 //! Every column of a map, defined once: columns in memory and on disk, map.csv, map.npz, map.zarr and
 //! docs/columns.md are made of this table.
 
+use std::ops::Range;
+
+use super::cell_value::{CellValue, Stored};
+pub use super::cell_value::{ColumnKind, STATUS_NAMES, Shown, class_code, status_code};
+use super::element::ColumnNumber;
 use crate::stepping::outcome::{Class, Outcome, Status};
-
-/// What is known of a cell, a name each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
-    /// The class.
-    Outcome,
-    /// The impacts.
-    Impacts,
-    /// The uplifts.
-    Uplifts,
-    /// The end, s.
-    TEnd,
-    /// The first uplift, s.
-    TUplift,
-    /// The rocking index.
-    Zeta,
-    /// The largest phi about the left corner, rad.
-    MaxPhiLeft,
-    /// The largest -phi about the right corner, rad.
-    MaxPhiRight,
-    /// The largest |u|, m.
-    MaxU,
-    /// The largest |v|, m.
-    MaxV,
-    /// The largest |v + g/omega_v^2|, m.
-    StrokeV,
-    /// The least contact force over M, m/s^2.
-    MinContact,
-    /// The friction asked for.
-    Friction,
-    /// How the integration ended.
-    Status,
-    /// The time simulated, s.
-    TSimulated,
-}
-
-/// What a column holds.
-#[derive(Clone, Copy)]
-pub enum Holds {
-    /// A class by its name, as a number its place in [`Class::ALL`].
-    Class,
-    /// A status by its name, as a number its place in [`STATUS_NAMES`].
-    Status,
-    /// A number of events.
-    Count {
-        /// Of a cell.
-        get: fn(&Outcome) -> u32,
-        /// Its place.
-        place: fn(&mut Outcome) -> &mut u32,
-        /// Of as many cells as there is room for.
-        counts: fn(&[Outcome], &mut [u32]),
-    },
-    /// A number.
-    Number {
-        /// Of a cell.
-        get: fn(&Outcome) -> f64,
-        /// Its place.
-        place: fn(&mut Outcome) -> &mut f64,
-        /// Of as many cells as there is room for.
-        singles: fn(&[Outcome], &mut [f32]),
-        /// The same in f64.
-        doubles: fn(&[Outcome], &mut [f64]),
-    },
-    /// A time that not every cell has.
-    Time {
-        /// Of a cell.
-        get: fn(&Outcome) -> Option<f64>,
-        /// Its place.
-        place: fn(&mut Outcome) -> &mut Option<f64>,
-        /// Of as many cells as there is room for; what has no time is not a number.
-        singles: fn(&[Outcome], &mut [f32]),
-        /// The same in f64.
-        doubles: fn(&[Outcome], &mut [f64]),
-    },
-}
-
-impl Holds {
-    /// A cell's value as a number: a code, a count; of a time that it does not have, none at all.
-    pub fn number(&self, cell: &Outcome) -> f64 {
-        match self {
-            Holds::Class => f64::from(class_code(cell.class)),
-            Holds::Status => f64::from(status_code(cell.status)),
-            Holds::Count { get, .. } => f64::from(get(cell)),
-            Holds::Number { get, .. } => get(cell),
-            Holds::Time { get, .. } => get(cell).unwrap_or(f64::NAN),
-        }
-    }
-}
 
 /// What is known of a column.
 pub struct Entry {
@@ -102,148 +19,176 @@ pub struct Entry {
     /// What it means.
     pub meaning: &'static str,
     /// What it holds.
-    pub holds: Holds,
+    pub kind: ColumnKind,
+    /// What a cell has in it.
+    pub shown: fn(&Outcome) -> Shown,
 }
 
-/// The names of statuses in files, by their codes.
-pub const STATUS_NAMES: [&str; 6] =
-    ["ok", "event_limit", "diverged", "step_limit", "vertical_locked", "undecided"];
+/// A column as a type: what a cell has in it, and where it lies.
+pub(super) trait ColumnType {
+    /// What a cell has in it.
+    type Value: CellValue;
+    /// Which one it is.
+    const COLUMN: Column;
 
-/// Of each cell a value. A call of a pointer for each cell would take most of the time of making columns: the
-/// pointers of [`Holds`] are to loops.
-pub(super) fn each<T>(cells: &[Outcome], values: &mut [T], value: impl Fn(&Outcome) -> T) {
-    for (place, cell) in values.iter_mut().zip(cells) {
-        *place = value(cell);
-    }
+    /// That of a cell.
+    fn of(cell: &Outcome) -> Self::Value;
+
+    /// Gives it to a cell.
+    fn give(cell: &mut Outcome, value: Self::Value);
+
+    /// Its values among all columns.
+    fn values<F: ColumnNumber>(columns: &Columns<F>) -> &Vec<Stored<Self::Value, F>>;
+
+    /// The same, to be changed.
+    fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<Self::Value, F>>;
+
+    /// Its slots among those of all columns.
+    fn slots<'s, 'a, F: ColumnNumber>(
+        slots: &'s mut Slots<'a, F>,
+    ) -> &'s mut &'a mut [Stored<Self::Value, F>];
 }
 
-macro_rules! number {
-    ($field:ident) => {
-        Holds::Number {
-            get: |cell| cell.$field,
-            place: |cell| &mut cell.$field,
-            singles: |cells, values| each(cells, values, |cell| cell.$field as f32),
-            doubles: |cells, values| each(cells, values, |cell| cell.$field),
+/// What a cell has in a column.
+pub(super) type ValueOf<C> = <C as ColumnType>::Value;
+
+/// Makes of the table all that has a part for each column. Of a column the table has its name in Rust, the field of an
+/// [`Outcome`] and its type, which is what the column holds, its name in files, unit and meaning.
+macro_rules! columns {
+    ($d:tt $(
+        $(#[$doc:meta])* $column:ident = $field:ident: $value:ty, $name:literal, $unit:literal, $meaning:literal;
+    )*) => {
+        /// What is known of a cell, a name each.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Column {
+            $($(#[$doc])* $column,)*
         }
+
+        impl Column {
+            /// Every column there is.
+            pub const ALL: [Column; [$($name),*].len()] = [$(Column::$column),*];
+        }
+
+        /// The table, in the order of [`Column`].
+        pub const TABLE: [Entry; Column::ALL.len()] = [$(Entry {
+            column: Column::$column,
+            name: $name,
+            unit: $unit,
+            meaning: $meaning,
+            kind: <$value as CellValue>::KIND,
+            shown: |cell| cell.$field.shown(),
+        }),*];
+
+        /// All columns of cells, numbers of a type.
+        #[derive(Debug, Clone, PartialEq, Default)]
+        pub(super) struct Columns<F: ColumnNumber> {
+            $(pub(super) $field: Vec<Stored<$value, F>>,)*
+        }
+
+        /// Some values of all columns, to be written.
+        #[derive(Default)]
+        pub(super) struct Slots<'a, F: ColumnNumber> {
+            $($field: &'a mut [Stored<$value, F>],)*
+        }
+
+        impl<F: ColumnNumber> Columns<F> {
+            /// Those of some cells, to be written.
+            pub(super) fn slots(&mut self, cells: Range<usize>) -> Slots<'_, F> {
+                Slots { $($field: &mut self.$field[cells.clone()],)* }
+            }
+        }
+
+        /// Each column as a type.
+        pub(super) mod of {
+            $(pub struct $column;)*
+        }
+
+        $(impl ColumnType for of::$column {
+            type Value = $value;
+            const COLUMN: Column = Column::$column;
+
+            fn of(cell: &Outcome) -> $value {
+                cell.$field
+            }
+
+            fn give(cell: &mut Outcome, value: $value) {
+                cell.$field = value;
+            }
+
+            fn values<F: ColumnNumber>(columns: &Columns<F>) -> &Vec<Stored<$value, F>> {
+                &columns.$field
+            }
+
+            fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<$value, F>> {
+                &mut columns.$field
+            }
+
+            fn slots<'s, 'a, F: ColumnNumber>(
+                slots: &'s mut Slots<'a, F>,
+            ) -> &'s mut &'a mut [Stored<$value, F>] {
+                &mut slots.$field
+            }
+        })*
+
+        /// An expression for a column, in which a name stands for its type.
+        macro_rules! with_column {
+            ($d column:expr, $d name:ident => $d body:expr) => {
+                match $d column {
+                    $($crate::results::columns::Column::$column => {
+                        type $d name = $crate::results::columns::of::$column;
+                        $d body
+                    })*
+                }
+            };
+        }
+        pub(super) use with_column;
     };
 }
 
-macro_rules! count {
-    ($field:ident) => {
-        Holds::Count {
-            get: |cell| cell.$field,
-            place: |cell| &mut cell.$field,
-            counts: |cells, values| each(cells, values, |cell| cell.$field),
-        }
-    };
-}
-
-const fn entry(
-    column: Column,
-    (name, unit): (&'static str, &'static str),
-    holds: Holds,
-    meaning: &'static str,
-) -> Entry {
-    Entry { column, name, unit, meaning, holds }
-}
-
-/// The table, in the order of [`Column`].
-pub const TABLE: [Entry; 15] = [
-    entry(
-        Column::Outcome,
-        ("outcome", ""),
-        Holds::Class,
-        "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved",
-    ),
-    entry(
-        Column::Impacts,
-        ("impacts", ""),
-        count!(impacts),
-        "impacts up to t_end; of a cell that ended early, up to t_simulated",
-    ),
-    entry(Column::Uplifts, ("uplifts", ""), count!(uplifts), "uplifts from full contact"),
-    entry(Column::TEnd, ("t_end", "s"), number!(t_end), "time of overturning, or the run's end"),
-    entry(
-        Column::TUplift,
-        ("t_uplift", "s"),
-        Holds::Time {
-            get: |cell| cell.t_uplift,
-            place: |cell| &mut cell.t_uplift,
-            singles: |cells, values| {
-                each(cells, values, |cell| cell.t_uplift.map_or(f32::NAN, |t| t as f32));
-            },
-            doubles: |cells, values| {
-                each(cells, values, |cell| cell.t_uplift.unwrap_or(f64::NAN));
-            },
-        },
-        "time of the first uplift; empty, or not a number, where there is none",
-    ),
-    entry(
-        Column::Zeta,
-        ("zeta", ""),
-        number!(zeta),
-        "largest |φ| over the critical angle of its side; 1 when overturned",
-    ),
-    entry(
-        Column::MaxPhiLeft,
-        ("max_phi_left", "rad"),
-        number!(max_phi_left),
-        "largest rotation about the left corner",
-    ),
-    entry(
-        Column::MaxPhiRight,
-        ("max_phi_right", "rad"),
-        number!(max_phi_right),
-        "largest rotation about the right corner",
-    ),
-    entry(Column::MaxU, ("max_u", "m"), number!(max_u), "largest |u|"),
-    entry(Column::MaxV, ("max_v", "m"), number!(max_v), "largest |v|, with the static deflection"),
-    entry(
-        Column::StrokeV,
-        ("stroke_v", "m"),
-        number!(stroke_v),
-        "largest |v + g/ω_v²|: from the static position",
-    ),
-    entry(
-        Column::MinContact,
-        ("min_contact", "m/s²"),
-        number!(min_contact),
-        "least normal force between block and base over M; below zero the model does not hold",
-    ),
-    entry(
-        Column::Friction,
-        ("friction_demand", ""),
-        number!(friction),
+columns! {
+    $
+    /// The class.
+    Outcome = class: Class, "outcome", "",
+        "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";
+    /// The impacts.
+    Impacts = impacts: u32, "impacts", "",
+        "impacts up to t_end; of a cell that ended early, up to t_simulated";
+    /// The uplifts.
+    Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact";
+    /// The end, s.
+    TEnd = t_end: f64, "t_end", "s", "time of overturning, or the run's end";
+    /// The first uplift, s.
+    TUplift = t_uplift: Option<f64>, "t_uplift", "s",
+        "time of the first uplift; empty, or not a number, where there is none";
+    /// The rocking index.
+    Zeta = zeta: f64, "zeta", "", "largest |φ| over the critical angle of its side; 1 when overturned";
+    /// The largest phi about the left corner, rad.
+    MaxPhiLeft = max_phi_left: f64, "max_phi_left", "rad", "largest rotation about the left corner";
+    /// The largest -phi about the right corner, rad.
+    MaxPhiRight = max_phi_right: f64, "max_phi_right", "rad", "largest rotation about the right corner";
+    /// The largest |u|, m.
+    MaxU = max_u: f64, "max_u", "m", "largest |u|";
+    /// The largest |v|, m.
+    MaxV = max_v: f64, "max_v", "m", "largest |v|, with the static deflection";
+    /// The largest |v + g/omega_v^2|, m.
+    StrokeV = stroke_v: f64, "stroke_v", "m", "largest |v + g/ω_v²|: from the static position";
+    /// The least contact force over M, m/s^2.
+    MinContact = min_contact: f64, "min_contact", "m/s²",
+        "least normal force between block and base over M; below zero the model does not hold";
+    /// The friction asked for.
+    Friction = friction: f64, "friction_demand", "",
         "friction coefficient that keeps the block from sliding: largest |horizontal| over normal force while the latter is \
-         positive; it grows without bound as that force nears zero",
-    ),
-    entry(
-        Column::Status,
-        ("status", ""),
-        Holds::Status,
-        "how the integration ended: ok, event_limit, diverged, step_limit, vertical_locked, undecided",
-    ),
-    entry(
-        Column::TSimulated,
-        ("t_simulated", "s"),
-        number!(t_simulated),
+         positive; it grows without bound as that force nears zero";
+    /// How the integration ended.
+    Status = status: Status, "status", "",
+        "how the integration ended: ok, event_limit, diverged, step_limit, vertical_locked, undecided";
+    /// The time simulated, s.
+    TSimulated = t_simulated: f64, "t_simulated", "s",
         "time up to which the cell was simulated: t_end, or the earlier time at which an energy bound proved that its \
-         results can no longer change",
-    ),
-];
+         results can no longer change";
+}
 
 impl Column {
-    /// Every column there is.
-    pub const ALL: [Column; TABLE.len()] = {
-        let mut all = [Column::Outcome; TABLE.len()];
-        let mut index = 0;
-        while index < all.len() {
-            all[index] = TABLE[index].column;
-            index += 1;
-        }
-        all
-    };
-
     /// What is known of it.
     pub fn entry(self) -> &'static Entry {
         &TABLE[self as usize]
@@ -253,16 +198,6 @@ impl Column {
     pub fn of_table() -> impl Iterator<Item = &'static Entry> {
         TABLE.iter().filter(|entry| entry.column != Column::TSimulated)
     }
-}
-
-/// The code of a class.
-pub fn class_code(class: Class) -> u8 {
-    class as u8
-}
-
-/// The code of a status; one that was proved, the second, is as good as one that ran to its end, the first.
-pub fn status_code(status: Status) -> u8 {
-    (status as u8).saturating_sub(1)
 }
 
 const HEAD: &str = "# Columns
@@ -314,10 +249,10 @@ only) brings 47 crates and takes 195 s of a release build on two cores, 330 s of
 pub fn page() -> String {
     let mut page = String::from(HEAD);
     for entry in &TABLE {
-        let kind = match entry.holds {
-            Holds::Class | Holds::Status => "code, u8",
-            Holds::Count { .. } => "u32",
-            Holds::Number { .. } | Holds::Time { .. } => "f32 or f64",
+        let kind = match entry.kind {
+            ColumnKind::Class | ColumnKind::Status => "code, u8",
+            ColumnKind::Count => "u32",
+            ColumnKind::Number | ColumnKind::Time => "f32 or f64",
         };
         let unit = if entry.unit.is_empty() { "–" } else { entry.unit };
         let meaning = entry.meaning.replace('|', "\\|");
@@ -325,26 +260,4 @@ pub fn page() -> String {
     }
     page.push_str(TAIL);
     page
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_table_is_in_the_order_of_its_columns() {
-        for (index, entry) in TABLE.iter().enumerate() {
-            assert_eq!(entry.column as usize, index, "{}", entry.name);
-        }
-    }
-
-    #[test]
-    fn every_class_and_status_has_a_code() {
-        for (index, class) in Class::ALL.into_iter().enumerate() {
-            assert_eq!(usize::from(class_code(class)), index);
-        }
-        for status in Status::ALL {
-            assert_eq!(STATUS_NAMES[usize::from(status_code(status))], status.name());
-        }
-    }
 }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-use super::columns::{Column, Holds};
+use super::columns::{Column, Entry, Shown};
 use super::listed::ListedCells;
 use super::outcomes::{Outcomes, each_block, each_block_of};
 use crate::scene::Grid;
@@ -68,7 +68,7 @@ pub fn write_list(listed: &ListedCells, writer: impl Write) -> Result<(), csv::E
         for (number, cell) in (first..).zip(block) {
             let at = grid.coordinates(cells[number]).map(|value| Field::Number(Number(value)));
             let counts = counts.iter().map(|count| Field::Count(count.values[number]));
-            let columns = Column::of_table().map(|entry| Field::of(entry.holds, cell));
+            let columns = Column::of_table().map(|entry| Field::of(entry, cell));
             table.serialize(at.chain(counts).chain(columns).collect::<Vec<Field>>())?;
         }
         Ok(())
@@ -89,13 +89,12 @@ enum Field {
 
 impl Field {
     /// That of a cell in a column.
-    fn of(holds: Holds, cell: &Outcome) -> Field {
-        match holds {
-            Holds::Class => Field::Name(cell.class.name()),
-            Holds::Status => Field::Name(cell.status.name()),
-            Holds::Count { get, .. } => Field::Count(get(cell)),
-            Holds::Number { get, .. } => Field::Number(Number(get(cell))),
-            Holds::Time { get, .. } => Field::Time(get(cell).map(Number)),
+    fn of(entry: &Entry, cell: &Outcome) -> Field {
+        match (entry.shown)(cell) {
+            Shown::Code(_, name) => Field::Name(name),
+            Shown::Count(count) => Field::Count(count),
+            Shown::Number(number) => Field::Number(Number(number)),
+            Shown::Time(time) => Field::Time(time.map(Number)),
         }
     }
 }
@@ -107,8 +106,7 @@ impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Row(grid, index, cell) = *self;
         let at = grid.coordinates(index).map(|value| Field::Number(Number(value)));
-        serializer
-            .collect_seq(at.chain(Column::of_table().map(|entry| Field::of(entry.holds, cell))))
+        serializer.collect_seq(at.chain(Column::of_table().map(|entry| Field::of(entry, cell))))
     }
 }
 

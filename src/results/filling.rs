@@ -5,8 +5,10 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::block::{AT_ONCE, Block, Values};
-use super::columns::{Holds, TABLE, each};
+use super::block::{AT_ONCE, Block, with_columns};
+use super::cell_value::{CellValue, Stored};
+use super::columns::{Column, ColumnType, Columns, Slots, ValueOf, with_column};
+use super::element::ColumnNumber;
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Outcome;
 
@@ -15,14 +17,6 @@ const A_THREAD: usize = 1 << 11;
 
 /// Cells that are made before they go to their columns.
 const FILLED: usize = 1 << 6;
-
-/// Some values of a column, to be written.
-enum Slots<'a> {
-    Codes(&'a mut [u8]),
-    Counts(&'a mut [u32]),
-    Singles(&'a mut [f32]),
-    Doubles(&'a mut [f64]),
-}
 
 impl Block {
     /// The columns of outcomes. A cell that is [`Outcome::PENDING`] has not run.
@@ -41,7 +35,8 @@ impl Block {
 
     /// Takes the outcomes of cells from a place on.
     pub fn put(&mut self, first: usize, outcomes: &[Outcome]) {
-        put(&mut self.slots(first..first + outcomes.len()), outcomes);
+        let cells = first..first + outcomes.len();
+        with_columns!(self, columns => columns.slots(cells).put(outcomes));
     }
 
     /// Takes the outcomes of so many cells from a place on, by all threads; `of` adds those of some cells, by their
@@ -52,31 +47,13 @@ impl Block {
         count: usize,
         of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync,
     ) {
-        let mut rest = self.slots(first..first + count);
-        let cut = |from: usize| {
-            let cells = from..(from + A_THREAD).min(count);
-            (cells.clone(), rest.iter_mut().map(|slots| slots.cut(cells.len())).collect())
-        };
-        let parts: Vec<(Range<usize>, Vec<Slots>)> =
-            (0..count).step_by(A_THREAD).map(cut).collect();
-        parts.into_par_iter().for_each(|(cells, mut slots)| {
-            let mut outcomes = Vec::with_capacity(FILLED);
-            for from in cells.clone().step_by(FILLED) {
-                outcomes.clear();
-                of(from..(from + FILLED).min(cells.end), &mut outcomes);
-                let mut some: Vec<Slots> =
-                    slots.iter_mut().map(|slots| slots.cut(outcomes.len())).collect();
-                put(&mut some, &outcomes);
-            }
-        });
+        with_columns!(self, columns => columns.slots(first..first + count).fill(count, of));
     }
 
-    /// Takes some cells of another block from a place on.
+    /// Takes some cells of another block from a place on; numbers become as wide as those here.
     pub fn take(&mut self, first: usize, from: &Block, cells: Range<usize>) {
         let places = first..first + cells.len();
-        for (slots, from) in self.slots(places).into_iter().zip(&from.values) {
-            slots.take(from, cells.clone());
-        }
+        with_columns!(self, to => with_columns!(from, from => to.slots(places).take(from, cells)));
     }
 
     /// Takes all cells of another block, each to its place.
@@ -88,88 +65,71 @@ impl Block {
             done += run.len();
         }
     }
-
-    fn slots(&mut self, cells: Range<usize>) -> Vec<Slots<'_>> {
-        self.values.iter_mut().map(|values| values.slots(cells.clone())).collect()
-    }
 }
 
-/// Puts outcomes in the first slots of each column.
-fn put(columns: &mut [Slots], outcomes: &[Outcome]) {
-    for (number, some) in outcomes.chunks(AT_ONCE).enumerate() {
-        for (entry, slots) in TABLE.iter().zip(columns.iter_mut()) {
-            slots.put(entry.holds, number * AT_ONCE, some);
-        }
-    }
-}
-
-impl Values {
-    fn slots(&mut self, cells: Range<usize>) -> Slots<'_> {
-        match self {
-            Values::Codes(values) => Slots::Codes(&mut values[cells]),
-            Values::Counts(values) => Slots::Counts(&mut values[cells]),
-            Values::Singles(values) => Slots::Singles(&mut values[cells]),
-            Values::Doubles(values) => Slots::Doubles(&mut values[cells]),
-        }
-    }
-}
-
-impl<'a> Slots<'a> {
+impl<'a, F: ColumnNumber> Slots<'a, F> {
     /// Takes so many from the front.
-    fn cut(&mut self, count: usize) -> Slots<'a> {
-        fn cut<'a, T>(slots: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-            let (front, rest) = std::mem::take(slots).split_at_mut(count);
-            *slots = rest;
-            front
+    fn cut(&mut self, count: usize) -> Slots<'a, F> {
+        let mut front = Slots::default();
+        for column in Column::ALL {
+            with_column!(column, C => {
+                let slots = C::slots(self);
+                (*C::slots(&mut front), *slots) = std::mem::take(slots).split_at_mut(count);
+            });
         }
-        match self {
-            Slots::Codes(slots) => Slots::Codes(cut(slots, count)),
-            Slots::Counts(slots) => Slots::Counts(cut(slots, count)),
-            Slots::Singles(slots) => Slots::Singles(cut(slots, count)),
-            Slots::Doubles(slots) => Slots::Doubles(cut(slots, count)),
+        front
+    }
+
+    /// Puts outcomes in the first slots.
+    fn put(&mut self, outcomes: &[Outcome]) {
+        for (number, some) in outcomes.chunks(AT_ONCE).enumerate() {
+            for column in Column::ALL {
+                with_column!(column, C => put::<C, F>(&mut C::slots(self)[number * AT_ONCE..], some));
+            }
         }
     }
 
-    /// Puts a column of outcomes from a place on.
-    fn put(&mut self, holds: Holds, first: usize, outcomes: &[Outcome]) {
-        match (holds, self) {
-            (Holds::Class, Slots::Codes(all)) => {
-                each(outcomes, &mut all[first..], |cell| cell.class as u8);
+    /// Puts the outcomes that `of` tells, by all threads.
+    fn fill(mut self, count: usize, of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync) {
+        let cut = |from: usize| {
+            let cells = from..(from + A_THREAD).min(count);
+            (cells.clone(), self.cut(cells.len()))
+        };
+        let parts: Vec<(Range<usize>, Slots<F>)> = (0..count).step_by(A_THREAD).map(cut).collect();
+        parts.into_par_iter().for_each(|(cells, mut slots)| {
+            let mut outcomes = Vec::with_capacity(FILLED);
+            for from in cells.clone().step_by(FILLED) {
+                outcomes.clear();
+                of(from..(from + FILLED).min(cells.end), &mut outcomes);
+                slots.cut(outcomes.len()).put(&outcomes);
             }
-            (Holds::Status, Slots::Codes(all)) => {
-                each(outcomes, &mut all[first..], |cell| cell.status as u8);
-            }
-            (Holds::Count { counts, .. }, Slots::Counts(all)) => {
-                counts(outcomes, &mut all[first..]);
-            }
-            (Holds::Number { singles, .. } | Holds::Time { singles, .. }, Slots::Singles(all)) => {
-                singles(outcomes, &mut all[first..]);
-            }
-            (Holds::Number { doubles, .. } | Holds::Time { doubles, .. }, Slots::Doubles(all)) => {
-                doubles(outcomes, &mut all[first..]);
-            }
-            // A block is made of values that suit their columns.
-            _ => {}
-        }
+        });
     }
 
-    /// Takes some values of the same column; numbers become as wide as these.
-    fn take(self, from: &Values, cells: Range<usize>) {
-        match (self, from) {
-            (Slots::Codes(slots), Values::Codes(from)) => slots.copy_from_slice(&from[cells]),
-            (Slots::Counts(slots), Values::Counts(from)) => slots.copy_from_slice(&from[cells]),
-            (Slots::Singles(slots), Values::Singles(from)) => slots.copy_from_slice(&from[cells]),
-            (Slots::Doubles(slots), Values::Doubles(from)) => slots.copy_from_slice(&from[cells]),
-            (Slots::Singles(slots), Values::Doubles(from)) => {
-                slots.iter_mut().zip(&from[cells]).for_each(|(slot, value)| *slot = *value as f32);
-            }
-            (Slots::Doubles(slots), Values::Singles(from)) => {
-                let wider = slots.iter_mut().zip(&from[cells]);
-                wider.for_each(|(slot, value)| *slot = f64::from(*value));
-            }
-            // Blocks are of one table.
-            _ => {}
+    /// Takes some values of other columns.
+    fn take<G: ColumnNumber>(&mut self, from: &Columns<G>, cells: Range<usize>) {
+        for column in Column::ALL {
+            with_column!(column, C => {
+                take::<ValueOf<C>, F, G>(C::slots(self), &C::values(from)[cells.clone()]);
+            });
         }
+    }
+}
+
+/// Puts a column of outcomes in slots.
+fn put<C: ColumnType, F: ColumnNumber>(slots: &mut [Stored<C::Value, F>], outcomes: &[Outcome]) {
+    for (slot, cell) in slots.iter_mut().zip(outcomes) {
+        *slot = C::of(cell).stored::<F>();
+    }
+}
+
+/// Takes values of a column, as wide as the slots are.
+fn take<V: CellValue, F: ColumnNumber, G: ColumnNumber>(
+    slots: &mut [Stored<V, F>],
+    from: &[Stored<V, G>],
+) {
+    for (slot, value) in slots.iter_mut().zip(from) {
+        *slot = V::resized::<G, F>(*value);
     }
 }
 

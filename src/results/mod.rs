@@ -1,16 +1,18 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! columns (the table) -> block, filling (in memory) -> tiling, tile, zarr, group, store (on disk) -> csv, npz
+//! element, cell_value, columns (the table) -> block, filling (in memory) -> tiling, tile, zarr, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
 pub mod block;
+pub(crate) mod cell_value;
 pub mod collector;
 pub mod colour;
 pub mod columns;
 pub mod csv;
 pub mod earlier;
+pub(crate) mod element;
 pub mod files;
 pub(crate) mod filling;
 pub mod group;

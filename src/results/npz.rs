@@ -13,9 +13,12 @@ use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
-use super::columns::{Column, Entry, Holds, TABLE, class_code, status_code};
+use super::cell_value::{CellValue, Stored};
+use super::columns::{Column, ColumnType, TABLE, with_column};
+use super::element::ColumnNumber;
 use super::listed::{CELL, ListedCells};
 use super::outcomes::{Outcomes, each_block_of};
+use super::zarr::PROVED;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
 use crate::scene::record::zips;
@@ -122,13 +125,11 @@ impl<W: Write + Seek> Archive<'_, W> {
         for axis in grid.axes() {
             self.axis(axis)?;
         }
-        for entry in &TABLE {
-            match source.precision {
-                Precision::F32 => self.entry(entry, |value| value as f32)?,
-                Precision::F64 => self.entry(entry, |value| value)?,
-            }
+        match source.precision {
+            Precision::F32 => self.columns::<f32>()?,
+            Precision::F64 => self.columns::<f64>()?,
         }
-        self.column("proved", Column::Status, |cell| cell.status == Status::Proved)
+        self.column(PROVED, Column::Status, |cell| cell.status == Status::Proved)
     }
 
     /// Begins an array of a type and a shape, the last index fastest: its values are to follow, so many
@@ -174,22 +175,14 @@ impl<W: Write + Seek> Archive<'_, W> {
         self.zip.write_all(bytemuck::cast_slice(&values))
     }
 
-    /// Adds a column, its numbers rounded.
-    fn entry<T: AutoSerialize + NoUninit + Send>(
-        &mut self,
-        entry: &Entry,
-        round: impl Fn(f64) -> T + Sync,
-    ) -> io::Result<()> {
-        let Entry { name, column, .. } = *entry;
-        match entry.holds {
-            Holds::Class => self.column(name, column, |cell| class_code(cell.class)),
-            Holds::Status => self.column(name, column, |cell| status_code(cell.status)),
-            Holds::Count { get, .. } => self.column(name, column, get),
-            Holds::Number { get, .. } => self.column(name, column, |cell| round(get(cell))),
-            Holds::Time { get, .. } => {
-                self.column(name, column, |cell| round(get(cell).unwrap_or(f64::NAN)))
-            }
+    /// Adds all columns, numbers of a type.
+    fn columns<F: ColumnNumber>(&mut self) -> io::Result<()> {
+        fn of<C: ColumnType, F: ColumnNumber>(cell: &Outcome) -> Stored<C::Value, F> {
+            C::Value::to_file::<F>(C::of(cell).stored::<F>())
         }
+        TABLE.iter().try_for_each(|entry| {
+            with_column!(entry.column, C => self.column(entry.name, entry.column, of::<C, F>))
+        })
     }
 
     /// Adds a column as an array, its values made on all cores.
@@ -197,14 +190,14 @@ impl<W: Write + Seek> Archive<'_, W> {
         &mut self,
         name: &str,
         column: Column,
-        value: impl Fn(&Outcome) -> T + Sync,
+        value: fn(&Outcome) -> T,
     ) -> io::Result<()> {
         let shape = self.shape.clone();
         self.begin_numbers::<T>(name, &shape)?;
         let mut values = Vec::new();
         let count = shape.iter().product::<u64>() as usize;
         each_block_of(count, self.outcomes, &[column], |_, block| {
-            block.par_iter().map(&value).collect_into_vec(&mut values);
+            block.par_iter().map(value).collect_into_vec(&mut values);
             self.zip.write_all(bytemuck::cast_slice(&values))
         })
     }

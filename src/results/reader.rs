@@ -2,13 +2,16 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::fmt;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::block::{Block, Values};
-use super::columns::{Column, TABLE};
+use super::block::{self, Block};
+use super::cell_value::Stored;
+use super::columns::{Column, ColumnType, TABLE, with_column};
+use super::element::ColumnNumber;
 use super::outcomes::Outcomes;
 use super::tile;
 use super::tiling::Tiling;
@@ -77,14 +80,27 @@ pub struct PartFolder {
 /// A column of a tile in a folder, all three by their numbers.
 type Place = (usize, usize, usize);
 
+/// Fills a column of outcomes of cells from a place on.
+type FillColumn = dyn Fn(usize, &mut [Outcome]) + Send + Sync;
+
+/// That of the values of a column.
+fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> Arc<FillColumn> {
+    Arc::new(move |first, outcomes| block::read::<C, F>(&values[first..], outcomes))
+}
+
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
-#[derive(Debug)]
 pub struct TileReader {
     tiling: Tiling,
     /// By their first cells.
     held: Vec<PartFolder>,
     /// The last values read of each column: who goes through a map asks for a tile's many times.
-    last: Mutex<BTreeMap<usize, (Place, Arc<Values>)>>,
+    last: Mutex<BTreeMap<usize, (Place, Arc<FillColumn>)>>,
+}
+
+impl fmt::Debug for TileReader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TileReader").field("held", &self.held).finish_non_exhaustive()
+    }
 }
 
 impl TileReader {
@@ -103,9 +119,9 @@ impl TileReader {
     }
 
     /// The values of a column of a tile in a folder.
-    fn values(&self, place: Place) -> io::Result<Arc<Values>> {
+    fn values(&self, place: Place) -> io::Result<Arc<FillColumn>> {
         let (folder, tile, column) = place;
-        let known = |last: &BTreeMap<usize, (Place, Arc<Values>)>| {
+        let known = |last: &BTreeMap<usize, (Place, Arc<FillColumn>)>| {
             last.get(&column).filter(|(of, _)| *of == place).map(|(_, values)| values.clone())
         };
         // What a thread that broke off leaves is whole: values are made before they are kept.
@@ -121,12 +137,15 @@ impl TileReader {
             bounded::read(&path, tile::LARGEST).map_err(named)
         };
         let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
-        let values = tile::decode(entry.column, sizes, *precision, chunk)?.ok_or_else(|| {
+        let values = with_column!(entry.column, C => match precision {
+            Precision::F32 => tile::decode::<C, f32, _>(sizes, &chunk)?.map(filling::<C, f32>),
+            Precision::F64 => tile::decode::<C, f64, _>(sizes, &chunk)?.map(filling::<C, f64>),
+        });
+        let values = values.ok_or_else(|| {
             let array = path.join(chunk_path(entry.name, &self.tiling, tile));
             let problem = format!("{}: damaged since it was found", array.display());
             io::Error::new(io::ErrorKind::InvalidData, problem)
         })?;
-        let values = Arc::new(values);
         last().insert(column, (place, values.clone()));
         Ok(values)
     }
@@ -143,7 +162,7 @@ impl Outcomes for TileReader {
             each_tile(&self.tiling, &some, &mut outcomes[place], |tile, first, outcomes| {
                 for column in columns {
                     let values = self.values((folder, tile, *column as usize))?;
-                    values.read(column.entry().holds, first, outcomes);
+                    values(first, outcomes);
                 }
                 Ok(())
             })?;

@@ -6,11 +6,10 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::columns::Column;
+use super::columns::{Column, of};
 use super::store_error::StoreError;
 use super::tiling::Tiling;
-use super::{tile, zarr};
-use crate::model::precision::Precision;
+use super::{block, tile, zarr};
 use crate::scene::bounded;
 
 /// A tile of which cells were saved.
@@ -97,8 +96,8 @@ fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<
             bounded::read(&path, tile::LARGEST).map_err(StoreError::file(&path))
         };
         // Only which cells have run is asked for, which every number type has alike.
-        let values = tile::decode(Column::Status, (cells.len(), whole), Precision::F32, chunk)?;
-        Ok(values.and_then(|values| values.done()))
+        let codes = tile::decode::<of::Status, f32, _>((cells.len(), whole), &chunk)?;
+        Ok(codes.map(|codes| block::done(&codes)))
     };
     if broken.is_empty() {
         if let Some(done) = codes()? {

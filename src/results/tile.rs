@@ -9,11 +9,13 @@ use std::io::{Read, Write};
 use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
-use super::block::{Block, PENDING, Values};
-use super::columns::{Column, Holds, TABLE, status_code};
+use super::block::{Block, with_columns};
+use super::cell_value::{CellValue, Stored};
+use super::columns::{Column, ColumnType, Columns, with_column};
+use super::element::{ColumnNumber, Element};
 use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::{Class, Status};
+use crate::stepping::outcome::Status;
 
 /// Largest file of a tile that is read, bytes: twice the most that a tile's numbers take.
 pub const LARGEST: u64 = 16 << 20;
@@ -74,94 +76,51 @@ pub(super) fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
 
 /// The bytes of an array's chunk: of a block's column, filled up to so many cells.
 pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u8> {
-    fn filled<const N: usize>(
-        values: impl Iterator<Item = [u8; N]>,
-        cells: usize,
-        fill: [u8; N],
-    ) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(N * cells);
-        values.for_each(|value| bytes.extend(value));
-        while bytes.len() < N * cells {
-            bytes.extend(fill);
+    fn filled<T: Element>(values: impl Iterator<Item = T>, cells: usize, filler: T) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(size_of::<T>() * cells);
+        values.for_each(|value| value.add_to(&mut bytes));
+        while bytes.len() < size_of::<T>() * cells {
+            filler.add_to(&mut bytes);
         }
         bytes
     }
-    let proved = |code: &u8| [u8::from(*code == Status::Proved as u8)];
-    match (block.column(column), column) {
-        (Values::Codes(codes), Column::Status) if array == PROVED => {
-            filled(codes.iter().map(proved), cells, [0])
-        }
-        (Values::Codes(codes), Column::Status) => {
-            let named = |code: &u8| match Status::ALL.get(usize::from(*code)) {
-                Some(status) => [status_code(*status)],
-                None => [PENDING],
-            };
-            filled(codes.iter().map(named), cells, [PENDING])
-        }
-        (Values::Codes(codes), _) => {
-            filled(codes.iter().map(|code| [*code]), cells, [Class::Unresolved as u8])
-        }
-        (Values::Counts(values), _) => {
-            filled(values.iter().map(|n| n.to_le_bytes()), cells, [0; 4])
-        }
-        (Values::Singles(values), _) => {
-            filled(values.iter().map(|x| x.to_le_bytes()), cells, f32::NAN.to_le_bytes())
-        }
-        (Values::Doubles(values), _) => {
-            filled(values.iter().map(|x| x.to_le_bytes()), cells, f64::NAN.to_le_bytes())
-        }
+    fn of<C: ColumnType, F: ColumnNumber>(columns: &Columns<F>, cells: usize) -> Vec<u8> {
+        let values = C::values(columns).iter().map(|value| C::Value::to_file::<F>(*value));
+        filled(values, cells, C::Value::filler::<F>())
     }
+    with_columns!(block, columns => match array {
+        PROVED => {
+            let proved = |code: &u8| u8::from(*code == Status::Proved as u8);
+            filled(columns.status.iter().map(proved), cells, 0)
+        }
+        _ => with_column!(column, C => of::<C, _>(columns, cells)),
+    })
 }
 
 /// The values of a column's first `count` cells from the chunks of its arrays, of tiles of so many cells;
-/// none where one is not whole. `chunk` gives the bytes of an array's.
+/// none where one is not whole, or has a code of nothing. `chunk` gives the bytes of an array's.
 ///
 /// # Errors
 /// Those of `chunk`.
-pub fn decode<E>(
-    column: Column,
+pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     (count, cells): (usize, usize),
-    precision: Precision,
-    chunk: impl Fn(&str) -> Result<Vec<u8>, E>,
-) -> Result<Option<Values>, E> {
-    let entry = column.entry();
-    let bytes = |array: &str, width: usize| Ok(unpack(&chunk(array)?, width * cells));
-    fn each<const N: usize, T>(bytes: &[u8], count: usize, value: impl Fn([u8; N]) -> T) -> Vec<T> {
-        let (values, _) = bytes.as_chunks::<N>();
-        values[..count].iter().map(|bytes| value(*bytes)).collect()
-    }
-    let values = match (entry.holds, precision) {
-        (Holds::Class, _) => {
-            bytes(entry.name, 1)?.map(|codes| Values::Codes(codes[..count].to_vec()))
-        }
-        (Holds::Status, _) => match (bytes(entry.name, 1)?, bytes(PROVED, 1)?) {
-            (Some(codes), Some(proved)) => {
-                let raw = |(code, proved): (&u8, &u8)| match (*code, *proved) {
-                    (PENDING, _) => Some(PENDING),
-                    (0, 1) => Some(Status::Proved as u8),
-                    (code, _) => Status::ALL
-                        .into_iter()
-                        .find(|status| status_code(*status) == code)
-                        .map(|status| status as u8),
-                };
-                codes[..count]
-                    .iter()
-                    .zip(&proved)
-                    .map(raw)
-                    .collect::<Option<_>>()
-                    .map(Values::Codes)
-            }
-            _ => None,
-        },
-        (Holds::Count { .. }, _) => bytes(entry.name, 4)?
-            .map(|bytes| Values::Counts(each(&bytes, count, u32::from_le_bytes))),
-        (_, Precision::F32) => bytes(entry.name, 4)?
-            .map(|bytes| Values::Singles(each(&bytes, count, f32::from_le_bytes))),
-        (_, Precision::F64) => bytes(entry.name, 8)?
-            .map(|bytes| Values::Doubles(each(&bytes, count, f64::from_le_bytes))),
-    };
-    // A code of nothing is no value either.
-    Ok(values.filter(|values| values.suit(entry.holds)))
+    chunk: &dyn Fn(&str) -> Result<Vec<u8>, E>,
+) -> Result<Option<Vec<Stored<C::Value, F>>>, E> {
+    let packed = chunk(C::COLUMN.entry().name)?;
+    let proved = if C::Value::HAS_PROVED { Some(chunk(PROVED)?) } else { None };
+    Ok(values::<C::Value, F>(&packed, proved.as_deref(), (count, cells)))
+}
+
+/// The values of a column's first `count` cells from its chunk, and from that of those that ended early.
+fn values<V: CellValue, F: ColumnNumber>(
+    packed: &[u8],
+    proved: Option<&[u8]>,
+    (count, cells): (usize, usize),
+) -> Option<Vec<Stored<V, F>>> {
+    let bytes = unpack(packed, size_of::<Stored<V, F>>() * cells)?;
+    let mut values = Stored::<V, F>::first_of(&bytes, count);
+    let proved = proved.map_or(Some(Vec::new()), |packed| unpack(packed, cells))?;
+    V::of_file::<F>(&mut values, &proved).then_some(values)
 }
 
 /// The whole block of a tile.
@@ -173,12 +132,21 @@ pub fn decode_all<E>(
     precision: Precision,
     chunk: impl Fn(&str) -> Result<Vec<u8>, E>,
 ) -> Result<Option<Block>, E> {
-    let mut values = Vec::with_capacity(TABLE.len());
-    for entry in &TABLE {
-        match decode(entry.column, sizes, precision, &chunk)? {
-            Some(column) => values.push(column),
-            None => return Ok(None),
+    fn all<F: ColumnNumber, E>(
+        sizes: (usize, usize),
+        chunk: &dyn Fn(&str) -> Result<Vec<u8>, E>,
+    ) -> Result<Option<Columns<F>>, E> {
+        let mut columns = Columns::default();
+        for column in Column::ALL {
+            with_column!(column, C => match decode::<C, F, E>(sizes, chunk)? {
+                Some(values) => *C::values_mut(&mut columns) = values,
+                None => return Ok(None),
+            });
         }
+        Ok(Some(columns))
     }
-    Ok(Block::of(values))
+    Ok(match precision {
+        Precision::F32 => all::<f32, E>(sizes, &chunk)?.map(Block::from),
+        Precision::F64 => all::<f64, E>(sizes, &chunk)?.map(Block::from),
+    })
 }

@@ -7,8 +7,9 @@
 use serde_json::{Map, Value, json};
 
 use super::about::{Source, index};
-use super::block::PENDING;
-use super::columns::{Column, Entry, Holds, STATUS_NAMES, TABLE};
+use super::cell_value::{CellValue, Stored};
+use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES, TABLE, ValueOf, with_column};
+use super::element::{ColumnNumber, Element};
 use super::listed::{CELL, CELL_MEANING, ListedCells};
 use super::tiling::Tiling;
 use crate::model::precision::Precision;
@@ -65,9 +66,9 @@ fn attributes(entry: &Entry) -> Value {
     if !entry.unit.is_empty() {
         attributes.insert("units".into(), json!(entry.unit));
     }
-    let codes = match entry.holds {
-        Holds::Class => Class::ALL.map(Class::name).to_vec(),
-        Holds::Status => STATUS_NAMES.to_vec(),
+    let codes = match entry.kind {
+        ColumnKind::Class => Class::ALL.map(Class::name).to_vec(),
+        ColumnKind::Status => STATUS_NAMES.to_vec(),
         _ => return Value::Object(attributes),
     };
     attributes.insert("flag_values".into(), json!((0..codes.len()).collect::<Vec<_>>()));
@@ -76,14 +77,15 @@ fn attributes(entry: &Entry) -> Value {
 }
 
 /// Data type and fill value of a column: what a cell has that has not run.
-fn data_type(holds: Holds, precision: Precision) -> (&'static str, Value) {
-    match (holds, precision) {
-        (Holds::Class, _) => ("uint8", json!(Class::Unresolved as u8)),
-        (Holds::Status, _) => ("uint8", json!(PENDING)),
-        (Holds::Count { .. }, _) => ("uint32", json!(0)),
-        (_, Precision::F32) => ("float32", json!("NaN")),
-        (_, Precision::F64) => ("float64", json!("NaN")),
+fn data_type(column: Column, precision: Precision) -> (&'static str, Value) {
+    fn of<V: CellValue, F: ColumnNumber>() -> (&'static str, Value) {
+        let filler = json!(V::filler::<F>());
+        (Stored::<V, F>::TYPE, if filler.is_null() { json!("NaN") } else { filler })
     }
+    with_column!(column, C => match precision {
+        Precision::F32 => of::<ValueOf<C>, f32>(),
+        Precision::F64 => of::<ValueOf<C>, f64>(),
+    })
 }
 
 /// The documents of arrays, by their names.
@@ -105,7 +107,7 @@ impl Layout<'_> {
     /// Those of all columns.
     fn columns(&self, precision: Precision) -> Documents {
         let of = |entry: &Entry| {
-            let array = self.array(data_type(entry.holds, precision), attributes(entry));
+            let array = self.array(data_type(entry.column, precision), attributes(entry));
             (entry.name.to_string(), array)
         };
         let mut arrays: Documents = TABLE.iter().map(of).collect();

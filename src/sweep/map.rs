@@ -17,8 +17,8 @@ use crate::backend::report::{self, Report};
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
-use crate::results::block::{Block, Values};
-use crate::results::columns::{Column, Holds};
+use crate::results::block::{Block, ColumnValues};
+use crate::results::columns::Column;
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::rounds::Rounds;
 use crate::results::saved_tiles::SavedTiles;
@@ -105,9 +105,9 @@ impl MapSweep {
     /// Those of reading, where they are on disk.
     pub fn column(&self, column: Column) -> io::Result<Vec<f64>> {
         let mut values = Vec::with_capacity(self.grid.len());
-        let holds: Holds = column.entry().holds;
+        let shown = column.entry().shown;
         each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
-            values.extend(block.iter().map(|cell| holds.number(cell)));
+            values.extend(block.iter().map(|cell| shown(cell).number()));
             Ok(())
         })?;
         Ok(values)
@@ -119,7 +119,7 @@ impl MapSweep {
     ///
     /// # Errors
     /// Those of reading, where they are on disk.
-    pub fn into_columns(self) -> io::Result<Vec<Values>> {
+    pub fn into_columns(self) -> io::Result<Vec<ColumnValues>> {
         let precision = self.precision();
         Ok(self.outcomes.into_block(self.grid.len(), precision)?.into_columns())
     }

@@ -97,7 +97,7 @@ fn columns() -> Vec<Value> {
             "name": entry.name,
             "unit": entry.unit,
             "meaning": entry.meaning,
-            "type": type_of(entry.holds),
+            "type": type_of(entry.kind),
         })
     });
     told.collect()

@@ -12,7 +12,7 @@ use super::session::Session;
 use super::view::kind;
 use topple::backend::history::{Row, by_steps_while};
 use topple::model::precision::Precision;
-use topple::results::columns::{Holds, TABLE};
+use topple::results::columns::{Shown, TABLE};
 use topple::results::palette::Kind;
 use topple::scene::isolation::KelvinVoigt;
 use topple::stepping::outcome::Outcome;
@@ -99,14 +99,13 @@ pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Resul
 
 /// The columns of a cell by their names.
 fn columns(outcome: &Outcome) -> Object<String, Value> {
-    let value = |holds: Holds| match holds {
-        Holds::Class => json!(outcome.class.name()),
-        Holds::Status => json!(outcome.status.name()),
-        Holds::Count { get, .. } => json!(get(outcome)),
+    let value = |shown: Shown| match shown {
+        Shown::Code(_, name) => json!(name),
+        Shown::Count(count) => json!(count),
         // A number that is none becomes null.
-        _ => json!(holds.number(outcome)),
+        Shown::Number(_) | Shown::Time(_) => json!(shown.number()),
     };
-    TABLE.iter().map(|entry| (entry.name.to_string(), value(entry.holds))).collect()
+    TABLE.iter().map(|entry| (entry.name.to_string(), value((entry.shown)(outcome)))).collect()
 }
 
 /// The coordinates of a motion, an array each.

@@ -157,7 +157,7 @@ fn kinds() -> Value {
 
 /// The types of columns in f32, by their names.
 fn columns() -> Value {
-    TABLE.iter().map(|entry| (entry.name.to_string(), json!(type_of(entry.holds)))).collect()
+    TABLE.iter().map(|entry| (entry.name.to_string(), json!(type_of(entry.kind)))).collect()
 }
 
 /// A record: both components of each sample.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use topple::results::columns::Holds;
+use topple::results::columns::ColumnKind;
 
 /// The types of arrays, as a header names them.
 const BYTES: &str = "u8";
@@ -49,11 +49,11 @@ impl Array {
 }
 
 /// The type of a column's array.
-pub fn type_of(holds: Holds) -> &'static str {
-    match holds {
-        Holds::Class | Holds::Status => BYTES,
-        Holds::Count { .. } => COUNTS,
-        Holds::Number { .. } | Holds::Time { .. } => SINGLES,
+pub fn type_of(kind: ColumnKind) -> &'static str {
+    match kind {
+        ColumnKind::Class | ColumnKind::Status => BYTES,
+        ColumnKind::Count => COUNTS,
+        ColumnKind::Number | ColumnKind::Time => SINGLES,
     }
 }
 

@@ -15,7 +15,7 @@ use super::watched::Watched;
 use topple::model::precision::Precision;
 use topple::refine::run::refine_on;
 use topple::refine::settings::RefineSettings;
-use topple::results::columns::{Column, Holds, TABLE};
+use topple::results::columns::{Column, ColumnKind, TABLE};
 use topple::results::outcomes::Outcomes;
 use topple::results::palette::{Kind, is_dotted};
 use topple::results::store_error::StoreError;
@@ -157,12 +157,13 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, Array)> {
     ];
     for name in columns {
         let Some(entry) = TABLE.iter().find(|entry| entry.name == name) else { continue };
-        let holds = entry.holds;
-        let numbers = map.outcomes.iter().map(|outcome| holds.number(outcome));
-        let array = match holds {
-            Holds::Class | Holds::Status => Array::Bytes(numbers.map(|code| code as u8).collect()),
-            Holds::Count { .. } => Array::Counts(numbers.map(|count| count as u32).collect()),
-            Holds::Number { .. } | Holds::Time { .. } => {
+        let numbers = map.outcomes.iter().map(|outcome| (entry.shown)(outcome).number());
+        let array = match entry.kind {
+            ColumnKind::Class | ColumnKind::Status => {
+                Array::Bytes(numbers.map(|code| code as u8).collect())
+            }
+            ColumnKind::Count => Array::Counts(numbers.map(|count| count as u32).collect()),
+            ColumnKind::Number | ColumnKind::Time => {
                 Array::Singles(numbers.map(|number| number as f32).collect())
             }
         };
