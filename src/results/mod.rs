@@ -27,7 +27,6 @@ pub(crate) mod replaced;
 pub mod rounds;
 pub mod saved_tiles;
 pub mod shares;
-pub mod sharpness;
 pub mod size;
 pub mod store;
 pub mod store_error;
