@@ -14,12 +14,12 @@ use topple::results::columns::status_code;
 use topple::results::files;
 use topple::results::listed::{CELL, CountColumn};
 use topple::results::own;
-use topple::results::sharpness::Sharpness;
 use topple::sweep::shards::Shards;
 use topple::{
     Column, ColumnValues, Grid, Job, MapSweep, RefineSettings, RefinedMap, RunSettings, Status,
     SweepError, SweepResult,
 };
+use topple_studies::Sharpness;
 
 use crate::axes::coordinates;
 use crate::errors::{of_keyword, of_scene, of_sweep};
@@ -190,7 +190,7 @@ fn finish(mut map: MapSweep, to: &Finish, watch: &Watch) -> Result<Arrays, Sweep
         map.verification = Some(verified.map_err(|error| map.stopped(error))?);
     }
     let sharpness = match to.sharpness {
-        true => Some(map.sharpness(watch).map_err(|error| map.stopped(error))?),
+        true => Some(Sharpness::of_map(&map, watch).map_err(|error| map.stopped(error))?),
         false => None,
     };
     if let Some(refining) = to.refining {

@@ -29,7 +29,6 @@ pub mod rounds;
 pub mod saved_tiles;
 pub mod shard;
 pub mod shares;
-pub mod sharpness;
 pub mod size;
 pub mod store;
 pub mod store_error;

@@ -22,7 +22,6 @@ use crate::results::columns::Column;
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::rounds::Rounds;
 use crate::results::saved_tiles::SavedTiles;
-use crate::results::sharpness::Sharpness;
 use crate::results::store::Store;
 use crate::results::store_error::StoreError;
 use crate::results::tally::{self, Tally};
@@ -131,15 +130,6 @@ impl MapSweep {
     pub fn tally(&self, observer: &dyn Observer) -> Result<Tally, SweepError> {
         observer.begins(Phase::Counting, self.grid.len() * tally::COLUMNS.len());
         Ok(Tally::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
-    }
-
-    /// How sharp the boundaries between its outcomes are.
-    ///
-    /// # Errors
-    /// Those of reading; [`SweepError::Read`] where it is cancelled.
-    pub fn sharpness(&self, observer: &dyn Observer) -> Result<Sharpness, SweepError> {
-        observer.begins(Phase::Counting, self.grid.len());
-        Ok(Sharpness::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
     }
 
     /// True where the reference computed all of it, so that it has nothing to verify.

@@ -13,6 +13,7 @@ use topple::sweep::settings::VerifySettings;
 use topple::sweep::verdict;
 use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
+use topple_studies::Sharpness;
 
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
@@ -73,7 +74,9 @@ pub fn write(
     screen.clear();
     say.line("outcomes", words::shares(&tally, map.plan.scene.numbers.get(Parameter::Friction)));
     let sharpness = match to.sharpness {
-        true => Some(map.sharpness(screen).map_err(|error| sweep_error(map.stopped(error)))?),
+        true => {
+            Some(Sharpness::of_map(&map, screen).map_err(|error| sweep_error(map.stopped(error)))?)
+        }
         false => None,
     };
     screen.clear();

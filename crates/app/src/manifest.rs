@@ -11,7 +11,6 @@ use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
 use topple::cells::shortcuts::Shortcuts;
 use topple::refine::report::RefineReport;
-use topple::results::sharpness::Sharpness;
 use topple::results::tally::Tally;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene, path_text};
@@ -19,6 +18,7 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::repaired::Repair;
 use topple::sweep::settings::Method;
 use topple::sweep::verification::Verification;
+use topple_studies::Sharpness;
 
 /// Everything about a run that its data do not hold.
 #[derive(Debug, Serialize)]

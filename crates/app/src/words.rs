@@ -13,7 +13,6 @@ use topple::cells::shortcuts::Shortcuts;
 use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
-use topple::results::sharpness::{Estimate, Sharpness};
 use topple::results::tally::Tally;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
@@ -22,6 +21,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
+use topple_studies::sharpness::{Estimate, Sharpness};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
 pub struct Reporter(bool);

@@ -1,11 +1,14 @@
 //! Many sweeps as one: a suite of records, its envelope and its fragility, and numbers of which only a distribution is known.
 //!
 //! ```text
-//! suites, uncertain -> fragility
+//! statistics -> suites, uncertain -> fragility
+//! statistics -> sharpness (of one sweep)
 //! ```
 
 pub mod fragility;
 mod several;
+pub mod sharpness;
+pub mod statistics;
 pub mod suites;
 pub mod uncertain;
 
@@ -13,10 +16,12 @@ pub use fragility::limit_state::LimitState;
 pub use fragility::sensitivity::{Sensitivity, Unknown};
 pub use fragility::study::{Asked, CellStudy, StateStudy, Study as FragilityStudy};
 pub use fragility::{
-    AnnualRate, Bootstrap, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob,
-    FragilityRequest, Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,
+    AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob, FragilityRequest,
+    Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,
     estimate as estimate_fragility, in_50_years, share_that_stands_again,
 };
+pub use sharpness::Sharpness;
+pub use statistics::{Bootstrap, Distribution, DistributionError};
 pub use suites::envelope::{CellEnvelope, Envelope, Limits};
 pub use suites::intensity::{Intensity, IntensityError};
 pub use suites::measures::Measures;
@@ -25,6 +30,5 @@ pub use suites::swept_motion::SweptMotion;
 pub use suites::verified::Verified;
 pub use suites::wanted::WantedMotion;
 pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError, SuiteRequest};
-pub use uncertain::distribution::DistributionError;
 pub use uncertain::varied::VariedError;
-pub use uncertain::{Design, Distribution, Index, Probabilities, Uncertainty, Varied};
+pub use uncertain::{Design, Index, Probabilities, Uncertainty, Varied};

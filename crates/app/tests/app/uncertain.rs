@@ -8,12 +8,12 @@ use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::request::BackendRequest;
 use topple::results::columns::Column;
-use topple::results::sharpness::Sharpness;
 use topple::scene::{Grid, Parameter, Range, Scene, Values};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, VerifySettings};
 use topple::work::observer::Unwatched;
+use topple_studies::Sharpness;
 use topple_studies::uncertain::{Probabilities, Uncertainty};
 
 use crate::common::{refused, scene, synthetic_pair, under};

@@ -9,7 +9,7 @@ use topple::{
     Axis, BackendRequest, Excitation, Grid, Method, Pair, Parameter, Range, Record, RunSettings,
     Scene, SceneBuilder, Unwatched, Values, VerifySettings, sweep,
 };
-use topple_studies::uncertain::distribution::Form;
+use topple_studies::statistics::distribution::Form;
 use topple_studies::{
     Distribution, FragilityRequest, Probabilities, Suite, SuiteEntry, SuiteRequest, Uncertainty,
     Varied,

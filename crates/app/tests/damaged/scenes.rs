@@ -5,7 +5,7 @@ use topple::results::shard::Shard;
 use topple::scene::{Grid, Scene, SceneBuilder, Values};
 use topple::sweep::settings::Method;
 use topple_lab::figures::motions;
-use topple_studies::uncertain::{Distribution, Varied};
+use topple_studies::{Distribution, Varied};
 use topple_studies::{Intensity, Uncertainty};
 
 pub fn files() -> Vec<Vec<u8>> {

@@ -3,6 +3,7 @@
 
 use super::truth::Solution;
 use topple::stepping::outcome::Class;
+use topple_studies::statistics::quantile::Sorted;
 
 /// A number over cells: where half of them are below, and where 99 of 100 are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,10 +36,9 @@ pub struct Errors {
     pub zeta: Option<Spread>,
 }
 
-fn spread(mut values: Vec<f64>) -> Option<Spread> {
-    values.sort_by(f64::total_cmp);
-    let at = |share: f64| values.get((share * (values.len().max(1) - 1) as f64).round() as usize);
-    Some(Spread { median: *at(0.5)?, p99: *at(0.99)? })
+fn spread(values: Vec<f64>) -> Option<Spread> {
+    let sorted = Sorted::of(values);
+    Some(Spread { median: sorted.nearest(0.5)?, p99: sorted.nearest(0.99)? })
 }
 
 /// Largest error of the first switches' times and motions; none where their kinds differ.

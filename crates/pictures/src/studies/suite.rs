@@ -8,6 +8,7 @@ use crate::drawing::text::style;
 use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE};
 use topple::results::colour::Colour;
 use topple::scene::record::Pair;
+use topple_studies::statistics::quantile::Sorted;
 use topple_studies::suites::read::Suite;
 use topple_studies::suites::spectrum::spectrum;
 
@@ -80,7 +81,8 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
         |sa: &[f64]| -> Vec<Point> { periods.iter().zip(sa.iter().copied()).map(at).collect() };
     let share = |share: f64| -> Vec<f64> {
         (0..periods.len())
-            .map(|k| percentile(spectra.iter().map(|sa| sa[k]).collect(), share))
+            .map(|k| Sorted::of(spectra.iter().map(|sa| sa[k]).collect()).quantile(share))
+            .map(|sa| sa.unwrap_or(0.0))
             .collect()
     };
     canvas.clipped(place, |canvas| {
@@ -104,29 +106,4 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
         canvas.text(middle, style(FONT).middle(), "no motion");
     }
     frame.draw(canvas, Written { x: written, ..BOTH });
-}
-
-/// The value below which a share of the values lies: linear between the sorted values, as numpy has it.
-fn percentile(mut values: Vec<f64>, share: f64) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let Some(last) = values.len().checked_sub(1) else { return 0.0 };
-    let place = share * last as f64;
-    // The place is not negative, and no larger than the last.
-    let before = place.floor() as usize;
-    let after = (before + 1).min(last);
-    values[before] + (values[after] - values[before]) * (place - before as f64)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::percentile;
-
-    #[test]
-    fn percentiles_are_those_of_numpy() {
-        // numpy.percentile([3, 1, 2, 10], [0, 16, 50, 84, 100])
-        let of = |share| percentile(vec![3.0, 1.0, 2.0, 10.0], share);
-        for (share, value) in [(0.0, 1.0), (0.16, 1.48), (0.5, 2.5), (0.84, 6.64), (1.0, 10.0)] {
-            assert!((of(share) - value).abs() < 1e-12, "{share}: {}", of(share));
-        }
-    }
 }

@@ -4,7 +4,7 @@ use super::binary::{self, Binary, Line};
 use super::fit::{Fit, Gap};
 use super::link::logit;
 use super::runs::{Pool, RecordRuns, Weighed, weighed};
-use crate::uncertain::normal;
+use crate::statistics::normal;
 
 /// Phi(1): a lognormal curve has this probability at ln theta + beta.
 const UPPER: f64 = 0.841_344_746_068_542_9;

@@ -5,10 +5,11 @@ use std::fmt;
 use super::cloud::Cloud;
 use super::fit::{Fit, Gap, Lognormal};
 use super::ida::Capacities;
-use super::interval::{self, Bootstrap};
+use super::interval;
 use super::profile;
 use super::runs::{Pool, RecordRuns, Run, Weighed, weighed};
 use super::stripes;
+use crate::statistics::Bootstrap;
 
 /// How a fragility is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! What a fit answers: a lognormal curve, or why there is none.
 
-use crate::uncertain::normal;
+use crate::statistics::normal;
 
 /// A lognormal fragility: P(x) = Phi(ln(x/theta)/beta).
 #[derive(Debug, Clone, Copy, PartialEq)]

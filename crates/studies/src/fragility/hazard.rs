@@ -2,7 +2,7 @@
 
 use super::fit::Lognormal;
 use super::hazard_error::HazardError;
-use crate::uncertain::normal;
+use crate::statistics::normal;
 use topple::scene::shown::shown;
 
 /// Largest file of a hazard curve that is read, bytes.

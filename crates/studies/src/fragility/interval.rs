@@ -2,26 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::draws::multipliers;
 use super::fit::{Fit, Lognormal};
-use crate::uncertain::normal;
+use crate::statistics::Bootstrap;
+use crate::statistics::bca::{FEWEST, acceleration, ends};
 
-/// How records are resampled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Bootstrap {
-    /// How many sets are drawn. Fewer than [`FEWEST`] give no interval.
-    pub replicates: u32,
-    /// What the draws start from: equal seeds give equal intervals.
-    pub seed: u64,
-}
-
-/// Sets below which the 2.5 % and 97.5 % points are beyond the smallest and the largest value.
-pub const FEWEST: u32 = 39;
 /// Sets that a thread takes at once: fewer cost more to hand over than to fit.
 const AT_ONCE: usize = 32;
-
-/// Standard deviations within which 95 % are.
-const DEVIATIONS: f64 = 1.959_963_984_540_054;
 
 /// What resampling gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,9 +20,8 @@ pub struct Interval {
     pub without_fit: usize,
 }
 
-/// Draws sets of as many records with replacement, fits each, and takes the percentiles of theta and beta, corrected for
-/// bias and acceleration (Efron 1987, J. Am. Stat. Assoc. 82, 171-185); for the acceleration each record is left out
-/// once. The plain percentiles are too low for beta, which resampling makes smaller.
+/// Draws sets of as many records with replacement, fits each, and takes the ends of theta and beta, corrected for
+/// bias and acceleration ([`ends`]); for the acceleration each record is left out once. The plain percentiles are too low for beta, which resampling makes smaller.
 ///
 /// Records are drawn, not runs: the runs of a record belong together. `refit` gets how often each record is drawn.
 ///
@@ -50,7 +35,7 @@ pub fn bootstrap(
     estimate: Lognormal,
     refit: impl Fn(&[u32]) -> Fit + Sync,
 ) -> Interval {
-    let draw = |replicate: u32| refit(&multipliers(records, settings.seed, replicate));
+    let draw = |replicate: u32| refit(&settings.multipliers(records, replicate));
     let fits: Vec<Fit> =
         (0..settings.replicates).into_par_iter().with_min_len(AT_ONCE).map(draw).collect();
     let (thetas, betas) = values(&fits);
@@ -64,9 +49,9 @@ pub fn bootstrap(
     let fits: Vec<Fit> = (0..records).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
     let [theta_bends, beta_bends] =
         <[_; 2]>::from(values(&fits)).map(|values| acceleration(&values));
-    let theta = percentiles(thetas, estimate.theta, theta_bends)
+    let theta = ends(thetas, estimate.theta, theta_bends)
         .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
-    Interval { theta, beta: percentiles(betas, estimate.beta, beta_bends), without_fit }
+    Interval { theta, beta: ends(betas, estimate.beta, beta_bends), without_fit }
 }
 
 /// What fits say of theta and of beta.
@@ -88,93 +73,10 @@ fn values(fits: &[Fit]) -> (Vec<f64>, Vec<f64>) {
     (thetas, betas)
 }
 
-/// A sixth of the skewness of the estimates without one record each; zero where they are all equal, or one is infinite.
-fn acceleration(values: &[f64]) -> f64 {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let power = |n| values.iter().map(|value| (mean - value).powi(n)).sum::<f64>();
-    Some(power(3) / (6.0 * power(2).powf(1.5))).filter(|a| a.is_finite()).unwrap_or(0.0)
-}
-
-/// The points in the place of 2.5 % and 97.5 %: with z_0 the deviation that corresponds to the share of values below the
-/// estimate, and a the acceleration, those of Phi(z_0 + (z_0 + z)/(1 - a (z_0 + z))), z = -1.96 and 1.96. They are
-/// values of ranks p (N + 1), between two ranks in proportion (Davison & Hinkley 1997, Bootstrap Methods and their
-/// Application, section 5.3), and not beyond the smallest and the largest.
-fn percentiles(mut values: Vec<f64>, estimate: f64, acceleration: f64) -> [Option<f64>; 2] {
-    if values.len() < FEWEST as usize {
-        return [None; 2];
-    }
-    values.sort_by(f64::total_cmp);
-    let count = values.len() as f64;
-    let below = values.partition_point(|value| *value < estimate) as f64;
-    let equal = values.partition_point(|value| *value <= estimate) as f64 - below;
-    // Half of those that equal it; never all or none, which would have no number of deviations.
-    let share = ((below + 0.5 * equal) / count).clamp(0.5 / count, 1.0 - 0.5 / count);
-    let shift = normal::quantile(share);
-    [-DEVIATIONS, DEVIATIONS].map(|deviation| {
-        let moved = shift + deviation;
-        // The correction is one of small a; where it would turn around, the last value is meant.
-        let point = shift + moved / (1.0 - acceleration * moved).max(0.1);
-        let rank = normal::cdf(point) * (count + 1.0) - 1.0;
-        let rank = rank.clamp(0.0, count - 1.0);
-        let place = rank.floor() as usize;
-        let (from, to) = (values[place], values[(place + 1).min(values.len() - 1)]);
-        let value = from + (rank - place as f64) * (to - from);
-        // Between two infinite values there is no number.
-        Some(value).filter(|value| !value.is_nan())
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::fragility::fit::Gap;
-
-    /// The values 1 to `count`.
-    fn values(count: u32) -> Vec<f64> {
-        (1..=count).map(f64::from).collect()
-    }
-
-    #[test]
-    fn percentiles_are_between_ranks_and_open_at_an_infinite_value() {
-        let near = |found: [Option<f64>; 2], wanted: [f64; 2]| {
-            found.iter().zip(wanted).all(|(found, wanted)| (found.unwrap() - wanted).abs() < 1e-6)
-        };
-        assert_eq!(percentiles(values(38), 19.5, 0.0), [None, None]);
-        assert!(near(percentiles(values(39), 20.0, 0.0), [1.0, 39.0]));
-        assert!(near(percentiles(values(99), 50.0, 0.0), [2.5, 97.5]));
-        let mut open = values(99);
-        open[98] = f64::INFINITY;
-        assert!(near(percentiles(open.clone(), 50.0, 0.0), [2.5, 97.5]));
-        open[97] = f64::INFINITY;
-        assert_eq!(percentiles(open, 50.0, 0.0)[1], Some(f64::INFINITY));
-    }
-
-    #[test]
-    fn percentiles_move_with_the_estimate() {
-        // Phi(0.25) of the values are below: half a deviation is added to either point.
-        let count = 9999;
-        let estimate = normal::cdf(0.25) * 1.0e4;
-        let wanted = [-1.0, 1.0].map(|side| normal::cdf(0.5 + side * DEVIATIONS) * 1.0e4);
-        for (found, wanted) in percentiles(values(count), estimate, 0.0).into_iter().zip(wanted) {
-            assert!((found.unwrap() - wanted).abs() < 3.0, "{found:?} {wanted}");
-        }
-        assert_eq!(percentiles(values(100), 1.0e3, 0.0), [Some(100.0); 2]);
-        // A positive skewness moves both points up.
-        let skewed = percentiles(values(count), 5000.0, 0.1);
-        for (found, side) in skewed.into_iter().zip([-DEVIATIONS, DEVIATIONS]) {
-            let wanted = normal::cdf(side / (1.0 - 0.1 * side)) * 1.0e4;
-            assert!((found.unwrap() - wanted).abs() < 3.0, "{found:?} {wanted}");
-        }
-    }
-
-    #[test]
-    fn acceleration_is_a_sixth_of_the_skewness() {
-        // Means of x without one: the values 1, 1, 4 have the deviations -1, -1, 2, those of the rest half, turned around.
-        assert!((acceleration(&[2.5, 2.5, 1.0]) - 6.0 / (6.0 * 6.0_f64.powf(1.5))).abs() < 1.0e-12);
-        assert_eq!(acceleration(&[1.0; 4]), 0.0);
-        assert_eq!(acceleration(&[1.0, f64::INFINITY]), 0.0);
-        assert_eq!(acceleration(&[]), 0.0);
-    }
 
     /// Of two records: the first twice, each once, the second twice.
     fn of_two(first: Fit, second: Fit) -> Interval {
@@ -215,10 +117,10 @@ mod tests {
         let settings = Bootstrap { replicates: 4000, seed: 1 };
         let found = bootstrap(60, &settings, estimate, fit);
         let skewness = |n| values.iter().map(|v| (v - estimate.theta).powi(n)).sum::<f64>();
-        let drawn = (0..4000).map(|k| mean(&multipliers(60, 1, k))).collect();
+        let drawn = (0..4000).map(|k| mean(&settings.multipliers(60, k))).collect();
         let a = skewness(3) / (6.0 * skewness(2).powf(1.5));
         assert!(a > 0.02, "{a}");
-        for (found, wanted) in found.theta.into_iter().zip(percentiles(drawn, estimate.theta, a)) {
+        for (found, wanted) in found.theta.into_iter().zip(ends(drawn, estimate.theta, a)) {
             assert!((found.unwrap() / wanted.unwrap() - 1.0).abs() < 1.0e-9);
         }
     }

@@ -1,6 +1,6 @@
 //! Probit and logit: from a number on the line to a probability, as logarithms with their derivatives.
 
-use crate::uncertain::normal;
+use crate::statistics::normal;
 
 /// The logarithm of a probability as a function of u, which is concave.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,7 +11,6 @@
 pub(crate) mod binary;
 pub(crate) mod capacity;
 pub mod cloud;
-mod draws;
 pub mod estimate;
 pub mod fit;
 pub mod hazard;
@@ -37,6 +36,5 @@ pub use estimate::{Estimate, Estimator, Note, estimate};
 pub use fit::{Fit, Gap, Lognormal};
 pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_error::HazardError;
-pub use interval::Bootstrap;
 pub use request::{FragilityJob, FragilityRequest};
 pub use runs::{RecordRuns, Run, Stripe};

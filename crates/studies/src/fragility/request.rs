@@ -1,11 +1,12 @@
 //! What is asked of a fragility: limit states, levels, estimators, and what is not known.
 
 use super::estimate::Estimator;
-use super::interval::{Bootstrap, FEWEST};
 use super::levels;
 use super::limit_state::LimitState;
 use super::sensitivity::Unknown;
 use super::study::{Asked, Study};
+use crate::statistics::Bootstrap;
+use crate::statistics::bca::FEWEST;
 use crate::suites::Suite;
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};

@@ -7,8 +7,9 @@ use super::runs::{Pool, RecordRuns};
 use super::stripes;
 use super::suite_runs::SuiteRuns;
 use super::{Fit, Lognormal};
+use crate::statistics::quantile::Sorted;
 use crate::suites::wanted::WantedMotion;
-use crate::uncertain::{Bootstrap, Design, Index, Varied, indices};
+use crate::uncertain::{Design, Index, Varied, indices};
 use topple::stepping::outcome::Class;
 
 /// Numbers that are not known, and the points at which each motion is swept.
@@ -74,7 +75,7 @@ impl Unknown {
             }
         };
         Sensitivity {
-            indices: indices(a, b, &ab, Bootstrap::default()),
+            indices: indices(a, b, &ab, 0),
             curves: (0..self.drawn()).into_par_iter().map(curve).collect(),
         }
     }
@@ -88,13 +89,7 @@ impl Sensitivity {
         if curves.len() < 2 {
             return None;
         }
-        let mut betas: Vec<f64> = curves.iter().map(|curve| curve.beta).collect();
-        betas.sort_by(f64::total_cmp);
-        let middle = betas.len() / 2;
-        let median = match betas.len() % 2 {
-            0 => 0.5 * (betas[middle - 1] + betas[middle]),
-            _ => betas[middle],
-        };
+        let median = Sorted::of(curves.iter().map(|curve| curve.beta).collect()).quantile(0.5)?;
         let logarithms = || curves.iter().map(|curve| curve.theta.ln());
         let mean = logarithms().sum::<f64>() / curves.len() as f64;
         let square = logarithms().map(|value| (value - mean).powi(2)).sum::<f64>();

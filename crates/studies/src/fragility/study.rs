@@ -4,11 +4,11 @@ use rayon::prelude::*;
 
 use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
-use super::interval::Bootstrap;
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::suite_runs::SuiteRuns;
+use crate::statistics::Bootstrap;
 use crate::suites::swept::SuiteSweep;
 use topple::work::observer::{Observer, Phase};
 use topple::work::threads::install;

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use super::columns::{self, TableColumn, number};
 use super::swept::SuiteSweep;
 use super::swept_motion::{SweptMotion, Values};
+use crate::statistics::quantile;
 use topple::results::csv::Number;
 use topple::stepping::outcome::Class;
 
@@ -130,7 +131,7 @@ fn reduced(sweep: &SuiteSweep, cell: usize, limits: Limits) -> CellEnvelope {
     };
     let of = |values: Values| {
         let weighted = |motion: &SweptMotion| (f64::from(values(motion)[cell]), motion.weight);
-        percentiles(sweep.standing(cell).map(weighted).collect())
+        quantile::weighted(sweep.standing(cell).map(weighted).collect(), SHARES)
     };
     let standing = share(Class::stands);
     let max_u = of(|motion| &motion.max_u);
@@ -147,21 +148,6 @@ fn reduced(sweep: &SuiteSweep, cell: usize, limits: Limits) -> CellEnvelope {
         zeta: of(|motion| &motion.zeta),
         feasible: enough && within(limits.u, max_u[2]) && within(limits.v, stroke_v[2]),
     }
-}
-
-/// The least values below or at which [`SHARES`] of the weights lie, as numpy's percentile by `inverted_cdf`; not
-/// numbers of no value.
-fn percentiles(mut values: Vec<(f64, f64)>) -> [f64; 3] {
-    values.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let all: f64 = values.iter().map(|(_, weight)| weight).sum();
-    SHARES.map(|share| {
-        let mut sum = 0.0;
-        let reached = values.iter().find(|(_, weight)| {
-            sum += weight;
-            sum >= (share - 1.0e-12) * all
-        });
-        reached.or(values.last()).map_or(f64::NAN, |(value, _)| *value)
-    })
 }
 
 /// The columns of envelope.csv after the axes.
@@ -227,19 +213,4 @@ pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
             .serialize((axes, cell.zeta.map(|value| (!value.is_nan()).then_some(Number(value)))))?;
     }
     table.flush()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::percentiles;
-
-    /// numpy.percentile(values, [50, 84, 100], method="inverted_cdf", weights=weights)
-    #[test]
-    fn percentiles_are_those_of_numpy() {
-        let values = [3.0, 1.0, 2.0, 10.0, 4.0, 7.0];
-        let of = |weights: [f64; 6]| percentiles(values.into_iter().zip(weights).collect());
-        assert_eq!(of([1.0; 6]), [3.0, 10.0, 10.0]);
-        assert_eq!(of([1.0, 5.0, 1.0, 1.0, 1.0, 1.0]), [1.0, 7.0, 10.0]);
-        assert!(percentiles(Vec::new()).iter().all(|value| value.is_nan()));
-    }
 }

@@ -4,10 +4,14 @@
 //! total ones those of Jansen (1999), Computer Physics Communications 117:35-43.
 
 use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::Rng;
 
 use super::points::{shares, values};
 use super::varied::Varied;
+use crate::statistics::bootstrap::draw;
+use crate::statistics::quantile::middle_95_percent;
+
+/// How often the design's rows are resampled for an interval of 95 %.
+const RESAMPLES: usize = 1000;
 
 /// Points of N(k + 2) evaluations for k parameters.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,23 +22,6 @@ pub struct Design {
     pub b: Vec<Vec<f64>>,
     /// For each parameter the points of `a` with its value out of `b`.
     pub ab: Vec<Vec<Vec<f64>>>,
-}
-
-/// Intervals by resampling the design's rows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bootstrap {
-    /// How often.
-    pub count: usize,
-    /// The share of the resampled indices between the two ends.
-    pub level: f64,
-    /// Seed of the resampling.
-    pub seed: u32,
-}
-
-impl Default for Bootstrap {
-    fn default() -> Bootstrap {
-        Bootstrap { count: 1000, level: 0.95, seed: 0 }
-    }
 }
 
 /// What a parameter explains of the variance. All are not numbers where the outputs are all the same.
@@ -81,16 +68,17 @@ impl Design {
     }
 }
 
-/// The first-order and total indices of each parameter from the outputs at the points of a design, a number each.
-pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], bootstrap: Bootstrap) -> Vec<Index> {
+/// The first-order and total indices of each parameter from the outputs at the points of a design, a number each; `seed` is
+/// that of the resampling.
+pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], seed: u32) -> Vec<Index> {
     let n = y_a.len();
     let all: Vec<usize> = (0..n).collect();
     let whole: Vec<[f64; 2]> = estimates(y_a, y_b, y_ab, &all);
     // The generator sets the last bit: the seed stands above it, so that each has a sequence of its own.
-    let mut noise = Pcg64Mcg::new((1 << 64) ^ (u128::from(bootstrap.seed) << 1));
+    let mut noise = Pcg64Mcg::new((1 << 64) ^ (u128::from(seed) << 1));
     let mut resampled: Vec<[Vec<f64>; 2]> = vec![Default::default(); y_ab.len()];
-    for _ in 0..bootstrap.count {
-        let rows: Vec<usize> = (0..n).map(|_| below(&mut noise, n)).collect();
+    for _ in 0..RESAMPLES {
+        let rows: Vec<usize> = draw(&mut noise, n).collect();
         for (kept, [first, total]) in resampled.iter_mut().zip(estimates(y_a, y_b, y_ab, &rows)) {
             // A resample may have a single output.
             if first.is_finite() {
@@ -100,16 +88,11 @@ pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], bootstrap: Bootstrap
         }
     }
     let one = |([first, total], [firsts, totals]): ([f64; 2], [Vec<f64>; 2])| {
-        let (first_low, first_high) = interval(firsts, bootstrap.level);
-        let (total_low, total_high) = interval(totals, bootstrap.level);
+        let (first_low, first_high) = middle_95_percent(firsts);
+        let (total_low, total_high) = middle_95_percent(totals);
         Index { first, first_low, first_high, total, total_low, total_high }
     };
     whole.into_iter().zip(resampled).map(one).collect()
-}
-
-/// A whole number below n, each as likely.
-fn below(noise: &mut Pcg64Mcg, n: usize) -> usize {
-    ((u128::from(noise.next_u64()) * n as u128) >> 64) as usize
 }
 
 /// First-order and total index of each parameter over some rows.
@@ -130,22 +113,11 @@ fn estimates(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], rows: &[usize]) -> Vec
     y_ab.iter().map(one).collect()
 }
 
-/// The ends between which a share of the values lies, as much beyond either; not numbers of none.
-fn interval(mut values: Vec<f64>, level: f64) -> (f64, f64) {
-    values.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        let place = share * (values.len().max(1) - 1) as f64;
-        values.get(place.round() as usize).copied().unwrap_or(f64::NAN)
-    };
-    let beyond = 0.5 * (1.0 - level);
-    (at(beyond), at(1.0 - beyond))
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{Bootstrap, Design, Index, indices};
+    use super::{Design, Index, indices};
     use crate::uncertain::Varied;
 
     /// Parameters that may have any value, in place of x_1, x_2, ...
@@ -160,7 +132,7 @@ mod tests {
         assert_eq!(design.rows().count(), n * (varied.len() + 2));
         let y = |rows: &[Vec<f64>]| rows.iter().map(|row| model(row)).collect::<Vec<f64>>();
         let y_ab: Vec<Vec<f64>> = design.ab.iter().map(|rows| y(rows)).collect();
-        indices(&y(&design.a), &y(&design.b), &y_ab, Bootstrap::default())
+        indices(&y(&design.a), &y(&design.b), &y_ab, 0)
     }
 
     /// An index may be off by three standard errors, which the interval of 95 % tells, and the interval itself may be
@@ -232,7 +204,7 @@ mod tests {
         let y: Vec<f64> = (0..40).map(|k| f64::from(k * k % 17)).collect();
         let y_ab = vec![y.iter().rev().copied().collect::<Vec<f64>>()];
         let ends = |seed| {
-            let index = indices(&y, &y_ab[0], &y_ab, Bootstrap { seed, ..Bootstrap::default() })[0];
+            let index = indices(&y, &y_ab[0], &y_ab, seed)[0];
             [index.first_low, index.first_high, index.total_low, index.total_high]
         };
         for seed in [0, 2, u32::MAX - 1] {

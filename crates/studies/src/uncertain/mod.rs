@@ -6,17 +6,14 @@
 //!               -> Saltelli's design -> outputs -> Sobol indices
 //! ```
 
-pub mod distribution;
 pub(crate) mod ensemble;
 pub(crate) mod indices;
-pub mod normal;
 pub(crate) mod pixel;
 pub(crate) mod points;
 pub mod probability;
 pub(crate) mod varied;
 
-pub use distribution::Distribution;
 pub use ensemble::Ensemble;
-pub use indices::{Bootstrap, Design, Index, indices};
+pub use indices::{Design, Index, indices};
 pub use probability::{Probabilities, Uncertainty};
 pub use varied::Varied;

@@ -11,8 +11,9 @@ use super::varied::Varied;
 
 /// Bits of the number of a point in a set.
 const BITS: u32 = 16;
-/// Half the distance between two numbers that the sequence can give: no point lies on an edge of the box.
-const HALF: f64 = super::distribution::LEAST_SHARE;
+/// Half the distance between two numbers that the sequence can give: no point lies on an edge of the box, and no
+/// smaller share is ever drawn at either end of a distribution.
+pub(super) const LEAST_SHARE: f64 = 1.0 / 16_777_216.0;
 /// What separates the seeds of the sets beyond the first.
 const NEXT_SEED: u32 = 0x9e37_79b9;
 
@@ -23,7 +24,8 @@ pub fn shares(coordinates: usize, samples: usize, seed: u32) -> Vec<Vec<f64>> {
         let within = index as u32 & ((1 << BITS) - 1);
         let set = (index >> BITS) as u32;
         let seed = seed.wrapping_add(set.wrapping_mul(NEXT_SEED));
-        let share = |coordinate: usize| f64::from(sample(within, coordinate as u32, seed)) + HALF;
+        let share =
+            |coordinate: usize| f64::from(sample(within, coordinate as u32, seed)) + LEAST_SHARE;
         (0..coordinates).map(share).collect()
     };
     (0..samples).map(point).collect()

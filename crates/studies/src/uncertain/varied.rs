@@ -6,7 +6,8 @@ use std::str::FromStr;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Serialize, Serializer};
 
-use super::distribution::{Distribution, DistributionError, LEAST_SHARE};
+use super::points::LEAST_SHARE;
+use crate::statistics::{Distribution, DistributionError};
 use topple::scene::parameters::Legal;
 use topple::scene::shown::shown;
 use topple::scene::{Parameter, SceneError};

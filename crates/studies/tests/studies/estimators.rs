@@ -7,11 +7,12 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use topple_studies::Bootstrap;
 use topple_studies::fragility::ida::Capacities;
 use topple_studies::fragility::runs::{Pool, Stripe};
 use topple_studies::fragility::{
-    Bootstrap, Capacity, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate,
-    profile, share_that_stands_again, stripes,
+    Capacity, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate, profile,
+    share_that_stands_again, stripes,
 };
 
 const BOOTSTRAP: Bootstrap = Bootstrap { replicates: 200, seed: 1 };
@@ -103,7 +104,7 @@ fn an_ida_is_too_low_where_records_stand_again() {
     assert!((share - 0.3).abs() < 0.01, "{share}");
 
     let p = |x: f64| {
-        let fails = |from: f64| topple_studies::uncertain::normal::cdf((x / from).ln() / beta);
+        let fails = |from: f64| topple_studies::statistics::normal::cdf((x / from).ln() / beta);
         0.7 * fails(1.0) + 0.3 * (fails(1.0) - fails(1.1) + fails(1.5))
     };
     let truth = levels(0.5, 2.0, 10_000).find(|x| p(*x) >= 0.5).unwrap();
@@ -254,7 +255,7 @@ fn searched(stripes: &[Stripe], supremum: f64) -> [f64; 3] {
         for beta in levels(1e-3, 5.0, 400) {
             let one = |s: &Stripe| {
                 let u = (s.level / theta).ln() / beta;
-                let ln = topple_studies::uncertain::normal::ln_cdf;
+                let ln = topple_studies::statistics::normal::ln_cdf;
                 let fails = if s.z > 0.0 { s.z * ln(u) } else { 0.0 };
                 fails + if s.n > s.z { (s.n - s.z) * ln(-u) } else { 0.0 }
             };

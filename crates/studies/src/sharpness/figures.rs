@@ -1,218 +1,23 @@
-//! How sharp the boundaries between a map's outcomes are: basin entropy and the uncertainty exponent.
-//!
-//! Basin entropy is that of Daza et al. (2016), Scientific Reports 6:31416: in a box of cells with shares p of the
-//! outcomes S = -sum p ln p; S_b is the mean of all boxes, S_bb that of the boxes with two outcomes or more. A smooth
-//! boundary parts two outcomes and has S_bb <= ln 2: more is a sufficient sign of a fractal one, less decides nothing.
-//!
-//! The uncertainty exponent is that of Grebogi et al. (1983), Physics Letters A 99:415-418: the share f of cells whose
-//! outcome another has at a distance of so many cells along an axis is proportional to the distance to the power
-//! alpha, and the boundary's dimension is D = d - alpha over d axes.
+//! The figures of a map from its blocks: basin entropy, the uncertainty exponent and the dimension, with intervals.
 
 use std::f64::consts::LN_2;
-use std::io;
-use std::ops::Range;
 
 use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::Rng;
-use serde::Serialize;
 
-use super::columns::Column;
-use super::outcomes::{BLOCK, Outcomes};
-use crate::scene::Grid;
-use crate::scene::grid::Axis;
-use crate::stepping::outcome::Class;
+use super::blocks::Sums;
+use super::{Estimate, FARTHEST, Sharpness};
+use crate::statistics::bootstrap::draw;
+use crate::statistics::quantile::middle_95_percent;
 
-/// Cells of a box along an axis.
-pub const BOX: usize = 5;
-/// The largest distance is at most this share of the shorter axis, and at most so many cells.
-const FARTHEST: (usize, usize) = (8, 32);
-/// Blocks along an axis, which are resampled: neighbours in a block are not independent.
-const BLOCKS: usize = 8;
 /// Fewest boxes with two outcomes, fewest pairs of neighbours that differ, and fewest distances, to say anything.
 const FEWEST: (usize, u64, usize) = (20, 100, 3);
 /// Standard errors of a slope on either side of it that hold 95 %, of 3, 4, 5 and 6 points (Student's distribution).
 const STUDENT: [f64; 4] = [12.71, 4.303, 3.182, 2.776];
 /// Resamples, of which 95 % lie within an interval.
 const RESAMPLES: usize = 500;
-/// Place of a cell of which nothing can be said.
-const UNRESOLVED: u8 = Class::Unresolved as u8;
-
-/// A value, with an interval of 95 %.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Estimate {
-    /// The value.
-    pub value: f64,
-    /// Low end.
-    pub low: f64,
-    /// High end.
-    pub high: f64,
-}
-
-/// How sharp the boundaries of a map are.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Sharpness {
-    /// Cells of a box along the first two axes.
-    pub box_cells: [usize; 2],
-    /// Boxes.
-    pub boxes: usize,
-    /// Those with two outcomes or more.
-    pub boundary_boxes: usize,
-    /// Basin entropy; none where there are no boxes.
-    pub s_b: Option<Estimate>,
-    /// Boundary basin entropy; none where too few boxes have two outcomes.
-    pub s_bb: Option<Estimate>,
-    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False decides nothing.
-    pub above_ln_2: bool,
-    /// Distances, in cells.
-    pub distances: Vec<usize>,
-    /// Shares of the pairs of cells at these distances whose outcomes differ.
-    pub uncertain: Vec<f64>,
-    /// The exponent alpha, its interval the wider one of resampled blocks and of the line's slope; none where the grid
-    /// is too coarse.
-    pub alpha: Option<Estimate>,
-    /// The standard error of the straight line's slope.
-    pub alpha_error: Option<f64>,
-    /// The boundary's dimension.
-    pub dimension: Option<Estimate>,
-    /// Why what is missing is not told.
-    pub not_told: Vec<String>,
-}
-
-/// What is summed up of a block.
-#[derive(Debug, Clone, Default)]
-struct Sums {
-    entropy: f64,
-    boxes: f64,
-    boundary: f64,
-    /// Of each distance the pairs, and those that differ.
-    pairs: Vec<[u64; 2]>,
-}
-
-impl Sums {
-    fn add(&mut self, other: &Sums) {
-        self.entropy += other.entropy;
-        self.boxes += other.boxes;
-        self.boundary += other.boundary;
-        self.pairs.resize(other.pairs.len().max(self.pairs.len()), [0; 2]);
-        for (sum, own) in self.pairs.iter_mut().zip(&other.pairs) {
-            *sum = [sum[0] + own[0], sum[1] + own[1]];
-        }
-    }
-
-    fn s_b(&self) -> f64 {
-        self.entropy / self.boxes
-    }
-
-    /// Boxes of one outcome have no entropy.
-    fn s_bb(&self) -> f64 {
-        self.entropy / self.boundary
-    }
-
-    fn uncertain(&self) -> Vec<f64> {
-        self.pairs.iter().map(|[all, differ]| *differ as f64 / *all as f64).collect()
-    }
-}
-
-impl Sharpness {
-    /// Goes through the outcomes of a grid, a few rows at a time. Of more than two axes all slices of the first two
-    /// count together.
-    ///
-    /// # Errors
-    /// Those of reading.
-    pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Sharpness> {
-        let (columns, rows) = (grid.x().count(), grid.y().map_or(1, Axis::count));
-        let sides = [columns, rows];
-        let long = sides.into_iter().filter(|count| *count > 1);
-        let shorter = long.clone().min().unwrap_or(1);
-        let farthest = (shorter / FARTHEST.0).clamp(1, FARTHEST.1);
-        let distances: Vec<usize> =
-            (0..).map(|k| 1 << k).take_while(|distance| *distance <= farthest).collect();
-        let sizes = sides.map(|count| if count > 1 { BOX } else { 1 });
-        let mut blocks = Vec::new();
-        for slice in 0..grid.slices() {
-            let first = slice * columns * rows;
-            let read = |rows: Range<usize>| {
-                classes(outcomes, first + rows.start * columns..first + rows.end * columns)
-            };
-            blocks.extend(sums((columns, rows), sizes, &distances, read)?);
-        }
-        Ok(of_blocks(&blocks, sizes, distances, long.count()))
-    }
-}
-
-/// The places of the classes of some cells.
-fn classes(outcomes: &dyn Outcomes, cells: Range<usize>) -> io::Result<Vec<u8>> {
-    let mut classes = Vec::with_capacity(cells.len());
-    for first in cells.clone().step_by(BLOCK) {
-        let block = outcomes.read(first..(first + BLOCK).min(cells.end), &[Column::Outcome])?;
-        classes.extend(block.iter().map(|cell| cell.class as u8));
-    }
-    Ok(classes)
-}
-
-/// The sums of the blocks of a slice; `read` gives the classes of some of its rows.
-fn sums(
-    (columns, rows): (usize, usize),
-    [wide, high]: [usize; 2],
-    distances: &[usize],
-    read: impl Fn(Range<usize>) -> io::Result<Vec<u8>>,
-) -> io::Result<Vec<Sums>> {
-    let none = Sums { pairs: vec![[0; 2]; distances.len()], ..Sums::default() };
-    let mut blocks = vec![none; BLOCKS * BLOCKS];
-    let block = |i: usize, j: usize| BLOCKS * (j * BLOCKS / rows) + i * BLOCKS / columns;
-    let farthest = distances.last().copied().unwrap_or(0);
-    // Rows of boxes, and those that are as far from them as is looked.
-    let height = (BLOCK / columns).max(2 * farthest).max(1).div_ceil(high) * high;
-    for first in (0..rows).step_by(height) {
-        let last = (first + height).min(rows);
-        let read = read(first..(last + farthest).min(rows))?;
-        let class = |i: usize, j: usize| read[(j - first) * columns + i];
-        for j in (first..last).step_by(high).filter(|j| j + high <= rows) {
-            for i in (0..columns).step_by(wide).filter(|i| i + wide <= columns) {
-                let cells = (j..j + high).flat_map(|j| (i..i + wide).map(move |i| (i, j)));
-                if let Some(entropy) = entropy(cells.map(|(i, j)| class(i, j))) {
-                    let sums = &mut blocks[block(i, j)];
-                    sums.entropy += entropy;
-                    sums.boxes += 1.0;
-                    sums.boundary += f64::from(u8::from(entropy > 0.0));
-                }
-            }
-        }
-        for j in first..last {
-            for i in 0..columns {
-                let own = class(i, j);
-                let pairs = &mut blocks[block(i, j)].pairs;
-                for (distance, pairs) in distances.iter().zip(pairs) {
-                    let along = (i + distance < columns).then(|| class(i + distance, j));
-                    let across = (j + distance < rows).then(|| class(i, j + distance));
-                    for other in along.into_iter().chain(across) {
-                        let known = own != UNRESOLVED && other != UNRESOLVED;
-                        pairs[0] += u64::from(known);
-                        pairs[1] += u64::from(known && own != other);
-                    }
-                }
-            }
-        }
-    }
-    Ok(blocks)
-}
-
-/// The entropy of a box; none where less than two of its cells have an outcome.
-fn entropy(cells: impl Iterator<Item = u8>) -> Option<f64> {
-    let mut counts = [0_u32; Class::ALL.len()];
-    cells.for_each(|class| counts[usize::from(class)] += 1);
-    counts[usize::from(UNRESOLVED)] = 0;
-    let all = f64::from(counts.iter().sum::<u32>());
-    let part = |count: &u32| {
-        let share = f64::from(*count) / all;
-        if *count == 0 { 0.0 } else { -share * share.ln() }
-    };
-    // One outcome alone has a share of 1, whose logarithm is exactly zero.
-    (all >= 2.0).then(|| counts.iter().map(part).sum::<f64>())
-}
 
 /// What blocks say together, of boundaries over so many axes.
-fn of_blocks(
+pub(super) fn of_blocks(
     blocks: &[Sums],
     box_cells: [usize; 2],
     distances: Vec<usize>,
@@ -248,17 +53,14 @@ fn of_blocks(
     let mut noise = Pcg64Mcg::new(1);
     for _ in 0..RESAMPLES {
         let mut sums = Sums::default();
-        for _ in blocks {
-            let place = (u128::from(noise.next_u64()) * blocks.len() as u128) >> 64;
-            sums.add(&blocks[place as usize]);
-        }
+        draw(&mut noise, blocks.len()).for_each(|block| sums.add(&blocks[block]));
         let slope = slope(&distances, &sums.uncertain()).map_or(f64::NAN, |(slope, _)| slope);
         for (kept, value) in resampled.iter_mut().zip([sums.s_b(), sums.s_bb(), slope]) {
             // A resample may have no boundary.
             kept.extend(Some(value).filter(|value| value.is_finite()));
         }
     }
-    let [of_b, of_bb, of_alpha] = resampled.map(interval);
+    let [of_b, of_bb, of_alpha] = resampled.map(middle_95_percent);
     let estimate = |value, (low, high)| Estimate { value, low, high };
     let line = slope(&distances, &uncertain).filter(|_| tells_alpha);
     let alpha = line.map(|(value, error)| {
@@ -304,16 +106,6 @@ fn slope(distances: &[usize], uncertain: &[f64]) -> Option<(f64, f64)> {
     Some((slope, (rest / (n - 2.0) / width).sqrt()))
 }
 
-/// The ends between which 95 % of the values lie; not numbers of none.
-fn interval(mut values: Vec<f64>) -> (f64, f64) {
-    values.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        let place = share * (values.len().max(1) - 1) as f64;
-        values.get(place.round() as usize).copied().unwrap_or(f64::NAN)
-    };
-    (at(0.025), at(0.975))
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{LN_2, PI};
@@ -321,7 +113,9 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
     use rand_pcg::rand_core::Rng;
 
-    use super::{BOX, Sharpness, of_blocks, sums};
+    use super::{Sharpness, of_blocks};
+    use crate::sharpness::BOX;
+    use crate::sharpness::blocks::sums;
 
     /// The sharpness of classes over a square of so many cells a side.
     fn square(side: usize, class: impl Fn(f64, f64) -> u8) -> Sharpness {

@@ -1,0 +1,134 @@
+//! A distribution as a text, read and written.
+
+use std::fmt;
+use std::str::FromStr;
+
+use topple::scene::shown::shown;
+
+use super::distribution::{Distribution, Form};
+
+/// Why a text is no distribution.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum DistributionError {
+    /// No form that is known.
+    #[error(
+        "'{0}' is no distribution; give normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA)"
+    )]
+    Form(String),
+    /// The wrong count of numbers.
+    #[error(
+        "'{0}' has {1} numbers; {2} has two, {3}, and two more, LOW,HIGH, where it is to be cut off"
+    )]
+    Count(String, usize, &'static str, &'static str),
+    /// An item that is no number.
+    #[error(
+        "'{0}' in '{1}' is not a finite number; decimals have a point, commas separate numbers"
+    )]
+    Number(String, String),
+    /// A spread or a median that is not above zero.
+    #[error("{0} {1} in '{2}' must be a positive number")]
+    NotPositive(&'static str, String, String),
+    /// Ends in the wrong order.
+    #[error("'{2}': the low end {0} must lie below the high end {1}")]
+    Order(String, String, String),
+    /// A cut that leaves nothing.
+    #[error("'{2}': nothing of it lies between {0} and {1}; move the ends")]
+    Empty(String, String, String),
+}
+
+impl FromStr for Distribution {
+    type Err = DistributionError;
+
+    fn from_str(text: &str) -> Result<Distribution, DistributionError> {
+        let text = text.trim();
+        let unknown = || DistributionError::Form(shown(text));
+        let inside = text.strip_suffix(')').and_then(|text| text.split_once('('));
+        let (name, inside) = inside.ok_or_else(unknown)?;
+        let name = name.trim();
+        let known = Form::KNOWN.into_iter().find(|(known, _)| *known == name);
+        let (name, meaning) = known.ok_or_else(unknown)?;
+        let number = |part: &str| match part.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            _ => Err(DistributionError::Number(shown(part), shown(text))),
+        };
+        let numbers: Vec<f64> = inside.split(',').map(number).collect::<Result<_, _>>()?;
+        let (first, second, cut) = match numbers[..] {
+            [first, second] => (first, second, None),
+            [first, second, low, high] => (first, second, Some((low, high))),
+            _ => {
+                return Err(DistributionError::Count(shown(text), numbers.len(), name, meaning));
+            }
+        };
+        let positive = |what, value: f64| match value > 0.0 {
+            true => Ok(value),
+            false => Err(DistributionError::NotPositive(what, value.to_string(), shown(text))),
+        };
+        let ordered = |(low, high): (f64, f64)| match low < high {
+            true => Ok((low, high)),
+            false => Err(DistributionError::Order(low.to_string(), high.to_string(), shown(text))),
+        };
+        let form = match name {
+            "normal" => Form::Normal { mean: first, deviation: positive("the deviation", second)? },
+            "uniform" => {
+                let (low, high) = ordered((first, second))?;
+                Form::Uniform { low, high }
+            }
+            _ => Form::Lognormal {
+                median: positive("the median", first)?,
+                beta: positive("the deviation of the logarithm", second)?,
+            },
+        };
+        let cut = cut.map(ordered).transpose()?;
+        let distribution = Distribution { form, cut };
+        let [.., between] = distribution.shares();
+        match cut {
+            Some((low, high)) if !(between > f64::MIN_POSITIVE) => {
+                Err(DistributionError::Empty(low.to_string(), high.to_string(), shown(text)))
+            }
+            _ => Ok(distribution),
+        }
+    }
+}
+
+impl fmt::Display for Distribution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, [first, second]) = self.form.text();
+        match self.cut {
+            Some((low, high)) => write!(f, "{name}({first},{second},{low},{high})"),
+            None => write!(f, "{name}({first},{second})"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Distribution, DistributionError};
+
+    #[test]
+    fn what_is_no_distribution_is_refused_with_its_reason() {
+        let error = |text: &str| text.parse::<Distribution>().unwrap_err();
+        assert_eq!(error("0.1"), DistributionError::Form("0.1".into()));
+        assert_eq!(error("gauss(1,2)"), DistributionError::Form("gauss(1,2)".into()));
+        assert!(matches!(error("normal(1)"), DistributionError::Count(_, 1, "normal", _)));
+        assert!(matches!(error("normal(1,2,3)"), DistributionError::Count(_, 3, ..)));
+        assert!(matches!(error("normal(1,x)"), DistributionError::Number(..)));
+        assert!(matches!(error("normal(1,inf)"), DistributionError::Number(..)));
+        assert!(matches!(
+            error("normal(1,0)"),
+            DistributionError::NotPositive("the deviation", ..)
+        ));
+        assert!(matches!(
+            error("lognormal(0,1)"),
+            DistributionError::NotPositive("the median", ..)
+        ));
+        assert!(matches!(error("uniform(2,1)"), DistributionError::Order(..)));
+        assert!(matches!(error("normal(0,1,5,5)"), DistributionError::Order(..)));
+        assert!(matches!(error("uniform(0,1,2,3)"), DistributionError::Empty(..)));
+        let line = error("normal(0,1,3)").to_string();
+        assert_eq!(
+            line,
+            "'normal(0,1,3)' has 3 numbers; normal has two, MEAN,DEVIATION, and two more, LOW,HIGH, where it \
+             is to be cut off"
+        );
+    }
+}
