@@ -3,28 +3,16 @@
 use pyo3::prelude::*;
 use serde_json::json;
 use topple::Column;
-use topple::scene::keys;
-use topple::scene::parameters::{PARAMETERS, Section};
+use topple::scene::parameters::Section;
+use topple::scene::{description, keys};
 
 use crate::keywords::{METHOD, REFINING, SETTINGS};
 use crate::uncertain::UNCERTAIN;
 
-/// The parameters of a scene as JSON: key, symbol, unit, meaning, range, default, section.
+/// The parameters of a scene as JSON: see [`description`].
 #[pyfunction]
 pub fn parameters() -> String {
-    let entries = PARAMETERS.iter().map(|entry| {
-        json!({
-            "key": entry.key,
-            "symbol": entry.symbol,
-            "unit": entry.unit,
-            "meaning": entry.meaning,
-            "legal": entry.legal.to_string(),
-            "plausible": [entry.plausible.0, entry.plausible.1],
-            "default": entry.default,
-            "section": entry.section.key(),
-        })
-    });
-    json!(entries.collect::<Vec<_>>()).to_string()
+    json!(description::parameters()).to_string()
 }
 
 /// The keywords that are no numbers, as JSON: those of each section of a scene, under `settings` how it is run,

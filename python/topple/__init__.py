@@ -406,6 +406,6 @@ if sys.modules.get("xarray") is not None:
 
 
 def parameters() -> list[dict[str, Any]]:
-    """The parameters of a scene: key, symbol, unit, meaning, legal and plausible range, default, section."""
+    """The parameters of a scene: key, symbol, unit, meaning, source, legal and plausible range, default, section."""
     found: list[dict[str, Any]] = json.loads(_topple.parameters())
     return found

@@ -9,6 +9,7 @@ pub mod bounded;
 pub mod builder;
 pub(crate) mod case;
 mod check;
+pub mod description;
 pub mod excitation;
 pub mod grid;
 pub mod isolation;

@@ -11,42 +11,12 @@ use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
 use topple::results::columns::{Column, TABLE};
 use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
-use topple::scene::parameters::{Legal, PARAMETERS, Section};
-use topple::scene::{Directions, Overturn};
+use topple::scene::parameters::Section;
+use topple::scene::{Directions, Overturn, description};
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// An end of a range; none where there is none.
-fn end(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
-}
-
-/// The parameters of a scene.
-fn parameters() -> Vec<Value> {
-    let told = PARAMETERS.iter().map(|entry| {
-        let ((low, high), (has_low, has_high)) = entry.legal.ends();
-        json!({
-            "key": entry.key,
-            "symbol": entry.symbol,
-            "unit": entry.unit,
-            "label": entry.label(),
-            "section": entry.section.key(),
-            "meaning": entry.meaning,
-            "source": entry.source,
-            "default": entry.default,
-            "low": end(low),
-            "high": end(high),
-            "lowIncluded": has_low,
-            "highIncluded": has_high,
-            "integer": matches!(entry.legal, Legal::Whole(..)),
-            "plausible": [entry.plausible.0, end(entry.plausible.1)],
-            "range": entry.range(),
-        })
-    });
-    told.collect()
 }
 
 /// A choice of words: the key, its section, and each word with what it means.
@@ -128,7 +98,7 @@ pub fn tables() -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "sections": sections,
-        "parameters": parameters(),
+        "parameters": description::parameters(),
         "words": words(),
         "columns": columns(),
         "kinds": kinds(),

@@ -18,9 +18,10 @@ use topple::results::columns::{STATUS_NAMES, TABLE};
 use topple::results::palette::{Kind, OPEN};
 use topple::scene::block::OBJECTS;
 use topple::scene::isolation::LEAST_PERIOD;
-use topple::scene::parameters::{Legal, PARAMETERS};
 use topple::scene::record::Pair;
-use topple::scene::{Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError};
+use topple::scene::{
+    Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError, description,
+};
 use topple::stepping::outcome::Class;
 use topple::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
@@ -39,7 +40,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "sine": SINE_F64,
         "antisymmetric_peak": ANTISYMMETRIC_PEAK,
         "objects": objects(),
-        "parameters": PARAMETERS.iter().map(parameter).collect::<Vec<_>>(),
+        "parameters": description::parameters(),
         "defaults": defaults()?,
         "words": {
             "isolation": [
@@ -91,29 +92,6 @@ fn objects() -> Value {
         Value::Object(numbers)
     };
     OBJECTS.iter().map(of).collect()
-}
-
-fn parameter(entry: &topple::scene::parameters::Entry) -> Value {
-    let (kind, ends) = match entry.legal {
-        Legal::Finite => ("finite", None),
-        Legal::NotZero => ("not_zero", None),
-        Legal::Positive => ("positive", None),
-        Legal::NotNegative => ("not_negative", None),
-        Legal::Within(low, high) => ("within", Some((low, high))),
-        Legal::InBase => ("in_base", None),
-        Legal::AboveUpTo(low, high) => ("above_up_to", Some((low, high))),
-        Legal::Whole(low, high) => ("whole", Some((f64::from(low), f64::from(high)))),
-    };
-    json!({
-        "key": entry.key,
-        "unit": entry.unit,
-        "section": entry.section.key(),
-        "legal": { "kind": kind, "low": ends.map(|(low, _)| low), "high": ends.map(|(_, high)| high) },
-        "must": entry.legal.to_string(),
-        // An end that is infinite is null.
-        "plausible": [entry.plausible.0, entry.plausible.1],
-        "perhaps": entry.perhaps,
-    })
 }
 
 fn shape(shape: Shape) -> Value {

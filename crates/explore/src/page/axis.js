@@ -53,7 +53,7 @@ export function bounds(parameter, forced = false) {
     low = Math.max(low, smallest);
     high = Math.min(high, largest);
   }
-  const open = [!parameter.lowIncluded && low === parameter.low, !parameter.highIncluded && high === parameter.high];
+  const open = [!parameter.low_included && low === parameter.low, !parameter.high_included && high === parameter.high];
   return { low, high, open };
 }
 

@@ -26,7 +26,7 @@ const probed = ({ probes, missed, share_missed_at_most: share }) =>
 export function createExplorer(engine, store, tell) {
   const { about } = engine;
   const most = CELLS[about.engine]?.[about.backend] ?? FEWEST;
-  const isWhole = (axis) => parameterOf(about, axis.key).integer;
+  const isWhole = (axis) => parameterOf(about, axis.key).whole;
   const map = createMap(about, (place, axes) => cellsOf(place, most, about.limits.cells, axes, axes.map(isWhole)));
   let late = 0;
   let resized = 0;

@@ -5,13 +5,13 @@ import { PLACES, numberAt, placeOf } from './sliders.js';
 
 /** The rule, the default and the source of a parameter in words. */
 function helpText(parameter) {
-  const { low, high, plausible, lowIncluded, highIncluded } = parameter;
+  const { low, high, plausible, low_included: lowIncluded, high_included: highIncluded } = parameter;
   const range = [];
   const above = lowIncluded ? `${low} or more` : `above ${low}`;
   if (low !== null && high !== null) range.push(lowIncluded && highIncluded ? `${low} to ${high}` : `${above}, ${highIncluded ? 'up to' : 'below'} ${high}`);
   else if (low !== null) range.push(above);
   if (plausible?.[1]) range.push(`plausible ${plausible[0]} to ${plausible[1]}`);
-  if (parameter.integer) range.push('whole');
+  if (parameter.whole) range.push('whole');
   const words = [parameter.meaning.replace(/^./, (letter) => letter.toUpperCase())];
   if (range.length) words.push(`Range: ${range.join('; ')}`);
   if (parameter.default) words.push(`Default: ${parameter.default}`);

@@ -27,8 +27,8 @@ export function axesPatch(about, scene, axes) {
     const inside = clamped(axis, ends, margin(parameter));
     const span = inside.stop - inside.start;
     const size = Math.max(Math.abs(inside.start), Math.abs(inside.stop));
-    if (!(span > DEEPEST * size) || (parameter.integer && span < 1)) continue;
-    const text = rangeText(inside, ends, parameter.integer);
+    if (!(span > DEEPEST * size) || (parameter.whole && span < 1)) continue;
+    const text = rangeText(inside, ends, parameter.whole);
     if (parseRange(axis.key, text)) patch[axis.key] = text;
   }
   return patch;
@@ -37,7 +37,7 @@ export function axesPatch(about, scene, axes) {
 /** A cell's number at a place of an axis. */
 export function cellNumber(about, axis, at) {
   const parameter = parameterOf(about, axis.key);
-  return parameter.integer ? Math.round(at) : numberAt(at, axis, bounds(parameter, true));
+  return parameter.whole ? Math.round(at) : numberAt(at, axis, bounds(parameter, true));
 }
 
 /** The first range of an axis: the engine's first scene's, else a handy one. */

@@ -9,7 +9,7 @@ export function numberAt(parameter, place) {
   const { low, high, log } = handy(parameter);
   const share = place / PLACES;
   const number = log ? low * (high / low) ** share : low + (high - low) * share;
-  if (parameter.integer) return Math.round(number);
+  if (parameter.whole) return Math.round(number);
   if (log) return Number(number.toPrecision(3));
   const step = 10 ** Math.floor(Math.log10((high - low) / PLACES));
   return Number((Math.round(number / step) * step).toPrecision(6));

@@ -13,7 +13,7 @@ const PROBE_ROUNDS = 4;
 // How often the gaps of the coarse picture are halved down to the finest; along whole numbers never, for between two of
 // them there is no cell.
 export function levelsOf(count, keys) {
-  if (keys.some((key) => known.parameter.get(key)?.legal.kind === 'whole')) return 0;
+  if (keys.some((key) => known.parameter.get(key)?.whole)) return 0;
   const gaps = Math.max(...count) - 1;
   let levels = 0;
   while (COARSE * 2 ** levels < gaps) levels += 1;

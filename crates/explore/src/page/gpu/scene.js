@@ -27,34 +27,21 @@ class Numbers extends Map {
   }
 }
 
-function holds({ kind, low, high }, value) {
-  switch (kind) {
-    case 'finite':
-      return true;
-    case 'not_zero':
-      return value !== 0;
-    case 'positive':
-      return value > 0;
-    case 'not_negative':
-      return value >= 0;
-    case 'within':
-      return value >= low && value <= high;
-    case 'in_base':
-      return Math.abs(value) < 1;
-    case 'above_up_to':
-      return value > low && value <= high;
-    default:
-      return Number.isInteger(value) && value >= low && value <= high;
-  }
+// True for a value that makes sense at all.
+function isLegal(entry, value) {
+  const { low, high } = entry;
+  const above = low === null || value > low || (entry.low_included && value === low);
+  const below = high === null || value < high || (entry.high_included && value === high);
+  return above && below && !(entry.not_zero && value === 0) && (!entry.whole || Number.isInteger(value));
 }
 
 function checkNumber(key, value, force) {
   const entry = known.parameter.get(key);
-  if (!holds(entry.legal, value)) throw new EngineError(key, `${value} must ${entry.must}`);
+  if (!isLegal(entry, value)) throw new EngineError(key, `${value} must ${entry.legal}`);
   const [low, high] = [entry.plausible[0], entry.plausible[1] ?? Infinity];
   const size = Math.abs(value);
   if (force || value === 0 || (size >= low && size <= high)) return;
-  const least = low === 0 && holds(entry.legal, -high) ? -high : low;
+  const least = low === 0 && isLegal(entry, -high) ? -high : low;
   const unit = entry.unit ? ` ${entry.unit}` : '';
   throw new EngineError(key, `${value}${unit} is not plausible (${least} to ${high}; ${entry.perhaps}); \`force\` accepts it`);
 }
