@@ -52,7 +52,8 @@ pub fn write_png(map: &RefinedMap, writer: impl Write) -> Result<(), FigureError
     writer.finish().map_err(|e| failed(&e))
 }
 
-/// Writes the map as an SVG of the exact outlines of its outcomes, one path a colour; a unit is a cell.
+/// Writes the map as an SVG of the exact outlines of its outcomes, one path a colour; a unit is a cell. The colour with
+/// the most of them is a rectangle beneath the others, whose outlines its own would repeat.
 ///
 /// # Errors
 /// Those of the writer.
@@ -75,7 +76,7 @@ pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {columns} {rows}\" \
          shape-rendering=\"crispEdges\">"
     )?;
-    for (number, paths) in outlines.paths() {
+    for (number, paths) in outlines.paths((columns, rows)) {
         let [r, g, b] = all[usize::from(number)].colour();
         let label = all[usize::from(number)].label();
         writeln!(
@@ -89,69 +90,48 @@ pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
 /// A corner of cells: its column and its line from the top.
 type Corner = (u32, u32);
 
-/// Borders of regions of one kind, piece by piece, each with the region on its right.
+/// Borders of regions of one kind, piece by piece, each with the region on its right: by kind from a corner to the next
+/// ones, of which there are two where regions touch in it.
 #[derive(Default)]
-struct Outlines {
-    /// By kind: from a corner to the next ones, of which there are two where regions touch in it.
-    next: HashMap<u8, HashMap<Corner, Vec<Corner>>>,
-    /// Vertical pieces that are still growing, by column: where they begin, and the kinds left and right.
-    open: HashMap<u32, (u32, Option<u8>, Option<u8>)>,
-}
+struct Outlines(HashMap<u8, HashMap<Corner, Vec<Corner>>>);
 
 impl Outlines {
-    fn add(&mut self, kind: Option<u8>, from: Corner, to: Corner) {
-        if let Some(kind) = kind {
-            self.next.entry(kind).or_default().entry(from).or_default().push(to);
+    /// Adds a piece between two kinds, `right` on its right.
+    fn add(&mut self, [left, right]: [Option<u8>; 2], from: Corner, to: Corner) {
+        if left == right {
+            return;
+        }
+        for (kind, from, to) in [(right, from, to), (left, to, from)] {
+            if let Some(kind) = kind {
+                self.0.entry(kind).or_default().entry(from).or_default().push(to);
+            }
         }
     }
 
-    /// Adds the horizontal pieces of a line, and the vertical ones that end on it.
+    /// Adds the horizontal pieces of a line, and the vertical ones of the row below it.
     fn line(&mut self, line: usize, above: &[Option<u8>], below: &[Option<u8>]) {
         // A grid has fewer than 2^32 columns and rows.
         let y = line as u32;
-        let mut column = 0;
-        while column < above.len() {
-            let pair = (above[column], below[column]);
-            let from = column;
-            // A piece ends where a vertical one begins or ends, too.
-            while column < above.len() && (above[column], below[column]) == pair {
-                column += 1;
-            }
-            if pair.0 != pair.1 {
-                let (x, end) = (from as u32, column as u32);
-                self.add(pair.1, (x, y), (end, y));
-                self.add(pair.0, (end, y), (x, y));
-            }
+        let mut left = None;
+        for (x, (&above, &below)) in (0..).zip(above.iter().zip(below)) {
+            self.add([above, below], (x, y), (x + 1, y));
+            self.add([left, below], (x, y + 1), (x, y));
+            left = below;
         }
-        let at = |row: &[Option<u8>], column: usize| -> (Option<u8>, Option<u8>) {
-            let left = column.checked_sub(1).and_then(|before| row[before]);
-            (left, row.get(column).copied().flatten())
-        };
-        for column in 0..=above.len() {
-            let x = column as u32;
-            let (old, new) = (at(above, column), at(below, column));
-            if old == new && old.0 != old.1 {
-                // It goes straight on, unless a horizontal piece meets it; both sides' kinds are as before.
-                continue;
-            }
-            if let Some((start, left, right)) = self.open.remove(&x) {
-                self.add(right, (x, y), (x, start));
-                self.add(left, (x, start), (x, y));
-            }
-            if new.0 != new.1 {
-                self.open.insert(x, (y, new.0, new.1));
-            }
-        }
+        let end = below.len() as u32;
+        self.add([left, None], (end, y + 1), (end, y));
     }
 
-    /// The closed outlines of each kind as the data of a path, kinds in order.
-    fn paths(mut self) -> Vec<(u8, String)> {
-        let mut kinds: Vec<u8> = self.next.keys().copied().collect();
-        kinds.sort_unstable();
-        kinds
-            .into_iter()
-            .map(|kind| (kind, path(self.next.remove(&kind).unwrap_or_default())))
-            .collect()
+    /// The data of each kind's path in the order of painting: a rectangle of the kind with the most pieces, and the closed
+    /// outlines of the others.
+    fn paths(self, (columns, rows): (usize, usize)) -> Vec<(u8, String)> {
+        let mut kinds: Vec<_> = self.0.into_iter().collect();
+        let most = kinds.iter().map(|(_, next)| next.len()).max();
+        kinds.sort_unstable_by_key(|(kind, next)| (Some(next.len()) != most, *kind));
+        let whole = format!("M0 0H{columns}V{rows}H0Z");
+        let data =
+            |(place, (kind, next))| (kind, if place == 0 { whole.clone() } else { path(next) });
+        kinds.into_iter().enumerate().map(data).collect()
     }
 }
 
@@ -162,16 +142,18 @@ fn path(mut next: HashMap<Corner, Vec<Corner>>) -> String {
     starts.sort_unstable_by_key(|(x, y)| (*y, *x));
     let mut data = String::new();
     for start in starts {
+        // The leftmost of the highest corners of what is left: an outline turns there.
         while let Some(first) = next.get_mut(&start).and_then(Vec::pop) {
             // Nothing that is written to a text fails.
             let _ = write!(data, "M{} {}", start.0, start.1);
             let (mut from, mut at) = (start, first);
             while at != start {
-                let _ = match from.1 == at.1 {
-                    true => write!(data, "H{}", at.0),
-                    false => write!(data, "V{}", at.1),
-                };
                 let Some(to) = next.get_mut(&at).and_then(Vec::pop) else { break };
+                let _ = match (from.1 == at.1, at.1 == to.1) {
+                    (true, false) => write!(data, "H{}", at.0),
+                    (false, true) => write!(data, "V{}", at.1),
+                    _ => Ok(()),
+                };
                 (from, at) = (at, to);
             }
             data.push('Z');
@@ -212,7 +194,9 @@ mod tests {
                 for column in 0..columns {
                     inside += crossings[column];
                     if inside % 2 == 1 {
-                        assert_eq!(cells[row][column], None, "two kinds in one cell");
+                        let beneath = cells[row][column];
+                        let ground = beneath.is_none_or(|beneath| beneath == paths[0].0);
+                        assert!(ground, "two kinds in one cell");
                         cells[row][column] = Some(*kind);
                     }
                 }
@@ -224,9 +208,14 @@ mod tests {
     #[test]
     fn outlines_hold_the_cells_and_no_others() {
         // With a hole, a corner in which regions touch, and a region at each border.
-        for picture in
-            ["0000,0110,0100,0001", "01,10", "7", "0120,0120,3333", "0000,0111,0101,0111"]
-        {
+        for (picture, ground) in [
+            ("0000,0110,0100,0001", 0),
+            ("01,10", 0),
+            ("7", 7),
+            ("01,22", 2),
+            ("0120,0120,3333", 0),
+            ("0000,0111,0101,0111", 0),
+        ] {
             let rows: Vec<Vec<Option<u8>>> = picture
                 .split(',')
                 .map(|row| row.bytes().map(|b| Some(b - b'0')).collect())
@@ -239,9 +228,10 @@ mod tests {
                 outlines.line(line, &above, &below);
                 above = below;
             }
-            assert!(outlines.open.is_empty());
-            let paths = outlines.paths();
-            assert_eq!(filled(&paths, (columns, rows.len())), rows, "{picture}: {paths:?}");
+            let shape = (columns, rows.len());
+            let paths = outlines.paths(shape);
+            assert_eq!(filled(&paths, shape), rows, "{picture}: {paths:?}");
+            assert_eq!(paths[0], (ground, format!("M0 0H{columns}V{}H0Z", rows.len())));
         }
     }
 }
