@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::block::Block;
 use super::outcomes::Outcomes;
-use super::reader::{BlocksInMemory, PartFolder, TileReader};
+use super::reader::{BlocksInMemory, ShardFolder, TileReader};
 use super::saved_tiles::SavedTiles;
 use super::store::Store;
 use super::store_error::StoreError;
@@ -253,7 +253,7 @@ impl<'a> OutcomeCollector<'a> {
         let folder = saver.map_or_else(PathBuf::new, |saver| saver.store.path().to_path_buf());
         let count = wanted.len();
         let reader =
-            TileReader::new(tiling, vec![PartFolder { cells: wanted, folder, precision }], count);
+            TileReader::new(tiling, vec![ShardFolder { cells: wanted, folder, precision }], count);
         Ok(Box::new(reader.ok_or(StoreError::Incomplete)?))
     }
 }

@@ -68,7 +68,7 @@ impl Outcomes for BlocksInMemory {
 
 /// Cells that a folder holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PartFolder {
+pub struct ShardFolder {
     /// Their numbers.
     pub cells: Range<usize>,
     /// The Zarr group of their tiles.
@@ -92,7 +92,7 @@ fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> 
 pub struct TileReader {
     tiling: Tiling,
     /// By their first cells.
-    held: Vec<PartFolder>,
+    held: Vec<ShardFolder>,
     /// The last values read of each column: who goes through a map asks for a tile's many times.
     last: Mutex<BTreeMap<usize, (Place, Arc<FillColumn>)>>,
 }
@@ -105,7 +105,7 @@ impl fmt::Debug for TileReader {
 
 impl TileReader {
     /// The reader of folders; none if they leave one of `count` cells out, or hold one twice.
-    pub fn new(tiling: Tiling, mut held: Vec<PartFolder>, count: usize) -> Option<TileReader> {
+    pub fn new(tiling: Tiling, mut held: Vec<ShardFolder>, count: usize) -> Option<TileReader> {
         held.sort_by_key(|held| held.cells.start);
         let mut end = 0;
         for held in &held {
@@ -129,7 +129,7 @@ impl TileReader {
         if let Some(values) = known(&last()) {
             return Ok(values);
         }
-        let (PartFolder { folder: path, precision, .. }, entry) =
+        let (ShardFolder { folder: path, precision, .. }, entry) =
             (&self.held[folder], &TABLE[column]);
         let chunk = |array: &str| {
             let path = path.join(chunk_path(array, &self.tiling, tile));

@@ -12,7 +12,7 @@ use super::shards_error::ShardsError;
 use crate::backend::report::{self, Report};
 use crate::results::about::Source;
 use crate::results::identity::Identity;
-use crate::results::reader::{PartFolder, TileReader, missing};
+use crate::results::reader::{ShardFolder, TileReader, missing};
 use crate::results::saved_tiles::SavedTiles;
 use crate::results::shard;
 use crate::results::store::{Contents, IDENTITY, REPORT, Store};
@@ -78,7 +78,7 @@ impl Shards {
         let mut reports = Vec::new();
         for piece in pieces {
             let precision = piece.content.columns();
-            held.push(PartFolder { cells: piece.cells, folder: piece.place.clone(), precision });
+            held.push(ShardFolder { cells: piece.cells, folder: piece.place.clone(), precision });
             reports.push((piece.place, piece.report));
         }
         let reader = TileReader::new(Tiling::of(&grid), held, grid.len());

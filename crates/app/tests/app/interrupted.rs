@@ -16,7 +16,7 @@ use topple::results::block::Block;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::columns::Column;
 use topple::results::files::WriteError;
-use topple::results::reader::{PartFolder, TileReader, missing};
+use topple::results::reader::{ShardFolder, TileReader, missing};
 use topple::results::saved_tiles::SavedTiles;
 use topple::results::store::{Contents, Store};
 use topple::results::store_error::StoreError;
@@ -234,8 +234,8 @@ fn outcomes_are_read_across_tiles() {
     }
     let tiling = Tiling::of(&Grid::of(&scene));
     let held =
-        |cells: Range<usize>| PartFolder { cells, folder: "".into(), precision: Precision::F32 };
-    let reader = |held: &[PartFolder]| TileReader::new(tiling.clone(), held.to_vec(), 10);
+        |cells: Range<usize>| ShardFolder { cells, folder: "".into(), precision: Precision::F32 };
+    let reader = |held: &[ShardFolder]| TileReader::new(tiling.clone(), held.to_vec(), 10);
     let (one, other) = (held(6..10), held(0..6));
     assert!(reader(&[one.clone(), other.clone()]).is_some());
     assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
