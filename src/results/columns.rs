@@ -44,13 +44,18 @@ pub(super) trait ColumnType {
     fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<Self::Value, F>>;
 
     /// Its slots among those of all columns.
-    fn slots<'s, 'a, F: ColumnNumber>(
-        slots: &'s mut Slots<'a, F>,
-    ) -> &'s mut &'a mut [Stored<Self::Value, F>];
+    fn slots<'s, F: ColumnNumber>(slots: &'s mut Slots<F>) -> &'s mut [Stored<Self::Value, F>];
 }
 
 /// What a cell has in a column.
 pub(super) type ValueOf<C> = <C as ColumnType>::Value;
+
+/// Takes so many slots from the front.
+fn cut<'a, T>(slots: &mut &'a mut [T], count: usize) -> &'a mut [T] {
+    let (front, rest) = std::mem::take(slots).split_at_mut(count);
+    *slots = rest;
+    front
+}
 
 /// Makes of the table all that has a part for each column. Of a column the table has its name in Rust, the field of an
 /// [`Outcome`] and its type, which is what the column holds, its name in files, unit and meaning.
@@ -86,7 +91,6 @@ macro_rules! columns {
         }
 
         /// Some values of all columns, to be written.
-        #[derive(Default)]
         pub(super) struct Slots<'a, F: ColumnNumber> {
             $($field: &'a mut [Stored<$value, F>],)*
         }
@@ -95,6 +99,13 @@ macro_rules! columns {
             /// Those of some cells, to be written.
             pub(super) fn slots(&mut self, cells: Range<usize>) -> Slots<'_, F> {
                 Slots { $($field: &mut self.$field[cells.clone()],)* }
+            }
+        }
+
+        impl<'a, F: ColumnNumber> Slots<'a, F> {
+            /// Takes so many from the front.
+            pub(super) fn cut(&mut self, count: usize) -> Slots<'a, F> {
+                Slots { $($field: cut(&mut self.$field, count),)* }
             }
         }
 
@@ -123,10 +134,8 @@ macro_rules! columns {
                 &mut columns.$field
             }
 
-            fn slots<'s, 'a, F: ColumnNumber>(
-                slots: &'s mut Slots<'a, F>,
-            ) -> &'s mut &'a mut [Stored<$value, F>] {
-                &mut slots.$field
+            fn slots<'s, F: ColumnNumber>(slots: &'s mut Slots<F>) -> &'s mut [Stored<$value, F>] {
+                slots.$field
             }
         })*
 

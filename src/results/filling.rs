@@ -36,7 +36,7 @@ impl Block {
     /// Takes the outcomes of cells from a place on.
     pub fn put(&mut self, first: usize, outcomes: &[Outcome]) {
         let cells = first..first + outcomes.len();
-        with_columns!(self, columns => columns.slots(cells).put(outcomes));
+        with_columns!(self, columns => columns.slots(cells).put(0, outcomes));
     }
 
     /// Takes the outcomes of so many cells from a place on, by all threads; `of` adds those of some cells, by their
@@ -67,24 +67,13 @@ impl Block {
     }
 }
 
-impl<'a, F: ColumnNumber> Slots<'a, F> {
-    /// Takes so many from the front.
-    fn cut(&mut self, count: usize) -> Slots<'a, F> {
-        let mut front = Slots::default();
-        for column in Column::ALL {
-            with_column!(column, C => {
-                let slots = C::slots(self);
-                (*C::slots(&mut front), *slots) = std::mem::take(slots).split_at_mut(count);
-            });
-        }
-        front
-    }
-
-    /// Puts outcomes in the first slots.
-    fn put(&mut self, outcomes: &[Outcome]) {
+impl<F: ColumnNumber> Slots<'_, F> {
+    /// Puts outcomes in the slots from a place on.
+    fn put(&mut self, first: usize, outcomes: &[Outcome]) {
         for (number, some) in outcomes.chunks(AT_ONCE).enumerate() {
+            let from = first + number * AT_ONCE;
             for column in Column::ALL {
-                with_column!(column, C => put::<C, F>(&mut C::slots(self)[number * AT_ONCE..], some));
+                with_column!(column, C => put::<C, F>(&mut C::slots(self)[from..], some));
             }
         }
     }
@@ -101,7 +90,7 @@ impl<'a, F: ColumnNumber> Slots<'a, F> {
             for from in cells.clone().step_by(FILLED) {
                 outcomes.clear();
                 of(from..(from + FILLED).min(cells.end), &mut outcomes);
-                slots.cut(outcomes.len()).put(&outcomes);
+                slots.put(from - cells.start, &outcomes);
             }
         });
     }

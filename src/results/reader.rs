@@ -131,15 +131,15 @@ impl TileReader {
         }
         let (ShardFolder { folder: path, precision, .. }, entry) =
             (&self.held[folder], &TABLE[column]);
-        let chunk = |array: &str| {
+        let mut chunks = |array: &str, count| {
             let path = path.join(chunk_path(array, &self.tiling, tile));
             let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", path.display()));
-            bounded::read(&path, tile::LARGEST).map_err(named)
+            Ok(tile::unpack(&bounded::read(&path, tile::LARGEST).map_err(named)?, count))
         };
         let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
         let values = with_column!(entry.column, C => match precision {
-            Precision::F32 => tile::decode::<C, f32, _>(sizes, &chunk)?.map(filling::<C, f32>),
-            Precision::F64 => tile::decode::<C, f64, _>(sizes, &chunk)?.map(filling::<C, f64>),
+            Precision::F32 => tile::decode::<C, f32, io::Error>(sizes, &mut chunks)?.map(filling::<C, f32>),
+            Precision::F64 => tile::decode::<C, f64, io::Error>(sizes, &mut chunks)?.map(filling::<C, f64>),
         });
         let values = values.ok_or_else(|| {
             let array = path.join(chunk_path(entry.name, &self.tiling, tile));

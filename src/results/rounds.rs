@@ -1,13 +1,14 @@
 //! Lists of cells that were run one after the other, saved each in a file, so that work which asks for the same lists
 //! again goes on from there: refining a map.
 //!
-//! A file holds the cells' numbers and their columns, each packed as the [tiles](super::tile) are: of the run of a tag,
-//! with a checksum. A list is taken from its file where that is whole and has the same cells.
+//! A file is packed as a column of a [tile](super::tile) is: of the run of a tag, with a checksum. It holds the cells'
+//! numbers and the arrays of their columns, one after the other. A list is taken from its file where that is whole and has
+//! the same cells.
 
-use std::path::{Path, PathBuf};
+use std::io::Write;
+use std::path::Path;
 
 use super::block::{Block, bytes_a_cell};
-use super::columns::Column;
 use super::files::Directory;
 use super::own::ROUND;
 use super::store_error::StoreError;
@@ -16,10 +17,8 @@ use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
 
-/// Name of the packed numbers of the cells.
-const CELLS: &str = "cells";
-/// Bytes of a length before what is packed.
-const LENGTH: usize = 8;
+/// Bytes of a cell's number.
+const NUMBER: usize = size_of::<u64>();
 
 /// A folder of saved lists.
 #[derive(Debug)]
@@ -28,12 +27,6 @@ pub struct Rounds {
     tag: u32,
     precision: Precision,
     next: usize,
-}
-
-/// Most bytes of a saved list of so many cells: a compressed array is hardly larger than its numbers.
-fn largest(cells: usize) -> u64 {
-    let of_numbers = (LENGTH + bytes_a_cell(Precision::F64)) as u64 * cells as u64;
-    2 * of_numbers + (1 << 20)
 }
 
 impl Rounds {
@@ -45,52 +38,34 @@ impl Rounds {
         Ok(Rounds { folder: Directory::open(folder)?, tag, precision, next: 0 })
     }
 
-    fn name(number: usize) -> String {
-        format!("{ROUND}{number:05}")
-    }
-
-    fn file(&self) -> PathBuf {
-        self.folder.file(&Rounds::name(self.next))
+    /// Name of the next list's file.
+    fn name(&self) -> String {
+        format!("{ROUND}{:05}", self.next)
     }
 
     /// The outcomes of the next list, where it is saved: the same cells, all of them whole.
     pub fn take(&mut self, cells: &[usize]) -> Option<Vec<Outcome>> {
-        let bytes = bounded::read(&self.file(), largest(cells.len())).ok()?;
-        let outcomes = self.read(&bytes, cells)?;
-        self.next += 1;
-        Some(outcomes)
-    }
-
-    fn read(&self, bytes: &[u8], cells: &[usize]) -> Option<Vec<Outcome>> {
-        let mut rest = bytes;
-        let mut piece = |name: &str| -> Option<Vec<u8>> {
-            let (length, more) = rest.split_first_chunk::<LENGTH>()?;
-            let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
-            let (piece, more) = more.split_at_checked(length)?;
-            rest = more;
-            let path = format!("{}/{name}", Rounds::name(self.next));
-            tile::check(piece, self.tag, &path).ok()?;
-            Some(piece.to_vec())
-        };
-        let numbers = tile::unpack(&piece(CELLS)?, LENGTH * cells.len())?;
-        let (numbers, _) = numbers.as_chunks::<LENGTH>();
-        let same =
-            |(number, cell): (&[u8; LENGTH], &usize)| u64::from_le_bytes(*number) == *cell as u64;
-        if !numbers.iter().zip(cells).all(same) {
+        let name = self.name();
+        // Of each cell its number, its columns, and whether it ended early.
+        let count = cells.len() * (NUMBER + bytes_a_cell(self.precision) + 1);
+        // What is compressed is hardly larger than its numbers.
+        let most = 2 * count as u64 + (1 << 20);
+        let packed = bounded::read(&self.folder.file(&name), most).ok()?;
+        tile::check(&packed, self.tag, &name).ok()?;
+        let bytes = tile::unpack(&packed, count)?;
+        let (numbers, mut rest) = bytes.split_at(NUMBER * cells.len());
+        if numbers != bytes_of(cells) {
             return None;
         }
-        let mut columns = Vec::new();
-        for (array, _) in zarr::columns() {
-            columns.push((array, piece(array)?));
-        }
-        let chunk = |array: &str| {
-            let found = columns.iter().find(|(name, _)| *name == array);
-            found.map(|(_, bytes)| bytes.clone()).ok_or(())
+        let mut chunks = |_: &str, count: usize| {
+            let (array, more) = rest.split_at_checked(count).ok_or(())?;
+            rest = more;
+            Ok::<_, ()>(Some(array.to_vec()))
         };
-        let block = tile::decode_all((cells.len(), cells.len()), self.precision, chunk).ok()??;
-        let mut outcomes = vec![Outcome::PENDING; cells.len()];
-        block.read(0, &Column::ALL, &mut outcomes);
-        Some(outcomes)
+        let sizes = (cells.len(), cells.len());
+        let block = tile::decode_all(sizes, self.precision, &mut chunks).ok()??;
+        self.next += 1;
+        Some(block.to_outcomes())
     }
 
     /// Saves the outcomes of the next list.
@@ -100,24 +75,21 @@ impl Rounds {
     pub fn save(&mut self, cells: &[usize], outcomes: &[Outcome]) -> Result<(), StoreError> {
         let mut block = Block::pending(cells.len(), self.precision);
         block.put(0, outcomes);
-        let name = Rounds::name(self.next);
-        let pack =
-            |array: &str, bytes: &[u8]| tile::pack(bytes, self.tag, &format!("{name}/{array}"));
-        let numbers: Vec<u8> = cells.iter().flat_map(|cell| (*cell as u64).to_le_bytes()).collect();
-        let mut pieces = vec![pack(CELLS, &numbers)];
+        let mut bytes = bytes_of(cells);
         for (array, column) in zarr::columns() {
-            pieces.push(pack(array, &tile::encode(array, column, &block, cells.len())));
+            bytes.extend(tile::encode(array, column, &block, cells.len()));
         }
-        self.folder.write(&name, |w| {
-            use std::io::Write;
-            pieces.iter().try_for_each(|piece| {
-                w.write_all(&(piece.len() as u64).to_le_bytes())?;
-                w.write_all(piece)
-            })
-        })?;
+        let name = self.name();
+        let packed = tile::pack(&bytes, self.tag, &name);
+        self.folder.write(&name, |w| w.write_all(&packed))?;
         self.next += 1;
         Ok(())
     }
+}
+
+/// The numbers of cells, the lowest byte of each first.
+fn bytes_of(cells: &[usize]) -> Vec<u8> {
+    cells.iter().flat_map(|cell| (*cell as u64).to_le_bytes()).collect()
 }
 
 #[cfg(test)]

@@ -91,12 +91,13 @@ fn find(folder: &Path, tiling: &Tiling, tile: usize, tag: u32) -> Result<Option<
     }
     let (cells, whole) = (tiling.cells(tile), tiling.tile_cells());
     let codes = || -> Result<Option<Vec<Range<usize>>>, StoreError> {
-        let chunk = |array: &str| {
+        let mut chunks = |array: &str, count| {
             let path = path(array);
-            bounded::read(&path, tile::LARGEST).map_err(StoreError::file(&path))
+            let packed = bounded::read(&path, tile::LARGEST).map_err(StoreError::file(&path))?;
+            Ok(tile::unpack(&packed, count))
         };
         // Only which cells have run is asked for, which every number type has alike.
-        let codes = tile::decode::<of::Status, f32, _>((cells.len(), whole), &chunk)?;
+        let codes = tile::decode::<of::Status, f32, StoreError>((cells.len(), whole), &mut chunks)?;
         Ok(codes.map(|codes| block::done(&codes)))
     };
     if broken.is_empty() {

@@ -228,9 +228,12 @@ impl Store {
     /// # Errors
     /// Those of the disk, with the file's name.
     pub fn read(&self, tile: usize) -> io::Result<Block> {
-        let chunk = |array: &str| bounded::read(&self.chunk(array, tile), tile::LARGEST);
+        let mut chunks = |array: &str, count| {
+            let packed = bounded::read(&self.chunk(array, tile), tile::LARGEST)?;
+            Ok(tile::unpack(&packed, count))
+        };
         let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
-        tile::decode_all(sizes, self.precision, chunk)?.ok_or_else(|| {
+        tile::decode_all::<io::Error>(sizes, self.precision, &mut chunks)?.ok_or_else(|| {
             let path = self.chunk(Column::Status.entry().name, tile);
             let problem = format!("{}: its tile was damaged since it was found", path.display());
             io::Error::new(ErrorKind::InvalidData, problem)

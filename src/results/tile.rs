@@ -13,7 +13,7 @@ use super::block::{Block, with_columns};
 use super::cell_value::{CellValue, Stored};
 use super::columns::{Column, ColumnType, Columns, with_column};
 use super::element::{ColumnNumber, Element};
-use super::zarr::{LEVEL, PROVED};
+use super::zarr::{self, LEVEL, PROVED};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Status;
 
@@ -65,7 +65,7 @@ pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
 }
 
 /// So many bytes from a chunk; none where it is not whole, or has not as many.
-pub(super) fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
+pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     let mut bytes = vec![0; count];
     let mut decoder = GzDecoder::new(packed);
     let has_more =
@@ -97,48 +97,41 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u
     })
 }
 
-/// The values of a column's first `count` cells from the chunks of its arrays, of tiles of so many cells;
-/// none where one is not whole, or has a code of nothing. `chunk` gives the bytes of an array's.
+/// The bytes of an array, by its name and their number; none where these are not whole.
+pub type Chunks<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
+
+/// The values of a column's first `count` cells from the bytes of its arrays, of tiles of so many cells; none where those
+/// are not whole, or have a code of nothing.
 ///
 /// # Errors
-/// Those of `chunk`.
+/// Those of `chunks`.
 pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     (count, cells): (usize, usize),
-    chunk: &dyn Fn(&str) -> Result<Vec<u8>, E>,
+    chunks: &mut Chunks<E>,
 ) -> Result<Option<Vec<Stored<C::Value, F>>>, E> {
-    let packed = chunk(C::COLUMN.entry().name)?;
-    let proved = if C::Value::HAS_PROVED { Some(chunk(PROVED)?) } else { None };
-    Ok(values::<C::Value, F>(&packed, proved.as_deref(), (count, cells)))
+    let proved = if C::Value::HAS_PROVED { chunks(PROVED, cells)? } else { Some(Vec::new()) };
+    let bytes = chunks(C::COLUMN.entry().name, size_of::<Stored<C::Value, F>>() * cells)?;
+    let (Some(bytes), Some(proved)) = (bytes, proved) else { return Ok(None) };
+    let mut values = Element::first_of(&bytes, count);
+    Ok(C::Value::of_file::<F>(&mut values, &proved).then_some(values))
 }
 
-/// The values of a column's first `count` cells from its chunk, and from that of those that ended early.
-fn values<V: CellValue, F: ColumnNumber>(
-    packed: &[u8],
-    proved: Option<&[u8]>,
-    (count, cells): (usize, usize),
-) -> Option<Vec<Stored<V, F>>> {
-    let bytes = unpack(packed, size_of::<Stored<V, F>>() * cells)?;
-    let mut values = Stored::<V, F>::first_of(&bytes, count);
-    let proved = proved.map_or(Some(Vec::new()), |packed| unpack(packed, cells))?;
-    V::of_file::<F>(&mut values, &proved).then_some(values)
-}
-
-/// The whole block of a tile.
+/// The whole block of a tile; its arrays are asked for in the order of [`zarr::columns`].
 ///
 /// # Errors
-/// Those of `chunk`; none where one of its chunks is not whole.
+/// Those of `chunks`; none where one of them is not whole.
 pub fn decode_all<E>(
     sizes: (usize, usize),
     precision: Precision,
-    chunk: impl Fn(&str) -> Result<Vec<u8>, E>,
+    chunks: &mut Chunks<E>,
 ) -> Result<Option<Block>, E> {
     fn all<F: ColumnNumber, E>(
         sizes: (usize, usize),
-        chunk: &dyn Fn(&str) -> Result<Vec<u8>, E>,
+        chunks: &mut Chunks<E>,
     ) -> Result<Option<Columns<F>>, E> {
         let mut columns = Columns::default();
-        for column in Column::ALL {
-            with_column!(column, C => match decode::<C, F, E>(sizes, chunk)? {
+        for (_, column) in zarr::columns().filter(|(array, _)| *array != PROVED) {
+            with_column!(column, C => match decode::<C, F, E>(sizes, chunks)? {
                 Some(values) => *C::values_mut(&mut columns) = values,
                 None => return Ok(None),
             });
@@ -146,7 +139,7 @@ pub fn decode_all<E>(
         Ok(Some(columns))
     }
     Ok(match precision {
-        Precision::F32 => all::<f32, E>(sizes, &chunk)?.map(Block::from),
-        Precision::F64 => all::<f64, E>(sizes, &chunk)?.map(Block::from),
+        Precision::F32 => all::<f32, E>(sizes, chunks)?.map(Block::from),
+        Precision::F64 => all::<f64, E>(sizes, chunks)?.map(Block::from),
     })
 }

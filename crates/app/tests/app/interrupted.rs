@@ -20,7 +20,7 @@ use topple::results::reader::{ShardFolder, TileReader, missing};
 use topple::results::saved_tiles::SavedTiles;
 use topple::results::store::{Contents, Store};
 use topple::results::store_error::StoreError;
-use topple::results::tile::{check, decode_all, encode, pack};
+use topple::results::tile::{check, decode_all, encode, pack, unpack};
 use topple::results::tiling::Tiling;
 use topple::results::zarr;
 use topple::scene::{Grid, Scene};
@@ -85,8 +85,8 @@ fn a_tile_holds_its_outcomes_bit_by_bit() {
             Precision::F64 => outcomes(),
         };
         let chunks = chunks(&block(&outcomes(), precision), 7);
-        let chunk = |array: &str| Ok::<_, ()>(chunks[array].clone());
-        let block = decode_all((4, 6), precision, chunk).unwrap().unwrap();
+        let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&chunks[array], count));
+        let block = decode_all((4, 6), precision, &mut bytes).unwrap().unwrap();
         let mut read = vec![Outcome::PENDING; 4];
         block.read(0, &Column::ALL, &mut read);
         assert_eq!(read, expected);
@@ -316,9 +316,9 @@ fn files_that_change_places_are_found() {
 #[test]
 fn a_chunk_of_another_length_is_refused() {
     let chunks = chunks(&block(&outcomes(), Precision::F64), 7);
-    let chunk = |array: &str| Ok::<_, ()>(chunks[array].clone());
-    assert!(decode_all((4, 6), Precision::F32, chunk).unwrap().is_none());
-    assert!(decode_all((4, 5), Precision::F64, chunk).unwrap().is_none());
+    let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&chunks[array], count));
+    assert!(decode_all((4, 6), Precision::F32, &mut bytes).unwrap().is_none());
+    assert!(decode_all((4, 5), Precision::F64, &mut bytes).unwrap().is_none());
 }
 
 /// What has no identity is no run's, be it the copy of a map: it stays, and is not mixed with a run's.
