@@ -75,6 +75,8 @@ STUDIES = {
     "suite": "suite suite",
     "envelope": f"envelope {SUITE} --limit-u 0.4 --limit-v 0.05 --both-directions",
     "fragility": "fragility --suite suite --object 1 --u-y 0.01 --t-h 1,2 --t-v 0.5 --levels 1:12:5",
+    "fragility, varied": "fragility --suite suite --object 1 --u-y 0.01 --t-h 1,2 --t-v 0.5 --levels 1:12:5 "
+    "--bootstrap 99 --vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3,0.02,0.1) --samples 16 --verify none",
 }
 # What changes from run to run, and what a backend says of itself; the same do keys with these endings.
 CHANGING = {"adapter", "seconds", "start", "sweep", "threads", "timings", "version"}

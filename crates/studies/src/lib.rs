@@ -1,4 +1,5 @@
-//! Many sweeps as one: a suite of records, its envelope and its fragility, and numbers of which only a distribution is known.
+//! Many sweeps as one: a suite of records, its envelope and its fragility, and numbers of which only a distribution is known;
+//! and how sharp the boundaries of one are.
 //!
 //! ```text
 //! statistics -> suites, uncertain -> fragility

@@ -15,7 +15,7 @@ use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::{self, Settings};
 use topple::sweep::sample::Chosen;
-use topple::sweep::verification::{self, compare};
+use topple::sweep::verification::{self, Verification, compare};
 use topple::work::observer::Unwatched;
 use topple_lab::chart::bench::MAPS;
 
@@ -29,24 +29,33 @@ fn map_scene(a_v: f64, e: f64) -> Scene {
 }
 
 /// A scene, and its cells' outcomes by the reference.
-type Judged = (Scene, Vec<(usize, Outcome)>);
+type Judged = (Scene, Vec<Outcome>);
 
 /// The ten maps by the reference, made once: 36,000 cells of 30 s.
 static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
     let judge = |(a_v, e)| {
         let scene = map_scene(a_v, e);
         let grid = Grid::of(&scene);
-        let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
-        let outcomes = (0..grid.len()).into_par_iter().map(run).collect();
+        let outcomes = judged(&scene, &grid);
         (scene, outcomes)
     };
     MAPS.into_iter().map(judge).collect()
 });
 
-/// A cell by the sweep and by the reference; where it lies is not asked.
-fn both(cell: usize, outcome: Outcome, reference: Outcome) -> verification::Judged {
-    let chosen = Chosen { cell, beside_boundary: false, outcome };
-    verification::Judged { chosen, reference, sensitive: false }
+/// The cells of a scene by the reference.
+fn judged(scene: &Scene, grid: &Grid) -> Vec<Outcome> {
+    let run = |index| reference::run(scene, &grid.case(index), &Settings::default());
+    (0..grid.len()).into_par_iter().map(run).collect()
+}
+
+/// What the reference says of all cells of a sweep; where they lie is not asked.
+fn compared(grid: &Grid, outcomes: &[Outcome], judged: &[Outcome]) -> Verification {
+    assert_eq!(outcomes.len(), judged.len());
+    let both = |(cell, (&outcome, &reference))| {
+        let chosen = Chosen { cell, beside_boundary: false, outcome };
+        verification::Judged { chosen, reference, sensitive: false }
+    };
+    compare(grid, outcomes.iter().zip(judged).enumerate().map(both))
 }
 
 /// Median error of zeta that a map may have over its rocking cells. Seen: 2e-6 in f32 (rounding),
@@ -58,10 +67,7 @@ fn hold(name: &str, allowed: usize, sweep: impl Fn(&Plan, &Grid) -> Vec<Outcome>
     for (scene, judged) in JUDGED.iter() {
         let grid = Grid::of(scene);
         let outcomes = sweep(&Plan::new(scene, DEFAULT_STEP).unwrap(), &grid);
-        let report = compare(
-            &grid,
-            judged.iter().map(|&(index, reference)| both(index, outcomes[index], reference)),
-        );
+        let report = compared(&grid, &outcomes, judged);
         let case = scene.case();
         say(&format!(
             "{name}: e = {:+.1}, A_v = {}: {} of {} cells differ, {} in impacts, zeta median {:.0e} worst {:.0e}",
@@ -116,8 +122,7 @@ fn a_wrong_sign_in_the_shader_shows() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "0.1:15:24");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(&scene);
-    let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
-    let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
+    let judged = judged(&scene, &grid);
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
         let cells = sweeper
@@ -125,10 +130,7 @@ fn a_wrong_sign_in_the_shader_shows() {
             .unwrap()
             .block
             .to_outcomes();
-        let report = compare(
-            &grid,
-            judged.iter().map(|&(index, reference)| both(index, cells[index], reference)),
-        );
+        let report = compared(&grid, &cells, &judged);
         (report.differ + report.unresolved, report.median_zeta)
     };
     let passes =
@@ -168,13 +170,9 @@ fn locked_directions_agree_with_the_reference() {
         ));
         let grid = Grid::of(&scene);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-        let run = |index| (index, reference::run(&scene, &grid.case(index), &Settings::default()));
-        let judged: Vec<_> = (0..grid.len()).into_par_iter().map(run).collect();
+        let judged = judged(&scene, &grid);
         let twin = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
-        let report = compare(
-            &grid,
-            judged.iter().map(|&(index, reference)| both(index, twin[index], reference)),
-        );
+        let report = compared(&grid, &twin, &judged);
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);
         if let Some(gpu) = &gpu {
             let sweeper = Sweeper::new(gpu, Precision::F32, plan.variant()).unwrap();
@@ -183,10 +181,7 @@ fn locked_directions_agree_with_the_reference() {
                 .unwrap()
                 .block
                 .to_outcomes();
-            let report = compare(
-                &grid,
-                judged.iter().map(|&(index, reference)| both(index, shader[index], reference)),
-            );
+            let report = compared(&grid, &shader, &judged);
             assert!(
                 report.differ + report.unresolved <= 1,
                 "{isolation}: {:?}",
