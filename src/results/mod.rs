@@ -22,6 +22,7 @@ pub mod outcomes;
 pub mod own;
 pub mod palette;
 pub mod part;
+pub mod ramp;
 pub mod reader;
 pub(crate) mod replaced;
 pub mod rounds;

@@ -10,7 +10,8 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
 use topple::results::columns::{Column, TABLE};
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
+use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::parameters::Section;
 use topple::scene::{Directions, Overturn, description};
 
@@ -105,7 +106,14 @@ pub fn tables() -> Value {
         "dotted": DOTTED,
         "hatched": "contact force tensile, or friction beyond what is given: the model does not hold",
         "quantities": QUANTITIES.map(|column| column.entry().name),
-        "shades": { "fallen": hex(FALLEN), "curves": CURVES.map(hex) },
+        "shades": {
+            "fallen": hex(FALLEN),
+            "marked": hex(MARKED),
+            "outline": hex(OUTLINE),
+            "now": hex(CURVES[1]),
+            "greys": GREYS,
+            "probability": PROBABILITY,
+        },
         "limits": { "cells": MOST },
     })
 }
