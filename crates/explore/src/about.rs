@@ -23,7 +23,12 @@ fn hex([r, g, b]: Colour) -> String {
 /// A choice of words: the key, its section, and each word with what it means.
 fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
     let told = words.iter().map(|(word, label)| json!({ "value": word, "label": label }));
-    json!({ "key": key, "section": section.key(), "values": told.collect::<Vec<Value>>() })
+    json!({
+        "key": key,
+        "section": section.key(),
+        "applies": section.applies(),
+        "values": told.collect::<Vec<Value>>(),
+    })
 }
 
 /// The choices of a scene that are no numbers.
@@ -95,11 +100,13 @@ const QUANTITIES: [Column; 6] = [
 
 /// All that does not hang on a session.
 pub fn tables() -> Value {
-    let sections = Section::ALL.map(|own| json!({ "key": own.key(), "heading": own.heading() }));
+    let sections = Section::ALL
+        .map(|own| json!({ "key": own.key(), "heading": own.heading(), "applies": own.applies() }));
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "sections": sections,
         "parameters": description::parameters(),
+        "alternatives": description::alternatives(),
         "words": words(),
         "columns": columns(),
         "kinds": kinds(),
