@@ -5,18 +5,30 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
 use topple::results;
-use topple::results::palette::{DOTTED, FALLEN, Kind, is_dotted};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, is_dotted};
+use topple::results::ramp;
 use topple::scene::words;
 use topple::{Class, Outcome, Scene};
 
-/// The classes of cells as JSON: `kinds`, each with label and colour, the word on dots, the colour of overturned cells
-/// on a map of a quantity.
+/// The colours of pictures as JSON: `kinds` of cells, each with label and colour, the word on dots and the colour under
+/// them in a legend, the colour of overturned cells on a map of a quantity and the greys of its values, the colours of
+/// curves, and the one behind a motion while the block rocks.
 #[pyfunction]
 pub fn palette() -> String {
     let kinds = Kind::all();
     let kinds = kinds.iter().map(|kind| json!({ "label": kind.label(), "colour": kind.colour() }));
     let entries = kinds.collect::<Vec<_>>();
-    json!({ "kinds": entries, "dotted": DOTTED, "fallen": FALLEN }).to_string()
+    let greys = (0..=255_u8).map(|k| [ramp::grey(f64::from(k) / 255.0); 3]);
+    json!({
+        "kinds": entries,
+        "dotted": DOTTED,
+        "marked": MARKED,
+        "fallen": FALLEN,
+        "greys": greys.collect::<Vec<_>>(),
+        "curves": CURVES,
+        "rocks": ROCKS,
+    })
+    .to_string()
 }
 
 /// An array a class of cells, and where dots lie.

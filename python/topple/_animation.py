@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._colours import known_colours, rgb
+
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
 
@@ -56,9 +58,10 @@ def of(motion: Any, speed: float) -> FuncAnimation:
     body = above.add_patch(Polygon(np.zeros((4, 2)), closed=True, facecolor=stone, edgecolor="black"))
     above.set(xlabel="x [m]", ylabel="y [m]")
     title = above.set_title("")
-    below.plot(t, phi, color="#2c5fb8", linewidth=1.0)
+    curve, marked, _ = (rgb(colour) for colour in known_colours()["curves"])
+    below.plot(t, phi, color=curve, linewidth=1.0)
     below.set(xlabel="t [s]", ylabel="φ [rad]", xlim=(0.0, t[-1]))
-    (mark,) = below.plot([0.0], [0.0], "o", color="#d62f2a", markersize=4)
+    (mark,) = below.plot([0.0], [0.0], "o", color=marked, markersize=4)
 
     def draw(frame: int) -> list[Any]:
         u, v, phi = (float(now[name][frame]) for name in ("u", "v", "phi"))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _topple
+from ._colours import known_colours, rgb
 from ._help import parameters
 
 if TYPE_CHECKING:
@@ -140,12 +141,13 @@ def motion_of(dataset: Any) -> Any:
     """Draws u, v and φ of a history over the time."""
     import matplotlib.pyplot as plt
 
+    palette = known_colours()
     figure, axes = plt.subplots(3, 1, sharex=True, figsize=(6.4, 6.0), layout="constrained")
     t = np.asarray(dataset["t"])
     rocks = np.asarray(dataset["mode"]) != "full_contact"
     for ax, (name, text) in zip(axes, (("u", "u [m]"), ("v", "v [m]"), ("phi", "φ [rad]"))):
-        ax.plot(t, np.asarray(dataset[name]), color="#2c5fb8", linewidth=1.0)
-        ax.fill_between(t, 0.0, 1.0, where=rocks, color="#d6f4b8", transform=ax.get_xaxis_transform(), label="rocking")
+        ax.plot(t, np.asarray(dataset[name]), color=rgb(palette["curves"][0]), linewidth=1.0)
+        ax.fill_between(t, 0.0, 1.0, where=rocks, color=rgb(palette["rocks"]), transform=ax.get_xaxis_transform(), label="rocking")
         ax.set_ylabel(text)
     axes[0].set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
     axes[-1].set(xlabel="t [s]", xlim=(t[0], t[-1]))
@@ -191,30 +193,25 @@ def _swatches(kinds: np.ndarray) -> list[Any]:
     """A line of the legend for each class that is there, with its share."""
     from matplotlib.patches import Patch
 
-    palette = json.loads(_topple.palette())
+    palette = known_colours()
     places, counts = np.unique(kinds, return_counts=True)
     swatches = []
     for place, share in zip(places, _topple.shares(counts.tolist())):
         entry = palette["kinds"][place]
-        swatch = Patch(facecolor=_rgb(entry["colour"]), label=f"{entry['label']}: {share}")
+        swatch = Patch(facecolor=rgb(entry["colour"]), label=f"{entry['label']}: {share}")
         if min(entry["colour"]) == 255:
             swatch.set(hatch="xxx", edgecolor="black")
         swatches.append(swatch)
     return swatches
 
 
-def _rgb(colour: list[int]) -> tuple[float, float, float]:
-    red, green, blue = (part / 255.0 for part in colour)
-    return red, green, blue
-
-
 def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
-    palette = json.loads(_topple.palette())
+    palette = known_colours()
     kinds, dots = classes(dataset)
-    colours = ListedColormap([_rgb(entry["colour"]) for entry in palette["kinds"]])
+    colours = ListedColormap([rgb(entry["colour"]) for entry in palette["kinds"]])
     ax.pcolormesh(x, y, kinds, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, rasterized=True)
     handles = _swatches(kinds)
     over = [(dots, "...", palette["dotted"]), (kinds == colours.N - 1, "xxx", None)]
@@ -222,7 +219,7 @@ def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> N
     for where, hatch, meaning in over:
         _hatched(ax, x, y, where, hatch)
         if where.any() and meaning:
-            handles.append(Patch(facecolor="#bdb0aa", hatch=hatch, edgecolor="black", label=meaning))
+            handles.append(Patch(facecolor=rgb(palette["marked"]), hatch=hatch, edgecolor="black", label=meaning))
     _legend(ax, handles, dataset)
 
 
@@ -246,20 +243,20 @@ def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) ->
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
-    palette = json.loads(_topple.palette())
+    palette = known_colours()
     flags = dataset["outcome"].attrs["flag_meanings"].split()
     codes = np.asarray(dataset["outcome"])
     stands = np.isin(codes, [flags.index("full_contact"), flags.index("rocking")])
     unresolved = codes == flags.index("unresolved")
     values = np.ma.masked_array(np.asarray(dataset[column], dtype=float), ~stands)
-    mesh = ax.pcolormesh(x, y, values, cmap="Greys", rasterized=True)
+    greys = ListedColormap([rgb(grey) for grey in palette["greys"]])
+    mesh = ax.pcolormesh(x, y, values, cmap=greys, rasterized=True)
     fallen = np.ma.masked_array(np.ones(values.shape), stands | unresolved)
-    ax.pcolormesh(x, y, fallen, cmap=ListedColormap([_rgb(palette["fallen"])]), rasterized=True)
+    ax.pcolormesh(x, y, fallen, cmap=ListedColormap([rgb(palette["fallen"])]), rasterized=True)
     figure = ax.get_figure()
     assert figure is not None
     figure.colorbar(mesh, ax=ax, label=meaning(dataset[column]), shrink=0.8)
-    handles = [Patch(facecolor=_rgb(palette["fallen"]), label="overturned")] if fallen.count() else []
-    # White is also the least value.
+    handles = [Patch(facecolor=rgb(palette["fallen"]), label="overturned")] if fallen.count() else []
     without = stands & np.isnan(np.ma.getdata(values))
     for where, hatch, text in ((without, "///", WITHOUT.get(column, "no value")), (unresolved, "xxx", "unresolved")):
         _hatched(ax, x, y, where, hatch)
@@ -273,7 +270,7 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
     import matplotlib.pyplot as plt
     from matplotlib.colors import ListedColormap
 
-    palette = json.loads(_topple.palette())
+    palette = known_colours()
     (dim,) = dataset["outcome"].dims
     dataset = dataset.sortby(dim)
     x = np.asarray(dataset[dim], dtype=float)
@@ -283,7 +280,7 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
     flags = dataset["outcome"].attrs["flag_meanings"].split()
     stands = np.isin(np.asarray(dataset["outcome"]), [flags.index("full_contact"), flags.index("rocking")])
     strip = ax.inset_axes((0.0, 1.02, 1.0, 0.06), sharex=ax)
-    colours = ListedColormap([_rgb(entry["colour"]) for entry in palette["kinds"]])
+    colours = ListedColormap([rgb(entry["colour"]) for entry in palette["kinds"]])
     strip.pcolormesh(_edges(x), [0.0, 1.0], kinds[np.newaxis], cmap=colours, vmin=-0.5, vmax=colours.N - 0.5)
     strip.tick_params(left=False, labelleft=False, labelbottom=False, bottom=False)
     handles = _swatches(kinds)

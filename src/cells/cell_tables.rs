@@ -15,7 +15,6 @@ use super::reader::Reader;
 use super::table::Table;
 use crate::model::block::Model;
 use crate::model::real::Real;
-use crate::scene::isolation::VERTICAL;
 use crate::scene::{Case, Grid, Parameter};
 
 /// The clocks of a grid.
@@ -97,7 +96,7 @@ impl<'a, R: Real> CellTables<'a, R> {
             cells,
             bodies: by_body(of, &[], |_, body| body.model()),
             horizontal: by_body(of, &Horizontal::<R>::law(), Horizontal::of),
-            vertical: by_body(of, &VERTICAL, Vertical::of),
+            vertical: by_body(of, &Vertical::<R>::law(), Vertical::of),
             drive: Table::of(&list, &Drive::<R>::LAW, |case| Drive::of(case, shared)),
             clocks,
             readers: by_body(of, &Reader::LAW, |case, _| Reader::of(case)),

@@ -12,8 +12,7 @@ use crate::model::layout::pod;
 use crate::model::pulse::Modulation;
 use crate::model::real::Real;
 use crate::scene::case::PEAK;
-use crate::scene::isolation::HORIZONTAL;
-use crate::scene::{Case, Parameter, Pulse, Shaking};
+use crate::scene::{Case, Directions, Parameter, Pulse, Shaking};
 
 /// A landing block comes to rest when its next flight would last less than a step divided by this number.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
@@ -112,7 +111,7 @@ fn flag<R: Real>(finite: bool) -> R {
 impl<R: Real> Horizontal<R> {
     /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
     pub fn law() -> Vec<Parameter> {
-        [&HORIZONTAL[..], &PEAK].concat()
+        Parameter::of_direction(Directions::Horizontal).chain(PEAK).collect()
     }
 
     /// The numbers of a cell; zeros where the direction is locked.
@@ -141,6 +140,11 @@ impl<R: Real> Horizontal<R> {
 }
 
 impl<R: Real> Vertical<R> {
+    /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
+    pub fn law() -> Vec<Parameter> {
+        Parameter::of_direction(Directions::Vertical).collect()
+    }
+
     /// The numbers of a cell; zeros where the direction is locked.
     pub fn of(case: &Case, body: &Body) -> Vertical<R> {
         let mut group = Vertical::<R>::zeroed();

@@ -48,6 +48,24 @@ impl Shape {
         Shape::MavroeidisPapageorgiou,
     ];
 
+    /// Those that may have several cycles.
+    pub const WITH_CYCLES: &[Shape] = &[Shape::OneSine, Shape::OneCosine];
+    /// Those that gamma and nu make.
+    pub const MODULATED: &[Shape] = &[Shape::MavroeidisPapageorgiou];
+
+    /// Its word in a scene file.
+    pub fn key(self) -> &'static str {
+        match self {
+            Shape::OneSine => "one-sine",
+            Shape::OneCosine => "one-cosine",
+            Shape::HalfSine => "half-sine",
+            Shape::Rectangle => "rectangle",
+            Shape::Ricker => "ricker",
+            Shape::RickerAntisymmetric => "ricker-antisymmetric",
+            Shape::MavroeidisPapageorgiou => "mavroeidis-papageorgiou",
+        }
+    }
+
     /// What it is called in captions and messages.
     pub fn words(self) -> &'static str {
         match self {
@@ -63,12 +81,12 @@ impl Shape {
 
     /// True where it may have several cycles.
     pub fn has_cycles(self) -> bool {
-        matches!(self, Shape::OneSine | Shape::OneCosine)
+        Shape::WITH_CYCLES.contains(&self)
     }
 
     /// True where gamma and nu make it.
     pub fn is_modulated(self) -> bool {
-        self == Shape::MavroeidisPapageorgiou
+        Shape::MODULATED.contains(&self)
     }
 
     /// How long it lasts, in periods 2 pi/Omega. The wavelets have no end: where they are cut they are

@@ -23,6 +23,7 @@ pub mod npz;
 pub mod outcomes;
 pub mod own;
 pub mod palette;
+pub mod ramp;
 pub mod reader;
 pub(crate) mod replaced;
 pub mod rounds;

@@ -46,6 +46,25 @@ pub const DOTTED: &str = "with dots: over the right corner";
 pub const FALLEN: Colour = [0xe0, 0x8a, 0x6e];
 /// Colour of a curve, and of a second and a third one.
 pub const CURVES: [Colour; 3] = [[0x2c, 0x5f, 0xb8], [0xd6, 0x2f, 0x2a], [0x55, 0x55, 0x55]];
+/// Colours of curves of several limit states, and of the bands of their intervals.
+pub const STATES: [(Colour, Colour); 4] = [
+    ([0xb0, 0x20, 0x20], [0xf3, 0xd9, 0xd9]),
+    (CURVES[0], [0xd6, 0xe2, 0xf5]),
+    ([0x2f, 0x7d, 0x32], [0xd8, 0xec, 0xd9]),
+    ([0x6a, 0x51, 0xa3], [0xe3, 0xde, 0xf0]),
+];
+/// Colour of a curve that is one of many, and of the band in which most of them lie.
+pub const MANY: (Colour, Colour) = ([0xb4, 0xb4, 0xb4], [0xcf, 0xdf, 0xf5]);
+/// Colour of what keeps all limits: cells on a map, and a part of a plot that is no map.
+pub const FEASIBLE: (Colour, Colour) = ([0x7f, 0xc9, 0x7f], [0xd9, 0xee, 0xd9]);
+/// Colour of the outline around cells that keep all limits, where these keep their own colour.
+pub const OUTLINE: Colour = [0x12, 0x45, 0x9e];
+/// Colours of the border of a limit of u, and of one of v.
+pub const LIMITS: [Colour; 2] = [[0x1f, 0x3f, 0x9f], STATES[0].0];
+/// Colour behind a motion while the block rocks.
+pub const ROCKS: Colour = [0xd6, 0xf4, 0xb8];
+/// Colour under the dots and hatches of a legend: neither black nor white is lost on it.
+pub const MARKED: Colour = [0xbd, 0xb0, 0xaa];
 
 impl Kind {
     /// The class of an outcome.

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::applies::{BlockBy, Choice};
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
 use super::{GRAVITY, Overturn, SceneError};
@@ -129,8 +130,7 @@ const SHAPE: [Parameter; 4] =
 pub(super) fn complete(object: Option<u32>, numbers: &mut Numbers) -> Result<(), SceneError> {
     use Parameter::{Inertia, Mass, PlateH, PlateV};
     if let Some(number) = object {
-        let mut own = SHAPE.into_iter().chain([Mass, Inertia]);
-        if let Some(given) = own.find(|parameter| numbers.has(*parameter)) {
+        if let Some(given) = numbers.excluded_by(Choice::Block(BlockBy::Object)) {
             let problem = "`object` already fixes this; give one or the other";
             return Err(SceneError::new(given.key(), problem));
         }

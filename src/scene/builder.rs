@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use super::applies::{Choice, ShakenBy};
 use super::excitation::{self, Excitation, RecordText};
 use super::numbers::Numbers;
-use super::parameters::{Parameter, Section};
+use super::parameters::Parameter;
 use super::record::Pair;
 use super::{Directions, Overturn, Scene, SceneError, Values};
 use super::{block, check, isolation, shown};
@@ -112,12 +113,9 @@ impl SceneBuilder {
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check_in(&self, directory: &Path) -> Result<Scene, SceneError> {
-        let given = |section| {
-            let mut own = Parameter::of_section(section);
-            own.any(|parameter| self.numbers.has(parameter))
-        };
-        let recorded = self.record.is_some() || given(Section::Record);
-        if recorded && (self.shape.is_some() || given(Section::Pulse)) {
+        let not_under = |by| self.numbers.excluded_by(Choice::Excitation(by));
+        let recorded = self.record.is_some() || not_under(ShakenBy::Pulse).is_some();
+        if recorded && (self.shape.is_some() || not_under(ShakenBy::Record).is_some()) {
             let problem = "a scene has a pulse or a record; leave one out";
             return Err(SceneError::new("horizontal", problem));
         }
@@ -145,8 +143,7 @@ impl SceneBuilder {
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check_under_motion(&self, pair: Pair) -> Result<Scene, SceneError> {
-        let mut pulse = Parameter::of_section(Section::Pulse);
-        if let Some(parameter) = pulse.find(|parameter| self.numbers.has(*parameter)) {
+        if let Some(parameter) = self.numbers.excluded_by(Choice::Excitation(ShakenBy::Record)) {
             let problem = "a record shakes the base, not a pulse; leave it out";
             return Err(SceneError::new(parameter.key(), problem));
         }

@@ -1,17 +1,11 @@
 //! Whether a scene's numbers make sense: each by itself, and together.
 
+use super::applies::Choice;
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
-use super::parameters::{ACCEPTED, Entry, Parameter};
-use super::{Directions, Grid, Scene, SceneError, Values};
-
-/// Parameters that say the same: one of each row.
-const ALTERNATIVES: [&[Parameter]; 3] = [
-    &[Parameter::Eccentricity, Parameter::Offset],
-    &[Parameter::AlphaY, Parameter::UY, Parameter::YieldForce],
-    &[Parameter::Scale, Parameter::Pga],
-];
+use super::parameters::{ACCEPTED, ALTERNATIVES, Entry, Parameter};
+use super::{Grid, Scene, SceneError, Values};
 
 /// Most cells of a grid.
 const MOST_CELLS: usize = 1 << 40;
@@ -110,7 +104,8 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
         }
     }
     let numbers = &scene.numbers;
-    if numbers.has(Parameter::Restitution) && scene.isolation != Directions::None {
+    let applies = Parameter::Restitution.entry().applies;
+    if numbers.has(Parameter::Restitution) && !applies.beside(Choice::Isolation(scene.isolation)) {
         let problem = "replaces the law of impact only where `isolation` is none";
         return Err(SceneError::new("restitution", problem));
     }

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
-use super::parameters::{Entry, Legal, PARAMETERS};
+use super::applies::Applies;
+use super::block::OBJECTS;
+use super::parameters::{ALTERNATIVES, Entry, Legal, PARAMETERS};
 
 /// An entry of the table in plain values; an end that is infinite is none.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -43,11 +45,20 @@ pub struct Description {
     pub perhaps: &'static str,
     /// From where to where legal and plausible values lie, in words.
     pub range: String,
+    /// The choices of a scene beside which it means something.
+    pub applies: Applies,
+    /// True where a block of Table 1 has its own value.
+    pub of_object: bool,
 }
 
 /// The table.
 pub fn parameters() -> Vec<Description> {
     PARAMETERS.iter().map(Description::of).collect()
+}
+
+/// The keys of numbers that say the same: a scene has one of each row at most.
+pub fn alternatives() -> Vec<Vec<&'static str>> {
+    ALTERNATIVES.iter().map(|row| row.iter().map(|own| own.key()).collect()).collect()
 }
 
 impl Description {
@@ -74,6 +85,8 @@ impl Description {
             plausible: (least, end(most)),
             perhaps: entry.perhaps,
             range: entry.range(),
+            applies: entry.applies,
+            of_object: OBJECTS[0].numbers().iter().any(|(own, _)| *own == entry.parameter),
         }
     }
 }

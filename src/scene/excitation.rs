@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::applies::Choice;
 use super::numbers::Numbers;
 use super::parameters::Parameter;
 use super::record::read::{self, RecordHints};
@@ -103,16 +104,11 @@ pub(super) fn complete_pulse(shape: Shape, numbers: &mut Numbers) -> Result<(), 
         }
     }
     numbers.set_missing(Parameter::AV, 0.0);
-    let modulated = "mavroeidis-papageorgiou has it";
-    for (parameter, has, whose) in [
-        (Parameter::Cycles, shape.has_cycles(), "one-sine and one-cosine have it"),
-        (Parameter::Gamma, shape.is_modulated(), modulated),
-        (Parameter::Phase, shape.is_modulated(), modulated),
-    ] {
-        if !has && numbers.has(parameter) {
-            let problem = format!("a {} has none; {whose}", shape.words());
-            return Err(SceneError::new(parameter.key(), problem));
-        }
+    if let Some(given) = numbers.excluded_by(Choice::Shape(shape)) {
+        let own: Vec<&str> = given.entry().applies.shape.iter().map(|shape| shape.key()).collect();
+        let have = if own.len() == 1 { "has" } else { "have" };
+        let problem = format!("a {} has none; {} {have} it", shape.words(), own.join(" and "));
+        return Err(SceneError::new(given.key(), problem));
     }
     if shape.is_modulated() {
         numbers.set_missing(Parameter::Gamma, 2.0);

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
+use super::applies::Choice;
+use super::directions::Directions;
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
 use super::{Block, GRAVITY, SceneError};
@@ -47,59 +49,13 @@ pub struct KelvinVoigt {
     pub xi_v: f64,
 }
 
-/// The directions in which the base moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Directions {
-    /// Horizontally and vertically.
-    Dual,
-    /// Horizontally only.
-    Horizontal,
-    /// Vertically only.
-    Vertical,
-    /// The block stands on the ground.
-    None,
-}
-
-/// The numbers of the horizontal isolation.
-pub const HORIZONTAL: [Parameter; 7] = [
-    Parameter::TH,
-    Parameter::Psi,
-    Parameter::XiH,
-    Parameter::AlphaY,
-    Parameter::UY,
-    Parameter::YieldForce,
-    Parameter::BoucWenN,
-];
-/// Those of the vertical isolation.
-pub const VERTICAL: [Parameter; 2] = [Parameter::TV, Parameter::XiV];
-
 impl Directions {
-    /// True where the base moves horizontally.
-    pub fn moves_h(self) -> bool {
-        matches!(self, Directions::Dual | Directions::Horizontal)
-    }
-
-    /// True where it moves vertically.
-    pub fn moves_v(self) -> bool {
-        matches!(self, Directions::Dual | Directions::Vertical)
-    }
-
     /// The numbers of the directions in which it does not move.
     pub fn locked(self) -> impl Iterator<Item = Parameter> {
-        let across = HORIZONTAL.iter().filter(move |_| !self.moves_h());
-        across.chain(VERTICAL.iter().filter(move |_| !self.moves_v())).copied()
-    }
-
-    /// The same with the horizontal direction locked.
-    pub fn without_horizontal(self) -> Directions {
-        if self.moves_v() { Directions::Vertical } else { Directions::None }
-    }
-
-    /// The same with the vertical direction locked.
-    pub fn without_vertical(self) -> Directions {
-        if self.moves_h() { Directions::Horizontal } else { Directions::None }
+        let both = [Directions::Horizontal, Directions::Vertical];
+        both.into_iter()
+            .flat_map(Parameter::of_direction)
+            .filter(move |own| !own.entry().applies.beside(Choice::Isolation(self)))
     }
 }
 
@@ -167,17 +123,19 @@ fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
 /// A period that is missing, and what means nothing where a direction is locked.
 pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<(), SceneError> {
     use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
-    let unused = |own: &[Parameter], numbers: &Numbers, direction: &str| match own
-        .iter()
-        .find(|parameter| numbers.has(**parameter))
-    {
-        Some(given) => {
-            let problem =
-                format!("means nothing where the {direction} direction is locked; leave it out");
-            Err(SceneError::new(given.key(), problem))
-        }
-        None => Ok(()),
-    };
+    let unused =
+        |numbers: &Numbers, direction: Directions, word: &str| match Parameter::of_direction(
+            direction,
+        )
+        .find(|own| numbers.has(*own))
+        {
+            Some(given) => {
+                let problem =
+                    format!("means nothing where the {word} direction is locked; leave it out");
+                Err(SceneError::new(given.key(), problem))
+            }
+            None => Ok(()),
+        };
     if directions.moves_h() {
         period(TH, numbers)?;
         numbers.set_missing(Psi, 0.25);
@@ -187,13 +145,13 @@ pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<
         }
         numbers.set_missing(BoucWenN, 2.0);
     } else {
-        unused(&HORIZONTAL, numbers, "horizontal")?;
+        unused(numbers, Directions::Horizontal, "horizontal")?;
     }
     if directions.moves_v() {
         period(TV, numbers)?;
         numbers.set_missing(XiV, 0.1);
     } else {
-        unused(&VERTICAL, numbers, "vertical")?;
+        unused(numbers, Directions::Vertical, "vertical")?;
     }
     Ok(())
 }

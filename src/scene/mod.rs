@@ -4,12 +4,14 @@
 //! [`Scene`], and is not checked again from there on. Its numbers stand in one table ([`parameters`]); each may
 //! take several values, and these are the axes of the [`Grid`]. A cell of it is a [`Case`].
 
+pub mod applies;
 pub mod block;
 pub mod bounded;
 pub mod builder;
 pub(crate) mod case;
 mod check;
 pub mod description;
+pub mod directions;
 pub mod excitation;
 pub mod grid;
 pub mod isolation;
@@ -27,12 +29,15 @@ pub mod words;
 
 use serde::{Deserialize, Serialize};
 
+use applies::{Choice, ShakenBy};
+
 pub use block::Block;
 pub use builder::SceneBuilder;
 pub use case::{Case, Choices, Pulse, Shaking};
+pub use directions::Directions;
 pub use excitation::Excitation;
 pub use grid::Grid;
-pub use isolation::{Directions, Isolation};
+pub use isolation::Isolation;
 pub use numbers::Numbers;
 pub use parameters::Parameter;
 pub use range::Range;
@@ -125,7 +130,7 @@ impl Scene {
 
     /// Puts it under a record, to the record's end; a pulse's numbers are taken out.
     pub fn shake(&mut self, pair: record::Pair) {
-        for parameter in Parameter::of_section(parameters::Section::Pulse) {
+        for parameter in Parameter::excluded_by(Choice::Excitation(ShakenBy::Record)) {
             self.numbers.remove(parameter);
         }
         self.set(Parameter::TMax, pair.duration());

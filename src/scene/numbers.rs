@@ -3,6 +3,7 @@
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
+use super::applies::Choice;
 use super::parameters::Parameter;
 use super::values::Values;
 
@@ -56,6 +57,11 @@ impl Numbers {
     /// True where none was given.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// The first number in the order of the table that is given and means nothing beside a choice.
+    pub fn excluded_by(&self, choice: Choice) -> Option<Parameter> {
+        Parameter::excluded_by(choice).find(|parameter| self.has(*parameter))
     }
 
     /// The first value of each.

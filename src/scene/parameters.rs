@@ -5,6 +5,10 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::applies::{Applies, BlockBy, Choice, ShakenBy};
+use super::directions::{Directions, MOVES_H, MOVES_V};
+use crate::model::pulse::Shape;
+
 /// A number of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -101,6 +105,16 @@ impl Section {
             Record => "record",
             Run => "run",
         }
+    }
+
+    /// The choices of a scene beside which it means something.
+    pub const fn applies(self) -> Applies {
+        let excitation: &[ShakenBy] = match self {
+            Pulse => &[ShakenBy::Pulse],
+            Record => &[ShakenBy::Record],
+            Block | Base | Run => &[],
+        };
+        Applies { excitation, ..Applies::ALWAYS }
     }
 
     /// Its heading in the help.
@@ -212,6 +226,8 @@ pub struct Entry {
     pub source: &'static str,
     /// When a caption shows it, where it has one value.
     pub caption: Caption,
+    /// The choices of a scene beside which it means something.
+    pub applies: Applies,
 }
 
 /// When a caption shows a number.
@@ -241,6 +257,7 @@ const fn entry(
     source: &'static str,
 ) -> Entry {
     let (plausible, perhaps, caption) = (ANY, "", Caption::Unusual);
+    let applies = section.applies();
     Entry {
         parameter,
         key,
@@ -254,6 +271,7 @@ const fn entry(
         default,
         source,
         caption,
+        applies,
     }
 }
 
@@ -272,6 +290,21 @@ impl Entry {
     const fn never(self) -> Entry {
         Entry { caption: Caption::Never, ..self }
     }
+
+    /// The same, of a block that is no object of Table 1.
+    const fn without_object(self) -> Entry {
+        Entry { applies: Applies { block: &[BlockBy::Numbers], ..self.applies }, ..self }
+    }
+
+    /// The same, of a base that moves in some directions.
+    const fn moving(self, isolation: &'static [Directions]) -> Entry {
+        Entry { applies: Applies { isolation, ..self.applies }, ..self }
+    }
+
+    /// The same, of pulses of some shapes.
+    const fn shaped(self, shape: &'static [Shape]) -> Entry {
+        Entry { applies: Applies { shape, ..self.applies }, ..self }
+    }
 }
 
 use Legal::{AboveUpTo, Finite, InBase, NotNegative, NotZero, Positive, Whole, Within};
@@ -283,22 +316,22 @@ use Section::{Base, Block, Pulse, Record, Run};
 pub const PARAMETERS: [Entry; Parameter::COUNT] = [
     entry(P::HalfWidth, ("half_width", "B", "m"), Block, Positive,
         "half the width of the base; give two of half_width, height, slenderness and size",
-        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres").always(),
+        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres").always().without_object(),
     entry(P::Height, ("height", "H", "m"), Block, Positive,
         "height of the centre of mass",
-        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres").always(),
+        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object(),
     entry(P::Slenderness, ("slenderness", "λ", ""), Block, Positive,
         "H/B, the height of the centre of mass over half the width",
-        "", "section 2").plausible(0.05, 100.0, "a ratio is meant, not an angle").always(),
+        "", "section 2").plausible(0.05, 100.0, "a ratio is meant, not an angle").always().without_object(),
     entry(P::Size, ("size", "R", "m"), Block, Positive,
         "half the diagonal, the root of B² + H²",
-        "", "").plausible(0.005, 100.0, "metres are meant, not millimetres").always(),
+        "", "").plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object(),
     entry(P::Mass, ("mass", "M", "kg"), Block, Positive,
         "mass; needed only with plates",
-        "1, without plates", "section 2.1").never(),
+        "1, without plates", "section 2.1").never().without_object(),
     entry(P::Inertia, ("inertia", "J_C", "kg m²"), Block, Positive,
         "moment of inertia about the centre of mass",
-        "the uniform rectangle's, M (B² + H²)/3", "section 2.1").never(),
+        "the uniform rectangle's, M (B² + H²)/3", "section 2.1").never().without_object(),
     entry(P::Eccentricity, ("eccentricity", "ε", ""), Block, InBase,
         "e/B: offset of the centre of mass to the right, over B",
         "0", "section 3.3").always(),
@@ -313,31 +346,31 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "0", "Fig. 1").never(),
     entry(P::TH, ("t_h", "T_h", "s"), Base, Positive,
         "period of the horizontal isolation",
-        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant").always(),
+        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_H),
     entry(P::TV, ("t_v", "T_v", "s"), Base, Positive,
         "period of the vertical isolation",
-        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant").always(),
+        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_V),
     entry(P::Psi, ("psi", "ψ", ""), Base, Within(0.0, 1.0),
         "post-yield over initial stiffness",
-        "0.25", "(10a)"),
+        "0.25", "(10a)").moving(MOVES_H),
     entry(P::XiH, ("xi_h", "ξ_h", ""), Base, Within(0.0, 10.0),
         "horizontal damping ratio",
-        "0.05", "(19)").plausible(0.0, 1.0, "a ratio is meant, not percent"),
+        "0.05", "(19)").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H),
     entry(P::XiV, ("xi_v", "ξ_v", ""), Base, Within(0.0, 10.0),
         "vertical damping ratio",
-        "0.1", "(20)").plausible(0.0, 1.0, "a ratio is meant, not percent"),
+        "0.1", "(20)").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_V),
     entry(P::AlphaY, ("alpha_y", "α_y", ""), Base, Positive,
         "yield displacement over PGA_h/ω_h²: a base whose strength grows with the motion",
-        "0.1", "(21)"),
+        "0.1", "(21)").moving(MOVES_H),
     entry(P::UY, ("u_y", "u_y", "m"), Base, Positive,
         "yield displacement, in place of alpha_y: a base that stays the same when the motion grows",
-        "", "(11)").plausible(1.0e-6, 1.0, "metres are meant, not millimetres"),
+        "", "(11)").plausible(1.0e-6, 1.0, "metres are meant, not millimetres").moving(MOVES_H),
     entry(P::YieldForce, ("yield_force", "F_y", "N"), Base, Positive,
         "k_h u_y, in place of alpha_y: the force at which the base yields",
-        "", "(10a)"),
+        "", "(10a)").moving(MOVES_H),
     entry(P::BoucWenN, ("bouc_wen_n", "n", ""), Base, Whole(1, 100),
         "exponent of the Bouc-Wen law",
-        "2", "(11)"),
+        "2", "(11)").moving(MOVES_H),
     entry(P::Omega, ("omega", "Ω", "rad/s"), Pulse, Positive,
         "circular frequency of the pulse: its period is 2π/Ω",
         "", "(22)").always(),
@@ -349,13 +382,13 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "0", "(22b)").plausible(0.0, 100.0, "m/s² are meant, not cm/s²").always(),
     entry(P::Cycles, ("cycles", "N", ""), Pulse, AboveUpTo(0.0, 1000.0),
         "cycles of a one-sine or one-cosine pulse",
-        "1", ""),
+        "1", "").shaped(Shape::WITH_CYCLES),
     entry(P::Gamma, ("gamma", "γ", ""), Pulse, Within(1.0, 100.0),
         "cycles of a pulse of Mavroeidis & Papageorgiou: oscillations under its bell",
-        "2", "").plausible(1.0, 20.0, "a number of cycles is meant").always(),
+        "2", "").plausible(1.0, 20.0, "a number of cycles is meant").always().shaped(Shape::MODULATED),
     entry(P::Phase, ("phase", "ν", "rad"), Pulse, Finite,
         "phase of the cosine of a Mavroeidis & Papageorgiou pulse: 0 for the largest velocity in the middle of the pulse, π/2 for none there",
-        "0", "").plausible(0.0, 6.3, "radians are meant, not degrees"),
+        "0", "").plausible(0.0, 6.3, "radians are meant, not degrees").shaped(Shape::MODULATED),
     entry(P::Scale, ("scale", "SF", ""), Record, NotZero,
         "factor on both components",
         "1", "").always(),
@@ -373,8 +406,12 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "none", "").plausible(0.0, 5.0, "a coefficient is meant, not an angle"),
     entry(P::Restitution, ("restitution", "η_φ", ""), Run, AboveUpTo(0.0, 1.0),
         "angular velocity after an impact over the one before, in place of the law; only without isolation",
-        "the law's", "(17c)"),
+        "the law's", "(17c)").moving(&[Directions::None]),
 ];
+
+/// Parameters that say the same: a scene has one of each row at most.
+pub const ALTERNATIVES: [&[Parameter]; 3] =
+    [&[P::Eccentricity, P::Offset], &[P::AlphaY, P::UY, P::YieldForce], &[P::Scale, P::Pga]];
 
 impl Parameter {
     /// How many there are.
@@ -398,6 +435,20 @@ impl Parameter {
     /// All of a section.
     pub fn of_section(section: Section) -> impl Iterator<Item = Parameter> {
         let own = PARAMETERS.iter().filter(move |entry| entry.section == section);
+        own.map(|entry| entry.parameter)
+    }
+
+    /// The numbers that mean nothing beside a choice, in the order of the table.
+    pub fn excluded_by(choice: Choice) -> impl Iterator<Item = Parameter> {
+        let excluded = PARAMETERS.iter().filter(move |entry| !entry.applies.beside(choice));
+        excluded.map(|entry| entry.parameter)
+    }
+
+    /// The numbers of a base that moves in a direction, [`Horizontal`](Directions::Horizontal) or
+    /// [`Vertical`](Directions::Vertical).
+    pub fn of_direction(direction: Directions) -> impl Iterator<Item = Parameter> {
+        let own =
+            PARAMETERS.iter().filter(move |entry| entry.applies.isolation.contains(&direction));
         own.map(|entry| entry.parameter)
     }
 }
@@ -447,7 +498,7 @@ impl Entry {
 
 #[cfg(test)]
 mod tests {
-    use super::{PARAMETERS, Parameter};
+    use super::*;
 
     /// An end that is included makes sense itself, another one does not; all beyond them makes none.
     #[test]
@@ -470,6 +521,38 @@ mod tests {
             assert_eq!(Parameter::of_key(entry.key), Some(entry.parameter));
             let (low, high) = entry.plausible;
             assert!(low < high && (entry.perhaps.is_empty() == (high == f64::INFINITY)));
+        }
+    }
+
+    #[test]
+    fn a_choice_excludes_the_numbers_that_mean_nothing_beside_it() {
+        let across = "t_h psi xi_h alpha_y u_y yield_force bouc_wen_n";
+        for (choice, keys) in [
+            (Choice::Block(BlockBy::Numbers), ""),
+            (Choice::Block(BlockBy::Object), "half_width height slenderness size mass inertia"),
+            (Choice::Isolation(Directions::Dual), "restitution"),
+            (Choice::Isolation(Directions::Horizontal), "t_v xi_v restitution"),
+            (Choice::Isolation(Directions::Vertical), &format!("{across} restitution")),
+            (Choice::Isolation(Directions::None), &format!("{across} t_v xi_v")),
+            (Choice::Excitation(ShakenBy::Pulse), "scale pga"),
+            (Choice::Excitation(ShakenBy::Record), "omega a_h a_v cycles gamma phase"),
+            (Choice::Shape(Shape::OneCosine), "gamma phase"),
+            (Choice::Shape(Shape::Ricker), "cycles gamma phase"),
+            (Choice::Shape(Shape::MavroeidisPapageorgiou), "cycles"),
+        ] {
+            let mut excluded: Vec<&str> =
+                Parameter::excluded_by(choice).map(Parameter::key).collect();
+            let mut wanted: Vec<&str> = keys.split_whitespace().collect();
+            excluded.sort_unstable();
+            wanted.sort_unstable();
+            assert_eq!(excluded, wanted, "{choice:?}");
+        }
+    }
+
+    #[test]
+    fn a_shape_has_the_word_of_a_scene_file() {
+        for shape in Shape::ALL {
+            assert_eq!(serde_json::to_value(shape).unwrap(), shape.key());
         }
     }
 }

@@ -10,7 +10,8 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
 use topple::results::columns::{Column, TABLE};
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, dots};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
+use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::parameters::Section;
 use topple::scene::{Directions, Overturn, description};
 
@@ -22,7 +23,12 @@ fn hex([r, g, b]: Colour) -> String {
 /// A choice of words: the key, its section, and each word with what it means.
 fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
     let told = words.iter().map(|(word, label)| json!({ "value": word, "label": label }));
-    json!({ "key": key, "section": section.key(), "values": told.collect::<Vec<Value>>() })
+    json!({
+        "key": key,
+        "section": section.key(),
+        "applies": section.applies(),
+        "values": told.collect::<Vec<Value>>(),
+    })
 }
 
 /// The choices of a scene that are no numbers.
@@ -94,18 +100,27 @@ const QUANTITIES: [Column; 6] = [
 
 /// All that does not hang on a session.
 pub fn tables() -> Value {
-    let sections = Section::ALL.map(|own| json!({ "key": own.key(), "heading": own.heading() }));
+    let sections = Section::ALL
+        .map(|own| json!({ "key": own.key(), "heading": own.heading(), "applies": own.applies() }));
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "sections": sections,
         "parameters": description::parameters(),
+        "alternatives": description::alternatives(),
         "words": words(),
         "columns": columns(),
         "kinds": kinds(),
         "dotted": DOTTED,
         "hatched": "contact force tensile, or friction beyond what is given: the model does not hold",
         "quantities": QUANTITIES.map(|column| column.entry().name),
-        "shades": { "fallen": hex(FALLEN), "curves": CURVES.map(hex) },
+        "shades": {
+            "fallen": hex(FALLEN),
+            "marked": hex(MARKED),
+            "outline": hex(OUTLINE),
+            "now": hex(CURVES[1]),
+            "greys": GREYS,
+            "probability": PROBABILITY,
+        },
         "limits": { "cells": MOST },
     })
 }

@@ -41,6 +41,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "antisymmetric_peak": ANTISYMMETRIC_PEAK,
         "objects": objects(),
         "parameters": description::parameters(),
+        "alternatives": description::alternatives(),
         "defaults": defaults()?,
         "words": {
             "isolation": [

@@ -4,7 +4,7 @@
 //! request -> asked (a scene) -> view, cell, section ... -> frames, JSON -> page
 //! ```
 
-pub(crate) mod about;
+pub mod about;
 pub mod asked;
 pub(crate) mod body;
 pub(crate) mod cell;

@@ -33,6 +33,7 @@ pub const FILES: &[File] = files![
     "axis.js": SCRIPT,
     "block.js": SCRIPT,
     "cells.js": SCRIPT,
+    "choices.js": SCRIPT,
     "clock.js": SCRIPT,
     "dialogs.js": SCRIPT,
     "dom.js": SCRIPT,

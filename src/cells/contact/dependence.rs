@@ -3,8 +3,7 @@
 use crate::cells::clock_parts::clock_parameters;
 use crate::cells::plan::Plan;
 use crate::cells::window::{Combinations, Window};
-use crate::scene::isolation::{HORIZONTAL, VERTICAL};
-use crate::scene::{Grid, Parameter};
+use crate::scene::{Directions, Grid, Parameter};
 
 /// The masses that a base's yield force in newtons is divided by.
 const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
@@ -35,7 +34,7 @@ impl Dependence {
                 .all(|case| case.shaking.pulse().is_some_and(|pulse| pulse.a_v == 0.0));
         let (mut across, mut up) = (GROUND.to_vec(), Vec::new());
         if base.moves_h() {
-            across.extend(HORIZONTAL);
+            across.extend(Parameter::of_direction(Directions::Horizontal));
             if grid.gives_strength() {
                 across.extend(MASSES);
             }
@@ -45,8 +44,9 @@ impl Dependence {
             up.push(Parameter::AV);
         }
         if base.moves_v() {
+            let own = Parameter::of_direction(Directions::Vertical);
             // At rest it hangs by its static deflection.
-            up.extend(if still { &[Parameter::TV][..] } else { &VERTICAL });
+            up.extend(own.filter(|parameter| !still || *parameter == Parameter::TV));
         }
         if !recorded {
             // The steps of a pulse are those of the cells.

@@ -19,9 +19,13 @@ use topple::cells::part::Part;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
 use topple::model::precision::Precision;
-use topple::scene::{Grid, Scene, SceneBuilder};
+use topple::model::pulse::Shape;
+use topple::scene::applies::{BlockBy, Choice, ShakenBy};
+use topple::scene::parameters::PARAMETERS;
+use topple::scene::{Directions, Grid, Scene, SceneBuilder, description};
 use topple::stepping::outcome::Outcome;
 use topple::work::observer::Unwatched;
+use topple_explore::about::tables as page_tables;
 use topple_explore::asked::{Flat, SYNTHETIC, builder};
 use topple_explore::constants::constants;
 use topple_explore::export::export;
@@ -299,6 +303,74 @@ fn random_scenes_for_the_browser_are_written() {
     let folder = folder();
     fs::create_dir_all(&folder).unwrap();
     fs::write(folder.join("random.json"), json!({ "count": count, "scenes": told }).to_string())
+        .unwrap();
+}
+
+/// All combinations of the choices beside which some numbers mean nothing, each with a scene that has them.
+fn choices() -> Vec<(Vec<Choice>, Flat)> {
+    let word = |value: Value| value.as_str().unwrap().to_string();
+    let blocks =
+        [(BlockBy::Object, "object=1"), (BlockBy::Numbers, "half_width=0.3 height=1 mass=100")];
+    let directions =
+        [Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None];
+    let pulses = Shape::ALL.map(|shape| {
+        let text = format!("shape={} omega=3 a_h=4", shape.key());
+        (vec![Choice::Excitation(ShakenBy::Pulse), Choice::Shape(shape)], text)
+    });
+    let record = (vec![Choice::Excitation(ShakenBy::Record)], format!("horizontal={SYNTHETIC}"));
+    let shaken: Vec<_> = pulses.into_iter().chain([record]).collect();
+    let mut found = Vec::new();
+    for (block, of_block) in blocks {
+        for isolation in directions {
+            let across = if isolation.moves_h() { " t_h=2" } else { "" };
+            let up = if isolation.moves_v() { " t_v=0.5" } else { "" };
+            let moves = word(json!(isolation));
+            for (excitation, of_excitation) in &shaken {
+                let mut all = vec![Choice::Block(block), Choice::Isolation(isolation)];
+                all.extend(excitation);
+                let text =
+                    format!("{of_block} isolation={moves}{across}{up} {of_excitation} force=true");
+                found.push((all, flat(&text)));
+            }
+        }
+    }
+    found
+}
+
+/// A scene refuses a number exactly where the table says that it means nothing, but for a third number of the block's
+/// sides. What the page shows of the fields and what its engine refuses are compared with this.
+#[test]
+fn a_number_is_refused_where_it_means_nothing_beside_the_choices() {
+    let records = Records::default();
+    let mut told = Vec::new();
+    for (choices, scene) in choices() {
+        let (mut shown, mut refused) = (Vec::new(), BTreeMap::new());
+        for (entry, described) in PARAMETERS.iter().zip(description::parameters()) {
+            let applies = choices.iter().all(|choice| entry.applies.beside(*choice));
+            let has_object = choices.contains(&Choice::Block(BlockBy::Object));
+            if applies && !(has_object && described.of_object) {
+                shown.push(entry.key);
+            }
+            if scene.contains_key(entry.key) {
+                continue;
+            }
+            let legal = if entry.key == "t_max" { 100.0 } else { 0.05 };
+            let value = [legal, 1.0].into_iter().find(|value| entry.legal.holds(*value)).unwrap();
+            let mut with = scene.clone();
+            with.insert(entry.key.into(), value.to_string());
+            let checked = builder(&with, None).and_then(|given| records.check(&given));
+            let key = checked.err().map(|error| error.key);
+            let third = matches!(entry.key, "slenderness" | "size");
+            assert_eq!(key.is_some(), !applies || third, "{with:?}: {key:?}");
+            refused.insert(entry.key, (value.to_string(), key));
+        }
+        told.push(json!({ "scene": scene, "shown": shown, "refused": refused }));
+    }
+    assert_eq!(told.len(), 2 * 4 * 8);
+    let folder = folder();
+    fs::create_dir_all(&folder).unwrap();
+    let about = page_tables();
+    fs::write(folder.join("choices.json"), json!({ "about": about, "scenes": told }).to_string())
         .unwrap();
 }
 

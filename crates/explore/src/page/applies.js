@@ -1,14 +1,8 @@
 // Which numbers a scene takes beside which others, so that a change leaves none behind that has no meaning.
+import { choicesOf, isBeside } from './choices.js';
 import { axisPatch, excitationOf, homeRange, parameterOf } from './scene.js';
 import { handy, middle } from './ranges.js';
 
-const OWN_BLOCK = ['half_width', 'height', 'slenderness', 'size', 'mass', 'inertia', 'plate_h', 'plate_v'];
-const ACROSS = ['t_h', 'psi', 'xi_h', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'];
-const UP = ['t_v', 'xi_v'];
-/** Numbers that say when a base yields. */
-const YIELD = ['alpha_y', 'u_y', 'yield_force'];
-/** Numbers of which one says what the others say. */
-const EITHER = [['eccentricity', 'offset'], YIELD, ['scale', 'pga']];
 /** Numbers that a moving base must have. */
 const NEEDED = { t_h: '1.75', t_v: '0.75' };
 /** Under a suite a base stays the same whatever shakes it: it yields at a displacement. */
@@ -18,24 +12,18 @@ const AXES = { pulse: ['omega', 'a_h'], record: ['t_h', 't_v', 'eccentricity', '
 
 /** True where a key means something in a state. */
 export function applies(about, state, key) {
-  const { scene } = state;
-  const isolation = scene.isolation || 'dual';
-  const shape = scene.shape || 'one-sine';
-  const section = [...about.parameters, ...about.words].find((entry) => entry.key === key)?.section;
-  const excitation = excitationOf(state);
-  if (section === 'pulse' && excitation !== 'pulse') return false;
-  if (section === 'record' && excitation === 'pulse') return false;
-  if (OWN_BLOCK.includes(key)) return !scene.object;
-  if (ACROSS.includes(key)) return isolation === 'dual' || isolation === 'horizontal';
-  if (UP.includes(key)) return isolation === 'dual' || isolation === 'vertical';
-  if (key === 'restitution') return isolation === 'none';
-  if (key === 'cycles') return shape === 'one-sine' || shape === 'one-cosine';
-  if (key === 'gamma' || key === 'phase') return shape === 'mavroeidis-papageorgiou';
-  return true;
+  const entry = [...about.parameters, ...about.words].find((known) => known.key === key);
+  // What an object has is not asked for.
+  return !entry || (isBeside(entry, choicesIn(state)) && !(entry.of_object && state.scene.object));
 }
+
+/** The choices of a state; the motions of a suite are records. */
+export const choicesIn = (state) => choicesOf(state.scene, excitationOf(state) === 'pulse' ? 'pulse' : 'record');
 
 /** Keeps numbers that a change drops, and brings them back when they mean something again. */
 export function createKeeper(about) {
+  // Numbers that say when a base yields.
+  const yields = about.alternatives.find((keys) => keys.includes(FIXED_YIELD.key));
   const kept = { ...about.scene };
   delete kept.x;
   delete kept.y;
@@ -54,7 +42,7 @@ export function createKeeper(about) {
       scene.t_max = scenes[is]?.t_max ?? (is === 'pulse' ? scene.t_max : '');
     }
     for (const [key, text] of Object.entries(patch.scene ?? {})) {
-      const group = text ? EITHER.find((keys) => keys.includes(key)) : null;
+      const group = text ? about.alternatives.find((keys) => keys.includes(key)) : null;
       for (const other of group ?? []) if (other !== key) scene[other] = '';
     }
     const keys = [...about.parameters, ...about.words].map((entry) => entry.key);
@@ -77,7 +65,7 @@ export function createKeeper(about) {
   function restoreAxes(scene, earlier) {
     if (!earlier) return;
     for (const key of [scene.x, scene.y]) scene[key] = earlier[key] ?? '';
-    for (const key of YIELD) scene[key] = earlier[key] ?? '';
+    for (const key of yields) scene[key] = earlier[key] ?? '';
     for (const which of ['x', 'y']) Object.assign(scene, { [which]: earlier[which], [earlier[which]]: earlier[earlier[which]] });
   }
 

@@ -1,4 +1,5 @@
 // The cells that are open, one or two side by side: their motions asked of the engine, drawn at the clock's time.
+import { applies } from './applies.js';
 import { drawBlock, sizesOf } from './block.js';
 import { createClock } from './clock.js';
 import { announce, byId, make, say, still, symbol } from './dom.js';
@@ -180,9 +181,8 @@ export function createCells(engine, store, explorer, change, tell) {
 
   /** Which directions move: those of the scene. */
   function movesOf(cell) {
-    const isolation = store.state.scene.isolation ?? 'dual';
-    const moves = (direction) => isolation === 'dual' || isolation === direction;
-    return { h: moves('horizontal') || largest(cell.motion.u) > 0, v: moves('vertical') };
+    const moves = (key) => applies(about, store.state, key);
+    return { h: moves('t_h') || largest(cell.motion.u) > 0, v: moves('t_v') };
   }
 
   /** What happens at a time, of each cell. */

@@ -1,8 +1,8 @@
 // The panel of all numbers and words of the scene, in the sections of a scene file.
-import { applies, axisChange } from './applies.js';
+import { applies, axisChange, choicesIn } from './applies.js';
+import { isBeside } from './choices.js';
 import { byId, make } from './dom.js';
 import { createRow } from './row.js';
-import { excitationOf } from './scene.js';
 
 /** Values of words where none is given. */
 const FIRST = { isolation: 'dual', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
@@ -22,7 +22,8 @@ export function createFields(about, store, act) {
   const change = (scene, resting) => act.change({ scene }, resting);
   const axis = (which, key) => act.change(axisChange(about, store.state, which, key), true);
 
-  for (const { key, heading } of about.sections) {
+  for (const section of about.sections) {
+    const { key, heading } = section;
     const body = make('div', { class: 'rows' });
     for (const word of [...about.words, FORCE].filter((entry) => entry.section === key)) {
       const made = createWord(word);
@@ -35,7 +36,7 @@ export function createFields(about, store, act) {
       body.append(row.element);
     }
     const details = make('details', { class: 'section', open: !CLOSED.has(key), 'data-section': key }, make('summary', {}, heading), body);
-    sections.push({ key, details });
+    sections.push({ section, details });
     byId('sections').append(details);
   }
 
@@ -66,10 +67,7 @@ export function createFields(about, store, act) {
         item.update(state.scene);
         item.element.hidden = !applies(about, state, item.key) && state.scene[item.key] === undefined;
       }
-      for (const { key, details } of sections) {
-        const excitation = excitationOf(state);
-        details.hidden = (key === 'pulse' && excitation !== 'pulse') || (key === 'record' && excitation === 'pulse');
-      }
+      for (const { section, details } of sections) details.hidden = !isBeside(section, choicesIn(state));
     },
     /** Shows a line at the field of a key; false where it has none that can be seen. */
     refuse(key, line) {

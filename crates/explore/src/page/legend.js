@@ -58,7 +58,7 @@ export function writeLegend(about, picture, axes) {
       spoken.push([shares.counts[k], `${kind.label} ${part(shares.counts[k])}`]);
     });
     // Without a share, as in a figure: it says how to read colours whose shares stand above.
-    if (shares.dotted) list.push(entry(filled('#bdb0aa', 'dots'), about.dotted));
+    if (shares.dotted) list.push(entry(filled(about.shades.marked, 'dots'), about.dotted));
   } else {
     const { arrays } = picture.frame;
     const outcomes = about.kinds.reduce((sum, _, k) => sum + (k >= 2 && k < about.kinds.length - 1 ? shares.counts[k] : 0), 0);
@@ -70,11 +70,13 @@ export function writeLegend(about, picture, axes) {
   if (shares.tensile) list.push(entry(filled('transparent', 'hatch'), about.hatched, part(shares.tensile)));
   if (shares.undecided && picture.show !== 'outcome') list.push(entry(filled('#ffffff', 'cross'), 'undecided', part(shares.undecided)));
   if (picture.frame.arrays.feasible) {
-    list.push(entry(filled('transparent', 'outline'), 'the limits hold', part(shares.feasible)));
+    const swatch = filled('transparent', 'outline');
+    swatch.style.borderColor = about.shades.outline;
+    list.push(entry(swatch, 'the limits hold', part(shares.feasible)));
     spoken.push([shares.feasible, `the limits hold in ${part(shares.feasible)}`]);
   }
   byId('legend').replaceChildren(...list);
-  writeScale(picture);
+  writeScale(about, picture);
   spoken.sort((a, b) => b[0] - a[0]);
   return spoken.slice(0, 4).map(([, text]) => text).join(', ');
 }
@@ -86,13 +88,13 @@ export function clearLegend() {
 }
 
 /** The colour bar of a number. */
-function writeScale(picture) {
+function writeScale(about, picture) {
   const host = byId('scale');
   host.hidden = !picture.scale;
   if (!picture.scale) return;
   const { name, low, high } = picture.scale;
   const bar = make('canvas', { width: 256, height: 1, class: 'bar', 'aria-hidden': 'true' });
-  const pixels = Uint32Array.from({ length: 256 }, (_, k) => shade(name, k / 255));
+  const pixels = Uint32Array.from({ length: 256 }, (_, k) => shade(about, name, k / 255));
   bar.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), 256, 1), 0, 0);
   const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => make('span', {}, isShare(name) ? `${100 * share} %` : read(low + share * (high - low), 3)));
   host.replaceChildren(make('p', {}, titleOf(name)), bar, make('div', { class: 'numbers' }, ...marks));

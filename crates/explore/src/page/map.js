@@ -80,7 +80,7 @@ export function createMap(about, cellsFor) {
   function drawAbove() {
     const { context, width, height, unit } = fit(above, rem());
     context.clearRect(0, 0, width, height);
-    if (map.plot) drawMarks(context, map.plot, map.marks, unit);
+    if (map.plot) drawMarks(context, map.plot, map.marks, unit, about.shades.now);
   }
 
   /** Draws with the screen's next picture. */

@@ -3,15 +3,15 @@ import { disc, font, line } from './ink.js';
 
 const [WHITE, BLACK] = ['#ffffff', '#111111'];
 
-/** Draws the marks of a plot. */
-export function drawMarks(context, plot, marks, unit) {
+/** Draws the marks of a plot; `now` is the colour of what a clock shows. */
+export function drawMarks(context, plot, marks, unit, now) {
   const { left, top, width, height } = plot.place;
   context.save();
   context.beginPath();
   context.rect(left, top, width, height);
   context.clip();
   if (marks.crosshair) drawCrosshair(context, plot, marks.crosshair, unit);
-  if (marks.line) drawLine(context, plot, marks.line, marks.along, unit);
+  if (marks.line) drawLine(context, plot, marks.line, marks.along, unit, now);
   const places = marks.cells.map((cell) => cell && plot.at(cell));
   places.forEach((at, k) => at && drawCell(context, at, unit));
   if (places[0] && places[1]) drawNames(context, plot, places, unit);
@@ -52,12 +52,12 @@ function drawNames(context, plot, [a, b], unit) {
   });
 }
 
-function drawLine(context, plot, [x0, y0, x1, y1], along, unit) {
+function drawLine(context, plot, [x0, y0, x1, y1], along, unit, now) {
   const ends = [plot.at([x0, y0]), plot.at([x1, y1])];
   line(context, ends, WHITE, 0.3 * unit);
   line(context, ends, BLACK, 0.12 * unit);
   for (const [x, y] of ends) disc(context, x, y, 0.26 * unit, WHITE, BLACK, 0.12 * unit);
   if (along === null || along === undefined) return;
   const [x, y] = [0, 1].map((k) => ends[0][k] + along * (ends[1][k] - ends[0][k]));
-  disc(context, x, y, 0.3 * unit, '#d62f2a', WHITE, 0.12 * unit);
+  disc(context, x, y, 0.3 * unit, now, WHITE, 0.12 * unit);
 }

@@ -10,9 +10,10 @@ const PATTERNS = [[8, 'cross'], [4, 'hatch'], [2, 'dots #ffffff'], [1, 'dots #00
 
 /** The patterns of a frame's cells, a code each; none where no cell has one. */
 export function createOverlay(frame, about, show) {
+  const { outline: stroke } = about.shades;
   const { kind, marks, feasible } = frame.arrays;
   const border = feasible ? outline(frame.shape, feasible) : null;
-  if (!marks) return { codes: null, outline: border };
+  if (!marks) return { codes: null, outline: border, stroke };
   const dots = about.kinds.map((entry) => (entry.dots === '#ffffff' ? 2 : 1));
   const dotted = show === 'outcome' && kind;
   const codes = new Uint8Array(marks.length);
@@ -23,7 +24,7 @@ export function createOverlay(frame, about, show) {
     codes[k] = (mark & TENSILE ? 4 : 0) | (mark & UNDECIDED ? 8 : 0) | (mark & DOTTED && dotted ? dots[kind[k]] : 0);
     any |= codes[k];
   }
-  return { codes: any ? codes : null, outline: border };
+  return { codes: any ? codes : null, outline: border, stroke };
 }
 
 /** The border of the cells of a region, in cells from the upper left. */
@@ -58,7 +59,7 @@ export function drawOverlay(context, place, overlay, frame, at, unit) {
     const [nx, ny] = frame.shape;
     const path = new Path2D();
     path.addPath(overlay.outline, new DOMMatrix([at.width / nx, 0, 0, at.height / ny, at.x, at.y]));
-    for (const [style, width] of [['#ffffff', 0.24], ['#12459e', 0.13]]) {
+    for (const [style, width] of [['#ffffff', 0.24], [overlay.stroke, 0.13]]) {
       context.strokeStyle = style;
       context.lineWidth = width * unit;
       context.stroke(path);

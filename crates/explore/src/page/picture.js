@@ -37,7 +37,7 @@ function shaded(frame, about, show, values, words) {
   const fallen = (k) => outcome !== undefined && FALLEN.includes(outcome[k]);
   const unknown = (k) => outcome !== undefined && outcome[k] === UNRESOLVED;
   const scale = scaleOf(show, values, (k) => !fallen(k) && !unknown(k));
-  const shades = shadesOf(scale);
+  const shades = shadesOf(about, scale);
   const [gone, blank] = [word(about.shades.fallen), word('#ffffff')];
   const times = (shades.length - 1) / (scale.high - scale.low || 1);
   for (let j = 0; j < ny; j += 1) {

@@ -3,11 +3,6 @@ import { roundStep } from './axis.js';
 
 /** Steps of a scale at most. */
 const STEPS = 10;
-/** Shades of the least and the largest value, as in the figures. */
-const LIGHT = 0.96;
-const DARK = 0.38;
-/** A probability from none to one. */
-const RISK = [[0xf4, 0xf6, 0xec], [0xf2, 0xc9, 0xa4], [0xe0, 0x8a, 0x6e], [0xb8, 0x32, 0x3a], [0x5a, 0x00, 0x1a]];
 /** Columns of a suite that are shares of its motions. */
 const SHARES = new Set(['overturned', 'standing', 'rocked']);
 
@@ -41,15 +36,15 @@ const rgb = (red, green, blue) => ((255 << 24) | (blue << 16) | (green << 8) | r
 /** True for a column that is a share of a suite's motions. */
 export const isShare = (name) => SHARES.has(name);
 
-/** The colour of a share of a scale, as a word. */
-export function shade(name, share) {
+/** The colour of a share of a scale, as a word. Twin: src/results/ramp.rs. */
+export function shade({ shades: { probability, greys: [light, dark] } }, name, share) {
   const at = Math.min(1, Math.max(0, share));
   if (isShare(name)) {
-    const risk = (name === 'standing' ? 1 - at : at) * (RISK.length - 1);
-    const k = Math.min(RISK.length - 2, Math.floor(risk));
-    return rgb(...RISK[k].map((part, c) => Math.round(part + (RISK[k + 1][c] - part) * (risk - k))));
+    const along = (name === 'standing' ? 1 - at : at) * (probability.length - 1);
+    const k = Math.min(probability.length - 2, Math.floor(along));
+    return rgb(...probability[k].map((part, c) => Math.round(part + (probability[k + 1][c] - part) * (along - k))));
   }
-  const grey = Math.floor(255 * (LIGHT + (DARK - LIGHT) * at));
+  const grey = Math.floor(255 * (light + (dark - light) * at));
   return rgb(grey, grey, grey);
 }
 
@@ -73,4 +68,4 @@ export function scaleOf(name, values, counts) {
 }
 
 /** The shades of a scale, a word each, from its least to its largest value. */
-export const shadesOf = (scale, many = 256) => Uint32Array.from({ length: many }, (_, k) => shade(scale.name, k / (many - 1)));
+export const shadesOf = (about, scale, many = 256) => Uint32Array.from({ length: many }, (_, k) => shade(about, scale.name, k / (many - 1)));

@@ -234,6 +234,34 @@ def test_cells_of_random_scenes_are_the_librarys(page):
     assert told["cells"] > 2000 and told["refused"] > 20
 
 
+# What the page shows and what its engine refuses, for every combination of choices and each number.
+CHOICES = """async () => {
+  const { of } = window.engine;
+  const { applies } = await import('/applies.js');
+  const { sceneOf } = await import('/gpu/scene.js');
+  const { about, scenes } = await of('/library/choices.json');
+  const told = { scenes: 0, refused: 0, wrong: [] };
+  for (const { scene, shown, refused } of scenes) {
+    told.scenes += 1;
+    const own = about.parameters.map(({ key }) => key).filter((key) => applies(about, { scene, suite: '' }, key));
+    if (String(own) !== String(shown)) told.wrong.push([scene, own, shown]);
+    for (const [key, [value, theirs]] of Object.entries(refused)) {
+      let found = null;
+      try { sceneOf({ ...scene, [key]: value }, null); } catch (error) { if (error.name !== 'EngineError') throw error; found = error.key; }
+      told.refused += found !== null;
+      if (found !== theirs) told.wrong.push([scene, key, found, theirs]);
+    }
+  }
+  return told;
+}"""
+
+
+def test_the_page_shows_and_refuses_the_numbers_that_the_library_takes_and_refuses(page):
+    told = page.evaluate(CHOICES)
+    assert told["wrong"] == []
+    assert told["scenes"] == 64 and told["refused"] > 500
+
+
 # Entries of the tables of a list of a thousand cells, both of whose axes go into one table.
 LARGE = """async () => {
   const { sceneOf } = await import('/gpu/scene.js');

@@ -10,19 +10,18 @@ use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
 use crate::map::figure::layout::{SIDE, frame};
-use topple::results::colour::{BLACK, Colour};
+use topple::results::colour::BLACK;
+use topple::results::palette::{FEASIBLE, LIMITS};
 use topple::scene::words;
 use topple_studies::suites::envelope::Envelope;
 
-/// The feasible cells.
-const FEASIBLE: Colour = [0x7f, 0xc9, 0x7f];
 /// Greys of a share of none and of all motions.
 const NONE: f64 = 70.0;
 const ALL: f64 = 248.0;
 /// Lines of the limits.
 const STANDING: Stroke = stroke(BLACK, 0.9);
-const LIMIT_U: Stroke = dashed([0x1f, 0x3f, 0x9f], 0.9, (3.2, 2.0));
-const LIMIT_V: Stroke = dashed([0xb0, 0x20, 0x20], 0.9, (1.2, 1.6));
+const LIMIT_U: Stroke = dashed(LIMITS[0], 0.9, (3.2, 2.0));
+const LIMIT_V: Stroke = dashed(LIMITS[1], 0.9, (1.2, 1.6));
 
 /// Draws an envelope over two axes as SVG; none where there are not two of several values.
 ///
@@ -47,7 +46,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     let image = png((columns, rows), |column, row| {
         let cell = &envelope.cells[(rows - 1 - row) * columns + column];
         match cell.feasible {
-            true => [FEASIBLE[0], FEASIBLE[1], FEASIBLE[2], 255],
+            true => [FEASIBLE.0[0], FEASIBLE.0[1], FEASIBLE.0[2], 255],
             false => [grey(cell.standing), grey(cell.standing), grey(cell.standing), 255],
         }
     })?;
@@ -92,7 +91,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     let [around, of_u, of_v] = all.each_ref().map(|(lines, _)| !lines.is_empty());
     let feasible = best.is_some();
     let mut entries = Vec::new();
-    entries.extend(feasible.then(|| entry(Swatch::Fill(FEASIBLE), "all limits are kept")));
+    entries.extend(feasible.then(|| entry(Swatch::Fill(FEASIBLE.0), "all limits are kept")));
     entries.extend(around.then(|| entry(Swatch::Line(STANDING), standing)));
     let limit = |of: &str, limit: f64| format!("largest {of} = {limit} m");
     let u = limits.u.filter(|_| of_u);

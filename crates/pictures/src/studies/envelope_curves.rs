@@ -6,8 +6,8 @@ use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption};
-use topple::results::colour::{BLACK, Colour};
-use topple::results::palette::CURVES;
+use topple::results::colour::BLACK;
+use topple::results::palette::{CURVES, FEASIBLE};
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::suites::envelope::{CellEnvelope, Envelope, SHARES};
@@ -15,8 +15,6 @@ use topple_studies::suites::envelope::{CellEnvelope, Envelope, SHARES};
 /// Height of a plot, and between two.
 const HEIGHT: f64 = 70.0;
 const GAP: f64 = 6.0;
-/// Where the limits are kept.
-const FEASIBLE: Colour = [0xd9, 0xee, 0xd9];
 /// A percentile each, and a limit.
 const LINES: [Stroke; 3] =
     [stroke(CURVES[0], 0.6), dashed(CURVES[0], 0.9, (3.2, 2.0)), stroke(CURVES[0], 1.2)];
@@ -60,7 +58,7 @@ pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
         y = place.bottom() + GAP;
     }
     let mut entries = vec![
-        entry(Swatch::Fill(FEASIBLE), "all limits are kept"),
+        entry(Swatch::Fill(FEASIBLE.1), "all limits are kept"),
         entry(Swatch::Line(LIMIT), "a limit"),
     ];
     for (line, share) in LINES.iter().zip(SHARES) {
@@ -91,7 +89,7 @@ fn paint(
         for (k, _) in envelope.cells.iter().enumerate().filter(|(_, cell)| cell.feasible) {
             let (left, right) = (edge(k as f64 - 0.5), edge(k as f64 + 0.5));
             let (x, width) = (left.min(right), (right - left).abs());
-            canvas.fill(Place { x, width, ..place }, FEASIBLE);
+            canvas.fill(Place { x, width, ..place }, FEASIBLE.1);
         }
         let lines =
             if rows.first().is_some_and(|row| row.len() == 1) { &LINES[2..] } else { &LINES };

@@ -6,7 +6,8 @@ use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
-use topple::results::colour::{BLACK, Colour};
+use topple::results::colour::BLACK;
+use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::fragility::estimate::Estimate;
@@ -16,13 +17,6 @@ use topple_studies::suites::intensity::Intensity;
 
 /// Height of a plot of curves.
 const HEIGHT: f64 = 150.0;
-/// Colours of limit states and bands of their intervals.
-const COLOURS: [(Colour, Colour); 4] = [
-    ([0xb0, 0x20, 0x20], [0xf3, 0xd9, 0xd9]),
-    ([0x2c, 0x5f, 0xb8], [0xd6, 0xe2, 0xf5]),
-    ([0x2f, 0x7d, 0x32], [0xd8, 0xec, 0xd9]),
-    ([0x6a, 0x51, 0xa3], [0xe3, 0xde, 0xf0]),
-];
 const MARKS: [Mark; 4] = [Mark::Disc, Mark::Triangle, Mark::Cross, Mark::Circle];
 /// Points of a curve.
 const POINTS: u32 = 200;
@@ -66,12 +60,12 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
             // Curves between theta's bounds: beta is that of the fit.
             if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
                 let (left, right) = (curve(low, beta), curve(high, beta));
-                let band = COLOURS[k % COLOURS.len()].1;
+                let band = STATES[k % STATES.len()].1;
                 canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
             }
         }
         for (k, (of, state)) in one.clone().enumerate() {
-            let (colour, _) = COLOURS[k % COLOURS.len()];
+            let (colour, _) = STATES[k % STATES.len()];
             let fit = &of.estimates[0];
             if let Some(theta) = fit.theta {
                 canvas.line(curve(theta, fit.beta.unwrap_or(0.0)), stroke(colour, 1.1));
@@ -85,7 +79,7 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     frame.draw(&mut canvas, BOTH);
     // Marks lie above the bands and the lines of all limit states, and whole on the frame.
     for (k, (of, _)) in one.enumerate().filter(|(_, (of, _))| has_shares(of)) {
-        let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+        let ((colour, _), mark) = (STATES[k % STATES.len()], MARKS[k % MARKS.len()]);
         for stripe in &of.stripes {
             let at = frame.at((stripe.level.log10(), stripe.z / stripe.n));
             mark.draw(&mut canvas, at, 1.6, colour);
@@ -146,7 +140,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     let place_of = |cell: usize, value: f64| frame.at((axis.values.coordinate(cell as f64), value));
     canvas.clipped(place, |canvas| {
         for k in 0..states.len() {
-            let (_, band) = COLOURS[k % COLOURS.len()];
+            let (_, band) = STATES[k % STATES.len()];
             for (cell, fit) in fits(k).enumerate() {
                 if let (Some(low), Some(high)) = (fit.theta_low, fit.theta_high) {
                     canvas.line([place_of(cell, low), place_of(cell, high)], stroke(band, 2.0));
@@ -158,7 +152,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
             fits(k).enumerate().map(place).collect()
         };
         for (k, state) in states.iter().enumerate() {
-            let (colour, _) = COLOURS[k % COLOURS.len()];
+            let (colour, _) = STATES[k % STATES.len()];
             for part in points(k).split(Option::is_none) {
                 canvas.line(part.iter().flatten().copied(), stroke(colour, 0.9));
             }
@@ -166,7 +160,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
         }
         // Marks lie above the bars and the lines of all limit states.
         for k in 0..states.len() {
-            let ((colour, _), mark) = (COLOURS[k % COLOURS.len()], MARKS[k % MARKS.len()]);
+            let ((colour, _), mark) = (STATES[k % STATES.len()], MARKS[k % MARKS.len()]);
             for point in points(k).into_iter().flatten() {
                 mark.draw(canvas, point, 1.4, colour);
             }

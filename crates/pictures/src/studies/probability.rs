@@ -10,27 +10,15 @@ use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::figure::layout::{GAP, SIDE, frame};
 use topple::results::colour::{Colour, WHITE};
 use topple::results::palette::CURVES;
+use topple::results::ramp;
 use topple::scene::Scene;
 use topple::scene::words;
 use topple_studies::uncertain::probability::{Probabilities, Uncertainty};
 
-/// Colours of a probability of 0, 1/2 and 1, the lightness falling evenly between them.
-const RAMP: [Colour; 3] = [[0xf4, 0xf1, 0xea], [0xd9, 0x7b, 0x4f], [0x4a, 0x00, 0x1f]];
 /// Height of a curve's plot.
 const HEIGHT: f64 = 110.0;
 /// What the colours and the curve are.
 const NAME: &str = "probability of overturning";
-
-/// The colour of a probability.
-fn colour(probability: f64) -> Colour {
-    let along = 2.0 * probability.clamp(0.0, 1.0);
-    let (from, to, share) = match along {
-        along if along < 1.0 => (RAMP[0], RAMP[1], along),
-        along => (RAMP[1], RAMP[2], along - 1.0),
-    };
-    let mixed = |k: usize| f64::from(from[k]) + (f64::from(to[k]) - f64::from(from[k])) * share;
-    [0, 1, 2].map(|k| mixed(k).round() as u8)
-}
 
 /// What is known of a scene, and what is not.
 fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
@@ -81,12 +69,12 @@ fn field(canvas: &mut Canvas, all: &Probabilities, place: Place) -> Result<f64, 
     let opaque = |[r, g, b]: Colour| [r, g, b, 255];
     let (columns, rows) = all.grid.shape();
     let image = png((columns, rows), |column, row| {
-        opaque(colour(all.overturns((rows - 1 - row) * columns + column)))
+        opaque(ramp::probability(all.overturns((rows - 1 - row) * columns + column)))
     })?;
     canvas.image(place, &image, true);
     frame(place, &all.grid).draw(canvas, BOTH);
     let at = (place.x, place.bottom() + BELOW + MARGIN);
-    scale::draw(canvas, at, place.width, Axis::new(0.0, 1.0, NAME), colour)
+    scale::draw(canvas, at, place.width, Axis::new(0.0, 1.0, NAME), ramp::probability)
 }
 
 /// Draws the curve along the only axis; returns where it ends.
@@ -100,22 +88,4 @@ fn curve(canvas: &mut Canvas, all: &Probabilities, place: Place) -> f64 {
     canvas.clipped(place, |canvas| canvas.line(points.iter().copied(), stroke(CURVES[0], 0.8)));
     frame.draw(canvas, BOTH);
     place.bottom() + BELOW
-}
-
-#[cfg(test)]
-mod tests {
-    use super::colour;
-
-    /// Luma falls from a probability to a larger one, so that a print in grey has the same order.
-    #[test]
-    fn a_larger_probability_is_darker() {
-        let luma = |probability: f64| {
-            let [r, g, b] = colour(probability).map(f64::from);
-            0.299 * r + 0.587 * g + 0.114 * b
-        };
-        for step in 0..64 {
-            let (less, more) = (f64::from(step) / 64.0, f64::from(step + 1) / 64.0);
-            assert!(luma(less) > luma(more) + 0.5, "{less}: {} {}", luma(less), luma(more));
-        }
-    }
 }

@@ -6,7 +6,7 @@ use crate::drawing::legend::{self, entry};
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::style;
 use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE};
-use topple::results::colour::Colour;
+use topple::results::palette::{CURVES, MANY};
 use topple::scene::record::Pair;
 use topple_studies::statistics::quantile::Sorted;
 use topple_studies::suites::read::Suite;
@@ -20,10 +20,6 @@ const TO: f64 = 10.0;
 const BANDED: usize = 3;
 /// Height of a panel, points.
 const HEIGHT: f64 = 130.0;
-/// Colours of a motion, of the band, and of the median.
-const MOTION: Colour = [0xb4, 0xb4, 0xb4];
-const BAND: Colour = [0xcf, 0xdf, 0xf5];
-const MEDIAN: Colour = [0x2c, 0x5f, 0xb8];
 
 /// A component of a motion: its samples.
 type Component = fn(&Pair) -> &[f64];
@@ -47,11 +43,11 @@ pub fn draw(suite: &Suite) -> String {
         y = place.bottom();
     }
     let mut entries = vec![
-        entry(Swatch::Line(stroke(MOTION, 0.3)), "a motion"),
-        entry(Swatch::Line(stroke(MEDIAN, 1.2)), "median"),
+        entry(Swatch::Line(stroke(MANY.0, 0.3)), "a motion"),
+        entry(Swatch::Line(stroke(CURVES[0], 1.2)), "median"),
     ];
     if suite.motions().count() >= BANDED {
-        entries.push(entry(Swatch::Fill(BAND), "16 % to 84 % of the motions"));
+        entries.push(entry(Swatch::Fill(MANY.1), "16 % to 84 % of the motions"));
     }
     let at = (MARGIN, y + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
@@ -89,16 +85,16 @@ fn panel(canvas: &mut Canvas, place: Place, suite: &Suite, component: Component,
         let edges = if spectra.len() >= BANDED { &[0.16, 0.84][..] } else { &[] };
         let edges: Vec<Vec<Point>> = edges.iter().map(|edge| curve(&share(*edge))).collect();
         if let [lower, upper] = &edges[..] {
-            canvas.polygon(upper.iter().chain(lower.iter().rev()).copied(), BAND);
+            canvas.polygon(upper.iter().chain(lower.iter().rev()).copied(), MANY.1);
         }
         for sa in &spectra {
-            canvas.line(curve(sa), stroke(MOTION, 0.25));
+            canvas.line(curve(sa), stroke(MANY.0, 0.25));
         }
         for edge in edges {
-            canvas.line(edge, stroke(MEDIAN, 0.5));
+            canvas.line(edge, stroke(CURVES[0], 0.5));
         }
         if !spectra.is_empty() {
-            canvas.line(curve(&share(0.5)), stroke(MEDIAN, 1.2));
+            canvas.line(curve(&share(0.5)), stroke(CURVES[0], 1.2));
         }
     });
     if spectra.is_empty() {

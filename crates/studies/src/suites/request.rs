@@ -4,8 +4,8 @@ use super::envelope::Limits;
 use super::read::Suite;
 use super::swept::{SuiteJob, SuiteSettings};
 use super::wanted::WantedMotion;
+use topple::scene::applies::{Choice, ShakenBy};
 use topple::scene::excitation::RecordText;
-use topple::scene::parameters::Section;
 use topple::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
 
@@ -57,7 +57,7 @@ impl SuiteRequest {
     /// of a pulse, and of a record of the scene's own: the suite's motions shake the base. The key `friction`: no contact
     /// force is computed.
     pub fn check(&self) -> Result<(), SceneError> {
-        let pulse = Parameter::of_section(Section::Pulse).find(|own| self.scene.numbers.has(*own));
+        let pulse = self.scene.numbers.excluded_by(Choice::Excitation(ShakenBy::Record));
         let key = match pulse {
             Some(own) => Some(own.entry().key),
             None if self.scene.shape.is_some() => Some("shape"),

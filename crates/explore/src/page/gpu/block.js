@@ -1,7 +1,7 @@
 // The rigid block. Twin: src/scene/block.rs.
 
 import { EngineError } from './errors.js';
-import { known } from './known.js';
+import { excludedBy, known } from './known.js';
 
 // What says how wide and how high a block is: two of them.
 const SHAPE = ['half_width', 'height', 'slenderness', 'size'];
@@ -56,8 +56,8 @@ export function overturningAngle(block, side, overturn) {
 // Adds to the numbers what a block of Table 1 has, and what a block must have.
 export function completeBlock(object, numbers) {
   if (object !== undefined) {
-    const given = [...SHAPE, 'mass', 'inertia'].find((key) => numbers.has(key));
-    if (given) throw new EngineError(given, '`object` already fixes this; give one or the other');
+    const given = excludedBy({ block: 'object' }, numbers);
+    if (given) throw new EngineError(given.key, '`object` already fixes this; give one or the other');
     const own = /^[1-9]$/.test(object) ? known.objects[object - 1] : undefined;
     if (!own) throw new EngineError('object', `${object} must be 1, 2 or 3`);
     for (const [key, value] of Object.entries(own)) numbers.setMissing(key, value);

@@ -1,16 +1,17 @@
 // The isolated base. Twin: src/scene/isolation.rs.
 
+import { isBeside } from '../choices.js';
 import { EngineError } from './errors.js';
 import { known } from './known.js';
 
 const TAU = 2 * Math.PI;
 
-// The numbers of the horizontal isolation, and of the vertical one.
-export const HORIZONTAL = ['t_h', 'psi', 'xi_h', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'];
-export const VERTICAL = ['t_v', 'xi_v'];
+// The numbers of a base that moves in a direction, horizontal or vertical.
+export const numbersOf = (direction) =>
+  known.parameters.filter(({ applies }) => applies.isolation?.includes(direction)).map(({ key }) => key);
 
-export const movesH = (isolation) => isolation === 'dual' || isolation === 'horizontal';
-export const movesV = (isolation) => isolation === 'dual' || isolation === 'vertical';
+export const movesH = (isolation) => isBeside(known.parameter.get('t_h'), { isolation });
+export const movesV = (isolation) => isBeside(known.parameter.get('t_v'), { isolation });
 
 // g/omega_v^2, by which the base hangs below its unloaded spring, m.
 export function deflectionOf(vertical) {
@@ -59,8 +60,8 @@ function period(key, numbers) {
 
 // Adds to the numbers what a base has where nothing else is said.
 export function completeIsolation(isolation, numbers) {
-  const unused = (own, direction) => {
-    const given = own.find((key) => numbers.has(key));
+  const unused = (direction) => {
+    const given = numbersOf(direction).find((key) => numbers.has(key));
     if (given) throw new EngineError(given, `means nothing where the ${direction} direction is locked; leave it out`);
   };
   const fill = (key) => numbers.setMissing(key, known.defaults[key]);
@@ -70,9 +71,9 @@ export function completeIsolation(isolation, numbers) {
     fill('xi_h');
     if (!numbers.has('u_y') && !numbers.has('yield_force')) fill('alpha_y');
     fill('bouc_wen_n');
-  } else unused(HORIZONTAL, 'horizontal');
+  } else unused('horizontal');
   if (movesV(isolation)) {
     period('t_v', numbers);
     fill('xi_v');
-  } else unused(VERTICAL, 'vertical');
+  } else unused('vertical');
 }

@@ -1,24 +1,18 @@
 // A scene as the page asks for it, checked: what is missing has a default or is an error. Twin: src/scene/builder.rs and
 // src/scene/check.rs.
 
+import { isBeside } from '../choices.js';
 import { completeBlock, offset } from './block.js';
 import { overturning } from './case.js';
 import { EngineError } from './errors.js';
 import { Grid } from './grid.js';
 import { completeIsolation } from './isolation.js';
-import { known } from './known.js';
+import { excludedBy, known } from './known.js';
 import { Range, number } from './range.js';
 import { scaledRecord } from './record.js';
 
 // Keys of a scene that are no numbers.
 const WORDS = ['object', 'isolation', 'shape', 'overturn', 'force', 'x', 'y', 'horizontal', 'vertical', 'dt', 'units'];
-
-// Parameters that say the same: one of each row.
-const ALTERNATIVES = [
-  ['eccentricity', 'offset'],
-  ['alpha_y', 'u_y', 'yield_force'],
-  ['scale', 'pga'],
-];
 
 // Numbers by key, a Range each.
 class Numbers extends Map {
@@ -65,7 +59,7 @@ function given(text, axes, counts, force) {
     for (const end of range.ends()) checkNumber(key, end, force);
     numbers.set(key, range);
   }
-  for (const row of ALTERNATIVES) {
+  for (const row of known.alternatives) {
     const [first, second] = row.filter((key) => numbers.has(key));
     if (second) throw new EngineError(second, `\`${first}\` says it too; give one of them`);
   }
@@ -77,13 +71,10 @@ function completePulse(shape, numbers) {
     if (!numbers.has(key)) throw new EngineError(key, 'missing; give a number or a range');
   }
   numbers.setMissing('a_v', known.defaults.a_v);
-  const modulated = 'mavroeidis-papageorgiou has it';
-  for (const [key, has, whose] of [
-    ['cycles', shape.has_cycles, 'one-sine and one-cosine have it'],
-    ['gamma', shape.is_modulated, modulated],
-    ['phase', shape.is_modulated, modulated],
-  ]) {
-    if (!has && numbers.has(key)) throw new EngineError(key, `a ${shape.words} has none; ${whose}`);
+  const given = excludedBy({ shape: shape.name }, numbers);
+  if (given) {
+    const own = given.applies.shape;
+    throw new EngineError(given.key, `a ${shape.words} has none; ${own.join(' and ')} ${own.length > 1 ? 'have' : 'has'} it`);
   }
   if (shape.is_modulated) for (const key of ['gamma', 'phase']) numbers.setMissing(key, known.defaults[key]);
 }
@@ -98,7 +89,8 @@ function recordOf(text, numbers) {
 // Checks the numbers of a scene together, at the corners of its grid.
 function checkTogether(scene) {
   const { numbers, choices } = scene;
-  if (numbers.has('restitution') && choices.isolation !== 'none') {
+  const { isolation } = choices;
+  if (numbers.has('restitution') && !isBeside(known.parameter.get('restitution'), { isolation })) {
     throw new EngineError('restitution', 'replaces the law of impact only where `isolation` is none');
   }
   if (numbers.has('yield_force') && !numbers.has('mass')) {
@@ -140,8 +132,10 @@ export function sceneOf(text, count) {
   completeBlock(text.object || undefined, numbers);
   completeIsolation(choices.isolation, numbers);
   if (record) {
-    const pulse = known.parameters.find((entry) => entry.section === 'pulse' && numbers.has(entry.key));
+    const pulse = excludedBy({ excitation: 'record' }, numbers);
     if (pulse) throw new EngineError(pulse.key, 'a record shakes the base, not a pulse; leave it out');
+  } else if (excludedBy({ excitation: 'pulse' }, numbers)) {
+    throw new EngineError('horizontal', 'a scene has a pulse or a record; leave one out');
   } else completePulse(choices.shape, numbers);
   numbers.setMissing('t_max', record ? record.duration : known.defaults.t_max);
   numbers.setMissing('tilt', known.defaults.tilt);

@@ -6,7 +6,7 @@ import { deflection } from './case.js';
 import { SPAN, SWING_V, clockOf, clockParameters, spanOf, swingH, swingParameters, swingV } from './clock.js';
 import { Listing, Table } from './grid.js';
 import { DRIVE, driveOf, horizontalOf, stepsOf, verticalOf } from './groups.js';
-import { HORIZONTAL, VERTICAL } from './isolation.js';
+import { numbersOf } from './isolation.js';
 import { PEAK } from './case.js';
 
 // A_h of the shared motions of u, m/s^2, which cells under a record and of a given strength have none of.
@@ -37,8 +37,8 @@ export class CellTables {
       critical: body.critical(),
       fall: body.fall(),
     }));
-    this.horizontal = byBody([...HORIZONTAL, ...PEAK], horizontalOf);
-    this.vertical = byBody(VERTICAL, verticalOf);
+    this.horizontal = byBody([...numbersOf('horizontal'), ...PEAK], horizontalOf);
+    this.vertical = byBody(numbersOf('vertical'), verticalOf);
     this.drive = new Table(listing, DRIVE, (cell) => driveOf(cell, shared));
     this.readers = byBody(['t_max', 'tilt', 't_v'], (cell, body) => ({
       tMax: cell.tMax,

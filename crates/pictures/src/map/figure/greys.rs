@@ -6,14 +6,12 @@ use crate::drawing::canvas::{Canvas, Point};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::Axis;
 use crate::drawing::scale;
+use topple::results::ramp;
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;
 /// Least width of a scale, over its values.
 const ALIKE: f64 = 0.01;
-/// Shades of the lightest and the darkest value.
-const LIGHT: f64 = 0.96;
-const DARK: f64 = 0.38;
 
 /// A scale of greys: from where to where, in which steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,8 +64,7 @@ impl Greys {
     pub fn shade(&self, value: f64) -> u8 {
         // Values that are all alike may have no width.
         let width = if self.width() > 0.0 { self.width() } else { 1.0 };
-        let share = ((value - self.low) / width).clamp(0.0, 1.0);
-        (255.0 * (LIGHT + (DARK - LIGHT) * share)) as u8
+        ramp::grey((value - self.low) / width)
     }
 
     /// Draws the scale with its numbers and its name below; returns where it ends.

@@ -119,7 +119,7 @@ pub fn draw(
 }
 
 /// The line at the angle at which the block counts as overturned.
-const CRITICAL: crate::drawing::canvas::Stroke = dashed([0xd6, 0x2f, 0x2a], 0.5, (2.0, 1.5));
+const CRITICAL: crate::drawing::canvas::Stroke = dashed(CURVES[1], 0.5, (2.0, 1.5));
 
 /// The ends of a strip: those of its values, and some room.
 fn ends(points: &[Point]) -> (f64, f64) {

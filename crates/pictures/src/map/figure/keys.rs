@@ -7,13 +7,10 @@ use super::overlay::Overlay;
 use crate::drawing::legend::{Entry, entry};
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
-use topple::results::palette::{DOTTED, Kind, Parity};
+use topple::results::palette::{DOTTED, Kind, MARKED, Parity};
 use topple::results::shares::shares;
 use topple::scene::Parameter;
 use topple::stepping::outcome::{Outcome, Status};
-
-/// A colour that is dotted in the legend: neither black nor white is lost on it.
-const GREY: [u8; 3] = [0xbd, 0xb0, 0xaa];
 
 /// What the hatch of a map says.
 pub fn hatch_label(map: &Map) -> String {
@@ -53,7 +50,7 @@ pub fn parity_swatch(parity: Parity) -> Swatch {
 pub fn overlay(maps: &[&Map], overlay: Overlay) -> Vec<Entry> {
     let mut entries = Vec::new();
     if overlay.dotted {
-        entries.push(entry(Swatch::Dotted(GREY), DOTTED));
+        entries.push(entry(Swatch::Dotted(MARKED), DOTTED));
     }
     if let (true, Some(map)) = (overlay.hatched, maps.first()) {
         entries.push(entry(Swatch::Hatched, hatch_label(map)));
