@@ -24,12 +24,11 @@ use topple::backend::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
-use topple::model::real::{Real, Vector};
+use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
-use topple::stepping::trials::Purpose;
 use topple::work::vectors::lanes_of;
-use traces::{BATCH, Traces, record, turns};
+use traces::{BATCH, Purpose, Traces, record, turns};
 
 /// Most cells of a tile: `src/backend/gpu/run.rs`.
 const MOST_CELLS: usize = 1 << 18;
@@ -63,8 +62,8 @@ fn percent(part: usize, whole: usize) -> f64 {
 }
 
 /// What the lanes of two of the CPU's threads do on a map.
-fn on_cpu<R: Real + Vector<Element = R>>(name: &str, plan: &Plan, grid: &Grid) -> Traces {
-    let (traces, ..) = record(plan, grid, R::of(0.0));
+fn on_cpu<R: Real>(name: &str, plan: &Plan, grid: &Grid) -> Traces {
+    let traces = record::<R>(plan, grid);
     let (trials, width) = (traces.all(), lanes_of::<R>(Level::new()));
     let half = |odd| (0..grid.len()).filter(move |cell| cell / BATCH % 2 == odd);
     let turns = turns(&traces, half(0), width) + turns(&traces, half(1), width);

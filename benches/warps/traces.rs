@@ -1,18 +1,73 @@
-//! The trials of every cell of a sweep, as the lanes of the CPU make them.
+//! The trials of every cell of a sweep: what each was for, as a lane by itself shows from turn to turn.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
+use rayon::prelude::*;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
-use topple::model::real::{Real, Vector};
+use topple::model::block::FULL_CONTACT;
+use topple::model::dynamics::Contact;
+use topple::model::real::Real;
 use topple::scene::Grid;
-use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
+use topple::stepping::guards::{IMPACT, NOTHING, UPLIFT_LEFT, UPLIFT_RIGHT};
+use topple::stepping::lanes::{Job, Lanes, Shared};
 use topple::stepping::log::Listener;
-use topple::stepping::state::State;
-use topple::stepping::trials::{Purpose, Trial};
+use topple::stepping::state::{RUNNING, State};
 use topple::work::observer::Unwatched;
+
+/// What a trial was for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// A whole step.
+    Step,
+    /// A part of a step: the rest of one, or up to a yield limit.
+    Part,
+    /// A part of a step up to the impact estimated from the rates.
+    Landing,
+    /// A step or a part in which a guard has happened: the search begins with it.
+    GivenUp,
+    /// A trial of a root search that the cell does not move on by.
+    Try,
+    /// The trial after which a search is over: the cell moves on to the guard, or past where none happens.
+    Arrival,
+    /// None: the block lifts at once, and the trial is not used.
+    Uplift,
+}
+
+impl Purpose {
+    /// All of them, each at the place of its number.
+    pub const ALL: [Purpose; 7] = [
+        Purpose::Step,
+        Purpose::Part,
+        Purpose::Landing,
+        Purpose::GivenUp,
+        Purpose::Try,
+        Purpose::Arrival,
+        Purpose::Uplift,
+    ];
+
+    /// True where the cell moves on by the trial, or its search narrows.
+    pub fn is_useful(self) -> bool {
+        self != Purpose::Uplift
+    }
+
+    /// True in a search.
+    pub fn seeks(self) -> bool {
+        matches!(self, Purpose::Try | Purpose::Arrival)
+    }
+}
+
+/// A cell's trial.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Trial {
+    /// What it was for.
+    pub purpose: Purpose,
+    /// The block rocked.
+    pub rocking: bool,
+    /// The cell is at the start of a step after it, and nothing is searched for: it may leave.
+    pub at_edge: bool,
+}
 
 /// Cells that a thread takes at once: as many as the sweep's.
 pub const BATCH: usize = 64;
@@ -90,74 +145,69 @@ pub fn turns(traces: &Traces, cells: impl Iterator<Item = usize>, lanes: usize) 
     free.into_iter().map(|Reverse((at, _))| at).max().unwrap_or(0)
 }
 
-struct Recorder {
-    turns: usize,
-    trials: Vec<Vec<Packed>>,
+/// What a lane tells of a turn.
+struct Told {
+    moved: bool,
+    switch: u32,
+    /// The block rocks after it.
+    rocking: bool,
 }
 
-impl<V: Vector> Listener<V> for &mut Recorder {
-    const TRIALS: bool = true;
+impl<R: Real> Listener<R> for Told {
+    const EVENTS: bool = true;
+    const FORCES: bool = true;
 
-    fn tried(&mut self, trials: impl Iterator<Item = (usize, Trial)>) {
-        self.turns += 1;
-        for (cell, trial) in trials {
-            self.trials[cell].push(Packed::of(trial));
-        }
+    fn hear(&mut self, kind: u32, _: R, state: &State<R>) {
+        (self.switch, self.rocking) = (kind, state.mode != FULL_CONTACT);
+    }
+
+    fn feel(&mut self, moved: R::Mask, _: [Contact<R>; 3]) {
+        self.moved = R::any(moved);
     }
 }
 
-struct Queue<'a, R> {
-    all: &'a Cells<'a, R>,
-    next: &'a AtomicUsize,
-    batch: std::ops::Range<usize>,
-    count: usize,
-    ended: Vec<(usize, State<R>)>,
+/// The trials of a cell to its end; none of one that is done before it begins.
+fn trials<R: Real>(lanes: &mut Lanes<'_, R, Told>, job: Job<R>) -> Vec<Packed> {
+    let mut trials = Vec::new();
+    let (mut searching, mut ended) = (false, job.state.status != RUNNING);
+    lanes.log.rocking = job.state.mode != FULL_CONTACT;
+    lanes.load(0, job);
+    while !ended {
+        let (fresh, rocking) = (R::any(lanes.between_steps()), lanes.log.rocking);
+        lanes.log.switch = NOTHING;
+        ended = lanes.advance() != 0;
+        let at_edge = R::any(lanes.between_steps());
+        let purpose = match (lanes.log.moved, lanes.log.switch) {
+            (_, UPLIFT_LEFT | UPLIFT_RIGHT) => Purpose::Uplift,
+            (false, _) if searching => Purpose::Try,
+            (false, _) => Purpose::GivenUp,
+            (true, _) if searching => Purpose::Arrival,
+            (true, IMPACT) => Purpose::Landing,
+            (true, _) if fresh && at_edge => Purpose::Step,
+            (true, _) => Purpose::Part,
+        };
+        searching = matches!(purpose, Purpose::GivenUp | Purpose::Try);
+        trials.push(Packed::of(Trial { purpose, rocking, at_edge }));
+    }
+    trials
 }
 
-impl<R: Real> Feed<R> for Queue<'_, R> {
-    fn next(&mut self) -> Option<Job<R>> {
-        if self.batch.is_empty() {
-            let from = self.next.fetch_add(BATCH, Ordering::Relaxed).min(self.count);
-            self.batch = from..(from + BATCH).min(self.count);
-        }
-        let number = self.batch.next()?;
-        let (cell, state) = self.all.begin(number);
-        Some(Job { number, cell, state })
-    }
-
-    fn done(&mut self, job: &Job<R>) {
-        self.ended.push((job.number, job.state));
-    }
-}
-
-/// Sweeps a grid on vectors like `zero`: its cells' trials and last states, and the turns of all
-/// threads.
-pub fn record<V: Vector + Send + Sync>(
-    plan: &Plan,
-    grid: &Grid,
-    zero: V,
-) -> (Traces, Vec<State<V::Element>>, usize) {
-    let record = plan.record::<V::Element>();
+/// Sweeps a grid cell by cell: their trials.
+pub fn record<R: Real>(plan: &Plan, grid: &Grid) -> Traces {
+    let record = plan.record::<R>();
     let cells: Vec<usize> = (0..grid.len()).collect();
-    let all = Cells::<V::Element>::of(plan, grid, &cells, &record, &Unwatched);
+    let all = Cells::<R>::of(plan, grid, &cells, &record, &Unwatched);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let count = grid.len();
-    let next = AtomicUsize::new(0);
-    let mut ran = rayon::broadcast(|_| {
-        let ended = Vec::with_capacity(count);
-        let mut queue = Queue { all: &all, next: &next, batch: 0..0, count, ended };
-        let mut to = Recorder { turns: 0, trials: vec![Vec::new(); count] };
-        Lanes::new(shared, zero, &mut to).run(&mut queue);
-        (to, queue.ended)
-    });
-    let mut states: Vec<_> = ran.iter_mut().flat_map(|(_, ended)| std::mem::take(ended)).collect();
-    states.sort_by_key(|(number, _)| *number);
+    let lanes = || {
+        let told = Told { moved: false, switch: NOTHING, rocking: false };
+        Lanes::new(shared, R::of(0.0), told)
+    };
+    let of_cell = |lanes: &mut Lanes<'_, R, Told>, &number: &usize| {
+        let (cell, state) = all.begin(number);
+        trials(lanes, Job { number, cell, state })
+    };
+    let ran: Vec<_> = cells.par_iter().map_init(lanes, of_cell).collect();
     let mut traces = Traces::default();
-    for cell in 0..count {
-        // No more than one thread has a cell's.
-        let trials = ran.iter_mut().map(|(to, _)| std::mem::take(&mut to.trials[cell]));
-        traces.add(&trials.flatten().collect::<Vec<_>>());
-    }
-    let turns = ran.iter().map(|(to, _)| to.turns).sum();
-    (traces, states.into_iter().map(|(_, state)| state).collect(), turns)
+    ran.iter().for_each(|trials| traces.add(trials));
+    traces
 }

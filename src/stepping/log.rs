@@ -4,7 +4,6 @@ use bytemuck::Zeroable;
 
 use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
-use super::trials::Trial;
 use crate::model::dynamics::Contact;
 use crate::model::layout::pod;
 use crate::model::motion::Motion;
@@ -31,18 +30,12 @@ pub trait Listener<V: Vector> {
     /// Whether it is told of contact forces.
     const FORCES: bool = false;
 
-    /// Whether it is told of every trial.
-    const TRIALS: bool = false;
-
     /// See [`Log::switched`].
     fn hear(&mut self, _: u32, _: V::Element, _: &State<V::Element>) {}
 
     /// Some lanes have moved on by a span, a step or a part of one: the contact forces at its start, in its
     /// middle and at its end.
     fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {}
-
-    /// A turn has been made; of each lane that has a cell, the cell's number and its trial.
-    fn tried(&mut self, _: impl Iterator<Item = (usize, Trial)>) {}
 }
 
 /// No observer.

@@ -29,5 +29,4 @@ pub(crate) mod span;
 pub(crate) mod standing;
 pub mod state;
 pub(crate) mod switching;
-pub mod trials;
 pub(crate) mod turn;

@@ -15,7 +15,6 @@ use super::log::Listener;
 use super::state::{
     DIVERGED, EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING,
 };
-use super::trials::{Done, Purpose, Trial};
 use super::turn::select_motion;
 
 #[inline(always)]
@@ -203,24 +202,5 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.leave(lane);
             self.tell(lane, KINK);
         }
-    }
-
-    /// Tells of the trials of the lanes that have a cell.
-    #[inline(never)]
-    pub(super) fn tell_trials(&mut self, done: &Done) {
-        let again = V::bits(self.search.again);
-        let searching = V::bits(self.search.sought.any()) | again;
-        let (lanes, start) = (&self.lanes, self.start);
-        let trials = each(self.running).map(|lane| {
-            let bit = 1 << lane;
-            let purpose = match done.purpose(lane) {
-                Purpose::Try if again & bit != 0 => Purpose::Nothing,
-                purpose => purpose,
-            };
-            let at_edge = searching & bit == 0 && start.lane(lane) == V::Element::of(0.0);
-            let trial = Trial { purpose, rocking: done.rocking & bit != 0, at_edge };
-            (lanes[lane].job.number, trial)
-        });
-        self.log.tried(trials);
     }
 }

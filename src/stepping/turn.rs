@@ -17,7 +17,6 @@ use super::log::Listener;
 use super::rk4::{rk4, shift_back};
 use super::search::RootDistance;
 use super::state::is_finite;
-use super::trials::Done;
 
 #[inline(always)]
 pub(super) fn select_motion<V: Vector>(
@@ -37,7 +36,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let none = zero.mask(0);
         let seeking = self.search.sought.any();
         let again = self.search.again;
-        let fresh = if L::TRIALS { V::bits(zero.ge(self.start)) } else { 0 };
         let begun = zero.mask(self.running) & !(seeking | again);
         let ground = self.forcing.ground(variant, &self.cell, self.start);
         let set = self.equations();
@@ -63,7 +61,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let ground_end = self.forcing.ground(variant, &self.cell, self.start + length);
         let set = self.equations();
         let (corner, rocking) = (&self.corner, self.rocking);
-        let rocked = if L::TRIALS { V::bits(rocking) } else { 0 };
         let stepped = rk4(&set, corner, rocking, &self.y, &k1, h, [ground_mid, ground_end]);
         let mut y1 = stepped.y;
         let mut k_end = stepped.k4;
@@ -185,19 +182,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
                 V::bits(endless),
                 V::bits(proved),
             );
-        }
-        if L::TRIALS {
-            self.tell_trials(&Done {
-                rocking: rocked,
-                fresh,
-                seeking: V::bits(seeking),
-                again: V::bits(again),
-                lifts: V::bits(lifts),
-                landed: V::bits(landed),
-                found: V::bits(found),
-                moved: V::bits(moved),
-                through: V::bits(through),
-            });
         }
         ended & self.running
     }

@@ -22,4 +22,5 @@ mod seismic;
 mod shader;
 mod shortcuts;
 mod tiles;
+#[path = "../../benches/warps/tests.rs"]
 mod warps;

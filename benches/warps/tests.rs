@@ -1,10 +1,8 @@
 //! The traces that lanes in use are counted by, and the model of a card that counts them.
 
 #[allow(dead_code)] // the bench uses all of it
-#[path = "../../benches/warps/card.rs"]
 mod card;
 #[allow(dead_code)]
-#[path = "../../benches/warps/traces.rs"]
 mod traces;
 
 use card::{Card, Choice, Tally, WARP};
@@ -12,11 +10,10 @@ use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
-use topple::model::real::{Real, Vector};
+use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
-use topple::stepping::trials::{Purpose, Trial};
 use topple::work::observer::Unwatched;
-use traces::{Packed, Traces, record};
+use traces::{Packed, Purpose, Traces, Trial, record};
 
 use crate::common::{all, object};
 
@@ -34,50 +31,96 @@ fn map() -> Scene {
     object(1, 0.2, (1.75, 0.75), 0.5, "0.5:12:24", "0.5:12:24")
 }
 
-fn traces_are_what_cells_do<R: Real + Vector<Element = R>>() {
+// In one precision: each compiles the turn anew.
+#[test]
+fn traces_are_what_the_cells_do() {
     let (scene, mut uplifts, mut impacts) = (map(), 0, 0);
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let (traces, states, turns) = record(&plan, &grid, R::of(0.0));
-    assert_eq!(turns, traces.all().len(), "a lane by itself is never without a cell");
-    let outcomes = cpu::sweep_one_by_one(R::PRECISION, &plan, &grid, &all(&grid), &Unwatched);
+    let traces = record::<f32>(&plan, &grid);
     let numbers = all(&grid);
-    let all = Cells::<R>::of(&plan, &grid, &numbers, &[], &Unwatched);
-    for (cell, (state, outcome)) in states.iter().zip(&outcomes).enumerate() {
-        let count = |purpose| {
-            traces.of(cell).iter().filter(|trial| trial.purpose() == purpose).count() as u32
-        };
-        assert_eq!(state.impacts, outcome.impacts, "cell {cell}");
-        assert!(count(Purpose::Step) <= state.step - all.begin(cell).1.step, "cell {cell}");
-        assert_eq!(count(Purpose::Uplift), state.uplifts - all.begin(cell).1.uplifts);
-        // What is given up is searched, and found or not; a kink's last try may begin a search, too.
-        assert!(count(Purpose::GivenUp) >= count(Purpose::Nothing), "cell {cell}");
-        assert_eq!(count(Purpose::Nothing), count(Purpose::Again), "cell {cell}");
-        assert!(state.impacts <= count(Purpose::Landing) + count(Purpose::Arrival), "cell {cell}");
-        uplifts += state.uplifts;
-        impacts += state.impacts;
+    let outcomes = cpu::sweep_one_by_one(Precision::F32, &plan, &grid, &numbers, &Unwatched);
+    let all = Cells::<f32>::of(&plan, &grid, &numbers, &[], &Unwatched);
+    for (cell, outcome) in outcomes.iter().enumerate() {
+        let trials = traces.of(cell);
+        let count =
+            |purpose| trials.iter().filter(|trial| trial.purpose() == purpose).count() as u32;
+        let (numbers, begun) = all.begin(cell);
+        let steps = numbers.steps - begun.step;
+        assert!(count(Purpose::Step) <= steps, "cell {cell}");
+        assert!(trials.iter().filter(|trial| trial.at_edge()).count() as u32 <= steps);
+        assert_eq!(count(Purpose::Uplift), outcome.uplifts - begun.uplifts, "cell {cell}");
+        // A search has one beginning, and ends.
+        assert_eq!(count(Purpose::GivenUp), count(Purpose::Arrival), "cell {cell}");
+        assert!(outcome.impacts <= count(Purpose::Landing) + count(Purpose::Arrival));
+        uplifts += outcome.uplifts;
+        impacts += outcome.impacts;
     }
     assert!(uplifts > 100 && impacts > 1000, "{uplifts} uplifts, {impacts} impacts");
 }
 
-// In one precision: each compiles the turn anew.
-#[test]
-fn traces_are_what_the_cells_do() {
-    traces_are_what_cells_do::<f32>();
-}
-
-#[test]
 #[cfg(target_arch = "x86_64")]
-fn a_vectors_lanes_are_filled_as_the_traces_say() {
-    let scene = map();
-    let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let simd = fearless_simd::Level::baseline().as_sse2().unwrap();
-    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let (traces, _, turns) = one_thread.install(|| record(&plan, &grid, 0.0_f32.few_lanes(simd)));
-    assert_eq!(turns, traces::turns(&traces, 0..grid.len(), 4));
-    let (alone, ..) = record(&plan, &grid, 0.0_f32);
-    // Products are fused in one of them only.
-    let (vector, alone) = (traces.all().len() as f64, alone.all().len() as f64);
-    assert!((vector / alone - 1.0).abs() < 0.002, "{vector} trials, {alone} one by one");
+mod vectors {
+    use std::cell::Cell;
+    use std::ops::Range;
+
+    use topple::model::dynamics::Contact;
+    use topple::model::real::{Real, Vector};
+    use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
+    use topple::stepping::log::Listener;
+
+    use super::*;
+
+    /// The turns that lanes have made.
+    struct Turns<'a>(&'a Cell<usize>);
+
+    impl<V: Vector> Listener<V> for Turns<'_> {
+        const FORCES: bool = true;
+
+        fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {
+            self.0.set(self.0.get() + 1);
+        }
+    }
+
+    /// Cells in order, and the turns that each has had.
+    struct Queue<'a> {
+        all: &'a Cells<'a, f32>,
+        next: Range<usize>,
+        now: &'a Cell<usize>,
+        had: Vec<usize>,
+    }
+
+    impl Feed<f32> for Queue<'_> {
+        fn next(&mut self) -> Option<Job<f32>> {
+            let number = self.next.next()?;
+            let (cell, state) = self.all.begin(number);
+            self.had[number] = self.now.get();
+            Some(Job { number, cell, state })
+        }
+
+        fn done(&mut self, job: &Job<f32>) {
+            self.had[job.number] = self.now.get() - self.had[job.number];
+        }
+    }
+
+    #[test]
+    fn a_vectors_lanes_are_filled_as_the_traces_say() {
+        let scene = map();
+        let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+        let simd = fearless_simd::Level::baseline().as_sse2().unwrap();
+        let (numbers, now) = (all(&grid), Cell::new(0));
+        let all = Cells::<f32>::of(&plan, &grid, &numbers, &[], &Unwatched);
+        let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &[] };
+        let mut queue =
+            Queue { all: &all, next: 0..grid.len(), now: &now, had: vec![0; grid.len()] };
+        Lanes::new(shared, 0.0_f32.few_lanes(simd), Turns(&now)).run(&mut queue);
+        let mut traces = Traces::default();
+        queue.had.iter().for_each(|turns| traces.add(&cell(*turns, Purpose::Step)));
+        assert_eq!(now.get(), traces::turns(&traces, 0..grid.len(), 4));
+        let alone = record::<f32>(&plan, &grid);
+        // Products are fused in one of them only.
+        let (vector, alone) = (traces.all().len() as f64, alone.all().len() as f64);
+        assert!((vector / alone - 1.0).abs() < 0.002, "{vector} trials, {alone} one by one");
+    }
 }
 
 fn cell(turns: usize, purpose: Purpose) -> Vec<Packed> {
@@ -143,7 +186,7 @@ fn threads_that_take_the_next_cell_have_one_to_the_last() {
 fn every_choice_makes_every_trial_once() {
     let scene = map();
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let (traces, ..) = record(&plan, &grid, 0.0_f32);
+    let traces = record::<f32>(&plan, &grid);
     for (chunk, workgroup, refill) in
         [(8, 64, None), (128, 32, None), (128, 128, None), (128, 64, Some(16)), (64, 32, Some(1))]
     {
