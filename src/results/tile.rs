@@ -100,6 +100,9 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u
 /// The bytes of an array, by its name and their number; none where these are not whole.
 pub type Chunks<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
 
+/// The values of a column, as they are held.
+type ValuesOf<C, F> = Vec<Stored<<C as ColumnType>::Value, F>>;
+
 /// The values of a column's first `count` cells from the bytes of its arrays, of tiles of so many cells; none where those
 /// are not whole, or have a code of nothing.
 ///
@@ -108,7 +111,7 @@ pub type Chunks<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 
 pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     (count, cells): (usize, usize),
     chunks: &mut Chunks<E>,
-) -> Result<Option<Vec<Stored<C::Value, F>>>, E> {
+) -> Result<Option<ValuesOf<C, F>>, E> {
     let proved = if C::Value::HAS_PROVED { chunks(PROVED, cells)? } else { Some(Vec::new()) };
     let bytes = chunks(C::COLUMN.entry().name, size_of::<Stored<C::Value, F>>() * cells)?;
     let (Some(bytes), Some(proved)) = (bytes, proved) else { return Ok(None) };
