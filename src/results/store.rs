@@ -3,7 +3,7 @@
 //! A folder in the run's directory holds the run's [`Identity`], a lock, and a [Zarr group](super::zarr)
 //! whose chunks are tiles. A file appears whole or not at all; of a tile's files that of the status comes
 //! last, and says which of its cells have run. A whole map's folder is `unfinished`, and goes when the map is
-//! written. A shard's is `shard-3-of-16`, and stays: a report is added when the shard is done.
+//! written. A shard's is `part-3-of-16`, and stays: a report is added when the shard is done.
 //!
 //! What goes is what a run wrote, by its [names](super::own); a folder in which something else lies is not a run's
 //! before it has an identity, and stays with that after.

@@ -35,7 +35,7 @@ use topple_pictures::map::thinned::{DRAWN, thinned};
 use crate::common::{object, own_lines, synthetic_pair, under, xy};
 
 #[test]
-fn parts_hold_every_cell_once() {
+fn shards_hold_every_cell_once() {
     for (count, of) in [(10, 3), (3, 3), (100, 1), (7, 5), (1 << 40, 1_000_000)] {
         let mut from = 0;
         for number in (1..=of).filter(|number| of < 10 || number % 99_999 < 2 || *number == of) {
@@ -296,7 +296,7 @@ fn manifest(out: &Path) -> Value {
 }
 
 #[test]
-fn merged_parts_are_the_map() {
+fn merged_shards_are_the_map() {
     let dir = TempDir::new().unwrap();
     let [whole, shards, merged] = ["whole", "shards", "merged"].map(|name| dir.path().join(name));
     pulse(&whole, &GRID).args(["--backend", "cpu"]).assert().success();
@@ -319,17 +319,17 @@ fn merged_parts_are_the_map() {
     for key in ["scene", "cells", "outcomes", "precision", "backend", "steps", "model"] {
         assert_eq!(told[key], manifest(&whole)[key], "{key}");
     }
-    assert!(!merged.join("unfinished").exists() && shards.join("shard-4-of-4").exists());
+    assert!(!merged.join("unfinished").exists() && shards.join("part-4-of-4").exists());
     // A finished shard that is run again is left as it is; begun anew it is refused.
-    let report = fs::read(shards.join("shard-3-of-4/report.json")).unwrap();
+    let report = fs::read(shards.join("part-3-of-4/report.json")).unwrap();
     shard(&shards, "3/4", &["--resume"]);
-    assert_eq!(fs::read(shards.join("shard-3-of-4/report.json")).unwrap(), report);
+    assert_eq!(fs::read(shards.join("part-3-of-4/report.json")).unwrap(), report);
     pulse(&shards, &GRID).args(["--tile", "3/4", "--backend", "cpu"]).assert().code(2);
 }
 
 /// Shards under a record, and of two backends: the manifest says which cells came from where.
 #[test]
-fn parts_may_come_from_different_backends() {
+fn shards_may_come_from_different_backends() {
     let dir = TempDir::new().unwrap();
     let seismic = |out: &Path, more: &[&str]| {
         let mut command = Command::cargo_bin("topple").unwrap();
