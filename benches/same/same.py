@@ -13,6 +13,7 @@ Whoever changes the engine's shape and not its results runs it before and after.
 import argparse
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -75,6 +76,9 @@ STUDIES = {
     "suite": "suite suite",
     "envelope": f"envelope {SUITE} --limit-u 0.4 --limit-v 0.05 --both-directions",
     "fragility": "fragility --suite suite --object 1 --u-y 0.01 --t-h 1,2 --t-v 0.5 --levels 1:12:5",
+    # Fits that have a beta: their intervals are those of the bootstrap.
+    "fragility, resampled": "fragility --suite stretched --object 1 --u-y 0.01 --t-h 0.8,1.6 --t-v 0.3 --levels 0.5:20:12"
+    " --limit-zeta 0.5 --estimator stripes,ida,cloud",
     "fragility, varied": "fragility --suite suite --object 1 --u-y 0.01 --t-h 1,2 --t-v 0.5 --levels 1:12:5 "
     "--bootstrap 99 --vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3,0.02,0.1) --samples 16 --verify none",
 }
@@ -112,7 +116,7 @@ def run(binary, place, out, arguments):
 
 
 def make_suite(binary, place):
-    """A suite of made-up motions: the synthetic pair, whole and in part."""
+    """Suites of made-up motions: the synthetic pair, whole and in part, and stretched in time."""
     made = place / "made"
     command = [str(binary), "seismic", "--object", "1", "--t-h", "1", "--t-v", "0.4", "--verify", "none", "--out", str(made)]
     subprocess.run(command, check=True, capture_output=True)
@@ -124,6 +128,18 @@ def make_suite(binary, place):
         "id,horizontal,vertical,scale\n"
         "a,synthetic_h.at2,synthetic_v.at2,1\nb,synthetic_h.at2,,1.7\nc,synthetic_v.at2,synthetic_h.at2,2.5\n"
     )
+    # Motions of other periods: the block fails at other levels.
+    suite = place / "stretched"
+    suite.mkdir()
+    rows = ["id,horizontal"]
+    for component in "hv":
+        text = (made / f"synthetic_{component}.at2").read_text()
+        for stretch in (0.4, 0.7, 1, 1.5, 2.2, 3, 4):
+            name = f"{component}{stretch}"
+            longer = re.sub(r"(DT= *)(\S+)", lambda found: f"{found[1]}{stretch * float(found[2])}", text, count=1)
+            (suite / f"{name}.at2").write_text(longer)
+            rows.append(f"{name},{name}.at2")
+    (suite / "list.csv").write_text("\n".join(rows) + "\n")
 
 
 def scenes(gpu):
