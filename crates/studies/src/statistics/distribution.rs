@@ -1,6 +1,6 @@
 //! How a number that is not known is distributed.
 
-use super::distribution_text::DistributionError;
+use super::distribution_error::DistributionError;
 use super::normal;
 
 /// A distribution, cut off at two ends or not.

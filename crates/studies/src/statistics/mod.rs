@@ -8,10 +8,11 @@
 pub mod bca;
 pub mod bootstrap;
 pub mod distribution;
+mod distribution_error;
 mod distribution_text;
 pub mod normal;
 pub mod quantile;
 
 pub use bootstrap::Bootstrap;
 pub use distribution::Distribution;
-pub use distribution_text::DistributionError;
+pub use distribution_error::DistributionError;

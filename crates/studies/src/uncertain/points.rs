@@ -7,13 +7,10 @@
 
 use sobol_burley::sample;
 
-use super::varied::Varied;
+use super::varied::{LEAST_SHARE, Varied};
 
 /// Bits of the number of a point in a set.
 const BITS: u32 = 16;
-/// Half the distance between two numbers that the sequence can give: no point lies on an edge of the box, and no
-/// smaller share is ever drawn at either end of a distribution.
-pub(super) const LEAST_SHARE: f64 = 1.0 / 16_777_216.0;
 /// What separates the seeds of the sets beyond the first.
 const NEXT_SEED: u32 = 0x9e37_79b9;
 

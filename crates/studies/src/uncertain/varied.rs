@@ -6,11 +6,14 @@ use std::str::FromStr;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Serialize, Serializer};
 
-use super::points::LEAST_SHARE;
 use crate::statistics::{Distribution, DistributionError};
 use topple::scene::parameters::Legal;
 use topple::scene::shown::shown;
 use topple::scene::{Parameter, SceneError};
+
+/// Half the distance between two numbers that the sequence of [`points`](super::points) can give: no point lies on an edge
+/// of the box, and no smaller share is ever drawn at either end of a distribution.
+pub(super) const LEAST_SHARE: f64 = 1.0 / 16_777_216.0;
 
 /// A parameter, and the distribution of its values.
 #[derive(Debug, Clone, Copy, PartialEq)]
