@@ -1,7 +1,7 @@
 //! Lists of cells that were run one after the other, saved each in a file, so that work which asks for the same lists
 //! again goes on from there: refining a map.
 //!
-//! A file is packed as a column of a [tile](super::tile) is: of the run of a tag, with a checksum. It holds the cells'
+//! A file is packed as a column of a [`tile`] is: of the run of a tag, with a checksum. It holds the cells'
 //! numbers and the arrays of their columns, one after the other. A list is taken from its file where that is whole and has
 //! the same cells.
 
