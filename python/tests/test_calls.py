@@ -106,6 +106,8 @@ def test_ctrl_c_ends_a_call():
     script = textwrap.dedent(
         f"""
         import os, signal, threading, time, topple
+        # A job in the background of a shell begins with Ctrl-C ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         at = []
         def press():
             at.append(time.perf_counter())
@@ -129,6 +131,8 @@ def test_ctrl_c_leaves_a_history():
     script = textwrap.dedent(
         """
         import os, signal, threading, time, topple
+        # A job in the background of a shell begins with Ctrl-C ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         at = []
         def press():
             at.append(time.perf_counter())
