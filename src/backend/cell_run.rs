@@ -8,7 +8,6 @@ use crate::results::block::Block;
 use crate::scene::Grid;
 
 /// Cells that a backend is to run.
-#[derive(Clone)]
 pub struct CellRun<'a> {
     /// The plan.
     pub plan: &'a Plan,

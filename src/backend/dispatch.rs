@@ -1,5 +1,6 @@
 //! What a sweep runs on.
 
+use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
 use fearless_simd::Level;
@@ -138,8 +139,10 @@ impl Backend {
         run: &CellRun,
         observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
+        let cells = || Cow::from(&*run.cells);
         // Nobody is to have outcomes of the first run.
-        let coarse = self.run_once(&CellRun { snapshots: None, ..run.clone() }, observer)?;
+        let first = CellRun { cells: cells(), snapshots: None, ..*run };
+        let coarse = self.run_once(&first, observer)?;
         let resolved = |mut block: Block| {
             resolve(&mut block, &coarse.block);
             block
@@ -148,7 +151,7 @@ impl Backend {
         let snapshots = run.snapshots.zip(take.as_ref());
         let snapshots = snapshots.map(|(to, take)| Snapshots { due: to.due, take });
         let (plan, precision) = (&run.plan.halved(), self.finest(run.precision));
-        let finer = CellRun { plan, precision, snapshots, ..run.clone() };
+        let finer = CellRun { plan, cells: cells(), precision, snapshots, ..*run };
         let mut fine = self.run_once(&finer, observer)?;
         resolve(&mut fine.block, &coarse.block);
         fine.elapsed += coarse.elapsed;

@@ -1,7 +1,7 @@
 //! The same cells on lanes of a CPU, on a device, and by the reference.
 //!
 //! ```text
-//! request -> dispatch -> (cpu, lanes | gpu | the reference) -> outcomes
+//! request -> dispatch, cell_run -> (lanes | gpu | by_reference) -> outcomes
 //! ```
 
 pub mod backend_error;

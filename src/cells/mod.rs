@@ -1,7 +1,7 @@
 //! A scene at one place of its grid: the numbers that a thread gets, and its first state.
 //!
 //! ```text
-//! plan, groups, laws, clock -> table, cell_tables -> begin, contact -> ready -> reader
+//! laws, clock_parts, groups, reader -> plan -> part -> table, cell_tables -> begin, contact -> ready
 //! ```
 
 pub(crate) mod at_rest;
