@@ -243,8 +243,8 @@ read -ra words <<<"$(scene 'default map' "$whole")"
     "${killed_map[@]}" &
 killed=$!
 running+=("$killed")
-# As soon as a tile is on disk.
-while kill -0 "$killed" 2>/dev/null && ! compgen -G "$scratch/killed/unfinished/*.tile" >/dev/null; do sleep 0.005; done
+# As soon as a chunk is on disk: the file of its status comes last.
+while kill -0 "$killed" 2>/dev/null && ! compgen -G "$scratch/killed/unfinished/status/c/*/*" >/dev/null; do sleep 0.005; done
 kill -KILL "$killed" 2>/dev/null || true
 wait "$killed" 2>/dev/null || true
 if [ -e "$scratch/killed/run.json" ]; then

@@ -21,5 +21,5 @@ for name in npz.files:
     size = sum(file.stat().st_size for file in (out / "map.zarr" / name).rglob("*") if file.is_file())
     print(f"{name:16} {str(array.dtype):8} {array.dims} chunks {array.chunks} {size:>9} bytes", "" if same else "DIFFERS")
     assert same and array.dtype == npz[name].dtype
-tiles = sum(file.stat().st_size for file in (out / "map.zarr").rglob("*") if file.is_file())
-print(f"equal; map.zarr {tiles} bytes, map.npz {(out / 'map.npz').stat().st_size}")
+chunks = sum(file.stat().st_size for file in (out / "map.zarr").rglob("*") if file.is_file())
+print(f"equal; map.zarr {chunks} bytes, map.npz {(out / 'map.npz').stat().st_size}")

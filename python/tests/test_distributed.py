@@ -1,4 +1,4 @@
-"""Tiles on a cluster give the map of a single run."""
+"""Shards on a cluster give the map of a single run."""
 
 import filecmp
 import os
@@ -33,28 +33,28 @@ def equal(one, other):
 
 
 @pytest.mark.parametrize("precision", ["f32", "f64"])
-def test_tiles_are_the_map(client, precision):
+def test_shards_are_the_map(client, precision):
     whole = topple.pulse(**SCENE, precision=precision, verify=16)
     told = []
-    tiled = topple.distributed.pulse(
+    joined = topple.distributed.pulse(
         client, **SCENE, precision=precision, tiles=7, verify=16, progress=lambda *now: told.append(now)
     )
-    equal(whole, tiled)
+    equal(whole, joined)
     assert ("tiles", 7, 7) in told
-    assert tiled.attrs["verification"].split('"seconds"')[0] == whole.attrs["verification"].split('"seconds"')[0]
+    assert joined.attrs["verification"].split('"seconds"')[0] == whole.attrs["verification"].split('"seconds"')[0]
 
 
 def test_on_disk_they_are_the_files_of_a_single_run(client, tmp_path):
     whole = topple.pulse(**SCENE, verify=0, out=tmp_path / "whole")
-    tiled = topple.distributed.pulse(client, **SCENE, verify=0, out=tmp_path / "tiled")
-    equal(whole, tiled)
+    joined = topple.distributed.pulse(client, **SCENE, verify=0, out=tmp_path / "joined")
+    equal(whole, joined)
     files = [path.relative_to(tmp_path / "whole") for path in (tmp_path / "whole").rglob("*") if path.is_file()]
-    found = [path.relative_to(tmp_path / "tiled") for path in (tmp_path / "tiled").rglob("*") if path.is_file()]
+    found = [path.relative_to(tmp_path / "joined") for path in (tmp_path / "joined").rglob("*") if path.is_file()]
     assert len(files) > 10 and sorted(files) == sorted(found)
-    # Chunks carry the mark of the run that wrote them; what they hold is compared above.
+    # The chunks' files carry the mark of the run that wrote them; what they hold is compared above.
     for file in files:
         if file.name == "zarr.json":
-            assert filecmp.cmp(tmp_path / "whole" / file, tmp_path / "tiled" / file, shallow=False), file
+            assert filecmp.cmp(tmp_path / "whole" / file, tmp_path / "joined" / file, shallow=False), file
 
 
 def test_a_record_in_arrays(client):
@@ -66,17 +66,17 @@ def test_a_record_in_arrays(client):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal kills a worker there")
-def test_the_tile_of_a_killed_worker_is_run_again(client):
-    # The reference takes some seconds for these, so that the worker dies in the middle of a tile.
+def test_the_shard_of_a_killed_worker_is_run_again(client):
+    # The reference takes some seconds for these, so that the worker dies in the middle of a shard.
     scene = SCENE | {"omega": "0.2:15:60", "a_h": "0.1:15:60", "backend": "reference"}
     pid = next(iter(client.run(os.getpid).values()))
     killed = threading.Timer(0.5, os.kill, (pid, signal.SIGKILL))
     began = time.perf_counter()
     killed.start()
-    tiled = topple.distributed.pulse(client, **scene, verify=0, tiles=4)
+    joined = topple.distributed.pulse(client, **scene, verify=0, tiles=4)
     assert time.perf_counter() - began > 0.5, "the map was done before the worker was killed"
     assert pid not in client.run(os.getpid).values()
-    equal(topple.pulse(**scene, verify=0), tiled)
+    equal(topple.pulse(**scene, verify=0), joined)
 
 
 def test_what_is_wrong_is_said_before_anything_is_sent(client):

@@ -33,7 +33,7 @@ def same(found, npz):
         assert json.loads(found.attrs["scene"]) == about["scene"]
 
 
-# The larger map has two tiles.
+# The larger map has two chunks.
 @pytest.mark.parametrize("size", [30, 280])
 @pytest.mark.parametrize("precision", ["f32", "f64"])
 def test_pulse(command, tmp_path, precision, size):

@@ -21,7 +21,7 @@ class Bar:
         if (phase, total) != self.phase:
             self.close()
             self.phase = (phase, total)
-            unit = " tiles" if phase == "tiles" else " cells"
+            unit = " shards" if phase == "tiles" else " cells"
             self.bar = tqdm(total=total, desc=phase, delay=1.0, leave=False, unit=unit, unit_scale=total > 9999)
         self.bar.update(done - self.bar.n)
 

@@ -1,6 +1,6 @@
-"""Maps on several machines: tiles as futures of dask.distributed.
+"""Maps on several machines: shards as futures of dask.distributed.
 
-Each worker runs tiles of the grid, the client joins them. The arrays are those of a single run, byte for byte. A tile
+Each worker runs shards of the grid, the client joins them. The arrays are those of a single run, byte for byte. A shard
 whose worker dies is run again by another one, as dask does with any future. Workers need this package, and the files of
 a record, if it comes in files.
 """
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["pulse", "run", "seismic"]
 
-#: Tiles for each thread of the cluster, so that no worker waits long for the last one.
-TILES = 4
+#: Shards for each thread of the cluster, so that no worker waits long for the last one.
+SHARDS = 4
 
 
 def pulse(client: Client | None = None, **keywords: Any) -> Any:
@@ -36,7 +36,7 @@ def pulse(client: Client | None = None, **keywords: Any) -> Any:
     client : distributed.Client, optional
         The cluster; by default the current client.
     tiles : int, optional
-        Parts of the grid; by default four for each thread of the cluster.
+        Shards of the grid; by default four for each thread of the cluster.
     out : path, optional
         A directory of this machine: the map is written there as map.zarr, and opened lazily.
     **keywords
@@ -60,11 +60,11 @@ def run(scene: str | os.PathLike[str], client: Client | None = None, **keywords:
     return _map(client, "run", False, {**keywords, "scene": scene_file(scene)})
 
 
-def _tile(recorded: bool, keywords: dict[str, Any], part: str, threads: int) -> dict[str, bytes]:
-    """Runs a tile on a worker: its files by their names."""
+def _shard(recorded: bool, keywords: dict[str, Any], shard: str, threads: int) -> dict[str, bytes]:
+    """Runs a shard on a worker: its files by their names."""
     with tempfile.TemporaryDirectory(prefix="topple-") as folder:
         # As many threads as the worker was given.
-        _topple.sweep(recorded, {"threads": threads, **keywords, "out": folder, "tile": part}, None)
+        _topple.sweep(recorded, {"threads": threads, **keywords, "out": folder, "tile": shard}, None)
         files = [path for path in Path(folder).rglob("*") if path.is_file()]
         return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
@@ -79,7 +79,7 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
     verify, sharpness = keywords.pop("verify", None), keywords.pop("sharpness", None)
     for key in ("tile", "resume"):
         if key in keywords:
-            raise ValueError(f"{key}: the tiles are the cluster's here; leave it out")
+            raise ValueError(f"{key}: the shards are the cluster's here; leave it out")
     for key in ("refine", "smooth", "vary", "pixel", "samples", "seed"):
         if keywords.get(key) is not None and keywords[key] is not False:
             raise ValueError(f"{key}: not on a cluster; leave it out, or call topple.{call}")
@@ -88,16 +88,16 @@ def _map(client: Client | None, call: str, recorded: bool, keywords: dict[str, A
     keywords = taken(keywords)
     _topple.check(recorded, {**keywords, "verify": verify, "sharpness": sharpness})
     threads = [worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()]
-    count = TILES * max(sum(threads), 1) if tiles is None else tiles
+    count = SHARDS * max(sum(threads), 1) if tiles is None else tiles
     if not isinstance(count, int) or isinstance(count, bool) or count < 1:
         raise ValueError(f"tiles: {tiles} must be a whole number, 1 at least")
-    parts = [f"{number}/{count}" for number in range(1, count + 1)]
+    shards = [f"{number}/{count}" for number in range(1, count + 1)]
     one = max(min(threads, default=1), 1)
     place = out and _made(out)
     with tempfile.TemporaryDirectory(prefix="topple-", dir=place, ignore_cleanup_errors=True) as folder:
-        # pure=False: a tile that was asked for before is not taken from there, its files are gone.
+        # pure=False: a shard that was asked for before is not taken from there, its files are gone.
         futures = client.map(
-            lambda part: _tile(recorded, keywords, part, one), parts, pure=False, key="topple-tile", batch_size=1
+            lambda shard: _shard(recorded, keywords, shard, one), shards, pure=False, key="topple-tile", batch_size=1
         )
         try:
             with heard(progress) as hears:

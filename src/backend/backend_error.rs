@@ -20,7 +20,7 @@ pub enum BackendError {
     #[error("the CPU has none; give `backend` gpu, or leave it out")]
     NoneOfCpu,
     /// Adapters that may round differently.
-    #[error("{0} and {1} are not alike; give adapters of one kind, or a part to each by `tile`")]
+    #[error("{0} and {1} are not alike; give adapters of one kind, or a shard to each by `tile`")]
     Unlike(String, String),
     /// The adapter gave no device.
     #[error("{adapter} gave no device: {reason}")]

@@ -48,7 +48,7 @@ pub struct Plan {
     bodies: bool,
     /// A pulse of some cell has more than one cycle.
     cycles: bool,
-    /// The cache of full-contact motions, shared by all tiles.
+    /// The cache of full-contact motions, shared by all batches.
     pub(crate) motion_cache: Arc<MotionCache>,
 }
 

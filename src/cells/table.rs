@@ -3,7 +3,7 @@
 //! A group of a cell's numbers depends on some of the axes only: under a pulse the steps on Omega, the
 //! yield displacement on A_h. A table has one entry for each combination of the values of those axes,
 //! so that a map of a thousand columns and rows needs a few thousand entries for its million cells. It has
-//! those alone that some cells need, so that a tile of a large grid needs a small one, and so does a list of
+//! those alone that some cells need, so that a batch of a large grid needs a small one, and so does a list of
 //! cells, whatever the grid in which they lie.
 
 use rayon::prelude::*;

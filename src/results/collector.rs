@@ -8,16 +8,16 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use super::block::Block;
+use super::chunking::Chunking;
 use super::outcomes::Outcomes;
-use super::reader::{BlocksInMemory, ShardFolder, TileReader};
-use super::saved_tiles::SavedTiles;
+use super::reader::{BlocksInMemory, ChunkReader, ShardFolder};
+use super::saved_chunks::SavedChunks;
 use super::store::Store;
 use super::store_error::StoreError;
-use super::tiling::Tiling;
 use crate::model::precision::Precision;
 
-/// A tile that is not finished, or is held for the map.
-struct OpenTile {
+/// A chunk that is not finished, or is held for the map.
+struct OpenChunk {
     block: Block,
     /// Of the cells wanted, those that have not run.
     left: usize,
@@ -33,33 +33,42 @@ pub struct Saver<'a> {
     pub patience: Duration,
     /// All outcomes stay in memory, too.
     pub holds: bool,
-    /// Asked before each file: a saving ends early where it is false, and the tile is as it was on disk.
+    /// Asked before each file: a saving ends early where it is false, and the chunk is as it was on disk.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// Collects the outcomes of a run.
 pub struct OutcomeCollector<'a> {
-    tiling: Tiling,
+    chunking: Chunking,
     precision: Precision,
     wanted: Range<usize>,
     saver: Option<Saver<'a>>,
-    open: BTreeMap<usize, OpenTile>,
-    /// Cells of each tile that are on disk.
+    open: BTreeMap<usize, OpenChunk>,
+    /// Cells of each chunk that are on disk.
     on_disk: BTreeMap<usize, usize>,
     began: Instant,
     saved: Instant,
 }
 
 impl<'a> OutcomeCollector<'a> {
-    /// Collects the `wanted` cells of a tiling in memory.
+    /// Collects the `wanted` cells of a grid that is cut so in memory.
     pub fn in_memory(
-        tiling: Tiling,
+        chunking: Chunking,
         precision: Precision,
         wanted: Range<usize>,
     ) -> OutcomeCollector<'a> {
         let (now, open, on_disk) = (Instant::now(), BTreeMap::new(), BTreeMap::new());
         let saver = None;
-        OutcomeCollector { tiling, precision, wanted, saver, open, on_disk, began: now, saved: now }
+        OutcomeCollector {
+            chunking,
+            precision,
+            wanted,
+            saver,
+            open,
+            on_disk,
+            began: now,
+            saved: now,
+        }
     }
 
     /// Collects the `wanted` cells of a store's grid, of which some were found.
@@ -68,38 +77,38 @@ impl<'a> OutcomeCollector<'a> {
     /// Those of reading what was found.
     pub fn saving(
         saver: Saver<'a>,
-        found: &SavedTiles,
+        found: &SavedChunks,
         wanted: Range<usize>,
     ) -> io::Result<OutcomeCollector<'a>> {
         let (store, holds) = (saver.store, saver.holds);
-        let (tiling, precision) = (store.tiling().clone(), store.precision());
-        let mut collector = OutcomeCollector::in_memory(tiling, precision, wanted);
+        let (chunking, precision) = (store.chunking().clone(), store.precision());
+        let mut collector = OutcomeCollector::in_memory(chunking, precision, wanted);
         collector.saver = Some(saver);
-        for saved in &found.tiles {
-            let left = collector.left_of(saved.tile, &saved.done);
-            let done = collector.wanted_of(saved.tile).len() - left;
-            collector.on_disk.insert(saved.tile, done);
+        for saved in &found.chunks {
+            let left = collector.left_of(saved.chunk, &saved.done);
+            let done = collector.wanted_of(saved.chunk).len() - left;
+            collector.on_disk.insert(saved.chunk, done);
             // Others are as they are to be.
             if holds || left > 0 {
-                let open = OpenTile { block: store.read(saved.tile)?, left, unsaved: false };
-                collector.open.insert(saved.tile, open);
+                let open = OpenChunk { block: store.read(saved.chunk)?, left, unsaved: false };
+                collector.open.insert(saved.chunk, open);
             }
         }
         Ok(collector)
     }
 
-    /// Of the cells wanted of a tile, those that are not among the ones done.
-    fn left_of(&self, tile: usize, done: &[Range<usize>]) -> usize {
-        let wanted = self.wanted_of(tile);
+    /// Of the cells wanted of a chunk, those that are not among the ones done.
+    fn left_of(&self, chunk: usize, done: &[Range<usize>]) -> usize {
+        let wanted = self.wanted_of(chunk);
         let done = done
             .iter()
             .map(|cells| cells.end.min(wanted.end).saturating_sub(cells.start.max(wanted.start)));
         wanted.len() - done.sum::<usize>()
     }
 
-    /// The cells wanted of a tile.
-    fn wanted_of(&self, tile: usize) -> Range<usize> {
-        let cells = self.tiling.cells(tile);
+    /// The cells wanted of a chunk.
+    fn wanted_of(&self, chunk: usize) -> Range<usize> {
+        let cells = self.chunking.cells(chunk);
         let first = cells.start.max(self.wanted.start);
         first..cells.end.min(self.wanted.end).max(first)
     }
@@ -120,11 +129,11 @@ impl<'a> OutcomeCollector<'a> {
     /// Those of the store.
     pub fn take(&mut self, first: usize, block: Block) -> Result<(), StoreError> {
         let whole = block.pending_in(0..block.len()) == 0;
-        if let (true, Some(tile)) = (whole, self.new_tile_of(first, &block)) {
+        if let (true, Some(chunk)) = (whole, self.new_chunk_of(first, &block)) {
             // In one piece, which is kept as it is.
-            let left = self.wanted_of(tile).len() - block.len();
-            self.open.insert(tile, OpenTile { block, left, unsaved: true });
-            self.ended(tile)?;
+            let left = self.wanted_of(chunk).len() - block.len();
+            self.open.insert(chunk, OpenChunk { block, left, unsaved: true });
+            self.ended(chunk)?;
         } else {
             for cells in block.done() {
                 self.take_run(first, &block, cells)?;
@@ -136,13 +145,13 @@ impl<'a> OutcomeCollector<'a> {
         Ok(())
     }
 
-    /// The tile that a block from a cell on is the whole of, if nothing is there of it yet.
-    fn new_tile_of(&self, first: usize, block: &Block) -> Option<usize> {
+    /// The chunk that a block from a cell on is the whole of, if nothing is there of it yet.
+    fn new_chunk_of(&self, first: usize, block: &Block) -> Option<usize> {
         let cells = first..first + block.len();
-        let tile = self.tiling.tiles(&cells).next()?;
-        let whole = self.tiling.cells(tile) == cells && self.wanted_of(tile) == cells;
-        let new = !self.open.contains_key(&tile) && !self.on_disk.contains_key(&tile);
-        (whole && new && block.precision() == self.precision).then_some(tile)
+        let chunk = self.chunking.chunks(&cells).next()?;
+        let whole = self.chunking.cells(chunk) == cells && self.wanted_of(chunk) == cells;
+        let new = !self.open.contains_key(&chunk) && !self.on_disk.contains_key(&chunk);
+        (whole && new && block.precision() == self.precision).then_some(chunk)
     }
 
     /// Takes cells of a block that have all run; `first` is the grid's cell of the block's first.
@@ -153,33 +162,33 @@ impl<'a> OutcomeCollector<'a> {
         cells: Range<usize>,
     ) -> Result<(), StoreError> {
         let cells = first + cells.start..first + cells.end;
-        for tile in self.tiling.tiles(&cells) {
-            let held = self.tiling.cells(tile);
+        for chunk in self.chunking.chunks(&cells) {
+            let held = self.chunking.cells(chunk);
             let some = cells.start.max(held.start)..cells.end.min(held.end);
-            if !self.open.contains_key(&tile) {
-                if self.on_disk.get(&tile) == Some(&self.wanted_of(tile).len()) {
+            if !self.open.contains_key(&chunk) {
+                if self.on_disk.get(&chunk) == Some(&self.wanted_of(chunk).len()) {
                     continue;
                 }
                 let block = Block::pending(held.len(), self.precision);
-                let left = self.wanted_of(tile).len();
-                self.open.insert(tile, OpenTile { block, left, unsaved: false });
+                let left = self.wanted_of(chunk).len();
+                self.open.insert(chunk, OpenChunk { block, left, unsaved: false });
             }
-            let Some(open) = self.open.get_mut(&tile) else { continue };
+            let Some(open) = self.open.get_mut(&chunk) else { continue };
             let places = some.start - held.start..some.end - held.start;
             // Cells may come twice: alone, and with their batch.
             open.left -= open.block.pending_in(places.clone()).min(open.left);
             open.block.take(places.start, run, some.start - first..some.end - first);
             open.unsaved = true;
-            self.ended(tile)?;
+            self.ended(chunk)?;
         }
         Ok(())
     }
 
-    /// Saves a tile that is whole and is not held in memory.
-    fn ended(&mut self, tile: usize) -> Result<(), StoreError> {
-        let whole = self.open.get(&tile).is_some_and(|open| open.left == 0);
-        if whole && !self.holds() && self.save(tile)? {
-            self.open.remove(&tile);
+    /// Saves a chunk that is whole and is not held in memory.
+    fn ended(&mut self, chunk: usize) -> Result<(), StoreError> {
+        let whole = self.open.get(&chunk).is_some_and(|open| open.left == 0);
+        if whole && !self.holds() && self.save(chunk)? {
+            self.open.remove(&chunk);
         }
         Ok(())
     }
@@ -193,26 +202,26 @@ impl<'a> OutcomeCollector<'a> {
         if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(true) }
     }
 
-    /// Saves a tile; false where it ended early.
-    fn save(&mut self, tile: usize) -> Result<bool, StoreError> {
-        let wanted = self.wanted_of(tile).len();
-        if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&tile))
+    /// Saves a chunk; false where it ended early.
+    fn save(&mut self, chunk: usize) -> Result<bool, StoreError> {
+        let wanted = self.wanted_of(chunk).len();
+        if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&chunk))
             && open.unsaved
         {
-            if !saver.store.save_while(tile, &open.block, saver.go_on)? {
+            if !saver.store.save_while(chunk, &open.block, saver.go_on)? {
                 return Ok(false);
             }
             open.unsaved = false;
-            self.on_disk.insert(tile, wanted - open.left);
+            self.on_disk.insert(chunk, wanted - open.left);
         }
         Ok(true)
     }
 
-    /// Saves all tiles; false where it ended early.
+    /// Saves all chunks; false where it ended early.
     fn save_all(&mut self) -> Result<bool, StoreError> {
-        let tiles: Vec<usize> = self.open.keys().copied().collect();
-        for tile in tiles {
-            if !self.save(tile)? {
+        let chunks: Vec<usize> = self.open.keys().copied().collect();
+        for chunk in chunks {
+            if !self.save(chunk)? {
                 return Ok(false);
             }
         }
@@ -242,18 +251,21 @@ impl<'a> OutcomeCollector<'a> {
         if !holds && !saved {
             return Err(StoreError::Incomplete);
         }
-        let OutcomeCollector { tiling, wanted, saver, open, .. } = self;
+        let OutcomeCollector { chunking, wanted, saver, open, .. } = self;
         if holds {
-            if open.len() != tiling.count() || open.values().any(|open| open.left > 0) {
+            if open.len() != chunking.count() || open.values().any(|open| open.left > 0) {
                 return Err(StoreError::Incomplete);
             }
             let blocks = open.into_values().map(|open| open.block).collect();
-            return Ok(Box::new(BlocksInMemory::new(tiling, blocks)));
+            return Ok(Box::new(BlocksInMemory::new(chunking, blocks)));
         }
         let folder = saver.map_or_else(PathBuf::new, |saver| saver.store.path().to_path_buf());
         let count = wanted.len();
-        let reader =
-            TileReader::new(tiling, vec![ShardFolder { cells: wanted, folder, precision }], count);
+        let reader = ChunkReader::new(
+            chunking,
+            vec![ShardFolder { cells: wanted, folder, precision }],
+            count,
+        );
         Ok(Box::new(reader.ok_or(StoreError::Incomplete)?))
     }
 }

@@ -27,7 +27,7 @@ impl Identity {
         &self.text
     }
 
-    /// What ties a tile to it.
+    /// What ties a chunk to it.
     pub fn tag(&self) -> u32 {
         crc32c::crc32c(self.text.as_bytes())
     }

@@ -1,12 +1,14 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! element, cell_value, columns (the table) -> block, filling (in memory) -> tiling, tile, zarr, group, store (on disk) -> csv, npz
+//! element, cell_value, columns (the table) -> block, filling (in memory) -> chunking, chunk, zarr, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
 pub mod block;
 pub(crate) mod cell_value;
+pub mod chunk;
+pub mod chunking;
 pub mod collector;
 pub mod colour;
 pub mod columns;
@@ -27,7 +29,7 @@ pub mod ramp;
 pub mod reader;
 pub(crate) mod replaced;
 pub mod rounds;
-pub mod saved_tiles;
+pub mod saved_chunks;
 pub mod shard;
 pub mod shares;
 pub mod size;
@@ -35,8 +37,6 @@ pub mod store;
 pub mod store_error;
 pub mod tally;
 pub mod temporary;
-pub mod tile;
-pub mod tiling;
 #[cfg(test)]
 mod vision;
 pub mod zarr;

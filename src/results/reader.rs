@@ -1,4 +1,4 @@
-//! Outcomes of a grid, read from its blocks in memory or from tiles on disk.
+//! Outcomes of a grid, read from its blocks in memory or from chunks on disk.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -10,43 +10,43 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::block::{self, Block};
 use super::cell_value::Stored;
+use super::chunk;
+use super::chunking::Chunking;
 use super::columns::{Column, ColumnType, TABLE, with_column};
 use super::element::ColumnNumber;
 use super::outcomes::Outcomes;
-use super::tile;
-use super::tiling::Tiling;
 use super::zarr::chunk_path;
 use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
 
-/// All columns of a grid in memory, tile by tile.
+/// All columns of a grid in memory, chunk by chunk.
 #[derive(Debug)]
 pub struct BlocksInMemory {
-    tiling: Tiling,
+    chunking: Chunking,
     blocks: Vec<Block>,
 }
 
 impl BlocksInMemory {
-    /// The blocks of all tiles of a tiling.
-    pub fn new(tiling: Tiling, blocks: Vec<Block>) -> BlocksInMemory {
-        BlocksInMemory { tiling, blocks }
+    /// The blocks of all chunks.
+    pub fn new(chunking: Chunking, blocks: Vec<Block>) -> BlocksInMemory {
+        BlocksInMemory { chunking, blocks }
     }
 }
 
-/// Goes through the tiles that hold some cells: `read` is handed a tile, the place in it of the first of
+/// Goes through the chunks that hold some cells: `read` is handed a chunk, the place in it of the first of
 /// the cells, and the outcomes to fill.
-fn each_tile(
-    tiling: &Tiling,
+fn each_chunk(
+    chunking: &Chunking,
     cells: &Range<usize>,
     outcomes: &mut [Outcome],
     mut read: impl FnMut(usize, usize, &mut [Outcome]) -> io::Result<()>,
 ) -> io::Result<()> {
-    for tile in tiling.tiles(cells) {
-        let held = tiling.cells(tile);
+    for chunk in chunking.chunks(cells) {
+        let held = chunking.cells(chunk);
         let (first, end) = (cells.start.max(held.start), cells.end.min(held.end));
         let some = &mut outcomes[first - cells.start..end - cells.start];
-        read(tile, first - held.start, some)?;
+        read(chunk, first - held.start, some)?;
     }
     Ok(())
 }
@@ -54,8 +54,8 @@ fn each_tile(
 impl Outcomes for BlocksInMemory {
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
         let mut outcomes = vec![Outcome::PENDING; cells.len()];
-        each_tile(&self.tiling, &cells, &mut outcomes, |tile, first, some| {
-            self.blocks[tile].read(first, columns, some);
+        each_chunk(&self.chunking, &cells, &mut outcomes, |chunk, first, some| {
+            self.blocks[chunk].read(first, columns, some);
             Ok(())
         })?;
         Ok(Cow::Owned(outcomes))
@@ -71,13 +71,13 @@ impl Outcomes for BlocksInMemory {
 pub struct ShardFolder {
     /// Their numbers.
     pub cells: Range<usize>,
-    /// The Zarr group of their tiles.
+    /// The Zarr group of their chunks.
     pub folder: PathBuf,
     /// The number type of its columns.
     pub precision: Precision,
 }
 
-/// A column of a tile in a folder, all three by their numbers.
+/// A column of a chunk in a folder, all three by their numbers.
 type Place = (usize, usize, usize);
 
 /// Fills a column of outcomes of cells from a place on.
@@ -89,23 +89,27 @@ fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> 
 }
 
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
-pub struct TileReader {
-    tiling: Tiling,
+pub struct ChunkReader {
+    chunking: Chunking,
     /// By their first cells.
     held: Vec<ShardFolder>,
-    /// The last values read of each column: who goes through a map asks for a tile's many times.
+    /// The last values read of each column: who goes through a map asks for a chunk's many times.
     last: Mutex<BTreeMap<usize, (Place, Arc<FillColumn>)>>,
 }
 
-impl fmt::Debug for TileReader {
+impl fmt::Debug for ChunkReader {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("TileReader").field("held", &self.held).finish_non_exhaustive()
+        f.debug_struct("ChunkReader").field("held", &self.held).finish_non_exhaustive()
     }
 }
 
-impl TileReader {
+impl ChunkReader {
     /// The reader of folders; none if they leave one of `count` cells out, or hold one twice.
-    pub fn new(tiling: Tiling, mut held: Vec<ShardFolder>, count: usize) -> Option<TileReader> {
+    pub fn new(
+        chunking: Chunking,
+        mut held: Vec<ShardFolder>,
+        count: usize,
+    ) -> Option<ChunkReader> {
         held.sort_by_key(|held| held.cells.start);
         let mut end = 0;
         for held in &held {
@@ -115,12 +119,12 @@ impl TileReader {
             end = held.cells.end;
         }
         let last = Mutex::default();
-        (end == count).then_some(TileReader { tiling, held, last })
+        (end == count).then_some(ChunkReader { chunking, held, last })
     }
 
-    /// The values of a column of a tile in a folder.
+    /// The values of a column of a chunk in a folder.
     fn values(&self, place: Place) -> io::Result<Arc<FillColumn>> {
-        let (folder, tile, column) = place;
+        let (folder, chunk, column) = place;
         let known = |last: &BTreeMap<usize, (Place, Arc<FillColumn>)>| {
             last.get(&column).filter(|(of, _)| *of == place).map(|(_, values)| values.clone())
         };
@@ -131,18 +135,18 @@ impl TileReader {
         }
         let (ShardFolder { folder: path, precision, .. }, entry) =
             (&self.held[folder], &TABLE[column]);
-        let mut chunks = |array: &str, count| {
-            let path = path.join(chunk_path(array, &self.tiling, tile));
+        let mut arrays = |array: &str, count| {
+            let path = path.join(chunk_path(array, &self.chunking, chunk));
             let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", path.display()));
-            Ok(tile::unpack(&bounded::read(&path, tile::LARGEST).map_err(named)?, count))
+            Ok(chunk::unpack(&bounded::read(&path, chunk::LARGEST).map_err(named)?, count))
         };
-        let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
+        let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
         let values = with_column!(entry.column, C => match precision {
-            Precision::F32 => tile::decode::<C, f32, io::Error>(sizes, &mut chunks)?.map(filling::<C, f32>),
-            Precision::F64 => tile::decode::<C, f64, io::Error>(sizes, &mut chunks)?.map(filling::<C, f64>),
+            Precision::F32 => chunk::decode::<C, f32, io::Error>(sizes, &mut arrays)?.map(filling::<C, f32>),
+            Precision::F64 => chunk::decode::<C, f64, io::Error>(sizes, &mut arrays)?.map(filling::<C, f64>),
         });
         let values = values.ok_or_else(|| {
-            let array = path.join(chunk_path(entry.name, &self.tiling, tile));
+            let array = path.join(chunk_path(entry.name, &self.chunking, chunk));
             let problem = format!("{}: damaged since it was found", array.display());
             io::Error::new(io::ErrorKind::InvalidData, problem)
         })?;
@@ -151,7 +155,7 @@ impl TileReader {
     }
 }
 
-impl Outcomes for TileReader {
+impl Outcomes for ChunkReader {
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
         let mut outcomes = vec![Outcome::PENDING; cells.len()];
         let from = self.held.partition_point(|held| held.cells.end <= cells.start);
@@ -159,9 +163,9 @@ impl Outcomes for TileReader {
         for (folder, held) in holding.take_while(|(_, held)| held.cells.start < cells.end) {
             let some = cells.start.max(held.cells.start)..cells.end.min(held.cells.end);
             let place = some.start - cells.start..some.end - cells.start;
-            each_tile(&self.tiling, &some, &mut outcomes[place], |tile, first, outcomes| {
+            each_chunk(&self.chunking, &some, &mut outcomes[place], |chunk, first, outcomes| {
                 for column in columns {
-                    let values = self.values((folder, tile, *column as usize))?;
+                    let values = self.values((folder, chunk, *column as usize))?;
                     values(first, outcomes);
                 }
                 Ok(())

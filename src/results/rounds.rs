@@ -1,7 +1,7 @@
 //! Lists of cells that were run one after the other, saved each in a file, so that work which asks for the same lists
 //! again goes on from there: refining a map.
 //!
-//! A file is packed as a column of a [`tile`] is: of the run of a tag, with a checksum. It holds the cells'
+//! A file is packed as a column of a [`chunk`] is: of the run of a tag, with a checksum. It holds the cells'
 //! numbers and the arrays of their columns, one after the other. A list is taken from its file where that is whole and has
 //! the same cells.
 
@@ -12,7 +12,7 @@ use super::block::{Block, bytes_a_cell};
 use super::files::Directory;
 use super::own::ROUND;
 use super::store_error::StoreError;
-use super::{tile, zarr};
+use super::{chunk, zarr};
 use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
@@ -51,19 +51,19 @@ impl Rounds {
         // What is compressed is hardly larger than its numbers.
         let most = 2 * count as u64 + (1 << 20);
         let packed = bounded::read(&self.folder.file(&name), most).ok()?;
-        tile::check(&packed, self.tag, &name).ok()?;
-        let bytes = tile::unpack(&packed, count)?;
+        chunk::check(&packed, self.tag, &name).ok()?;
+        let bytes = chunk::unpack(&packed, count)?;
         let (numbers, mut rest) = bytes.split_at(NUMBER * cells.len());
         if numbers != bytes_of(cells) {
             return None;
         }
-        let mut chunks = |_: &str, count: usize| {
+        let mut arrays = |_: &str, count: usize| {
             let (array, more) = rest.split_at_checked(count).ok_or(())?;
             rest = more;
             Ok::<_, ()>(Some(array.to_vec()))
         };
         let sizes = (cells.len(), cells.len());
-        let block = tile::decode_all(sizes, self.precision, &mut chunks).ok()??;
+        let block = chunk::decode_all(sizes, self.precision, &mut arrays).ok()??;
         self.next += 1;
         Some(block.to_outcomes())
     }
@@ -77,10 +77,10 @@ impl Rounds {
         block.put(0, outcomes);
         let mut bytes = bytes_of(cells);
         for (array, column) in zarr::columns() {
-            bytes.extend(tile::encode(array, column, &block, cells.len()));
+            bytes.extend(chunk::encode(array, column, &block, cells.len()));
         }
         let name = self.name();
-        let packed = tile::pack(&bytes, self.tag, &name);
+        let packed = chunk::pack(&bytes, self.tag, &name);
         self.folder.write(&name, |w| w.write_all(&packed))?;
         self.next += 1;
         Ok(())

@@ -7,7 +7,7 @@ use super::about::Source;
 use super::block::Block;
 use super::columns::Column;
 use super::outcomes::Outcomes;
-use super::{csv, npz, tile, zarr};
+use super::{chunk, csv, npz, zarr};
 use crate::scene::Grid;
 
 /// Bytes of a map's files.
@@ -17,8 +17,8 @@ pub struct FileSizes {
     pub table: f64,
     /// map.npz.
     pub archive: f64,
-    /// Tiles on disk, and map.zarr.
-    pub tiles: f64,
+    /// Chunks on disk, and map.zarr.
+    pub chunks: f64,
 }
 
 /// Counts what is written to it.
@@ -54,12 +54,12 @@ impl FileSizes {
         let mut block = Block::pending(sample.len(), source.precision);
         block.put(0, &outcomes.read(0..sample.len(), &Column::ALL)?);
         let packed = |(name, column)| {
-            tile::pack(&tile::encode(name, column, &block, sample.len()), 0, name).len() as u64
+            chunk::pack(&chunk::encode(name, column, &block, sample.len()), 0, name).len() as u64
         };
-        let tiles = zarr::columns().map(packed).sum();
+        let chunks = zarr::columns().map(packed).sum();
         let scaled = |bytes: u64| bytes as f64 * cells as f64 / sample.len() as f64;
         let archive = archive.into_inner().len() as u64;
-        Ok(FileSizes { table: scaled(table.0), archive: scaled(archive), tiles: scaled(tiles) })
+        Ok(FileSizes { table: scaled(table.0), archive: scaled(archive), chunks: scaled(chunks) })
     }
 }
 

@@ -1,7 +1,7 @@
 //! A sweep on disk while it runs: what is done is saved, so that an interrupted run goes on from there.
 //!
 //! A folder in the run's directory holds the run's [`Identity`], a lock, and a [Zarr group](super::zarr)
-//! whose chunks are tiles. A file appears whole or not at all; of a tile's files that of the status comes
+//! of the grid's chunks. A file appears whole or not at all; of a chunk's files that of the status comes
 //! last, and says which of its cells have run. A whole map's folder is `unfinished`, and goes when the map is
 //! written. A shard's is `part-3-of-16`, and stays: a report is added when the shard is done.
 //!
@@ -15,18 +15,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::about::Source;
 use super::block::Block;
+use super::chunking::Chunking;
 use super::columns::Column;
 use super::files::{self, Directory, WriteError};
-use super::group::{self, TileFiles};
+use super::group::{self, ChunkFiles};
 use super::identity::Identity;
 use super::lock::{self, Holds, Lock, lock};
 use super::own::{self, Kind};
 pub use super::own::{IDENTITY, LISTS, REPORT};
 use super::rounds::Rounds;
-use super::saved_tiles::SavedTiles;
+use super::saved_chunks::SavedChunks;
 use super::store_error::StoreError;
-use super::tiling::Tiling;
-use super::{temporary, tile, zarr};
+use super::{chunk, temporary, zarr};
 use crate::model::precision::Precision;
 use crate::scene::{Grid, bounded};
 
@@ -50,11 +50,11 @@ pub struct Store {
     folder: Directory,
     path: PathBuf,
     identity: Identity,
-    /// The files that every group has, but its chunks: paths and bytes.
-    frame: Vec<(String, Vec<u8>)>,
+    /// The files that every group has, but those of its chunks: paths and bytes.
+    metadata: Vec<(String, Vec<u8>)>,
     /// They are there.
-    framed: AtomicBool,
-    tiling: Tiling,
+    has_metadata: AtomicBool,
+    chunking: Chunking,
     precision: Precision,
     /// Given up last, when the folder is no longer this run's.
     _lock: Lock,
@@ -71,7 +71,7 @@ impl Store {
         identity: Identity,
         contents: Contents,
         resume: bool,
-    ) -> Result<(Store, SavedTiles), StoreError> {
+    ) -> Result<(Store, SavedChunks), StoreError> {
         let (path, place) = match identity.shard() {
             None => (out.join(FOLDER), out.to_path_buf()),
             Some(shard) => (out.join(shard.folder()), out.join(shard.folder())),
@@ -94,16 +94,16 @@ impl Store {
         let store = Store {
             folder,
             path,
-            frame: group::metadata_files(contents.grid, documents, identity.tag()),
-            framed: AtomicBool::new(false),
+            metadata: group::metadata_files(contents.grid, documents, identity.tag()),
+            has_metadata: AtomicBool::new(false),
             identity,
-            tiling: Tiling::of(contents.grid),
+            chunking: Chunking::of(contents.grid),
             precision: contents.source.precision,
             _lock: lock,
         };
         let before = store.path.join(IDENTITY);
         if !before.exists() {
-            return Ok((store, SavedTiles::default()));
+            return Ok((store, SavedChunks::default()));
         }
         if !resume && store.path.join(REPORT).exists() {
             return Err(StoreError::Finished(place));
@@ -117,7 +117,7 @@ impl Store {
             return Err(StoreError::Other { place, difference });
         }
         let found =
-            SavedTiles::in_folder(&store.path, &store.tiling, store.identity.tag(), &|_| ())?;
+            SavedChunks::in_folder(&store.path, &store.chunking, store.identity.tag(), &|_| ())?;
         for (path, _) in &found.broken {
             own::gone(fs::remove_file(path)).map_err(StoreError::file(path))?;
         }
@@ -141,9 +141,9 @@ impl Store {
             || (path.exists() && is_a_runs(Kind::Empty))
     }
 
-    /// The tiles of its grid.
-    pub fn tiling(&self) -> &Tiling {
-        &self.tiling
+    /// The chunks of its grid.
+    pub fn chunking(&self) -> &Chunking {
+        &self.chunking
     }
 
     /// The number type of its columns.
@@ -151,7 +151,7 @@ impl Store {
         self.precision
     }
 
-    /// What ties its tiles to its identity.
+    /// What ties its chunks to its identity.
     pub fn tag(&self) -> u32 {
         self.identity.tag()
     }
@@ -172,14 +172,14 @@ impl Store {
         if !self.is_used() {
             self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
         }
-        if !self.framed.load(Ordering::Relaxed) {
-            self.write_frame(|path| !self.path.join(path).exists())?;
-            self.framed.store(true, Ordering::Relaxed);
+        if !self.has_metadata.load(Ordering::Relaxed) {
+            self.write_metadata(|path| !self.path.join(path).exists())?;
+            self.has_metadata.store(true, Ordering::Relaxed);
         }
         Ok(())
     }
 
-    /// Lists of cells of another grid that are saved beside the tiles, in a folder of this name.
+    /// Lists of cells of another grid that are saved beside the chunks, in a folder of this name.
     ///
     /// # Errors
     /// [`StoreError::Write`].
@@ -188,22 +188,22 @@ impl Store {
         Rounds::open(&self.path.join(name), self.identity.tag(), self.precision)
     }
 
-    /// Saves a tile of which some cells at least have run: they are on disk, whole, when this returns.
+    /// Saves a chunk of which some cells at least have run: they are on disk, whole, when this returns.
     ///
     /// # Errors
-    /// [`StoreError::Write`]; what was saved of the tile before is still there.
-    pub fn save(&self, tile: usize, block: &Block) -> Result<(), StoreError> {
-        self.save_while(tile, block, &|| true).map(|_| ())
+    /// [`StoreError::Write`]; what was saved of the chunk before is still there.
+    pub fn save(&self, chunk: usize, block: &Block) -> Result<(), StoreError> {
+        self.save_while(chunk, block, &|| true).map(|_| ())
     }
 
-    /// The same while it is to `go_on`, which is asked before each file; false where it ended early, and the tile
+    /// The same while it is to `go_on`, which is asked before each file; false where it ended early, and the chunk
     /// is as it was. Of a run that had saved nothing, and is not to go on, nothing is left.
     ///
     /// # Errors
     /// Those of [`Store::save`].
     pub fn save_while(
         &self,
-        tile: usize,
+        chunk: usize,
         block: &Block,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<bool, StoreError> {
@@ -211,37 +211,38 @@ impl Store {
             return Ok(false);
         }
         self.begin()?;
-        let to = TileFiles { folder: &self.folder, tiling: &self.tiling, tag: self.identity.tag() };
-        Ok(to.write(tile, block, go_on)?)
+        let to =
+            ChunkFiles { folder: &self.folder, chunking: &self.chunking, tag: self.identity.tag() };
+        Ok(to.write(chunk, block, go_on)?)
     }
 
-    /// Writes those files of the group, but the chunks of its columns, that are wanted by their paths.
-    fn write_frame(&self, wanted: impl Fn(&str) -> bool) -> Result<(), StoreError> {
-        for (path, bytes) in self.frame.iter().filter(|(path, _)| wanted(path)) {
+    /// Writes those files of the group, but those of its chunks, that are wanted by their paths.
+    fn write_metadata(&self, wanted: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        for (path, bytes) in self.metadata.iter().filter(|(path, _)| wanted(path)) {
             self.folder.write(path, |w| w.write_all(bytes))?;
         }
         Ok(())
     }
 
-    /// Reads a tile that was found whole.
+    /// Reads a chunk that was found whole.
     ///
     /// # Errors
     /// Those of the disk, with the file's name.
-    pub fn read(&self, tile: usize) -> io::Result<Block> {
-        let mut chunks = |array: &str, count| {
-            let packed = bounded::read(&self.chunk(array, tile), tile::LARGEST)?;
-            Ok(tile::unpack(&packed, count))
+    pub fn read(&self, chunk: usize) -> io::Result<Block> {
+        let mut arrays = |array: &str, count| {
+            let packed = bounded::read(&self.file(array, chunk), chunk::LARGEST)?;
+            Ok(chunk::unpack(&packed, count))
         };
-        let sizes = (self.tiling.cells(tile).len(), self.tiling.tile_cells());
-        tile::decode_all::<io::Error>(sizes, self.precision, &mut chunks)?.ok_or_else(|| {
-            let path = self.chunk(Column::Status.entry().name, tile);
-            let problem = format!("{}: its tile was damaged since it was found", path.display());
+        let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
+        chunk::decode_all::<io::Error>(sizes, self.precision, &mut arrays)?.ok_or_else(|| {
+            let path = self.file(Column::Status.entry().name, chunk);
+            let problem = format!("{}: its chunk was damaged since it was found", path.display());
             io::Error::new(ErrorKind::InvalidData, problem)
         })
     }
 
-    fn chunk(&self, array: &str, tile: usize) -> PathBuf {
-        self.path.join(zarr::chunk_path(array, &self.tiling, tile))
+    fn file(&self, array: &str, chunk: usize) -> PathBuf {
+        self.path.join(zarr::chunk_path(array, &self.chunking, chunk))
     }
 
     /// Says that all of a shard is there, and how it was run, in its report; one that is there already
@@ -267,8 +268,8 @@ impl Store {
     /// [`StoreError::File`]; the map that was there is there still, or the new one is. [`WriteError::Foreign`] where
     /// what no run wrote is in the place: what is saved is still saved.
     pub fn publish(self, place: &Path) -> Result<(), StoreError> {
-        // Whatever became of them while the tiles were looked after.
-        self.write_frame(|_| true)?;
+        // Whatever became of them while the chunks were looked after.
+        self.write_metadata(|_| true)?;
         let aside = files::put(&self.path, place)?;
         let failed = StoreError::file(place);
         own::gone(fs::remove_file(place.join(IDENTITY))).map_err(&failed)?;

@@ -36,8 +36,8 @@ pub enum StoreError {
         /// What the system says.
         reason: io::Error,
     },
-    /// Cells that no tile holds, or two: a mistake in topple.
-    #[error("the tiles of the run do not hold every cell once")]
+    /// Cells that no chunk holds, or two: a mistake in topple.
+    #[error("the chunks of the run do not hold every cell once")]
     Incomplete,
     /// A file cannot be written.
     #[error(transparent)]

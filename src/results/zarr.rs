@@ -1,5 +1,5 @@
 //! A map, or a list of cells, as a Zarr group (version 3): one array a column and one an axis, which xarray and dask
-//! open by themselves. Here are its documents; [`tile`](super::tile) has the chunks.
+//! open by themselves. Here are its documents; [`chunk`](super::chunk) has the cells' values.
 //!
 //! Written after the specification, <https://zarr-specs.readthedocs.io/en/latest/v3/core/index.html>, with
 //! its codecs `bytes`, `gzip` and `crc32c`. docs/columns.md says why no library writes them.
@@ -8,10 +8,10 @@ use serde_json::{Map, Value, json};
 
 use super::about::{Source, index};
 use super::cell_value::{CellValue, Stored};
+use super::chunking::Chunking;
 use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES, TABLE, ValueOf, with_column};
 use super::element::{ColumnNumber, Element};
 use super::listed::{CELL, CELL_MEANING, ListedCells};
-use super::tiling::Tiling;
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
@@ -19,7 +19,7 @@ use crate::stepping::outcome::Class;
 
 /// Name of a group's or an array's document.
 pub const DOCUMENT: &str = "zarr.json";
-/// Folder of an array's chunks.
+/// Folder of the chunks of an array.
 pub const CHUNKS: &str = "c";
 /// Name of the array that is true for cells that ended early, their results proved final.
 pub const PROVED: &str = "proved";
@@ -93,14 +93,14 @@ type Documents = Vec<(String, Value)>;
 
 /// How the arrays of cells lie: in which chunks, and over which indices.
 struct Layout<'a> {
-    tiling: Tiling,
+    chunking: Chunking,
     index: &'a [&'a str],
 }
 
 impl Layout<'_> {
     /// The document of an array with a value a cell.
     fn array(&self, (data_type, fill): (&str, Value), attributes: Value) -> Value {
-        let (shape, chunk) = (self.tiling.shape(), &self.tiling.tile_shape()[..]);
+        let (shape, chunk) = (self.chunking.shape(), &self.chunking.chunk_shape()[..]);
         Array { data_type, fill, shape, chunk, index: self.index }.document(attributes)
     }
 
@@ -133,7 +133,7 @@ fn axes(grid: &Grid) -> Documents {
 
 /// The documents of a map, each with its path: the arrays', and last the group's, which holds them all.
 pub fn documents(grid: &Grid, source: &Source) -> Documents {
-    let layout = Layout { tiling: Tiling::of(grid), index: &index(grid) };
+    let layout = Layout { chunking: Chunking::of(grid), index: &index(grid) };
     let mut arrays = layout.columns(source.precision);
     arrays.extend(axes(grid));
     group(arrays, source.about(grid))
@@ -141,7 +141,7 @@ pub fn documents(grid: &Grid, source: &Source) -> Documents {
 
 /// The same of some cells: arrays of one index, with the numbers of the cells and their counts, beside the axes.
 pub fn list_documents(listed: &ListedCells, source: &Source) -> Documents {
-    let layout = Layout { tiling: Tiling::of_list(listed.cells.len()), index: &[listed.index] };
+    let layout = Layout { chunking: Chunking::of_list(listed.cells.len()), index: &[listed.index] };
     let mut arrays = layout.columns(source.precision);
     let whole =
         |data_type, meaning| layout.array((data_type, json!(0)), json!({ "long_name": meaning }));
@@ -169,15 +169,15 @@ fn group(arrays: Documents, about: Map<String, Value>) -> Documents {
     paths.chain([(DOCUMENT.to_string(), group)]).collect()
 }
 
-/// The values of an axis as bytes, and the path of their only chunk.
+/// The values of an axis as bytes, and the path of the only file that they are in.
 pub fn axis_chunk(axis: &Axis) -> (String, Vec<u8>) {
     let bytes = axis.values.iter().flat_map(f64::to_le_bytes).collect();
     (format!("{}/{CHUNKS}/0", axis.key()), bytes)
 }
 
-/// The path of a tile's chunk in an array.
-pub fn chunk_path(array: &str, tiling: &Tiling, tile: usize) -> String {
-    format!("{array}/{CHUNKS}/{}", tiling.key(tile))
+/// The path of a chunk's file in an array.
+pub fn chunk_path(array: &str, chunking: &Chunking, chunk: usize) -> String {
+    format!("{array}/{CHUNKS}/{}", chunking.key(chunk))
 }
 
 /// The names of the arrays that hold a map's columns, each with its column; the status comes last, so that

@@ -22,13 +22,13 @@ use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::Block;
 use crate::results::block::bytes_a_cell;
+use crate::results::chunking::Chunking;
 use crate::results::collector::{OutcomeCollector, Saver};
 use crate::results::outcomes::Outcomes;
 use crate::results::reader::missing;
-use crate::results::saved_tiles::SavedTiles;
+use crate::results::saved_chunks::SavedChunks;
 use crate::results::store::{Contents, Store};
 use crate::results::store_error::StoreError;
-use crate::results::tiling::Tiling;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::work::observer::{Observer, Phase};
 
@@ -44,7 +44,7 @@ pub struct Job {
     pub wanted: Range<usize>,
     settings: RunSettings,
     opening: Duration,
-    saved: Option<(Store, SavedTiles)>,
+    saved: Option<(Store, SavedChunks)>,
     left: Vec<Range<usize>>,
 }
 
@@ -285,7 +285,7 @@ impl Job {
         let shard = self.settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
         let saved = collector.cells_on_disk();
         let ended = |error| match (&self.saved, error) {
-            // It was ended while the last tiles were saved.
+            // It was ended while the last chunks were saved.
             (Some((store, _)), StoreError::Incomplete) if !go_on() => {
                 let cancelled = SweepError::from(BackendError::Cancelled);
                 cancelled.stopped(saved, self.wanted.len(), store.path())
@@ -307,8 +307,8 @@ impl Job {
         let wanted = self.wanted.clone();
         let (Some((store, found)), Some(saving)) = (&self.saved, &self.settings.saving) else {
             // In one piece, which is handed on as it is.
-            let tiling = Tiling::whole(&self.grid);
-            return Ok(OutcomeCollector::in_memory(tiling, self.columns(), wanted));
+            let chunking = Chunking::whole(&self.grid);
+            return Ok(OutcomeCollector::in_memory(chunking, self.columns(), wanted));
         };
         let saver = Saver { store, patience: saving.every, holds: self.holds(), go_on };
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
@@ -398,7 +398,7 @@ fn saved(
     backend: &Backend,
     settings: &RunSettings,
     saving: &Saving,
-) -> Result<(Store, SavedTiles), SweepError> {
+) -> Result<(Store, SavedChunks), SweepError> {
     let content = Content::new(&plan.scene, backend, &settings.method, saving.shard);
     let identity = content.identity().map_err(io::Error::from)?;
     let source = Source { scene: &plan.scene, precision: content.columns() };

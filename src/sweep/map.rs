@@ -21,7 +21,7 @@ use crate::results::block::{Block, ColumnValues};
 use crate::results::columns::Column;
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::rounds::Rounds;
-use crate::results::saved_tiles::SavedTiles;
+use crate::results::saved_chunks::SavedChunks;
 use crate::results::store::Store;
 use crate::results::store_error::StoreError;
 use crate::results::tally::{self, Tally};
@@ -178,7 +178,7 @@ impl MapSweep {
         verified.ok_or(BackendError::Cancelled.into())
     }
 
-    /// Writes it as a Zarr group, in the place of one that is there. `observer` hears of its tiles' cells. What
+    /// Writes it as a Zarr group, in the place of one that is there. `observer` hears of its chunks' cells. What
     /// was saved while it ran is used for it, and goes; outcomes that are not in memory are read from the group
     /// from then on.
     ///
@@ -186,19 +186,19 @@ impl MapSweep {
     /// Those of the disk; a map without a directory to be saved in has none to be written to.
     pub fn publish(&mut self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
         let Some(store) = &self.store else { return Err(StoreError::Incomplete.into()) };
-        let whole = SavedTiles::in_folder(store.path(), store.tiling(), store.tag(), &|_| ())?;
-        let tiling = store.tiling().clone();
+        let whole = SavedChunks::in_folder(store.path(), store.chunking(), store.tag(), &|_| ())?;
+        let chunking = store.chunking().clone();
         observer.begins(Phase::Writing, self.grid.len());
         let go_on = || !observer.cancelled();
         let mut saved: usize = whole.done().iter().map(Range::len).sum();
-        for tile in 0..tiling.count() {
-            let cells = tiling.cells(tile);
-            let found = whole.tiles.iter().find(|saved| saved.tile == tile);
+        for chunk in 0..chunking.count() {
+            let cells = chunking.cells(chunk);
+            let found = whole.chunks.iter().find(|saved| saved.chunk == chunk);
             let replaced = self.repair.as_ref().is_some_and(|repair| repair.touches(&cells));
             if replaced || found.is_none_or(|found| found.done != [cells.clone()]) {
                 let mut block = Block::pending(cells.len(), store.precision());
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
-                if store.save_while(tile, &block, &go_on)? {
+                if store.save_while(chunk, &block, &go_on)? {
                     // Some of them may have been there.
                     let before = found.map_or(0, |found| found.done.iter().map(Range::len).sum());
                     saved += cells.len() - before;

@@ -11,13 +11,13 @@ use super::identity::{Content, MAY_DIFFER};
 use super::shards_error::ShardsError;
 use crate::backend::report::{self, Report};
 use crate::results::about::Source;
+use crate::results::chunking::Chunking;
 use crate::results::identity::Identity;
-use crate::results::reader::{ShardFolder, TileReader, missing};
-use crate::results::saved_tiles::SavedTiles;
+use crate::results::reader::{ChunkReader, ShardFolder, missing};
+use crate::results::saved_chunks::SavedChunks;
 use crate::results::shard;
 use crate::results::store::{Contents, IDENTITY, REPORT, Store};
 use crate::results::store_error::StoreError;
-use crate::results::tiling::Tiling;
 use crate::scene::{Excitation, Grid, bounded, shown};
 use crate::work::observer::Observer;
 
@@ -42,7 +42,7 @@ pub struct Shards {
     /// The shards' folders and reports, by their first cells.
     pub reports: Vec<(PathBuf, Report)>,
     /// Their cells.
-    pub reader: TileReader,
+    pub reader: ChunkReader,
 }
 
 impl Shards {
@@ -81,10 +81,10 @@ impl Shards {
             held.push(ShardFolder { cells: piece.cells, folder: piece.place.clone(), precision });
             reports.push((piece.place, piece.report));
         }
-        let reader = TileReader::new(Tiling::of(&grid), held, grid.len());
+        let reader = ChunkReader::new(Chunking::of(&grid), held, grid.len());
         let overlap = || ShardsError::Unreadable {
             place: reports[0].0.clone(),
-            reason: "its tiles overlap".into(),
+            reason: "its chunks overlap".into(),
         };
         let reader = reader.ok_or_else(overlap)?;
         Ok(Shards { content, reports, reader })
@@ -135,9 +135,10 @@ impl Piece {
         })?;
         let identity = Identity::new(written, content.shard);
         let grid = Grid::of(&content.scene);
-        let found = SavedTiles::in_folder(&place, &Tiling::of(&grid), identity.tag(), &|cells| {
-            observer.advance(cells)
-        })?;
+        let found =
+            SavedChunks::in_folder(&place, &Chunking::of(&grid), identity.tag(), &|cells| {
+                observer.advance(cells)
+            })?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {
             return Err(ShardsError::Broken { place, reason });

@@ -19,10 +19,10 @@ pub enum ShardsError {
         /// The first that are missing.
         cells: String,
     },
-    /// A shard with a tile that is not whole.
+    /// A shard with a chunk that is not whole.
     #[error("{place}: {reason}; run its shard again with `resume`")]
     Broken {
-        /// The tile's file.
+        /// The chunk's file.
         place: PathBuf,
         /// What is wrong.
         reason: &'static str,

@@ -23,20 +23,20 @@ pub fn of_file(sizes: &FileSizes, file: MapFile) -> f64 {
     match file {
         MapFile::Csv => sizes.table,
         MapFile::Npz => sizes.archive,
-        MapFile::Zarr => sizes.tiles,
+        MapFile::Zarr => sizes.chunks,
     }
 }
 
-/// Most bytes that a run has on disk: its tiles, and beside them its files. A map that is not held in memory
-/// is written as map.zarr by giving its tiles that name.
+/// Most bytes that a run has on disk: its chunks, and beside them its files. A map that is not held in memory
+/// is written as map.zarr by giving its chunks that name.
 pub fn of_run(job: &Job, estimate: &Estimate, options: &MapOptions) -> f64 {
     let files = options.files(&job.grid);
     let share = job.left() as f64 / job.grid.len() as f64;
-    let tiles = (estimate.files.tiles * share).min(job.bytes(job.left()) as f64);
+    let chunks = (estimate.files.chunks * share).min(job.bytes(job.left()) as f64);
     match options.tile {
-        Some(_) => tiles,
-        None if files == [MapFile::Zarr] => tiles + PICTURES,
-        None => tiles + of_files(&estimate.files, &files),
+        Some(_) => chunks,
+        None if files == [MapFile::Zarr] => chunks + PICTURES,
+        None => chunks + of_files(&estimate.files, &files),
     }
 }
 

@@ -52,7 +52,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let memory = memory::of_run(&job, (options.tile.is_some(), options.run.resolve));
     say.line("memory", format!("up to {}", size(memory as f64)));
     let files = if options.tile.is_some() {
-        format!("{} of tiles at the most", size(job.bytes(wanted.len()) as f64))
+        format!("{} of chunks at the most", size(job.bytes(wanted.len()) as f64))
     } else {
         let files = options.files(grid);
         let each = files

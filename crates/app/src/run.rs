@@ -111,7 +111,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             finish::write(*map, &mut results, &to, &say, &screen)
         }
         SweepResult::Shard(shard) => {
-            say.line("tiles", format!("{}; topple merge joins the shards", shard.folder.display()));
+            say.line("shard", format!("{}; topple merge joins the shards", shard.folder.display()));
             Ok(())
         }
     }

@@ -1,4 +1,4 @@
-//! A cache of the motions in full contact: made for the first tile of a sweep, used again by the others.
+//! A cache of the motions in full contact: made for the first batch of a sweep, used again by the others.
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -1,4 +1,4 @@
-//! The motions in full contact that the tiles of a sweep share, integrated for the first tile.
+//! The motions in full contact that the batches of a sweep share, integrated for the first one.
 
 use std::any::Any;
 use std::sync::Arc;

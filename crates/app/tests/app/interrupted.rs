@@ -1,4 +1,4 @@
-//! Runs that are interrupted, and go on: tiles on disk, their folder, and the command killed.
+//! Runs that are interrupted, and go on: chunks on disk, their folder, and the command killed.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,15 +13,15 @@ use topple::backend::dispatch::Backend;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;
+use topple::results::chunk::{check, decode_all, encode, pack, unpack};
+use topple::results::chunking::Chunking;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::columns::Column;
 use topple::results::files::WriteError;
-use topple::results::reader::{ShardFolder, TileReader, missing};
-use topple::results::saved_tiles::SavedTiles;
+use topple::results::reader::{ChunkReader, ShardFolder, missing};
+use topple::results::saved_chunks::SavedChunks;
 use topple::results::store::{Contents, Store};
 use topple::results::store_error::StoreError;
-use topple::results::tile::{check, decode_all, encode, pack, unpack};
-use topple::results::tiling::Tiling;
 use topple::results::zarr;
 use topple::scene::{Grid, Scene};
 use topple::stepping::outcome::{Class, Outcome, Status};
@@ -71,21 +71,21 @@ fn block(outcomes: &[Outcome], precision: Precision) -> Block {
     block
 }
 
-/// The chunks of a block in a tile of 6 cells, by their arrays.
-fn chunks(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
-    let chunk = |(array, column)| (array, pack(&encode(array, column, block, 6), tag, array));
-    zarr::columns().map(chunk).collect()
+/// The files of a block in a chunk of 6 cells, by their arrays.
+fn packed(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
+    let of = |(array, column)| (array, pack(&encode(array, column, block, 6), tag, array));
+    zarr::columns().map(of).collect()
 }
 
 #[test]
-fn a_tile_holds_its_outcomes_bit_by_bit() {
+fn a_chunk_holds_its_outcomes_bit_by_bit() {
     for precision in [Precision::F32, Precision::F64] {
         let expected = match precision {
             Precision::F32 => rounded(&outcomes()),
             Precision::F64 => outcomes(),
         };
-        let chunks = chunks(&block(&outcomes(), precision), 7);
-        let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&chunks[array], count));
+        let packed = packed(&block(&outcomes(), precision), 7);
+        let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
         let block = decode_all((4, 6), precision, &mut bytes).unwrap().unwrap();
         let mut read = vec![Outcome::PENDING; 4];
         block.read(0, &Column::ALL, &mut read);
@@ -105,8 +105,8 @@ fn a_tile_holds_its_outcomes_bit_by_bit() {
 
 /// Every shortening and every bit turned over is found, in each array.
 #[test]
-fn a_damaged_tile_is_refused() {
-    for (array, bytes) in chunks(&block(&outcomes(), Precision::F64), 7) {
+fn a_damaged_chunk_is_refused() {
+    for (array, bytes) in packed(&block(&outcomes(), Precision::F64), 7) {
         assert_eq!(check(&bytes, 7, array), Ok(()));
         for length in 0..bytes.len() {
             assert!(
@@ -120,8 +120,8 @@ fn a_damaged_tile_is_refused() {
             assert_eq!(check(&damaged, 7, array), Err("damaged"), "{array}: bit {bit} passes");
         }
         assert!(check(&[&bytes[..], &[0]].concat(), 7, array).is_err());
-        assert_eq!(check(&bytes, 8, array), Err("a tile of another run"));
-        assert_eq!(check(&bytes, 7, "other"), Err("a file of another tile or column"));
+        assert_eq!(check(&bytes, 8, array), Err("a chunk of another run"));
+        assert_eq!(check(&bytes, 7, "other"), Err("a file of another chunk or column"));
     }
 }
 
@@ -138,7 +138,7 @@ fn what_is_missing_is_what_was_not_done() {
     assert_eq!(missing(&[run(0, 1), run(6, 2), run(12, 3)], &(5..10)), [5..6, 8..10]);
 }
 
-/// A map of 70,000 cells: two tiles, of 65,000 and 5,000.
+/// A map of 70,000 cells: two chunks, of 65,000 and 5,000.
 fn scene(eccentricity: f64) -> Scene {
     object(1, eccentricity, (1.75, 0.75), 0.0, "1:9:1000", "1:9:70")
 }
@@ -148,7 +148,7 @@ fn open(
     scene: &Scene,
     precision: Precision,
     resume: bool,
-) -> Result<(Store, SavedTiles), StoreError> {
+) -> Result<(Store, SavedChunks), StoreError> {
     let method = Method { precision, ..Method::default() };
     let content = Content::new(scene, &Backend::Cpu, &method, None);
     let grid = Grid::of(scene);
@@ -156,12 +156,12 @@ fn open(
     Store::open(out, content.identity().unwrap(), contents, resume)
 }
 
-/// Saves outcomes at the beginning of a tile and, of the first, from cell 8 on.
-fn save(store: &Store, tile: usize) {
-    let mut block = Block::pending(store.tiling().cells(tile).len(), Precision::F32);
+/// Saves outcomes at the beginning of a chunk and, of the first, from cell 8 on.
+fn save(store: &Store, chunk: usize) {
+    let mut block = Block::pending(store.chunking().cells(chunk).len(), Precision::F32);
     block.put(0, &outcomes());
-    block.put(8 * (1 - tile), &outcomes());
-    store.save(tile, &block).unwrap();
+    block.put(8 * (1 - chunk), &outcomes());
+    store.save(chunk, &block).unwrap();
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
     let out = TempDir::new().unwrap();
     let f32 = Precision::F32;
     let (store, found) = open(out.path(), &scene(0.2), f32, false).unwrap();
-    assert!(found.tiles.is_empty());
+    assert!(found.chunks.is_empty());
     assert!(matches!(open(out.path(), &scene(0.2), f32, true), Err(StoreError::InUse(_))));
     save(&store, 0);
     save(&store, 1);
@@ -196,9 +196,9 @@ fn a_folder_is_one_runs_at_a_time_and_of_one_scene() {
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
 }
 
-/// Cells are read across tiles, whatever the pieces, as they were saved or held in memory.
+/// Cells are read across chunks, whatever the pieces, as they were saved or held in memory.
 #[test]
-fn outcomes_are_read_across_tiles() {
+fn outcomes_are_read_across_chunks() {
     let (scene, all) = (scene(0.2), 0..70_000);
     let cell = |k: usize| Outcome { impacts: k as u32, status: Status::Ok, ..Outcome::PENDING };
     let outcomes: Vec<Outcome> = all.clone().map(cell).collect();
@@ -211,7 +211,7 @@ fn outcomes_are_read_across_tiles() {
             Saver { store: &store, patience: Duration::from_secs(3600), holds, go_on: &|| true };
         let mut collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
         let block = |outcomes: &[Outcome]| Block::of_outcomes(outcomes, Precision::F32);
-        // The last piece comes first; pieces lie across the tiles, or are one each.
+        // The last piece comes first; pieces lie across the chunks, or are one each.
         for piece in pieces {
             // Of a batch that goes on every second cell has run; then all come again.
             let mut so_far = outcomes[piece.clone()].to_vec();
@@ -232,10 +232,10 @@ fn outcomes_are_read_across_tiles() {
         }
         store.discard().unwrap();
     }
-    let tiling = Tiling::of(&Grid::of(&scene));
+    let chunking = Chunking::of(&Grid::of(&scene));
     let held =
         |cells: Range<usize>| ShardFolder { cells, folder: "".into(), precision: Precision::F32 };
-    let reader = |held: &[ShardFolder]| TileReader::new(tiling.clone(), held.to_vec(), 10);
+    let reader = |held: &[ShardFolder]| ChunkReader::new(chunking.clone(), held.to_vec(), 10);
     let (one, other) = (held(6..10), held(0..6));
     assert!(reader(&[one.clone(), other.clone()]).is_some());
     assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
@@ -250,7 +250,7 @@ fn leftovers_are_removed() {
     for folder in ["map.zarr.old", "leaves.zarr.new", "unfinished.old"] {
         let folder = out.path().join(format!(".topple-{folder}"));
         fs::create_dir_all(folder.join("zeta/c/0")).unwrap();
-        fs::write(folder.join("zeta/c/0/0"), "half a tile").unwrap();
+        fs::write(folder.join("zeta/c/0/0"), "half a chunk").unwrap();
     }
     let mine = [".mine", ".topple-notes", ".topple-thesis.backup", ".topple-unfinished.new"];
     mine.iter().for_each(|name| fs::write(out.path().join(name), "not ours").unwrap());
@@ -262,9 +262,9 @@ fn leftovers_are_removed() {
     assert_eq!(names, mine);
 }
 
-/// A tile of which one file is damaged, gone or another run's is run again, the others are not.
+/// A chunk of which one file is damaged, gone or another run's is run again, the others are not.
 #[test]
-fn a_damaged_tile_is_run_again() {
+fn a_damaged_chunk_is_run_again() {
     type Fault = fn(&mut Vec<u8>) -> bool;
     let turned: Fault = |bytes| {
         bytes[20] ^= 1;
@@ -292,7 +292,7 @@ fn a_damaged_tile_is_run_again() {
     }
 }
 
-/// Files of one run that change places are found: of two columns, of two tiles.
+/// Files of one run that change places are found: of two columns, of two chunks.
 #[test]
 fn files_that_change_places_are_found() {
     for [one, other] in [["zeta/c/0/0", "max_u/c/0/0"], ["status/c/0/0", "status/c/1/0"]] {
@@ -315,8 +315,8 @@ fn files_that_change_places_are_found() {
 /// Columns of another width are no values, though every byte is as it was written.
 #[test]
 fn a_chunk_of_another_length_is_refused() {
-    let chunks = chunks(&block(&outcomes(), Precision::F64), 7);
-    let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&chunks[array], count));
+    let packed = packed(&block(&outcomes(), Precision::F64), 7);
+    let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
     assert!(decode_all((4, 6), Precision::F32, &mut bytes).unwrap().is_none());
     assert!(decode_all((4, 5), Precision::F64, &mut bytes).unwrap().is_none());
 }
@@ -502,9 +502,9 @@ fn a_published_map_replaces_the_one_before() {
     }
 }
 
-/// A kill between the files of a tile that is saved again: what the last status says is there.
+/// A kill between the files of a chunk that is saved again: what the last status says is there.
 #[test]
-fn a_tile_half_saved_again_is_as_it_was() {
+fn a_chunk_half_saved_again_is_as_it_was() {
     let out = TempDir::new().unwrap();
     let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
     save(&store, 0);
@@ -520,7 +520,7 @@ fn a_tile_half_saved_again_is_as_it_was() {
     assert!(found.broken.is_empty());
 }
 
-/// A map by the reference, a few seconds of work in tiles of 512 cells.
+/// A map by the reference, a few seconds of work in several batches.
 fn map(out: &Path, more: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_topple"));
     command

@@ -117,7 +117,7 @@ fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     let (_, plain) = run(&["--files", "csv", "--verify", "none"], "plain");
     assert!(plain["repaired"].is_null());
     assert!(read("whole", "map.csv") != read("plain", "map.csv"));
-    // What was saved while the sweep ran is not what map.zarr holds: its tiles are those of the repaired map.
+    // What was saved while the sweep ran is not what map.zarr holds: its chunks are those of the repaired map.
     let status = "status/c/0/0";
     assert!(at("whole").join("map.zarr").join(status).exists(), "a chunk of the column");
     assert!(

@@ -88,8 +88,8 @@ fn a_scene_comes_back_from_its_identity() {
     }
 }
 
-/// Sweeps a small map in tiles of 50 cells by workers that `fail` tells when to, given the worker and
-/// how many tiles it has done; the outcomes, or the error and what was kept.
+/// Sweeps a small map in batches of 50 cells by workers that `fail` tells when to, given the worker and
+/// how many batches it has done; the outcomes, or the error and what was kept.
 fn sweep(
     workers: usize,
     fail: impl Fn(usize, usize) -> Option<BackendError> + Sync,
@@ -142,10 +142,10 @@ fn adapters_that_vanish_lose_nothing() {
     assert!(some.iter().zip(&alone).all(|(a, b)| *a == Outcome::PENDING || a == b));
 }
 
-/// Tiles are as many cells as a worker does in the time that they are to take: fewer where cells are slow,
+/// Batches are as many cells as a worker does in the time that they are to take: fewer where cells are slow,
 /// at most four times the last where they are fast, and never more than fit.
 #[test]
-fn tiles_are_sized_by_time() {
+fn batches_are_sized_by_time() {
     // A second a cell up to the hundredth, then a millisecond.
     let double = |cells: Range<usize>, _: &HandOver| {
         let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
@@ -155,18 +155,18 @@ fn tiles_are_sized_by_time() {
     };
     let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
     let workers: Vec<Worker> = vec![Box::new(double)];
-    let mut tiles = Vec::new();
+    let mut ran = Vec::new();
     let took = batches::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
-        tiles.push((first, some.len()));
+        ran.push((first, some.len()));
         Ok::<(), ()>(())
     });
     assert!(took.unwrap().lost.is_empty());
     // 50 s for the first; then 2 s each.
-    assert_eq!(tiles[..3], [(0, 50), (50, 2), (52, 2)]);
+    assert_eq!(ran[..3], [(0, 50), (50, 2), (52, 2)]);
     let fast: Vec<usize> =
-        tiles.iter().filter(|(first, _)| *first >= 100).map(|(_, cells)| *cells).collect();
+        ran.iter().filter(|(first, _)| *first >= 100).map(|(_, cells)| *cells).collect();
     assert_eq!(fast, [2, 8, 32, 128, 512, 1000, 1000, 128]);
-    let cells: usize = tiles.iter().map(|(_, cells)| cells).sum();
+    let cells: usize = ran.iter().map(|(_, cells)| cells).sum();
     assert_eq!(cells, 110 + 2800);
 }
 
@@ -371,7 +371,7 @@ fn shards_may_come_from_different_backends() {
     assert_ne!(store.tag(), whole.identity().unwrap().tag());
 }
 
-/// Tiles go to each of several devices; here the same adapter's, opened twice.
+/// Batches go to each of several devices; here the same adapter's, opened twice.
 #[test]
 fn two_devices_make_the_map_of_one() {
     let name = "two_devices_make_the_map_of_one";
@@ -428,7 +428,7 @@ fn what_is_no_map_is_refused_by_name() {
     fs::create_dir(place("empty")).unwrap();
     refused(&["1", "empty"], &["empty holds no shard"]);
     refused(&["1", "2", "nowhere"], &["nowhere"]);
-    // Without its report a shard is not finished, nor without a tile.
+    // Without its report a shard is not finished, nor without a chunk.
     let two = place("2/part-2-of-3");
     let report = fs::read(two.join("report.json")).unwrap();
     fs::remove_file(two.join("report.json")).unwrap();
@@ -467,9 +467,9 @@ fn what_is_no_map_is_refused_by_name() {
     let report: Value = serde_json::from_slice(&report).unwrap();
     store.finish(&report, false).unwrap();
     refused(&["1", "old", "3"], &["old/part-2-of-3", "version is \"0.0.1\" there"]);
-    // Its identity, with tiles of this one's.
+    // Its identity, with chunks of this one's.
     fs::write(&identity, old).unwrap();
-    refused(&["1", "2", "3"], &["a tile of another run"]);
+    refused(&["1", "2", "3"], &["a chunk of another run"]);
     // The same of one that has run no cell of it.
     fs::remove_file(&status).unwrap();
     refused(&["1", "2", "3"], &["part-2-of-3 is unfinished"]);

@@ -156,10 +156,10 @@ static PARTS: LazyLock<(TempDir, Vec<PathBuf>)> = LazyLock::new(|| {
     (folder, files)
 });
 
-/// Bytes of a checksum at the end of a tile.
+/// Bytes of a checksum at the end of a chunk's file.
 const SUM: usize = 4;
 
-/// A file of a part is told by its place among all, and a tile whose checksum is made anew by a 1 after it.
+/// A file of a part is told by its place among all, and a chunk's file whose checksum is made anew by a 1 after it.
 pub fn pieces() -> Vec<Vec<u8>> {
     let (folder, files) = &*PARTS;
     assert!(files.len() < 256, "{}", files.len());
@@ -175,8 +175,8 @@ pub fn part(bytes: &[u8]) -> Result<(), String> {
     let (folder, files) = &*PARTS;
     let Some(([number, again], bytes)) = bytes.split_first_chunk::<2>() else { return Ok(()) };
     let (damaged, mut bytes) = (usize::from(*number) % files.len(), bytes.to_vec());
-    let is_tile = files[damaged].extension().is_none();
-    if is_tile && again % 2 == 1 && bytes.len() >= SUM {
+    let is_chunk = files[damaged].extension().is_none();
+    if is_chunk && again % 2 == 1 && bytes.len() >= SUM {
         let body = bytes.len() - SUM;
         let sum = crc32c::crc32c(&bytes[..body]).to_le_bytes();
         bytes[body..].copy_from_slice(&sum);

@@ -1,7 +1,7 @@
-//! Tiles on disk: a file for each column, a chunk of its Zarr array.
+//! Chunks on disk: cells saved together, with a file in the Zarr array of each column.
 //!
-//! A chunk is the values of a whole tile in little-endian bytes, those of a tile at the grid's end filled up,
-//! compressed by gzip, whose header names the run, the array and the tile; at its end the checksum CRC-32C of all
+//! A file is the values of a whole chunk in little-endian bytes, those of a chunk at the grid's end filled up,
+//! compressed by gzip, whose header names the run, the array and the chunk; at its end the checksum CRC-32C of all
 //! that.
 
 use std::io::{Read, Write};
@@ -17,17 +17,17 @@ use super::zarr::{self, LEVEL, PROVED};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Status;
 
-/// Largest file of a tile that is read, bytes: twice the most that a tile's numbers take.
+/// Largest file of a chunk that is read, bytes: twice the most that a chunk's numbers take.
 pub const LARGEST: u64 = 16 << 20;
 /// Bytes of the checksum.
 const SUM: usize = 4;
 
-/// The words in a chunk's header that name what it is: its run, by the tag, and its path in the group.
+/// The words in a file's header that name what it is: its run, by the tag, and its path in the group.
 fn name(tag: u32, path: &str) -> String {
     format!("topple {tag:08x} {path}")
 }
 
-/// A chunk of bytes, of the run of a tag and for a path in its group.
+/// A file of bytes, of the run of a tag and for a path in its group.
 pub fn pack(bytes: &[u8], tag: u32, path: &str) -> Vec<u8> {
     let header = GzBuilder::new().comment(name(tag, path));
     let mut packed = header.write(Vec::with_capacity(bytes.len() / 4), Compression::new(LEVEL));
@@ -39,13 +39,13 @@ pub fn pack(bytes: &[u8], tag: u32, path: &str) -> Vec<u8> {
     packed
 }
 
-/// True of a chunk that is as it was written.
+/// True of a file that is as it was written.
 fn is_whole(packed: &[u8]) -> bool {
     let Some((body, sum)) = packed.split_last_chunk::<SUM>() else { return false };
     crc32c::crc32c(body) == u32::from_le_bytes(*sum)
 }
 
-/// Whether a chunk is whole, of the run of a tag, and the one that belongs to a path in its group.
+/// Whether a file is whole, of the run of a tag, and the one that belongs to a path in its group.
 ///
 /// # Errors
 /// What is wrong, in a few words.
@@ -58,13 +58,13 @@ pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
     match of == name(tag, path).as_bytes() {
         true => Ok(()),
         false if of.starts_with(name(tag, "").as_bytes()) => {
-            Err("a file of another tile or column")
+            Err("a file of another chunk or column")
         }
-        false => Err("a tile of another run"),
+        false => Err("a chunk of another run"),
     }
 }
 
-/// So many bytes from a chunk; none where it is not whole, or has not as many.
+/// So many bytes from a file; none where it is not whole, or has not as many.
 pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     let mut bytes = vec![0; count];
     let mut decoder = GzDecoder::new(packed);
@@ -74,7 +74,7 @@ pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     exact.then_some(bytes)
 }
 
-/// The bytes of an array's chunk: of a block's column, filled up to so many cells.
+/// The bytes of a chunk in an array: of a block's column, filled up to so many cells.
 pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u8> {
     fn filled<T: Element>(values: impl Iterator<Item = T>, cells: usize, filler: T) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(size_of::<T>() * cells);
@@ -98,43 +98,43 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u
 }
 
 /// The bytes of an array, by its name and their number; none where these are not whole.
-pub type Chunks<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
+pub type ArrayBytes<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
 
 /// The values of a column, as they are held.
 type ValuesOf<C, F> = Vec<Stored<<C as ColumnType>::Value, F>>;
 
-/// The values of a column's first `count` cells from the bytes of its arrays, of tiles of so many cells; none where those
+/// The values of a column's first `count` cells from the bytes of its arrays, of chunks of so many cells; none where those
 /// are not whole, or have a code of nothing.
 ///
 /// # Errors
-/// Those of `chunks`.
+/// Those of `arrays`.
 pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     (count, cells): (usize, usize),
-    chunks: &mut Chunks<E>,
+    arrays: &mut ArrayBytes<E>,
 ) -> Result<Option<ValuesOf<C, F>>, E> {
-    let proved = if C::Value::HAS_PROVED { chunks(PROVED, cells)? } else { Some(Vec::new()) };
-    let bytes = chunks(C::COLUMN.entry().name, size_of::<Stored<C::Value, F>>() * cells)?;
+    let proved = if C::Value::HAS_PROVED { arrays(PROVED, cells)? } else { Some(Vec::new()) };
+    let bytes = arrays(C::COLUMN.entry().name, size_of::<Stored<C::Value, F>>() * cells)?;
     let (Some(bytes), Some(proved)) = (bytes, proved) else { return Ok(None) };
     let mut values = Element::first_of(&bytes, count);
     Ok(C::Value::of_file::<F>(&mut values, &proved).then_some(values))
 }
 
-/// The whole block of a tile; its arrays are asked for in the order of [`zarr::columns`].
+/// The whole block of a chunk; its arrays are asked for in the order of [`zarr::columns`].
 ///
 /// # Errors
-/// Those of `chunks`; none where one of them is not whole.
+/// Those of `arrays`; none where one of them is not whole.
 pub fn decode_all<E>(
     sizes: (usize, usize),
     precision: Precision,
-    chunks: &mut Chunks<E>,
+    arrays: &mut ArrayBytes<E>,
 ) -> Result<Option<Block>, E> {
     fn all<F: ColumnNumber, E>(
         sizes: (usize, usize),
-        chunks: &mut Chunks<E>,
+        arrays: &mut ArrayBytes<E>,
     ) -> Result<Option<Columns<F>>, E> {
         let mut columns = Columns::default();
         for (_, column) in zarr::columns().filter(|(array, _)| *array != PROVED) {
-            with_column!(column, C => match decode::<C, F, E>(sizes, chunks)? {
+            with_column!(column, C => match decode::<C, F, E>(sizes, arrays)? {
                 Some(values) => *C::values_mut(&mut columns) = values,
                 None => return Ok(None),
             });
@@ -142,7 +142,7 @@ pub fn decode_all<E>(
         Ok(Some(columns))
     }
     Ok(match precision {
-        Precision::F32 => all::<f32, E>(sizes, chunks)?.map(Block::from),
-        Precision::F64 => all::<f64, E>(sizes, chunks)?.map(Block::from),
+        Precision::F32 => all::<f32, E>(sizes, arrays)?.map(Block::from),
+        Precision::F64 => all::<f64, E>(sizes, arrays)?.map(Block::from),
     })
 }
