@@ -1,19 +1,19 @@
-// One thread a cell: a chunk of its steps, from its state to its state. Twin: src/backend/cpu.rs.
+// One thread a cell: a stretch of its turns, from its state to its state. Twin: src/backend/cpu.rs.
 
 override workgroup_size: u32 = 64u;
 
-struct Chunk {
+struct Dispatch {
     // Slots for cells, those of two tiles.
     slots: u32,
     // Turns of a cell at least.
     work: u32,
-    // Number of the chunk, from 0 to 3 and again.
+    // Number of the dispatch, from 0 to 3 and again.
     number: u32,
     padding: u32,
 }
 
 struct Tally {
-    // Cells to run in a chunk, a ring: a chunk reads its own number and adds to the next one.
+    // Cells to run in a dispatch, a ring: a dispatch reads its own number and adds to the next one.
     running: array<atomic<u32>, 4>,
     // Cells of each of the two tiles that still run.
     left: array<atomic<u32>, 2>,
@@ -24,9 +24,9 @@ struct Tally {
 
 @group(0) @binding(1) var<storage, read> cells: array<Cell>;
 @group(0) @binding(2) var<storage, read_write> states: array<State>;
-@group(0) @binding(3) var<uniform> chunk: Chunk;
+@group(0) @binding(3) var<uniform> dispatch: Dispatch;
 @group(0) @binding(4) var<storage, read_write> tally: Tally;
-// The cells that run, twice: a chunk reads one list and writes the other.
+// The cells that run, twice: a dispatch reads one list and writes the other.
 @group(0) @binding(7) var<storage, read_write> running: array<u32>;
 // The bodies, by number.
 @group(0) @binding(13) var<storage, read> models: array<Model>;
@@ -44,7 +44,7 @@ var<workgroup> group_ended: array<atomic<u32>, 2>;
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_place: u32;
 
-// Puts those of a workgroup's cells that run in the list of a chunk. Every thread must come here.
+// Puts those of a workgroup's cells that run in the list of a dispatch. Every thread must come here.
 fn enlist(local: u32, runs: bool, number: u32, slots: u32) {
     var place = 0u;
     if runs {
@@ -66,13 +66,13 @@ fn sweep(
     @builtin(local_invocation_index) local: u32,
 ) {
     if id.x == 0u {
-        // Nobody adds to it before the next chunk.
-        atomicStore(&tally.running[(chunk.number + 2u) % 4u], 0u);
+        // Nobody adds to it before the next dispatch.
+        atomicStore(&tally.running[(dispatch.number + 2u) % 4u], 0u);
     }
     var runs = false;
-    if id.x < atomicLoad(&tally.running[chunk.number]) {
-        let work = chunk.work;
-        lane = running[(chunk.number % 2u) * chunk.slots + id.x];
+    if id.x < atomicLoad(&tally.running[dispatch.number]) {
+        let work = dispatch.work;
+        lane = running[(dispatch.number % 2u) * dispatch.slots + id.x];
         let cell = cells[lane];
         if bodies {
             model = models[cell.body];
@@ -83,7 +83,7 @@ fn sweep(
         let first = state.step;
         var turns = begin_turns(cell, state);
         var done = 0u;
-        // A cell leaves at a step's edge, so that no search is kept between chunks.
+        // A cell leaves at a step's edge, so that no search is kept between dispatches.
         while state.status == RUNNING && (done < work || !at_an_edge(turns)) {
             turn(cell, &state, &turns);
             done += 1u;
@@ -92,10 +92,10 @@ fn sweep(
         runs = state.status == RUNNING;
         atomicAdd(&group_steps, state.step - first);
         if !runs {
-            atomicAdd(&group_ended[lane / (chunk.slots / 2u)], 1u);
+            atomicAdd(&group_ended[lane / (dispatch.slots / 2u)], 1u);
         }
     }
-    enlist(local, runs, chunk.number + 1u, chunk.slots);
+    enlist(local, runs, dispatch.number + 1u, dispatch.slots);
     if local == 0u {
         atomicAdd(&tally.steps, atomicLoad(&group_steps));
         atomicSub(&tally.left[0], atomicLoad(&group_ended[0]));

@@ -53,7 +53,7 @@ struct Tile {
     // The tile's first slot, and the slots of all tiles.
     first_slot: u32,
     slots: u32,
-    // Number of the chunk that is to run the cells first.
+    // Number of the dispatch that is to run the cells first.
     number: u32,
     padding_0: u32,
     padding_1: u32,

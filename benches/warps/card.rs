@@ -12,8 +12,8 @@ pub const WARP: usize = 32;
 /// What is a choice of the shader and its host.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Choice {
-    /// Turns of a chunk.
-    pub chunk: u32,
+    /// Turns of a dispatch.
+    pub dispatch: u32,
     /// Columns and rows of a block of cells; 1 by 1 for cells in order.
     pub block: (usize, usize),
     /// Threads of a workgroup.
@@ -51,7 +51,7 @@ pub struct Tally {
     pub rounds: usize,
 }
 
-/// A warp in a chunk.
+/// A warp in a dispatch.
 struct Warp {
     cells: Vec<u32>,
     /// Lanes at each turn: that have a cell, whose trial is useful, that search, that rock.
@@ -106,10 +106,10 @@ impl<'a> Card<'a> {
         &self.traces.of(cell as usize)[self.done[cell as usize]..]
     }
 
-    /// Runs a list for a chunk of so many turns, after which each cell goes on to the end of its
-    /// step: the list for the next chunk, and the turns one after the other that it took.
+    /// Runs a list for a dispatch of so many turns, after which each cell goes on to the end of its
+    /// step: the list for the next dispatch, and the turns one after the other that it took.
     /// Workgroups begin in order, and those that end first come first in the new list.
-    pub fn launch(&mut self, list: &[u32], work: usize) -> (Vec<u32>, usize) {
+    pub fn dispatch(&mut self, list: &[u32], work: usize) -> (Vec<u32>, usize) {
         let every = self.choice.refill.unwrap_or(work);
         let most = if self.choice.refill.is_some() { self.warps * WARP } else { list.len() };
         let mut taken = list.len().min(most);
@@ -137,7 +137,7 @@ impl<'a> Card<'a> {
         (cells.chain(list[taken..].iter().copied()).collect(), rounds)
     }
 
-    /// Runs a lane's cell from a turn of the chunk to another one; where this is the chunk's last, to
+    /// Runs a lane's cell from a turn of the dispatch to another one; where this is the dispatch's last, to
     /// where the cell may leave.
     fn run(&mut self, warp: &mut Warp, lane: usize, from: usize, (to, last): (usize, bool)) {
         let cell = warp.cells[lane];

@@ -1,4 +1,4 @@
-//! The host's part: tiles, submissions and their chunks, as `src/backend/gpu/tiles.rs` hands them out,
+//! The host's part: tiles, submissions and their dispatches, as `src/backend/gpu/tiles.rs` hands them out,
 //! by the pace that it learns.
 
 use std::cmp::Reverse;
@@ -79,20 +79,20 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
             if bound == 0 {
                 break;
             }
-            let (chunks, work) = pace.chunks();
-            let all = chunks * work;
-            let chunks = all.div_ceil(choice.chunk);
-            let work = all / chunks;
+            let (dispatches, work) = pace.dispatches();
+            let all = dispatches * work;
+            let dispatches = all.div_ceil(choice.dispatch);
+            let work = all / dispatches;
             let mut rounds = 0;
-            for _ in 0..chunks {
-                let (next, turns) = card.launch(&list, work as usize);
+            for _ in 0..dispatches {
+                let (next, turns) = card.dispatch(&list, work as usize);
                 (list, rounds) = (next, rounds + turns);
             }
             let runs =
                 |cells: &Range<usize>| list.iter().any(|&cell| cells.contains(&(cell as usize)));
             let left = sides.iter().map(|side| side.cells.clone()).filter(runs).collect();
             let took = kind.turn * rounds as u32;
-            let (running, work) = (list.len(), chunks * work);
+            let (running, work) = (list.len(), dispatches * work);
             flights.push_back(Flight { running, left, begun, bound, work, took });
             submitted += 1;
         }

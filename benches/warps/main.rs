@@ -17,7 +17,7 @@ use card::{Choice, Tally, WARP};
 use common::pulse;
 use fearless_simd::Level;
 use host::Kind;
-use topple::backend::gpu::pace::CHUNK;
+use topple::backend::gpu::pace::DISPATCH_TURNS;
 use topple::backend::gpu::pipelines::WORKGROUP;
 use topple::backend::gpu::slots::SIDES;
 use topple::backend::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
@@ -28,13 +28,13 @@ use topple::model::real::Real;
 use topple::scene::record::synthetic;
 use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::work::vectors::lanes_of;
-use traces::{BATCH, Purpose, Traces, record, turns};
+use traces::{AT_ONCE, Purpose, Traces, record, turns};
 
 /// Most cells of a tile: `src/backend/gpu/run.rs`.
 const MOST_CELLS: usize = 1 << 18;
 /// What the shader and its host do.
 const PRESENT: Choice = Choice {
-    chunk: CHUNK,
+    dispatch: DISPATCH_TURNS,
     block: (BLOCK_WIDTH, BLOCK_HEIGHT),
     workgroup: WORKGROUP,
     refill: None,
@@ -65,7 +65,7 @@ fn percent(part: usize, whole: usize) -> f64 {
 fn on_cpu<R: Real>(name: &str, plan: &Plan, grid: &Grid) -> Traces {
     let traces = record::<R>(plan, grid);
     let (trials, width) = (traces.all(), lanes_of::<R>(Level::new()));
-    let half = |odd| (0..grid.len()).filter(move |cell| cell / BATCH % 2 == odd);
+    let half = |odd| (0..grid.len()).filter(move |cell| cell / AT_ONCE % 2 == odd);
     let turns = turns(&traces, half(0), width) + turns(&traces, half(1), width);
     print!("{name:<24} {:8.1}", trials.len() as f64 / grid.len() as f64);
     print!(" {:8.2}", percent(trials.len(), turns * width));
@@ -95,8 +95,8 @@ fn print(name: &str, tally: &Tally, kind: Kind) {
 
 fn choices() -> Vec<(String, Choice)> {
     let mut all = vec![("as it is".to_string(), PRESENT)];
-    for chunk in [32, 64, 96, 192, 256, 512] {
-        all.push((format!("chunks of {chunk}"), Choice { chunk, ..PRESENT }));
+    for dispatch in [32, 64, 96, 192, 256, 512] {
+        all.push((format!("dispatches of {dispatch}"), Choice { dispatch, ..PRESENT }));
     }
     for block in [(1, 1), (4, 8), (2, 16), (1, 32), (8, 8)] {
         let name = format!("blocks of {} x {}", block.0, block.1);

@@ -18,7 +18,7 @@ use traces::{Packed, Purpose, Traces, Trial, record};
 use crate::common::{all, object};
 
 const CHOICE: Choice = Choice {
-    chunk: 8,
+    dispatch: 8,
     block: (1, 1),
     workgroup: 64,
     refill: None,
@@ -133,7 +133,7 @@ fn sweep(traces: &Traces, choice: Choice) -> Tally {
     let mut card = Card::new(traces, choice, 4);
     let mut list: Vec<u32> = (0..traces.len() as u32).collect();
     while !list.is_empty() {
-        list = card.launch(&list, choice.chunk as usize).0;
+        list = card.dispatch(&list, choice.dispatch as usize).0;
     }
     card.tally
 }
@@ -159,17 +159,17 @@ fn a_long_cell_leaves_the_lanes_beside_it_idle_until_the_list_is_made_anew() {
     let tally = sweep(&traces, CHOICE);
     // Four warps for the first eight turns, one for the others.
     assert_eq!((tally.turns, tally.filled, tally.seeking), (4 * 8 + 72, all, all));
-    let never = sweep(&traces, Choice { chunk: 1000, ..CHOICE });
+    let never = sweep(&traces, Choice { dispatch: 1000, ..CHOICE });
     assert_eq!((never.turns, never.filled), (4 * 80, all));
     // All short ones at once, and all long ones.
     let mut sorted = Traces::default();
     for number in 0..4 * WARP {
         sorted.add(&cell(if number < 4 { 80 } else { 4 }, Purpose::Uplift));
     }
-    let tally = sweep(&sorted, Choice { chunk: 1000, workgroup: 32, ..CHOICE });
+    let tally = sweep(&sorted, Choice { dispatch: 1000, workgroup: 32, ..CHOICE });
     assert_eq!((tally.turns, tally.filled, tally.useful), (80 + 3 * 4, all, 0));
     // The first workgroup of two warps holds the card until its long cells are done.
-    let tally = sweep(&sorted, Choice { chunk: 1000, ..CHOICE });
+    let tally = sweep(&sorted, Choice { dispatch: 1000, ..CHOICE });
     assert_eq!(tally.waiting, 76);
 }
 
@@ -177,7 +177,7 @@ fn a_long_cell_leaves_the_lanes_beside_it_idle_until_the_list_is_made_anew() {
 fn threads_that_take_the_next_cell_have_one_to_the_last() {
     let mut traces = Traces::default();
     (0..256 * WARP).for_each(|number| traces.add(&cell(1 + number % 7, Purpose::Step)));
-    let refilled = Choice { chunk: 1000, refill: Some(1), ..CHOICE };
+    let refilled = Choice { dispatch: 1000, refill: Some(1), ..CHOICE };
     let tally = sweep(&traces, refilled);
     assert_eq!(tally.filled, traces.all().len());
     assert!(tally.filled * 100 > 97 * tally.turns * WARP, "{tally:?}");
@@ -189,10 +189,10 @@ fn every_choice_makes_every_trial_once() {
     let scene = map();
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let traces = record::<f32>(&plan, &grid);
-    for (chunk, workgroup, refill) in
+    for (dispatch, workgroup, refill) in
         [(8, 64, None), (128, 32, None), (128, 128, None), (128, 64, Some(16)), (64, 32, Some(1))]
     {
-        let tally = sweep(&traces, Choice { chunk, workgroup, refill, ..CHOICE });
+        let tally = sweep(&traces, Choice { dispatch, workgroup, refill, ..CHOICE });
         assert_eq!(tally.filled, traces.all().len());
         assert!(tally.few <= tally.searching && tally.searching <= tally.turns);
         let uplifts = traces.all().iter().filter(|trial| trial.purpose() == Purpose::Uplift);

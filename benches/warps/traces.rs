@@ -70,7 +70,7 @@ pub struct Trial {
 }
 
 /// Cells that a thread takes at once: as many as the sweep's.
-pub const BATCH: usize = 64;
+pub const AT_ONCE: usize = 64;
 
 const ROCKING: u8 = 16;
 const AT_EDGE: u8 = 32;

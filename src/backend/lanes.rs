@@ -20,9 +20,9 @@ use crate::work::threads::install;
 use crate::work::vectors::vectorized;
 
 /// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
-const BATCH: usize = 64;
+const AT_ONCE: usize = 64;
 
-/// The cells that a thread takes from the queue, and the outcomes that it gives back, in batches.
+/// The cells that a thread takes from the queue, and the outcomes that it gives back, some at a time.
 struct ThreadFeed<'a, R> {
     run: &'a CellRun<'a>,
     observer: &'a dyn Observer,
@@ -31,7 +31,7 @@ struct ThreadFeed<'a, R> {
     order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Vec<Outcome>>,
-    batch: Range<usize>,
+    taken: Range<usize>,
     ended: Vec<(usize, Outcome)>,
 }
 
@@ -55,15 +55,15 @@ impl<R: Real> ThreadFeed<'_, R> {
 impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     #[inline(always)]
     fn next(&mut self) -> Option<Job<R>> {
-        if self.batch.is_empty() {
+        if self.taken.is_empty() {
             if self.cancelled() {
                 return None;
             }
             let count = self.run.cells.len();
-            let from = self.queue.fetch_add(BATCH, Ordering::Relaxed).min(count);
-            self.batch = from..(from + BATCH).min(count);
+            let from = self.queue.fetch_add(AT_ONCE, Ordering::Relaxed).min(count);
+            self.taken = from..(from + AT_ONCE).min(count);
         }
-        let place = self.batch.next()?;
+        let place = self.taken.next()?;
         let number = self.order.map_or(place, |order| order[place] as usize);
         let (cell, state) = self.all.begin(number);
         Some(Job { number, cell, state })
@@ -77,7 +77,7 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     fn done(&mut self, job: &Job<R>) {
         let outcome = self.all.outcome(job.number, &job.state);
         self.ended.push((job.number, outcome));
-        if self.ended.len() == BATCH {
+        if self.ended.len() == AT_ONCE {
             self.deliver();
         }
     }
@@ -109,8 +109,8 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Ve
                 order: order.as_deref(),
                 queue: &queue,
                 outcomes: &outcomes,
-                batch: 0..0,
-                ended: Vec::with_capacity(BATCH),
+                taken: 0..0,
+                ended: Vec::with_capacity(AT_ONCE),
             };
             let zero = R::of(0.0);
             if shared.variant.recorded {

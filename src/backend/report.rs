@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::description::AdapterDescription;
-use super::dispatch::Backend;
+use super::ready::Backend;
 use crate::model::precision::Precision;
 use crate::scene::record::Provenance;
 

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::backend_error::BackendError;
-use super::dispatch::Backend;
 #[cfg(feature = "gpu")]
 use super::gpu::{adapter, opened::Gpu};
+use super::ready::Backend;
 use crate::model::precision::Precision;
 
 /// The backend that a user asks for.

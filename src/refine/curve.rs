@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::backend::backend_error::BackendError;
 use crate::backend::by_reference::by_reference;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::scene::{Grid, Parameter, Scene};

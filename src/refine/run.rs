@@ -11,7 +11,7 @@ use super::refiner::Refiner;
 use super::report::RefineReport;
 use super::settings::RefineSettings;
 use super::smooth::Smooth;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::results::store::LISTS;
 use crate::scene::{Grid, Scene, SceneError};
 use crate::sweep::error::SweepError;

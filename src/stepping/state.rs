@@ -1,4 +1,4 @@
-//! What a cell carries from chunk to chunk, and its extremes so far. Twin of `shaders/state.wgsl`.
+//! What a cell carries from dispatch to dispatch, and its extremes so far. Twin of `shaders/state.wgsl`.
 
 use bytemuck::Zeroable;
 

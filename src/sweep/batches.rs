@@ -8,7 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use crate::backend::backend_error::BackendError;
-use crate::backend::dispatch::BackendOutcomes;
+use crate::backend::ready::BackendOutcomes;
 use crate::results::block::Block;
 use crate::work::threads::Threads;
 
@@ -85,7 +85,7 @@ struct Pool {
 
 impl Pool {
     /// Gives every idle worker a batch, while there are any.
-    fn dispatch(&mut self) {
+    fn hand_out(&mut self) {
         while let Some(worker) = self.idle.pop() {
             let Some(mut cells) = self.queue.pop_front() else {
                 self.idle.push(worker);
@@ -140,7 +140,7 @@ pub fn sweep<E: Send>(
         };
         let keeper =
             scope.spawn(move || to_keep.iter().try_for_each(|(first, block)| keep(first, block)));
-        pool.dispatch();
+        pool.hand_out();
         while pool.running > 0
             && let Ok((worker, cells, swept)) = reports.recv()
         {
@@ -154,7 +154,7 @@ pub fn sweep<E: Send>(
                 Err(error) => {
                     pool.queue.push_front(cells);
                     took.lost.push((worker, error));
-                    pool.dispatch();
+                    pool.hand_out();
                 }
                 Ok(swept) => {
                     times[worker].0 += swept.elapsed;
@@ -162,7 +162,7 @@ pub fn sweep<E: Send>(
                     // A last batch that is cut short says no less of the worker's speed.
                     pool.sizes[worker] = sizes.after(cells.len(), swept.elapsed);
                     pool.idle.push(worker);
-                    pool.dispatch();
+                    pool.hand_out();
                     if done.send((cells.start, swept.block)).is_err() {
                         // The keeper has ended, with an error.
                         break;

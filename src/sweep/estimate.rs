@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::error::SweepError;
 use super::settings::Method;
 use crate::backend::cell_run::CellRun;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::results::about::Source;
 use crate::results::size::FileSizes;
 use crate::scene::{Grid, Scene};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::settings::Method;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::model::precision::Precision;
 use crate::results::identity::Identity;
 use crate::results::shard::Shard;

@@ -14,7 +14,7 @@ use super::map::MapSweep;
 use super::runner::{Runner, SHORTEST};
 use super::settings::{Method, RunSettings, Saving};
 use crate::backend::backend_error::BackendError;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::backend::report::{Report, threads};
 use crate::backend::request::OpenBackends;
 use crate::cells::plan::Plan;

@@ -12,7 +12,7 @@ use super::settings::{Method, VerifySettings};
 use super::shards::Shards;
 use super::verification::{self, Verification};
 use crate::backend::backend_error::BackendError;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::backend::report::{self, Report};
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;

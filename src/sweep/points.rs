@@ -2,7 +2,7 @@
 
 use super::error::SweepError;
 use super::runner::Runner;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::scene::grid::{AXES, Place};

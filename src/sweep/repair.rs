@@ -15,7 +15,7 @@ use super::map::MapSweep;
 use super::repaired::Repair;
 use super::runner::Runner;
 use super::sample::beside_boundary;
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::results::replaced::ReplacedOutcomes;

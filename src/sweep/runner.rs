@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use super::batches::{self, BatchError, Sizes, WorkReport, Worker};
 use crate::backend::backend_error::BackendError;
 use crate::backend::cell_run::{CellRun, Snapshots};
-use crate::backend::dispatch::Backend;
+use crate::backend::ready::Backend;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::block::Block;

@@ -3,10 +3,10 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::run::Sweeper;
 use topple::backend::gpu::shader::{self, Switches};
+use topple::backend::ready::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;

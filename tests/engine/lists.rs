@@ -1,7 +1,7 @@
 //! Lists of cells: each has the outcome that it has in a sweep of the whole grid.
 
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};

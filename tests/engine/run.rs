@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::backend::request::BackendRequest;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;

@@ -216,7 +216,7 @@ fn uniform_numbers_lie_as_a_uniform_buffer_asks() {
             .filter(|(_, variable)| variable.space == naga::AddressSpace::Uniform)
             .filter_map(|(_, variable)| variable.name.as_deref())
             .collect();
-        assert_eq!(uniform, ["uniform_model", "chunk", "tile"]);
+        assert_eq!(uniform, ["uniform_model", "dispatch", "tile"]);
     }
 }
 

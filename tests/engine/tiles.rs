@@ -59,7 +59,7 @@ fn swept<R: Real>(
     ran
 }
 
-/// The number of tiles, and the chunks that follow from the clock, have no say in any bit.
+/// The number of tiles, and the dispatches that follow from the clock, have no say in any bit.
 #[test]
 fn many_tiles_make_the_map_of_one() {
     let Some(gpu) = gpu("many tiles", Precision::F32) else { return };

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::results::size::room;
 use topple::scene::{Parameter, Scene};
 use topple::sweep::estimate::Estimate;

@@ -1,7 +1,7 @@
 //! What a map takes of memory, and what there is.
 
 use sysinfo::{MemoryRefreshKind, RefreshKind, System};
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::model::precision::Precision;
 use topple::results::block::bytes_a_cell;
 use topple::scene::{Grid, Scene};

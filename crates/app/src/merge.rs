@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::backend::request::BackendRequest;
 use topple::refine::run as refine;
 use topple::results::earlier::Kind;

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use std::time::Duration;
 
 use topple::backend::backend_error::BackendError;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::backend::request::{BackendRequest, OpenBackends};
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;

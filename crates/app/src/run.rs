@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::refine::refined::RefinedMap;
 use topple::refine::run as refine;
 use topple::refine::settings::RefineSettings;

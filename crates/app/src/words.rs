@@ -6,7 +6,7 @@ use anstyle::Style;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use crate::manifest::Timings;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
 use topple::cells::shortcuts::Shortcuts;

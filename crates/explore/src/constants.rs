@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::asked::SYNTHETIC;
 use super::frame::type_of;
-use topple::backend::gpu::pace::CHUNK;
+use topple::backend::gpu::pace::DISPATCH_TURNS;
 use topple::backend::gpu::pipelines::WORKGROUP;
 use topple::cells::clock;
 use topple::cells::groups::FLIGHTS_A_STEP;
@@ -78,7 +78,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
             "model": size_of::<Model<f32>>() / 4,
         },
         "workgroup": WORKGROUP,
-        "chunk": CHUNK,
+        "dispatch_turns": DISPATCH_TURNS,
         "record": record.map(samples),
     }))
 }

@@ -14,7 +14,7 @@ use wgpu::{
 use super::device::OpenDevice;
 use super::listed::{self, Firsts};
 use super::pipelines::Pipelines;
-use super::slots::{CHUNK_STRIDE, RING, Slots, refill};
+use super::slots::{DISPATCH_STRIDE, RING, Slots, refill};
 use super::tile::{Layout, OwnClocks, Tile};
 use crate::cells::cell_tables::Clocks;
 use crate::cells::contact::full_contact::FullContactMotions;
@@ -44,8 +44,8 @@ pub struct Inputs<R> {
     words: Vec<u32>,
     /// The clocks, where the tables hold them.
     steps: Vec<Steps<R>>,
-    /// The buffers of a chunk, by its place in the ring.
-    pub chunks: [BindGroup; RING],
+    /// The buffers of a dispatch, by its place in the ring.
+    pub dispatches: [BindGroup; RING],
 }
 
 /// A buffer with these contents, one number at least.
@@ -114,11 +114,11 @@ impl<R: Real> Inputs<R> {
         let record = filled::<R>(gpu, "record", bytemuck::cast_slice(record), storage);
         let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
         let models = [&model, &bodies];
-        let chunks = chunk_groups(gpu, &pipelines.sweep, slots, models, &record);
-        Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, chunks }
+        let dispatches = dispatch_groups(gpu, &pipelines.sweep, slots, models, &record);
+        Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, dispatches }
     }
 
-    /// Puts on the device what a tile has of its own, on a side, for the chunk of a number; the threads
+    /// Puts on the device what a tile has of its own, on a side, for the dispatch of a number; the threads
     /// that make its cells, and their buffers.
     pub fn begin(
         &self,
@@ -226,7 +226,7 @@ fn bind(
     })
 }
 
-fn chunk_groups(
+fn dispatch_groups(
     gpu: &OpenDevice,
     pipeline: &ComputePipeline,
     slots: &Slots,
@@ -234,16 +234,16 @@ fn chunk_groups(
     record: &Buffer,
 ) -> [BindGroup; RING] {
     std::array::from_fn(|place| {
-        let chunk = BindingResource::Buffer(BufferBinding {
-            buffer: &slots.chunk,
-            offset: place as u64 * CHUNK_STRIDE,
+        let dispatch = BindingResource::Buffer(BufferBinding {
+            buffer: &slots.dispatch,
+            offset: place as u64 * DISPATCH_STRIDE,
             size: BufferSize::new(16),
         });
         let mut bound = vec![
             (0, model.as_entire_binding()),
             (1, slots.cells.as_entire_binding()),
             (2, slots.states.as_entire_binding()),
-            (3, chunk),
+            (3, dispatch),
             (4, slots.tally.as_entire_binding()),
             (5, record.as_entire_binding()),
             (7, slots.running.as_entire_binding()),

@@ -11,7 +11,7 @@ use crate::cells::ready::Cells;
 use crate::model::real::Real;
 
 /// Cells on the device.
-pub struct Loaded<R> {
+pub struct LoadedTile<R> {
     /// Number of the tile.
     pub number: usize,
     /// Its cells, by their numbers in the list.
@@ -30,7 +30,7 @@ pub struct Loaded<R> {
     pub mapped: bool,
 }
 
-impl<R: Real> Loaded<R> {
+impl<R: Real> LoadedTile<R> {
     /// Cells that are done, those that run by the share of their steps. A step takes a turn or more,
     /// so that this is an upper bound.
     pub fn done(&self) -> usize {

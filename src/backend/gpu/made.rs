@@ -3,10 +3,10 @@
 use wgpu::{BufferDescriptor, BufferUsages, CommandEncoderDescriptor};
 
 use super::BackendError;
-use super::chunk::{Begin, Order, receive, submit};
 use super::inputs::Inputs;
 use super::run::Sweeper;
 use super::slots::{SIDES, Slots};
+use super::submission::{Begin, Order, receive, submit};
 use super::tile::OwnClocks;
 use crate::cells::plan::Plan;
 use crate::cells::ready::Cells;
@@ -53,10 +53,10 @@ impl Sweeper<'_> {
             copied: [0; SIDES],
             begin: Some(Begin { side, cells: cells.len(), threads, group }),
             number: 0,
-            chunks: 0,
+            dispatches: 0,
             work: 0,
             running: 0,
-            groups: &inputs.chunks,
+            groups: &inputs.dispatches,
         };
         let flight = submit(gpu, &self.pipelines, &slots, 0, &order)?;
         let report = receive(gpu, &slots, &flight, std::time::Instant::now())?;

@@ -1,8 +1,11 @@
 //! The sweep on a GPU, by wgpu: Vulkan, Metal or DX12.
+//!
+//! A **tile** is the cells that are made, run and read together; a device has two in work at once. A **dispatch** is a call
+//! of the kernel that runs them: each cell gets a stretch of turns. A **submission** is the dispatches that are handed to
+//! the device together.
 
 pub mod adapter;
 pub mod check;
-mod chunk;
 pub(crate) mod device;
 pub(crate) mod inputs;
 pub(crate) mod listed;
@@ -15,6 +18,7 @@ pub mod pipelines;
 pub mod run;
 pub mod shader;
 pub mod slots;
+mod submission;
 pub mod tile;
 mod tiles;
 

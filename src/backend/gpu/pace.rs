@@ -10,16 +10,16 @@ const FIRST_WORK: u32 = 16;
 /// The same in the longest one: a small share of a long cell's, so that the host hears in time of
 /// room for new cells.
 const MOST_WORK: f64 = 512.0;
-/// Turns of a cell in a chunk, after which the list of running cells is made anew. More leave threads
+/// Turns of a cell in a dispatch, after which the list of running cells is made anew. More leave threads
 /// without a cell; fewer move states for nothing. Drivers bound the iterations of a shader's loops,
 /// the software one silently at 65,535 for all loops together.
-pub const CHUNK: u32 = 128;
+pub const DISPATCH_TURNS: u32 = 128;
 /// Cells of the first tile on a device that nothing is known of.
 const FIRST_TILE: f64 = 32_768.0;
 /// Cells of a tile at least.
 const LEAST_TILE: f64 = 8_192.0;
-/// What a chunk of two whole tiles may take.
-const CHUNK_TIME: Duration = Duration::from_millis(50);
+/// What a dispatch of two whole tiles may take.
+const DISPATCH_TIME: Duration = Duration::from_millis(50);
 
 /// How much a device is given at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,12 +37,12 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// Chunks of the next submission, and turns of a cell in each.
-    pub fn chunks(&self) -> (u32, u32) {
+    /// Dispatches of the next submission, and turns of a cell in each.
+    pub fn dispatches(&self) -> (u32, u32) {
         // Between one and the most.
         let work = self.work as u32;
-        let chunks = work.div_ceil(CHUNK);
-        (chunks, work / chunks)
+        let dispatches = work.div_ceil(DISPATCH_TURNS);
+        (dispatches, work / dispatches)
     }
 
     /// Cells of the next tile.
@@ -61,7 +61,7 @@ impl Pace {
         // A device with few cells does not show how many it could have.
         if cells as f64 >= 0.5 * self.tile {
             let rate = work * cells as f64 / took;
-            let most = rate * CHUNK_TIME.as_secs_f64() / (2.0 * f64::from(CHUNK));
+            let most = rate * DISPATCH_TIME.as_secs_f64() / (2.0 * f64::from(DISPATCH_TURNS));
             let ratio = (most / self.tile).clamp(0.25, 4.0);
             self.tile = (self.tile * ratio).max(LEAST_TILE);
         }
@@ -81,8 +81,11 @@ mod tests {
             for _ in 0..20 {
                 pace.learn(256, 1 << 18, host * MILLI, device.map(|device| device * MILLI));
             }
-            let (chunks, work) = pace.chunks();
-            assert!(chunks * work < 256, "{host} ms, {device:?} ms: {chunks} chunks of {work}");
+            let (dispatches, work) = pace.dispatches();
+            assert!(
+                dispatches * work < 256,
+                "{host} ms, {device:?} ms: {dispatches} dispatches of {work}"
+            );
         }
     }
 
@@ -91,21 +94,21 @@ mod tests {
         let after = |steps_a_second: f64| {
             let mut pace = Pace::default();
             for _ in 0..20 {
-                let (chunks, work) = pace.chunks();
+                let (dispatches, work) = pace.dispatches();
                 let cells = 2 * pace.tile();
-                let took = f64::from(chunks * work) * cells as f64 / steps_a_second;
-                pace.learn(chunks * work, cells, Duration::from_secs_f64(took), None);
+                let took = f64::from(dispatches * work) * cells as f64 / steps_a_second;
+                pace.learn(dispatches * work, cells, Duration::from_secs_f64(took), None);
             }
-            (pace.chunks(), pace.tile())
+            (pace.dispatches(), pace.tile())
         };
-        // Tiles grow until a chunk of two of them takes its time; as many chunks fill a submission.
-        let (chunks, tile) = after(1.0e11);
-        let fill = (LONGEST.as_secs_f64() / CHUNK_TIME.as_secs_f64()) as u32;
-        assert_eq!(chunks, (fill, CHUNK));
+        // Tiles grow until a dispatch of two of them takes its time; as many dispatches fill a submission.
+        let (dispatches, tile) = after(1.0e11);
+        let fill = (LONGEST.as_secs_f64() / DISPATCH_TIME.as_secs_f64()) as u32;
+        assert_eq!(dispatches, (fill, DISPATCH_TURNS));
         assert!(tile > 1 << 18);
-        // A million steps a second: one chunk would take two seconds.
-        let ((chunks, work), tile) = after(1.0e6);
-        assert_eq!((chunks, tile), (1, 8192));
+        // A million steps a second: one dispatch would take two seconds.
+        let ((dispatches, work), tile) = after(1.0e6);
+        assert_eq!((dispatches, tile), (1, 8192));
         assert!((1..8).contains(&work));
     }
 }

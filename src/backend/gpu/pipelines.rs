@@ -17,7 +17,7 @@ pub const WORKGROUP: usize = 64;
 pub struct Pipelines {
     /// Makes a tile's cells.
     pub begin: ComputePipeline,
-    /// Runs a chunk of their steps.
+    /// Runs a dispatch of their turns.
     pub sweep: ComputePipeline,
 }
 

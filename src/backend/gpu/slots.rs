@@ -18,12 +18,12 @@ use crate::stepping::state::State;
 pub const SIDES: usize = 2;
 /// Submissions on the way at once: while the host looks at one, the device runs the next.
 pub const FLIGHTS: usize = 2;
-/// Chunks in the ring of tallies.
+/// Dispatches in the ring of tallies.
 pub const RING: usize = 4;
 /// Bytes of a tally.
 pub const TALLY: u64 = 32;
-/// From one chunk's uniform numbers to the next one's: what every device allows.
-pub const CHUNK_STRIDE: u64 = 256;
+/// From one dispatch's uniform numbers to the next one's: what every device allows.
+pub const DISPATCH_STRIDE: u64 = 256;
 
 /// Buffers for two tiles of cells.
 pub struct Slots {
@@ -37,9 +37,9 @@ pub struct Slots {
     pub cells: Buffer,
     /// Their states.
     pub states: Buffer,
-    /// How much a chunk is to do, by its place in the ring.
-    pub chunk: Buffer,
-    /// What chunks did.
+    /// How much a dispatch is to do, by its place in the ring.
+    pub dispatch: Buffer,
+    /// What dispatches did.
     pub tally: Buffer,
     /// The two lists of running cells.
     pub running: Buffer,
@@ -138,7 +138,7 @@ impl Slots {
             events_size,
             cells: buffer(gpu, "cells", slots * cell_size, BOTH_WAYS),
             states: buffer(gpu, "states", slots * state_size, BOTH_WAYS),
-            chunk: buffer(gpu, "chunk", RING as u64 * CHUNK_STRIDE, UNIFORM),
+            dispatch: buffer(gpu, "dispatch", RING as u64 * DISPATCH_STRIDE, UNIFORM),
             tally: buffer(gpu, "tally", TALLY, BOTH_WAYS),
             running: buffer(gpu, "running", 2 * 4 * slots, BOTH_WAYS),
             events: kept(slots, BOTH_WAYS),

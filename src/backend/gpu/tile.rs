@@ -57,7 +57,7 @@ pub struct Tile {
     pub first_slot: u32,
     /// Slots of all tiles.
     pub slots: u32,
-    /// Number of the chunk that is to run the cells first.
+    /// Number of the dispatch that is to run the cells first.
     pub number: u32,
     /// Fills the struct to whole 16 bytes.
     pub padding_0: u32,
@@ -154,7 +154,7 @@ pub struct OwnClocks<R> {
 }
 
 /// Cells whose clocks are listed together.
-const CHUNK: usize = 1 << 12;
+const TOGETHER: usize = 1 << 12;
 /// Clocks that are known again; one that is forgotten is listed once more.
 const REMEMBERED: usize = 256;
 
@@ -163,16 +163,16 @@ impl<R: Real> OwnClocks<R> {
     pub fn of(tables: &CellTables<R>, cells: Range<usize>) -> Option<OwnClocks<R>> {
         let Clocks::Own(parts) = &tables.clocks else { return None };
         let mut numbers = vec![0; cells.len()];
-        let chunks = numbers.par_chunks_mut(CHUNK).enumerate();
-        let first = |chunk| cells.start + chunk * CHUNK;
+        let groups = numbers.par_chunks_mut(TOGETHER).enumerate();
+        let first = |group| cells.start + group * TOGETHER;
         let lists: Vec<Vec<OwnClock>> =
-            chunks.map(|(chunk, numbers)| list(tables, parts, first(chunk), numbers)).collect();
+            groups.map(|(group, numbers)| list(tables, parts, first(group), numbers)).collect();
         let firsts: Vec<u32> = lists
             .iter()
             .scan(0, |first, list| Some(std::mem::replace(first, *first + list.len() as u32)))
             .collect();
-        let chunks = numbers.par_chunks_mut(CHUNK).zip(&firsts);
-        chunks.for_each(|(numbers, first)| numbers.iter_mut().for_each(|number| *number += first));
+        let groups = numbers.par_chunks_mut(TOGETHER).zip(&firsts);
+        groups.for_each(|(numbers, first)| numbers.iter_mut().for_each(|number| *number += first));
         let (clocks, steps) =
             lists.par_iter().flatten_iter().map(|listed| (listed.clock, listed.steps())).unzip();
         Some(OwnClocks { numbers, clocks, steps })

@@ -1,10 +1,10 @@
 //! Tiles of cells, two on the device at once.
 //!
-//! The cells of both are in one list, which is made anew after every chunk of steps, so that threads
+//! The cells of both are in one list, which is made anew after every dispatch, so that threads
 //! have cells however unlike the cells are. When few run, those of the next tile are made and join
 //! them. A tile whose last cell is done is read while the device goes on.
 //!
-//! All cells of the list get their turns in every chunk, so that it does not matter which come first;
+//! All cells of the list get their turns in every dispatch, so that it does not matter which come first;
 //! long ones end last, beside the first ones of the next tile.
 
 use std::collections::VecDeque;
@@ -12,13 +12,13 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use super::BackendError;
-use super::chunk::{Begin, Flight, Order, Report, receive, submit};
 use super::device::OpenDevice;
 use super::inputs::Inputs;
-use super::loaded::Loaded;
+use super::loaded::LoadedTile;
 use super::outcomes::DeviceOutcomes;
 use super::pipelines::Pipelines;
 use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
+use super::submission::{Begin, Flight, Order, Report, receive, submit};
 use super::tile::OwnClocks;
 use crate::cells::ready::Cells;
 use crate::model::excitation::Ground;
@@ -38,14 +38,14 @@ pub struct Tiles<'a, R> {
     /// Cells of a tile at most.
     most_cells: usize,
     /// Tiles whose cells run.
-    sides: [Option<Loaded<R>>; SIDES],
+    sides: [Option<LoadedTile<R>>; SIDES],
     /// Tiles whose last states are being copied to the host.
-    copied: [Option<Loaded<R>>; SIDES],
+    copied: [Option<LoadedTile<R>>; SIDES],
     flights: VecDeque<Flight>,
-    /// Submissions made and heard of, chunks, tiles begun and read.
+    /// Submissions made and heard of, dispatches, tiles begun and read.
     submitted: usize,
     heard: usize,
-    chunks: u32,
+    dispatches: u32,
     begun: usize,
     read: usize,
     /// Cells that ran after the last submission heard of.
@@ -90,7 +90,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             flights: VecDeque::with_capacity(FLIGHTS),
             submitted: 0,
             heard: 0,
-            chunks: 0,
+            dispatches: 0,
             begun: 0,
             read: 0,
             running: 0,
@@ -153,16 +153,16 @@ impl<'a, R: Real> Tiles<'a, R> {
             _ => None,
         };
         let running = bound + begin.as_ref().map_or(0, |begin| begin.cells);
-        let (chunks, work) = if running > 0 { self.slots.pace.chunks() } else { (0, 0) };
-        if copied == [0; SIDES] && chunks == 0 {
+        let (dispatches, work) = if running > 0 { self.slots.pace.dispatches() } else { (0, 0) };
+        if copied == [0; SIDES] && dispatches == 0 {
             return Ok(false);
         }
-        let (number, groups) = (self.chunks, &self.inputs.chunks);
-        let order = Order { copied, begin, number, chunks, work, running, groups };
+        let (number, groups) = (self.dispatches, &self.inputs.dispatches);
+        let order = Order { copied, begin, number, dispatches, work, running, groups };
         let place = self.submitted % FLIGHTS;
         self.flights.push_back(submit(self.gpu, self.pipelines, self.slots, place, &order)?);
         self.submitted += 1;
-        self.chunks = self.chunks.wrapping_add(chunks);
+        self.dispatches = self.dispatches.wrapping_add(dispatches);
         Ok(true)
     }
 
@@ -176,13 +176,13 @@ impl<'a, R: Real> Tiles<'a, R> {
             Some(own) => own.clocks.iter().map(|clock| clock.steps).max().unwrap_or(0),
             None => tables.longest(),
         };
-        let (gpu, number) = (self.gpu, self.chunks);
+        let (gpu, number) = (self.gpu, self.dispatches);
         let (threads, group) = gpu.checked(|| {
             let tile = (self.all, cells.clone());
             self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
         self.most_steps += count as u64 * u64::from(longest);
-        self.sides[side] = Some(Loaded {
+        self.sides[side] = Some(LoadedTile {
             number: self.begun,
             cells,
             own,
@@ -242,7 +242,7 @@ impl<'a, R: Real> Tiles<'a, R> {
     /// Cells that are done, those that run by the share of their steps.
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
-        let running = self.sides.iter().flatten().map(Loaded::done).sum::<usize>();
+        let running = self.sides.iter().flatten().map(LoadedTile::done).sum::<usize>();
         self.results.done + ended + running
     }
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use topple::backend::backend_error::BackendError;
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::clock::Resolution;
 use topple::cells::plan::Plan;
 use topple::results::files::Directory;

@@ -10,9 +10,9 @@ use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
 use topple::backend::description::AdapterDescription;
-use topple::backend::dispatch::Backend;
 use topple::backend::gpu::adapter;
 use topple::backend::gpu::check;
+use topple::backend::ready::Backend;
 use topple::backend::request::{OpenBackends, first_that_opens};
 use topple::model::precision::Precision;
 

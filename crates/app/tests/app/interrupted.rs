@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use tempfile::TempDir;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;

@@ -9,7 +9,7 @@ use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::scene::Grid;

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::model::precision::Precision;
 use topple::refine::codes::code;
 use topple::refine::refined::RefinedMap;

@@ -11,7 +11,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::{Backend, BackendOutcomes};
+use topple::backend::ready::{Backend, BackendOutcomes};
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::results::about::Source;

@@ -27,7 +27,7 @@ export async function readFrames(stream, onFrame) {
 /** Bytes of a stream, so many at a time, each taken at the start of a buffer of its own. */
 function bytes(stream) {
   const reader = stream.getReader();
-  let chunks = [];
+  let pieces = [];
   let held = 0;
   async function take(many) {
     while (held < many) {
@@ -36,17 +36,17 @@ function bytes(stream) {
         if (held === 0) return null;
         throw new EngineError({ line: 'the answer ended in the middle of a picture', lost: true });
       }
-      chunks.push(value);
+      pieces.push(value);
       held += value.length;
     }
     const taken = new Uint8Array(many);
     let at = 0;
     while (at < many) {
-      const part = chunks[0].subarray(0, many - at);
+      const part = pieces[0].subarray(0, many - at);
       taken.set(part, at);
       at += part.length;
-      if (part.length === chunks[0].length) chunks.shift();
-      else chunks[0] = chunks[0].subarray(part.length);
+      if (part.length === pieces[0].length) pieces.shift();
+      else pieces[0] = pieces[0].subarray(part.length);
     }
     held -= many;
     return taken;

@@ -86,7 +86,7 @@ function patterned(place, codes, frame, at, unit) {
     });
   const columns = cells(width, at.x - place.left, at.width, nx);
   const rows = cells(height, at.y - place.top, at.height, ny);
-  const tiles = PATTERNS.map(([bit, name]) => ({ bit, ...tile(name, unit) }));
+  const patterns = PATTERNS.map(([bit, name]) => ({ bit, ...pixelsOf(name, unit) }));
   const words = new Uint32Array(width * height);
   for (let py = 0; py < height; py += 1) {
     if (rows[py] < 0) continue;
@@ -94,7 +94,7 @@ function patterned(place, codes, frame, at, unit) {
     for (let px = 0; px < width; px += 1) {
       const code = columns[px] < 0 ? 0 : codes[row + columns[px]];
       if (code === 0) continue;
-      for (const { bit, size, words: pattern } of tiles) {
+      for (const { bit, size, words: pattern } of patterns) {
         if (code & bit) words[py * width + px] ||= pattern[(py % size) * size + (px % size)];
       }
     }
@@ -102,17 +102,17 @@ function patterned(place, codes, frame, at, unit) {
   return new ImageData(new Uint8ClampedArray(words.buffer), width, height);
 }
 
-const tiles = new Map();
+const made = new Map();
 
 /** The pixels of a pattern. */
-function tile(name, unit) {
+function pixelsOf(name, unit) {
   const key = `${name} ${unit}`;
-  if (!tiles.has(key)) {
+  if (!made.has(key)) {
     const canvas = swatch(name, unit);
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    tiles.set(key, { size: canvas.width, words: new Uint32Array(data.buffer) });
+    made.set(key, { size: canvas.width, words: new Uint32Array(data.buffer) });
   }
-  return tiles.get(key);
+  return made.get(key);
 }
 
 /** A square that a pattern repeats. */

@@ -110,7 +110,7 @@ COMPARE = """async ([file, spoiled]) => {
   const { partsOf } = await import('/gpu/plan.js');
   const { CellTables, stepWords } = await import('/gpu/tables.js');
   const { tileOf } = await import('/gpu/tile.js');
-  const { LoadedTile } = await import('/gpu/chunks.js');
+  const { LoadedTile } = await import('/gpu/loaded.js');
   const { samplesOf, sweepCells } = await import('/gpu/sweep.js');
   const { Pace } = await import('/gpu/pace.js');
   const library = await of(file);
@@ -187,7 +187,7 @@ RANDOM = """async () => {
   const { partsOf } = await import('/gpu/plan.js');
   const { CellTables } = await import('/gpu/tables.js');
   const { tileOf } = await import('/gpu/tile.js');
-  const { LoadedTile } = await import('/gpu/chunks.js');
+  const { LoadedTile } = await import('/gpu/loaded.js');
   const { samplesOf } = await import('/gpu/sweep.js');
   const { count, scenes } = await of('/library/random.json');
   const told = { cells: 0, refused: 0, wrong: [] };

@@ -6,7 +6,7 @@
 
 use std::io::Write;
 
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::plan::Plan;
 use topple::refine::curve::{Bracket, Curve, CurvePoint, ReferenceWord, WITHIN};
 use topple::results::csv::Number;

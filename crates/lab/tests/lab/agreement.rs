@@ -213,7 +213,7 @@ fn a_shader_that_does_nothing_is_an_error() {
     // States zeroed behind the sweep's back.
     let zeroed = sweep("states[lane] = state;", "states[lane] = State();");
     assert!(matches!(zeroed, Err(BackendError::Unfinished(_))), "{zeroed:?}");
-    // Cells that a chunk leaves running lost from the list of the next.
+    // Cells that a dispatch leaves running lost from the list of the next.
     let lost = sweep("+ group_place + place] = lane;", "+ group_place + place] = 0u;");
     assert!(matches!(lost, Err(BackendError::Unfinished(_))), "{lost:?}");
     let refused = Sweeper::from_source(&gpu, "no shader", plan.variant(), 0);

@@ -14,7 +14,7 @@ use super::verified::Verified;
 use super::wanted::WantedMotion;
 use crate::several::OneOfSeveral;
 use topple::backend::backend_error::BackendError;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::scene::{Parameter, Scene, SceneError, Values};
 use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep_outcomes;

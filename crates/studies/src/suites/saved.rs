@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::results::files::{Directory, WriteError};
 use topple::results::lock::{self, Holds, Lock, lock};
 use topple::results::own::{self, Kind};

@@ -1,6 +1,6 @@
-// The motion of one cell: the same kernels, one step a chunk, the state after each kept.
+// The motion of one cell: the same kernels, one step a dispatch, the state after each kept.
 
-import { LoadedTile, unfinished } from './chunks.js';
+import { LoadedTile, unfinished } from './loaded.js';
 import { timeOf } from './clock.js';
 import { heed } from './errors.js';
 import { known } from './known.js';
@@ -14,8 +14,8 @@ import { tileOf } from './tile.js';
 // Instants of a motion, about: of a longer one every so many steps are kept.
 const MOST_ROWS = 8192;
 // Instants of the first submission and of any, and what one may take, ms: a GPU has other work between the steps of a cell.
-const FIRST_ROWS = 64;
-const MOST_BATCH = 2048;
+const FIRST_AT_ONCE = 64;
+const MOST_AT_ONCE = 2048;
 const LONGEST = 200;
 // Instants of a pulse's ground.
 const PULSE_ROWS = 256;
@@ -26,12 +26,12 @@ async function statesOf(device, loaded, steps, signal) {
   const size = 4 * known.words_of.state;
   loaded.setWork(Math.max(1, Math.ceil(steps / MOST_ROWS)));
   const parts = [];
-  let batch = FIRST_ROWS;
+  let atOnce = FIRST_AT_ONCE;
   let [running, done] = [1, -1];
   while (running > 0) {
     heed(signal);
     const first = parts.length === 0;
-    const kept = device.buffer('kept', (batch + 1) * size, GPUBufferUsage.MAP_READ);
+    const kept = device.buffer('kept', (atOnce + 1) * size, GPUBufferUsage.MAP_READ);
     const encoder = gpu.createCommandEncoder();
     let rows = 0;
     const keep = () => {
@@ -42,9 +42,9 @@ async function statesOf(device, loaded, steps, signal) {
       loaded.encodeBegin(encoder);
       keep();
     }
-    for (let chunk = 0; chunk < batch; chunk += 1) {
+    for (let dispatch = 0; dispatch < atOnce; dispatch += 1) {
       const pass = encoder.beginComputePass();
-      loaded.encodeChunk(pass, 1);
+      loaded.encodeDispatch(pass, 1);
       pass.end();
       keep();
     }
@@ -58,7 +58,7 @@ async function statesOf(device, loaded, steps, signal) {
       kept.destroy();
     }
     const ratio = LONGEST / Math.max(performance.now() - began, 1);
-    batch = Math.min(Math.ceil(batch * Math.min(4, Math.max(0.25, ratio))), MOST_BATCH);
+    atOnce = Math.min(Math.ceil(atOnce * Math.min(4, Math.max(0.25, ratio))), MOST_AT_ONCE);
   }
   const words = new Uint32Array(parts.reduce((sum, part) => sum + part.length, 0));
   parts.reduce((at, part) => {

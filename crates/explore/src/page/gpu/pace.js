@@ -19,13 +19,13 @@ export class Pace {
     this.tile = TILES.first;
   }
 
-  // Chunks of the next submission of so many running cells, and turns of a cell in each.
-  chunks(cells) {
+  // Dispatches of the next submission of so many running cells, and turns of a cell in each.
+  dispatches(cells) {
     // More cells than a submission was measured with may take as much longer.
     const share = this.cells > 0 ? Math.min(1, this.cells / cells) : 1;
     const work = Math.max(1, Math.floor(this.work * share));
-    const chunks = Math.ceil(work / known.chunk);
-    return { chunks, work: Math.floor(work / chunks) };
+    const dispatches = Math.ceil(work / known.dispatch_turns);
+    return { dispatches, work: Math.floor(work / dispatches) };
   }
 
   // Learns what so many turns of so many cells took, ms.
@@ -35,7 +35,7 @@ export class Pace {
     this.cells = cells;
     // A device with few cells does not show how many it could have.
     if (cells < 0.5 * this.tile) return;
-    const most = (work * cells * LONGEST) / (Math.max(took, 1e-3) * known.chunk);
+    const most = (work * cells * LONGEST) / (Math.max(took, 1e-3) * known.dispatch_turns);
     this.tile = Math.round(Math.min(Math.max(most, TILES.least, this.tile / 4), TILES.most, this.tile * 4));
   }
 }

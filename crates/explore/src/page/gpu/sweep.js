@@ -1,6 +1,6 @@
 // Runs a scene's cells on the device, tile by tile.
 
-import { LoadedTile } from './chunks.js';
+import { LoadedTile } from './loaded.js';
 import { heed } from './errors.js';
 import { outcomeOf } from './outcome.js';
 import { partsOf } from './plan.js';

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::scene::{Directions, Grid, Scene};

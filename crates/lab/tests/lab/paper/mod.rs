@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use topple::backend::cell_run::CellRun;
-use topple::backend::dispatch::Backend;
+use topple::backend::ready::Backend;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;

@@ -1,4 +1,4 @@
-//! A submission to the device: it makes cells, runs chunks of steps, and returns a report.
+//! A submission to the device: it makes cells, runs dispatches, and returns a report.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use wgpu::{
 use super::BackendError;
 use super::device::OpenDevice;
 use super::pipelines::{Pipelines, WORKGROUP};
-use super::slots::{CHUNK_STRIDE, RING, SIDES, Slots, TALLY};
+use super::slots::{DISPATCH_STRIDE, RING, SIDES, Slots, TALLY};
 
 /// Cells that are to be made in a submission.
 pub struct Begin {
@@ -30,15 +30,15 @@ pub struct Order<'a> {
     pub copied: [usize; SIDES],
     /// Cells that are made then.
     pub begin: Option<Begin>,
-    /// Number of the first chunk.
+    /// Number of the first dispatch.
     pub number: u32,
-    /// Chunks.
-    pub chunks: u32,
+    /// Dispatches.
+    pub dispatches: u32,
     /// Turns of a cell in each.
     pub work: u32,
     /// Cells that run, at most.
     pub running: usize,
-    /// Buffers of the chunks.
+    /// Buffers of the dispatches.
     pub groups: &'a [BindGroup; RING],
 }
 
@@ -46,7 +46,7 @@ pub struct Order<'a> {
 pub struct Flight {
     /// Its place.
     pub place: usize,
-    /// Number of the chunk after it.
+    /// Number of the dispatch after it.
     pub number: u32,
     /// Turns of a cell in it.
     pub work: u32,
@@ -83,15 +83,15 @@ pub fn submit(
     place: usize,
     order: &Order,
 ) -> Result<Flight, BackendError> {
-    let timed = order.begin.is_some() || order.chunks > 0;
+    let timed = order.begin.is_some() || order.dispatches > 0;
     let submission = gpu.checked(|| {
         let size = (SIDES * slots.tile) as u32;
         for place in 0..RING {
-            let chunk = [size, order.work, place as u32, 0];
-            let place = place as u64 * CHUNK_STRIDE;
-            gpu.queue.write_buffer(&slots.chunk, place, bytemuck::cast_slice(&chunk));
+            let dispatch = [size, order.work, place as u32, 0];
+            let place = place as u64 * DISPATCH_STRIDE;
+            gpu.queue.write_buffer(&slots.dispatch, place, bytemuck::cast_slice(&dispatch));
         }
-        let descriptor = CommandEncoderDescriptor { label: Some("chunks") };
+        let descriptor = CommandEncoderDescriptor { label: Some("dispatches") };
         let mut encoder = gpu.device.create_command_encoder(&descriptor);
         for (side, cells) in order.copied.into_iter().enumerate() {
             copy_back(&mut encoder, slots, side, cells);
@@ -112,8 +112,8 @@ pub fn submit(
     })?;
     Ok(Flight {
         place,
-        number: order.number.wrapping_add(order.chunks),
-        work: order.chunks * order.work,
+        number: order.number.wrapping_add(order.dispatches),
+        work: order.dispatches * order.work,
         running: order.running,
         begun: order.begin.as_ref().map_or(0, |begin| begin.cells),
         copied: order.copied,
@@ -172,8 +172,8 @@ fn run(
         pass.dispatch_workgroups(begin.threads.div_ceil(WORKGROUP) as u32, 1, 1);
     }
     pass.set_pipeline(&pipelines.sweep);
-    for chunk in 0..order.chunks {
-        let number = order.number.wrapping_add(chunk) as usize % RING;
+    for dispatch in 0..order.dispatches {
+        let number = order.number.wrapping_add(dispatch) as usize % RING;
         pass.set_bind_group(0, &order.groups[number], &[]);
         pass.dispatch_workgroups(order.running.div_ceil(WORKGROUP) as u32, 1, 1);
     }

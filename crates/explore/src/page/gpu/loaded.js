@@ -1,10 +1,10 @@
-// A tile of cells on the device: it makes them, runs them in chunks of steps, and gives their last states. Twin:
-// src/backend/gpu/chunk.rs and tiles.rs, with one tile at a time.
+// A tile of cells on the device: it makes them, runs them in dispatches, and gives their last states. Twin:
+// src/backend/gpu/submission.rs, loaded.rs and tiles.rs, with one tile at a time.
 
 import { EngineError, heed } from './errors.js';
 import { known } from './known.js';
 
-// Chunks in the ring of tallies, the bytes of a tally, and the way from one chunk's uniform numbers to the next one's.
+// Dispatches in the ring of tallies, the bytes of a tally, and the way from one dispatch's uniform numbers to the next one's.
 const RING = 4;
 const TALLY = 32;
 const STRIDE = 256;
@@ -21,7 +21,7 @@ export class LoadedTile {
       bodies: device.buffer('bodies', tile.models, STORAGE),
       cells: device.buffer('cells', 4 * known.words_of.cell * count, both),
       states: device.buffer('states', 4 * known.words_of.state * count, both),
-      chunk: device.buffer('chunk', RING * STRIDE, UNIFORM),
+      dispatch: device.buffer('dispatch', RING * STRIDE, UNIFORM),
       tally: device.buffer('tally', TALLY, both),
       record: device.buffer('record', record, STORAGE),
       running: device.buffer('running', 4 * 2 * slots, STORAGE),
@@ -45,12 +45,12 @@ export class LoadedTile {
       11: of.words,
       12: of.motions,
     });
-    this.chunks = Array.from({ length: RING }, (_, place) =>
+    this.dispatches = Array.from({ length: RING }, (_, place) =>
       device.bind(pipelines.sweep, {
         0: of.model,
         1: of.cells,
         2: of.states,
-        3: { buffer: of.chunk, offset: place * STRIDE, size: 16 },
+        3: { buffer: of.dispatch, offset: place * STRIDE, size: 16 },
         4: of.tally,
         5: of.record,
         7: of.running,
@@ -72,17 +72,17 @@ export class LoadedTile {
     pass.end();
   }
 
-  // Says how many turns each cell gets in the chunks to come.
+  // Says how many turns each cell gets in the dispatches to come.
   setWork(work) {
     const contents = new Uint32Array((RING * STRIDE) / 4);
     for (let place = 0; place < RING; place += 1) contents.set([this.slots, work, place, 0], (place * STRIDE) / 4);
-    this.device.gpu.queue.writeBuffer(this.of.chunk, 0, contents);
+    this.device.gpu.queue.writeBuffer(this.of.dispatch, 0, contents);
   }
 
-  // Encodes a chunk of at most so many running cells.
-  encodeChunk(pass, running) {
+  // Encodes a dispatch of at most so many running cells.
+  encodeDispatch(pass, running) {
     pass.setPipeline(this.pipelines.sweep);
-    pass.setBindGroup(0, this.chunks[this.number % RING]);
+    pass.setBindGroup(0, this.dispatches[this.number % RING]);
     pass.dispatchWorkgroups(Math.ceil(running / known.workgroup));
     this.number += 1;
   }
@@ -118,14 +118,14 @@ export class LoadedTile {
       heed(signal);
       const encoder = gpu.createCommandEncoder();
       if (first) this.encodeBegin(encoder);
-      const { chunks, work } = pace.chunks(running);
+      const { dispatches, work } = pace.dispatches(running);
       this.setWork(work);
       const pass = encoder.beginComputePass();
-      for (let chunk = 0; chunk < chunks; chunk += 1) this.encodeChunk(pass, running);
+      for (let dispatch = 0; dispatch < dispatches; dispatch += 1) this.encodeDispatch(pass, running);
       pass.end();
       const began = performance.now();
       const told = await this.submit(encoder);
-      pace.learn(chunks * work, running, performance.now() - began);
+      pace.learn(dispatches * work, running, performance.now() - began);
       if (told.running > 0 && told.steps === steps) throw unfinished(told.running);
       ({ running, steps } = told);
       heard(this.count - running);

@@ -1,4 +1,4 @@
-//! What a sweep runs on.
+//! A backend that is ready to run, whichever it is: from cells to their outcomes.
 
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
