@@ -7,20 +7,20 @@
 const DISPLACEMENT = 0u;
 const VELOCITY = 1u;
 const ACCELERATION = 2u;
-const LEAST = 3u;
+const LOWER = 3u;
 const TOP = 4u;
-const LOWEST = 5u;
-const HYSTERETIC = 5u;
-const MOST = 6u;
-const HIGHEST = 7u;
-const DEEPEST = 8u;
-const STRONGEST = 9u;
-const TROUGH = 6u;
-const CREST = 10u;
+const LEAST_SO_FAR = 5u;
+const Z = 5u;
+const UPPER = 6u;
+const UPPER_SO_FAR = 7u;
+const MINUS_LOWER_SO_FAR = 8u;
+const MAGNITUDE_SO_FAR = 9u;
+const LEAST = 6u;
+const MAGNITUDE = 10u;
 const EIGHTHS_V = 7u;
 const QUARTERS_H = 11u;
 const BOTTOM = 14u;
-const LIGHTEST = 15u;
+const LOWER_SO_FAR = 15u;
 
 // The gap of v that stands for a gap of u: the last one where the motion of v is shorter.
 fn gap_of_v(gap: u32, last_v: u32) -> u32 {
@@ -29,20 +29,20 @@ fn gap_of_v(gap: u32, last_v: u32) -> u32 {
 
 // True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 // (14) is between two bounds, and Y above one.
-fn lifts(lever: real, most: real, least: real, least_y: real) -> bool {
+fn lifts(lever: real, upper: real, lower: real, lower_y: real) -> bool {
     // A negative lever turns the bounds about.
-    let one = lever * most;
-    let other = lever * least;
-    return max(one, other) > model.left.arm * least_y
-        || max(-one, -other) > model.right.arm * least_y;
+    let one = lever * upper;
+    let other = lever * lower;
+    return max(one, other) > model.left.arm * lower_y
+        || max(-one, -other) > model.right.arm * lower_y;
 }
 
 // The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not
 // fall and do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
 fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
-    let highest = h + HIGHEST * tile.across.more;
-    let deepest = h + DEEPEST * tile.across.more;
-    let lightest = v + LIGHTEST * tile.up.more;
+    let upper_so_far = h + UPPER_SO_FAR * tile.across.more;
+    let minus_lower_so_far = h + MINUS_LOWER_SO_FAR * tile.across.more;
+    let lower_so_far = v + LOWER_SO_FAR * tile.up.more;
     var rising = model.left.arm;
     var falling = model.right.arm;
     if lever < 0.0 {
@@ -54,9 +54,9 @@ fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
     var high = last;
     while low < high {
         let gap = (low + high) / 2u;
-        let least_y = motions[lightest + gap_of_v(gap, last_v)];
-        if size * motions[highest + gap] > rising * least_y
-            || size * motions[deepest + gap] > falling * least_y {
+        let lower_y = motions[lower_so_far + gap_of_v(gap, last_v)];
+        if size * motions[upper_so_far + gap] > rising * lower_y
+            || size * motions[minus_lower_so_far + gap] > falling * lower_y {
             high = gap;
         } else {
             low = gap + 1u;
@@ -67,13 +67,13 @@ fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
 
 // The first gap in which a cell may lift, from a gap on, or the last sample.
 fn first_lift(h: u32, v: u32, last: u32, last_v: u32, lever: real, first: u32) -> u32 {
-    let most = h + MOST * tile.across.more;
-    let least = h + LEAST * tile.across.more;
-    let least_y = v + LEAST * tile.up.more;
+    let upper = h + UPPER * tile.across.more;
+    let lower = h + LOWER * tile.across.more;
+    let lower_y = v + LOWER * tile.up.more;
     var sample = first;
     while sample < last {
-        let y = motions[least_y + gap_of_v(sample, last_v)];
-        if lifts(lever, motions[most + sample], motions[least + sample], y) {
+        let y = motions[lower_y + gap_of_v(sample, last_v)];
+        if lifts(lever, motions[upper + sample], motions[lower + sample], y) {
             break;
         }
         sample += 1u;
@@ -102,14 +102,14 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     if tile.still == 1u {
         let y = motions[v + ACCELERATION * all_v];
         if sample > 0u && y > 0.0 {
-            friction = size * motions[h + STRONGEST * all_h + sample - 1u] / y;
+            friction = size * motions[h + MAGNITUDE_SO_FAR * all_h + sample - 1u] / y;
         }
     } else if forces {
         friction = at_samples(h, v, last_v, size, sample);
         friction = crests(h, v, last_v, size, sample, friction);
     }
     let at = min(sample, last_v);
-    var z = motions[h + HYSTERETIC * all_h + sample];
+    var z = motions[h + Z * all_h + sample];
     if scale < 0.0 {
         z = -z;
     }
@@ -125,9 +125,9 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     (*state).max_u = size * motions[h + TOP * all_h + sample];
     (*state).least_v = motions[v + BOTTOM * all_v + at];
     (*state).most_v = motions[v + TOP * all_v + at];
-    let lowest = motions[v + LOWEST * all_v + at];
-    if lowest < (*state).min_contact {
-        (*state).min_contact = lowest;
+    let least = motions[v + LEAST_SO_FAR * all_v + at];
+    if least < (*state).min_contact {
+        (*state).min_contact = least;
     }
     (*state).friction = friction;
     (*state).step = min(sample * cell.substeps, cell.steps_forced);

@@ -6,12 +6,12 @@
 fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32) -> real {
     let x = h + ACCELERATION * tile.across.more;
     let y = v + ACCELERATION * tile.up.more;
-    let strongest = h + STRONGEST * tile.across.more;
-    let lowest = v + LOWEST * tile.up.more;
+    let magnitude_so_far = h + MAGNITUDE_SO_FAR * tile.across.more;
+    let least_so_far = v + LEAST_SO_FAR * tile.up.more;
     var friction: real = 0.0;
     for (var before = sample; before > 0u; before--) {
-        let limit = size * motions[strongest + before - 1u];
-        if friction * motions[lowest + min(before, last_v)] >= limit {
+        let limit = size * motions[magnitude_so_far + before - 1u];
+        if friction * motions[least_so_far + min(before, last_v)] >= limit {
             break;
         }
         let gap = before - 1u;
@@ -56,13 +56,13 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
         let gap = before - 1u;
         let at = h + gap;
         let at_v = v + gap_of_v(gap, last_v);
-        let most_x = motions[at + CREST * all_h];
-        let trough = motions[at_v + TROUGH * all_v];
-        let lowest = motions[v + min(before, last_v) + LOWEST * all_v];
-        if over * friction * lowest >= size * motions[at + STRONGEST * all_h] {
+        let magnitude = motions[at + MAGNITUDE * all_h];
+        let least_y = motions[at_v + LEAST * all_v];
+        let least_so_far = motions[v + min(before, last_v) + LEAST_SO_FAR * all_v];
+        if over * friction * least_so_far >= size * motions[at + MAGNITUDE_SO_FAR * all_h] {
             break;
         }
-        if !(size * most_x > over * friction * trough) {
+        if !(size * magnitude > over * friction * least_y) {
             continue;
         }
         let next = at + 1u + ACCELERATION * all_h;
@@ -105,10 +105,10 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
             y0 = y2;
         }
         var most = ends;
-        if trough > 0.0 {
+        if least_y > 0.0 {
             // No more than the bound that the gap was looked into for.
-            let bound = size * share(most_x, trough);
-            let there = size * share(abs(x_there), trough);
+            let bound = size * share(magnitude, least_y);
+            let there = size * share(abs(x_there), least_y);
             most = min(max(max(top, there), ends), max(bound, ends));
         }
         friction = max(friction, most);

@@ -4,25 +4,25 @@
 use fearless_simd::Level;
 
 use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SampledMotion, samples};
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Lanes, Shared, each};
 use crate::work::vectors::vectorized;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
-pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
+pub fn sample<R: Real>(set: MotionSet<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
-    vectorized!(level, zero => sampled = integrate(batch, zero));
+    vectorized!(level, zero => sampled = integrate(set, zero));
     sampled
 }
 
 #[inline(always)]
-fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
-    let MotionBatch { variant, direction, record, starts } = batch;
+fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+    let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
-    let mut sampled = load(&mut lanes, &batch, 1);
+    let mut sampled = load(&mut lanes, &set, 1);
     let now = force(&lanes, direction);
     // No force is on record.
     let unknown = Direction::Vertical.no_crest(zero);

@@ -17,7 +17,7 @@ use super::dependence::{Dependence, shared_amplitude};
 use super::kept_motions::{Kept, horizontal, vertical};
 use super::motions::{HORIZONTAL_FIELDS, MotionPair, Motions, VERTICAL_FIELDS};
 use super::motions_with_forces;
-use super::shared_motion::{Direction, MotionBatch, SampledMotion, Start};
+use super::shared_motion::{Direction, MotionSet, SampledMotion, Start};
 use crate::cells::listing::{Entries, Index, occurring};
 use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
@@ -146,11 +146,11 @@ impl<R: Real> FullContactMotions<R> {
             };
             let some = |places: &[Place]| {
                 let starts: Vec<Start<R>> = places.iter().map(start).collect();
-                let batch = MotionBatch { variant, direction, record, starts: &starts };
+                let set = MotionSet { variant, direction, record, starts: &starts };
                 if plan.forces {
-                    motions_with_forces::sample(batch, level)
+                    motions_with_forces::sample(set, level)
                 } else {
-                    bounded_motions::sample(batch, level)
+                    bounded_motions::sample(set, level)
                 }
             };
             let wanted = |places| (!observer.cancelled()).then(|| some(places));

@@ -1,9 +1,9 @@
 //! Motions in full contact as they are kept: those that are there already, and those that were integrated.
 
 use super::motions::{
-    ACCELERATION, BOTTOM, CREST, DEEPEST, DISPLACEMENT, EIGHTHS_V, HIGHEST, HORIZONTAL_FIELDS,
-    HYSTERETIC, LEAST, LIGHTEST, LOWEST, MOST, Motions, QUARTERS_H, STRONGEST, TOP, TROUGH,
-    VELOCITY, VERTICAL_FIELDS,
+    ACCELERATION, BOTTOM, DISPLACEMENT, EIGHTHS_V, HORIZONTAL_FIELDS, LEAST, LEAST_SO_FAR, LOWER,
+    LOWER_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MINUS_LOWER_SO_FAR, Motions, QUARTERS_H, TOP, UPPER,
+    UPPER_SO_FAR, VELOCITY, VERTICAL_FIELDS, Z,
 };
 use super::shared_motion::{Sample, SampledMotion};
 use crate::cells::listing::Entries;
@@ -87,7 +87,7 @@ fn stored<R: Real>(
         fill(VELOCITY, |sample| sample.velocity);
         fill(ACCELERATION, |sample| sample.acceleration);
         fill(TOP, |sample| sample.top);
-        motions.fill(LEAST, number, each.gaps().map(|gap| gap.least));
+        motions.fill(LOWER, number, each.gaps().map(|gap| gap.lower));
         motions.fill(crest, number, each.gaps().map(|gap| gap.crest));
         for (part, values) in each.inside.iter().enumerate() {
             motions.fill(inside + part, number, values.iter().copied());
@@ -99,20 +99,20 @@ fn stored<R: Real>(
 
 /// Stores motions of u.
 pub(crate) fn horizontal<R: Real>(kept: &Kept<R>, sampled: &[SampledMotion<R>]) -> Motions<R> {
-    stored([HORIZONTAL_FIELDS, CREST, QUARTERS_H], kept, sampled, |motions, number, each| {
-        motions.fill(HYSTERETIC, number, each.samples.iter().map(|sample| sample.hysteretic));
-        motions.fill(MOST, number, each.gaps().map(|gap| gap.most));
-        motions.fill(HIGHEST, number, each.highest.iter().copied());
-        motions.fill(DEEPEST, number, each.deepest.iter().copied());
-        motions.fill(STRONGEST, number, each.strongest.iter().copied());
+    stored([HORIZONTAL_FIELDS, MAGNITUDE, QUARTERS_H], kept, sampled, |motions, number, each| {
+        motions.fill(Z, number, each.samples.iter().map(|sample| sample.z));
+        motions.fill(UPPER, number, each.gaps().map(|gap| gap.upper));
+        motions.fill(UPPER_SO_FAR, number, each.upper_so_far.iter().copied());
+        motions.fill(MINUS_LOWER_SO_FAR, number, each.minus_lower_so_far.iter().copied());
+        motions.fill(MAGNITUDE_SO_FAR, number, each.magnitude_so_far.iter().copied());
     })
 }
 
 /// Stores motions of v.
 pub(crate) fn vertical<R: Real>(kept: &Kept<R>, sampled: &[SampledMotion<R>]) -> Motions<R> {
-    stored([VERTICAL_FIELDS, TROUGH, EIGHTHS_V], kept, sampled, |motions, number, each| {
+    stored([VERTICAL_FIELDS, LEAST, EIGHTHS_V], kept, sampled, |motions, number, each| {
         motions.fill(BOTTOM, number, each.samples.iter().map(|sample| sample.bottom));
-        motions.fill(LOWEST, number, each.samples.iter().map(|sample| sample.lowest));
-        motions.fill(LIGHTEST, number, each.deepest.iter().map(|deepest| -*deepest));
+        motions.fill(LEAST_SO_FAR, number, each.samples.iter().map(|sample| sample.least_so_far));
+        motions.fill(LOWER_SO_FAR, number, each.minus_lower_so_far.iter().map(|bound| -*bound));
     })
 }

@@ -14,26 +14,26 @@ pub const VELOCITY: usize = 1;
 /// X or Y of (14), m/s^2.
 pub const ACCELERATION: usize = 2;
 /// Lower bound of the acceleration from each sample to the next.
-pub const LEAST: usize = 3;
+pub const LOWER: usize = 3;
 /// Largest |u|, or largest v, up to each sample, m.
 pub const TOP: usize = 4;
 /// Of v: least of the acceleration up to each sample.
-pub const LOWEST: usize = 5;
+pub const LEAST_SO_FAR: usize = 5;
 /// Of v: least of the acceleration from each sample to the next, crests between steps included.
-pub const TROUGH: usize = 6;
+pub const LEAST: usize = 6;
 /// Of u: z.
-pub const HYSTERETIC: usize = 5;
+pub const Z: usize = 5;
 /// Of u: upper bound of the acceleration from each sample to the next.
-pub const MOST: usize = 6;
+pub const UPPER: usize = 6;
 /// Of u: largest upper bound up to and with each gap.
-pub const HIGHEST: usize = 7;
+pub const UPPER_SO_FAR: usize = 7;
 /// Of u: largest negative of the lower bound, up to and with each gap.
-pub const DEEPEST: usize = 8;
+pub const MINUS_LOWER_SO_FAR: usize = 8;
 /// Of u: largest magnitude of the acceleration up to and with each gap.
-pub const STRONGEST: usize = 9;
+pub const MAGNITUDE_SO_FAR: usize = 9;
 /// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
 /// included.
-pub const CREST: usize = 10;
+pub const MAGNITUDE: usize = 10;
 /// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
 pub const EIGHTHS_V: usize = 7;
 /// Of v: least v up to each sample, m.
@@ -41,7 +41,7 @@ pub const BOTTOM: usize = 14;
 /// Of u: the same after the first quarter of each gap; two quarters more follow.
 pub const QUARTERS_H: usize = 11;
 /// Of v: least lower bound up to and with each gap.
-pub const LIGHTEST: usize = 15;
+pub const LOWER_SO_FAR: usize = 15;
 /// Quantities of a motion of v.
 pub const VERTICAL_FIELDS: usize = 16;
 /// Quantities of a motion of u.

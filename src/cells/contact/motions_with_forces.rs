@@ -7,7 +7,7 @@ use fearless_simd::Level;
 
 use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
 use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionBatch, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SampledMotion, samples};
 use crate::model::dynamics::{Contact, Rates};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
@@ -21,10 +21,10 @@ use crate::work::vectors::vectorized;
 const MOST_PARTS: usize = 8;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
-pub fn sample<R: Real>(batch: MotionBatch<R>, level: Level) -> Vec<SampledMotion<R>> {
+pub fn sample<R: Real>(set: MotionSet<R>, level: Level) -> Vec<SampledMotion<R>> {
     let zero = R::of(0.0);
     let mut sampled = Vec::new();
-    vectorized!(level, zero => sampled = integrate(batch, zero));
+    vectorized!(level, zero => sampled = integrate(set, zero));
     sampled
 }
 
@@ -57,8 +57,8 @@ impl<V: Vector> Listener<V> for Spans<V> {
 type Motions<'a, V> = Lanes<'a, V, Spans<V>>;
 
 #[inline(always)]
-fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
-    let MotionBatch { variant, direction, record, starts } = batch;
+fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+    let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
     let spans =
         Spans { direction, count: zero, mid: zero, end: zero, crest: direction.no_crest(zero) };
@@ -67,12 +67,12 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
     let substeps: Vec<u32> = starts.iter().map(|start| start.cell.substeps).collect();
     let steps = gap_steps(parts, &substeps, zero);
     let by_quarters = by_quarters(parts, &substeps);
-    let mut sampled = load(&mut lanes, &batch, parts);
+    let mut sampled = load(&mut lanes, &set, parts);
     let mut values = [zero; MOST_PARTS + 1];
     let mut now = direction.of(lanes.contact());
     // A block that lifts at once, at a jump, has no forces on record.
-    let (mut lowest, mut missed) = (Direction::Vertical.no_crest(zero), zero);
-    let first = Gaps::at(now).known(zero, lowest);
+    let (mut least_so_far, mut missed) = (Direction::Vertical.no_crest(zero), zero);
+    let first = Gaps::at(now).known(zero, least_so_far);
     for (lane, sampled) in sampled.iter_mut().enumerate() {
         add(sampled, &lanes, lane, direction, &first);
     }
@@ -101,8 +101,8 @@ fn integrate<V: Vector>(batch: MotionBatch<V::Element>, zero: V) -> Vec<SampledM
         let crest = lanes.log.crest;
         let off = (kept_crest(direction, &values) - crest).abs();
         missed = V::select(zero.mask(through), missed.max(off), missed);
-        lowest = lowest.min(crest);
-        let known = gap.known(crest, lowest);
+        least_so_far = least_so_far.min(crest);
+        let known = gap.known(crest, least_so_far);
         for lane in each(through) {
             let sampled = &mut sampled[lane];
             for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
@@ -238,7 +238,8 @@ mod tests {
 
     /// All numbers of a motion.
     fn numbers<R: Real>(motion: &SampledMotion<R>) -> (&[Sample<R>], Vec<R>) {
-        let quantities = [&motion.highest, &motion.deepest, &motion.strongest];
+        let quantities =
+            [&motion.upper_so_far, &motion.minus_lower_so_far, &motion.magnitude_so_far];
         let others = quantities.into_iter().chain(&motion.inside).flatten().copied();
         (&motion.samples, others.collect())
     }
@@ -256,7 +257,7 @@ mod tests {
         let cases = (0..grid.len().min(lanes_of::<R>(Level::new()))).map(|cell| grid.case(cell));
         let starts: Vec<Start<R>> = cases.map(|case| Start::of(clock, &case, direction)).collect();
         let (variant, record, level) = (alone.variant(), &record[..], Level::new());
-        let of = |starts| sample(MotionBatch { variant, direction, record, starts }, level);
+        let of = |starts| sample(MotionSet { variant, direction, record, starts }, level);
         let together = of(&starts);
         assert_eq!(together.len(), starts.len());
         for (number, motion) in together.iter().enumerate() {
@@ -264,7 +265,10 @@ mod tests {
             assert_eq!(motion.samples.len(), samples(&starts[number].cell));
             assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
             let beyond = R::of(1.0e30);
-            assert!(motion.gaps().all(|gap| gap.most < beyond), "{direction:?} {number} is shared");
+            assert!(
+                motion.gaps().all(|gap| gap.upper < beyond),
+                "{direction:?} {number} is shared"
+            );
         }
     }
 

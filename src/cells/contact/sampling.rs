@@ -1,23 +1,23 @@
 //! What the makers of shared motions have in common: motions on the lanes of a vector, and what is kept of each gap
 //! between two samples.
 
-use super::shared_motion::{Direction, MotionBatch, SLACK, Sample, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SLACK, Sample, SampledMotion, samples};
 use crate::model::excitation::Cell;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Job, Lanes};
 use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
-/// Puts each motion of a batch on a lane, up to the end of the excitation; the motions, nothing in them, whose gaps are
+/// Puts each motion of a set on a lane, up to the end of the excitation; the motions, nothing in them, whose gaps are
 /// kept in so many parts.
 #[inline(always)]
 pub(crate) fn load<V: Vector, L: Listener<V>>(
     lanes: &mut Lanes<V, L>,
-    batch: &MotionBatch<V::Element>,
+    set: &MotionSet<V::Element>,
     parts: u32,
 ) -> Vec<SampledMotion<V::Element>> {
-    let mut sampled = Vec::with_capacity(batch.starts.len());
-    for (number, start) in batch.starts.iter().enumerate() {
+    let mut sampled = Vec::with_capacity(set.starts.len());
+    for (number, start) in set.starts.iter().enumerate() {
         sampled.push(SampledMotion::of(samples(&start.cell), parts));
         let cell = Cell { body: number as u32, steps: start.cell.steps_forced, ..start.cell };
         if start.state.status == RUNNING && cell.steps > 0 {
@@ -63,20 +63,20 @@ impl<V: Vector> Gaps<V> {
     /// What is known of each lane's gap, but its crest and the least value so far: bounds with what may lie between the
     /// ends of steps.
     #[inline(always)]
-    pub fn known(&self, crest: V, lowest: V) -> Known<V> {
+    pub fn known(&self, crest: V, least_so_far: V) -> Known<V> {
         let Gaps { least, most, change, now } = *self;
         let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
-        Known { now, least: least - slack, most: most + slack, crest, lowest }
+        Known { now, lower: least - slack, upper: most + slack, crest, least_so_far }
     }
 }
 
 /// X or Y at each lane's sample and in the gap that ends there, as a [`Sample`] has them.
 pub(crate) struct Known<V> {
     now: V,
-    least: V,
-    most: V,
+    lower: V,
+    upper: V,
     crest: V,
-    lowest: V,
+    least_so_far: V,
 }
 
 /// Adds the sample that a lane is at.
@@ -90,7 +90,7 @@ pub(crate) fn add<V: Vector, L: Listener<V>>(
 ) {
     let (motion, extremes) = (lanes.motion(), lanes.extremes());
     let zero = V::Element::of(0.0);
-    let (displacement, velocity, hysteretic, bottom, top) = match direction {
+    let (displacement, velocity, z, bottom, top) = match direction {
         Direction::Horizontal => {
             (motion.u, motion.du, motion.z.lane(lane), zero, extremes.max_u.lane(lane))
         }
@@ -102,12 +102,12 @@ pub(crate) fn add<V: Vector, L: Listener<V>>(
     sampled.samples.push(Sample {
         displacement: displacement.lane(lane),
         velocity: velocity.lane(lane),
-        hysteretic,
+        z,
         acceleration: known.now.lane(lane),
-        least: known.least.lane(lane),
-        most: known.most.lane(lane),
+        lower: known.lower.lane(lane),
+        upper: known.upper.lane(lane),
         crest: known.crest.lane(lane),
-        lowest: known.lowest.lane(lane),
+        least_so_far: known.least_so_far.lane(lane),
         bottom,
         top,
     });

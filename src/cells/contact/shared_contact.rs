@@ -2,8 +2,8 @@
 //! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
 
 use super::motions::{
-    ACCELERATION, BOTTOM, DEEPEST, DISPLACEMENT, HIGHEST, HYSTERETIC, LEAST, LIGHTEST, LOWEST,
-    MOST, MotionPair, STRONGEST, TOP, VELOCITY,
+    ACCELERATION, BOTTOM, DISPLACEMENT, LEAST_SO_FAR, LOWER, LOWER_SO_FAR, MAGNITUDE_SO_FAR,
+    MINUS_LOWER_SO_FAR, MotionPair, TOP, UPPER, UPPER_SO_FAR, VELOCITY, Z,
 };
 use super::shared_friction::{at_samples, crests};
 use crate::model::block::Model;
@@ -17,10 +17,10 @@ use crate::work::vectors::vectorized;
 /// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
 /// (14) is between two bounds, and Y above one.
 #[inline(always)]
-fn lifts<N: Number>(arms: [N; 2], lever: N, most: N, least: N, least_y: N) -> N::Mask {
+fn lifts<N: Number>(arms: [N; 2], lever: N, upper: N, lower: N, lower_y: N) -> N::Mask {
     // A negative lever turns the bounds about.
-    let (one, other) = (lever * most, lever * least);
-    one.max(other).gt(arms[0] * least_y) | (-one).max(-other).gt(arms[1] * least_y)
+    let (one, other) = (lever * upper, lever * lower);
+    one.max(other).gt(arms[0] * lower_y) | (-one).max(-other).gt(arms[1] * lower_y)
 }
 
 /// Takes a cell from its start to the first gap in which it may lift, or to the end of the
@@ -53,11 +53,11 @@ pub(crate) fn full_contact<R: Real>(
     });
     if motions.still && sample > 0 {
         let y = v.field(ACCELERATION)[0];
-        let strongest = h.field(STRONGEST)[sample - 1];
-        friction = if y > zero { size * strongest / y } else { zero };
+        let magnitude = h.field(MAGNITUDE_SO_FAR)[sample - 1];
+        friction = if y > zero { size * magnitude / y } else { zero };
     }
     let at = sample.min(last_v);
-    let z = h.field(HYSTERETIC)[sample];
+    let z = h.field(Z)[sample];
     state.motion = Motion {
         u: scale * h.field(DISPLACEMENT)[sample],
         du: scale * h.field(VELOCITY)[sample],
@@ -70,9 +70,9 @@ pub(crate) fn full_contact<R: Real>(
     state.max_u = scale.abs() * h.field(TOP)[sample];
     state.least_v = v.field(BOTTOM)[at];
     state.most_v = v.field(TOP)[at];
-    let lowest = v.field(LOWEST)[at];
-    if lowest < state.min_contact {
-        state.min_contact = lowest;
+    let least = v.field(LEAST_SO_FAR)[at];
+    if least < state.min_contact {
+        state.min_contact = least;
     }
     state.friction = friction;
     // A sample is a step of the cell or more, of which there are fewer than 2^32.
@@ -87,16 +87,18 @@ pub(crate) fn full_contact<R: Real>(
 fn first_beyond<R: Real>(motions: &MotionPair<R>, arms: [R; 2], lever: R) -> usize {
     let (h, v) = (motions.across, motions.up);
     let last = h.length - 1;
-    let (highest, deepest) = (h.field(HIGHEST), h.field(DEEPEST));
-    let lightest = v.field(LIGHTEST);
+    let (upper_so_far, minus_lower_so_far) = (h.field(UPPER_SO_FAR), h.field(MINUS_LOWER_SO_FAR));
+    let lower_so_far = v.field(LOWER_SO_FAR);
     let [left, right] = arms;
     let (rising, falling) = if lever < R::of(0.0) { (right, left) } else { (left, right) };
     let size = lever.abs();
     let (mut low, mut high) = (0, last);
     while low < high {
         let gap = low.midpoint(high);
-        let least_y = lightest[v.gap(gap)];
-        if size * highest[gap] > rising * least_y || size * deepest[gap] > falling * least_y {
+        let lower_y = lower_so_far[v.gap(gap)];
+        if size * upper_so_far[gap] > rising * lower_y
+            || size * minus_lower_so_far[gap] > falling * lower_y
+        {
             high = gap;
         } else {
             low = gap + 1;
@@ -116,22 +118,22 @@ fn first_lift<V: Vector>(
 ) -> usize {
     let (h, v) = (motions.across, motions.up);
     let (last, last_v) = (h.length - 1, v.length - 1);
-    let (most, least) = (h.field(MOST), h.field(LEAST));
-    let least_y = v.field(LEAST);
+    let (upper, lower) = (h.field(UPPER), h.field(LOWER));
+    let lower_y = v.field(LOWER);
     let lever_of_all = zero.like(lever.to_f64());
     let arms_of_all = [zero.like(arms[0].to_f64()), zero.like(arms[1].to_f64())];
     let mut sample = first;
     while sample + V::LANES <= last.min(last_v) {
-        let (most, least) = (zero.first_of(&most[sample..]), zero.first_of(&least[sample..]));
-        let least_y = zero.first_of(&least_y[sample..]);
-        if V::any(lifts(arms_of_all, lever_of_all, most, least, least_y)) {
+        let (upper, lower) = (zero.first_of(&upper[sample..]), zero.first_of(&lower[sample..]));
+        let lower_y = zero.first_of(&lower_y[sample..]);
+        if V::any(lifts(arms_of_all, lever_of_all, upper, lower, lower_y)) {
             break;
         }
         sample += V::LANES;
     }
     while sample < last {
-        let least_y = least_y[v.gap(sample)];
-        if lifts(arms, lever, most[sample], least[sample], least_y) {
+        let lower_y = lower_y[v.gap(sample)];
+        if lifts(arms, lever, upper[sample], lower[sample], lower_y) {
             break;
         }
         sample += 1;
@@ -141,7 +143,7 @@ fn first_lift<V: Vector>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::motions::{CREST, TROUGH};
+    use super::super::motions::{LEAST, MAGNITUDE};
     use super::super::shared_friction::{OVER, share, within_gaps};
     use super::*;
     use crate::cells::clock::DEFAULT_STEP;
@@ -167,12 +169,12 @@ mod tests {
             let motions = all.motions_of(&all.tables.cell(cell)).unwrap();
             let (h, v) = (motions.across, motions.up);
             let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
-            let (least_y, x, y) = (v.field(LEAST), h.field(ACCELERATION), v.field(ACCELERATION));
+            let (lower_y, x, y) = (v.field(LOWER), h.field(ACCELERATION), v.field(ACCELERATION));
             let last = h.length - 1;
             let gap_v = |gap: usize| gap.min(v.length - 2);
             let may = |gap: &usize| {
-                let (most, least) = (h.field(MOST)[*gap], h.field(LEAST)[*gap]);
-                lifts(arms, lever, most, least, least_y[gap_v(*gap)])
+                let (upper, lower) = (h.field(UPPER)[*gap], h.field(LOWER)[*gap]);
+                lifts(arms, lever, upper, lower, lower_y[gap_v(*gap)])
             };
             let sample = (0..last).find(may).unwrap_or(last);
             lifted += usize::from(sample < last);
@@ -187,8 +189,8 @@ mod tests {
             });
             assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");
             let crest = (0..sample).fold(friction, |most, gap| {
-                let (crest, trough) = (h.field(CREST)[gap], v.field(TROUGH)[gap_v(gap)]);
-                let looked = size * crest > of(1.0 + OVER) * friction * trough;
+                let (magnitude, least) = (h.field(MAGNITUDE)[gap], v.field(LEAST)[gap_v(gap)]);
+                let looked = size * magnitude > of(1.0 + OVER) * friction * least;
                 let within = || within_gaps(&motions, size, (gap, gap_v(gap)));
                 if looked { most.max(within()) } else { most }
             });

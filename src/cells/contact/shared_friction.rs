@@ -1,7 +1,8 @@
 //! The friction that full contact asks for, of the motions that cells share. Twin of `shaders/shared_friction.wgsl`.
 
 use super::motions::{
-    ACCELERATION, CREST, EIGHTHS_V, LOWEST, MotionPair, QUARTERS_H, STRONGEST, TROUGH,
+    ACCELERATION, EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MotionPair,
+    QUARTERS_H,
 };
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
@@ -26,7 +27,7 @@ pub(crate) fn at_samples<V: Vector>(
     let (h, v) = (motions.across, motions.up);
     let last_v = v.length - 1;
     let (x, y) = (h.field(ACCELERATION), v.field(ACCELERATION));
-    let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
+    let (magnitude_so_far, least_so_far) = (h.field(MAGNITUDE_SO_FAR), v.field(LEAST_SO_FAR));
     let sizes = zero.like(size.to_f64());
     // The largest in each lane.
     let mut frictions = zero;
@@ -38,8 +39,8 @@ pub(crate) fn at_samples<V: Vector>(
     }
     frictions.put(0, friction);
     while before > 0 {
-        let limit = zero.like((size * strongest[before - 1]).to_f64());
-        if V::any((frictions * zero.like(lowest[before].to_f64())).ge(limit)) {
+        let limit = zero.like((size * magnitude_so_far[before - 1]).to_f64());
+        if V::any((frictions * zero.like(least_so_far[before].to_f64())).ge(limit)) {
             break;
         }
         // The first samples are looked at with some after them.
@@ -80,33 +81,33 @@ pub(crate) fn crests<V: Vector>(
 ) -> V::Element {
     let over = V::Element::of(1.0 + OVER);
     let (h, v) = (motions.across, motions.up);
-    let (crest, trough) = (h.field(CREST), v.field(TROUGH));
-    let (strongest, lowest) = (h.field(STRONGEST), v.field(LOWEST));
+    let (magnitude, least_y) = (h.field(MAGNITUDE), v.field(LEAST));
+    let (magnitude_so_far, least_so_far) = (h.field(MAGNITUDE_SO_FAR), v.field(LEAST_SO_FAR));
     let last_v = v.length - 1;
     let sizes = zero.like(size.to_f64());
     let mut friction = friction;
     let mut before = in_vectors::<V>(sample, last_v);
     for gap in (before..sample).rev() {
         let gap_v = v.gap(gap);
-        if size * crest[gap] > over * friction * trough[gap_v] {
+        if size * magnitude[gap] > over * friction * least_y[gap_v] {
             friction = friction.max(within_gaps(motions, size, (gap, gap_v)));
         }
     }
     while before > 0 {
-        if over * friction * lowest[before] >= size * strongest[before - 1] {
+        if over * friction * least_so_far[before] >= size * magnitude_so_far[before - 1] {
             break;
         }
         // The first gaps are looked at with some after them.
         let first = before.saturating_sub(V::LANES);
         let limits = zero.like((over * friction).to_f64());
-        let bounds = sizes * zero.first_of(&crest[first..]);
-        let beyond = V::bits(bounds.gt(limits * zero.first_of(&trough[first..])));
+        let bounds = sizes * zero.first_of(&magnitude[first..]);
+        let beyond = V::bits(bounds.gt(limits * zero.first_of(&least_y[first..])));
         if beyond != 0 {
             let within = within_gaps(motions, sizes, (first, first));
             for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
                 // Those after it may have raised the limit.
                 let gap = first + lane;
-                if size * crest[gap] > over * friction * trough[gap] {
+                if size * magnitude[gap] > over * friction * least_y[gap] {
                     friction = friction.max(within.lane(lane));
                 }
             }
@@ -126,8 +127,8 @@ pub(crate) fn within_gaps<V: Vector>(
 ) -> V {
     let zero = size.like(0.0);
     let (h, v) = (motions.across, motions.up);
-    let crest = zero.first_of(&h.field(CREST)[gap..]);
-    let trough = zero.first_of(&v.field(TROUGH)[gap_v..]);
+    let magnitude = zero.first_of(&h.field(MAGNITUDE)[gap..]);
+    let least_y = zero.first_of(&v.field(LEAST)[gap_v..]);
     let (xs, ys) = (&h.field(ACCELERATION)[gap..], &v.field(ACCELERATION)[gap_v..]);
     let mut quarters = [zero.first_of(xs); 5];
     for (number, quarter) in quarters[1..4].iter_mut().enumerate() {
@@ -160,9 +161,9 @@ pub(crate) fn within_gaps<V: Vector>(
         least = V::select(deeper, lower, least);
     }
     // No more than the bound that the gap was looked into for.
-    let bound = share(size, crest, trough).max(ends);
-    let most = top.max(share(size, x_there, trough)).max(ends).min(bound);
-    V::select(trough.gt(zero), most, ends)
+    let bound = share(size, magnitude, least_y).max(ends);
+    let most = top.max(share(size, x_there, least_y)).max(ends).min(bound);
+    V::select(least_y.gt(zero), most, ends)
 }
 
 #[inline(always)]

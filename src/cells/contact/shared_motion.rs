@@ -27,16 +27,16 @@ pub struct Sample<R> {
     /// Its rate, m/s.
     pub velocity: R,
     /// z of u.
-    pub hysteretic: R,
+    pub z: R,
     /// X or Y of (14), m/s^2.
     pub acceleration: R,
     /// Bounds of it in the gap.
-    pub least: R,
-    pub most: R,
+    pub lower: R,
+    pub upper: R,
     /// Its largest magnitude (of v its least) in the gap, crests between steps included.
     pub crest: R,
     /// Least of the acceleration so far.
-    pub lowest: R,
+    pub least_so_far: R,
     /// Least v so far, m; of u zero.
     pub bottom: R,
     /// Largest |u|, or largest v, so far, m.
@@ -51,9 +51,9 @@ pub struct SampledMotion<R> {
     pub inside: Vec<Vec<R>>,
     /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
     /// acceleration, up to and with each gap.
-    pub highest: Vec<R>,
-    pub deepest: Vec<R>,
-    pub strongest: Vec<R>,
+    pub upper_so_far: Vec<R>,
+    pub minus_lower_so_far: Vec<R>,
+    pub magnitude_so_far: Vec<R>,
 }
 
 /// Which of the two directions a motion is in.
@@ -160,9 +160,9 @@ impl<R: Real> Start<R> {
     }
 }
 
-/// Motions of one direction, under one record.
+/// Motions of one direction, under one record, that are integrated together.
 #[derive(Clone, Copy)]
-pub struct MotionBatch<'a, R> {
+pub struct MotionSet<'a, R> {
     /// The variant that has this direction alone.
     pub variant: Variant,
     /// The direction.
@@ -189,9 +189,9 @@ impl<R: Real> SampledMotion<R> {
         SampledMotion {
             samples: Vec::with_capacity(count),
             inside: (1..parts).map(|_| Vec::with_capacity(count)).collect(),
-            highest: Vec::new(),
-            deepest: Vec::new(),
-            strongest: Vec::new(),
+            upper_so_far: Vec::new(),
+            minus_lower_so_far: Vec::new(),
+            magnitude_so_far: Vec::new(),
         }
     }
 
@@ -215,7 +215,7 @@ impl<R: Real> SampledMotion<R> {
     /// With these bounds every cell may lift in every gap, and integrates by itself.
     fn bound_nothing(&mut self) {
         for sample in &mut self.samples {
-            (sample.least, sample.most) = (-beyond::<R>(), beyond());
+            (sample.lower, sample.upper) = (-beyond::<R>(), beyond());
         }
     }
 
@@ -232,9 +232,9 @@ impl<R: Real> SampledMotion<R> {
             });
             so_far.collect()
         };
-        let highest = largest(&|gap| gap.most);
-        let deepest = largest(&|gap| -gap.least);
-        let strongest = largest(&|gap| gap.crest);
-        SampledMotion { highest, deepest, strongest, ..self }
+        let upper_so_far = largest(&|gap| gap.upper);
+        let minus_lower_so_far = largest(&|gap| -gap.lower);
+        let magnitude_so_far = largest(&|gap| gap.crest);
+        SampledMotion { upper_so_far, minus_lower_so_far, magnitude_so_far, ..self }
     }
 }
