@@ -67,7 +67,7 @@ trap tidy EXIT
 exec > >(tee "$out/log.txt") 2>&1
 
 if [ -n "${TOPPLE_CARD_ANY:-}" ]; then
-    # Two tiles, and little to do in each cell.
+    # Two batches, and little to do in each cell.
     default_sides='12 24' default_whole=1040 killed_map=(--t-max 0.1)
 else
     default_sides='400 1024 2048 4096' default_whole=2048 killed_map=(--full-model)

@@ -119,7 +119,7 @@ const FULL_CONTACT: Shortcuts = Shortcuts { full_contact: true, ..Shortcuts::NON
 const LINEAR: Shortcuts = Shortcuts { linear: true, ..Shortcuts::NONE };
 
 #[test]
-fn the_certificate() {
+fn the_certificate_changes_no_outcome() {
     for isolation in ["dual", "horizontal", "vertical", "none"] {
         for a_v in [0.0, 0.5] {
             let scene = map(isolation, None, a_v, 40);
@@ -153,7 +153,7 @@ fn the_certificate() {
 
 /// Under a record followed by free vibration.
 #[test]
-fn the_certificate_after_a_record() {
+fn the_certificate_changes_no_outcome_after_a_record() {
     let scene = record_map(1, -0.4, 16, Some(60.0));
     let cells = hold("certificate, record and 40 s free", &scene, CERTIFICATE);
     assert!(cells.iter().filter(|cell| cell.status == Status::Proved).count() > 50);
@@ -196,7 +196,7 @@ fn what_is_proved_stays_so() {
 }
 
 #[test]
-fn full_contact_once_for_all() {
+fn a_shared_full_contact_changes_no_outcome() {
     for (name, scene) in [
         ("full contact, record, Object 1", record_map(1, -0.4, 24, None)),
         ("full contact, record, Object 3", record_map(3, 0.4, 24, None)),
@@ -211,7 +211,7 @@ fn full_contact_once_for_all() {
 
 /// A horizontal motion reversed: A_h < 0 scales the shared motion by a negative number.
 #[test]
-fn full_contact_with_the_pulse_reversed() {
+fn a_shared_full_contact_changes_no_outcome_where_the_pulse_is_reversed() {
     let mut scene = map("dual", None, 0.5, 24);
     scene.set(Parameter::AH, Range::even(-12.0, 12.0, 24));
     hold("full contact, A_h from -12 to 12", &scene, FULL_CONTACT);
@@ -225,7 +225,7 @@ fn a_linear_base_has_no_hysteretic_variable() {
 }
 
 #[test]
-fn all_of_them_together() {
+fn all_shortcuts_together_change_no_outcome() {
     hold("all, dual, A_v = 0.5", &map("dual", None, 0.5, 60), Shortcuts::ALL);
     hold("all, dual, psi = 1", &map("dual", Some(1.0), 0.0, 60), Shortcuts::ALL);
     hold("all, none", &map("none", None, 0.5, 60), Shortcuts::ALL);
@@ -234,7 +234,7 @@ fn all_of_them_together() {
 
 /// The shader leaves out the same.
 #[test]
-fn in_the_shader() {
+fn shortcuts_of_the_shader_change_no_outcome() {
     let Some(gpu) = gpu("shortcuts in the shader", Precision::F32) else { return };
     for (name, scene) in
         [("pulse", map("dual", None, 0.5, 40)), ("record", record_map(1, -0.4, 16, Some(40.0)))]
@@ -335,7 +335,7 @@ proptest! {
 /// in full contact for all eccentricities, blocks and values of T_v. Where nobody asks for contact forces, the motions are
 /// made on vectors; all else is as it was but for rounding.
 #[test]
-fn full_contact_of_a_given_device() {
+fn a_shared_full_contact_changes_no_outcome_of_a_given_device() {
     for (name, isolation) in [("yields", ""), ("linear", "psi = 1\n")] {
         let text = format!(
             "[block]\nobject = 1\neccentricity = \"0,0.2,0.3\"\n[base]\nt_h = \"0.3:3:10\"\nt_v = \"0.3:1.5:10\"\n\

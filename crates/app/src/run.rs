@@ -1,4 +1,4 @@
-//! From a scene to files: a map, or a part of one.
+//! From a scene to files: a map, or a shard of one.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -20,7 +20,7 @@ use super::results_directory::Place;
 use super::words::{self, Reporter};
 use super::{InputError, disk, estimate, interrupt, map_files, probability};
 
-/// Runs a scene's map and writes its files, or runs a part of it and leaves its tiles.
+/// Runs a scene's map and writes its files, or runs a shard of it and leaves its chunks.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     options.run.set_threads()?;
     if options.uncertain.asked() {

@@ -31,7 +31,7 @@ pub fn all() -> Vec<Reader> {
         of("run-json", results::manifests(), results::manifest, 200),
         of("map-npz", results::archives(), results::archive, 200),
         of("map-zarr", results::groups(), results::group, 200),
-        of("parts", results::pieces(), results::part, 100),
+        of("shards", results::pieces(), results::shard, 100),
         of("saved-lists", results::rounds(), results::round, 200),
     ];
     // A reader that refuses a whole file, or that cannot be wrong, is no test.

@@ -132,12 +132,12 @@ pub fn group(bytes: &[u8]) -> Result<(), String> {
 }
 
 /// The shards of a map, and the paths of their files, those of what was run first.
-static PARTS: LazyLock<(TempDir, Vec<PathBuf>)> = LazyLock::new(|| {
+static SHARDS: LazyLock<(TempDir, Vec<PathBuf>)> = LazyLock::new(|| {
     let folder = TempDir::new().unwrap();
-    for part in ["1/2", "2/2"] {
+    for shard in ["1/2", "2/2"] {
         let mut settings = settings();
-        let part = Some(part.parse().unwrap());
-        settings.saving = Some(Saving { shard: part, ..Saving::to(folder.path()) });
+        let shard = Some(shard.parse().unwrap());
+        settings.saving = Some(Saving { shard, ..Saving::to(folder.path()) });
         Job::open(&under_a_record(), &[], &settings).unwrap().run(None, &Unwatched).unwrap();
     }
     let (mut open, mut files) = (vec![folder.path().to_path_buf()], Vec::new());
@@ -159,9 +159,9 @@ static PARTS: LazyLock<(TempDir, Vec<PathBuf>)> = LazyLock::new(|| {
 /// Bytes of a checksum at the end of a chunk's file.
 const SUM: usize = 4;
 
-/// A file of a part is told by its place among all, and a chunk's file whose checksum is made anew by a 1 after it.
+/// A file of a shard is told by its place among all, and a chunk's file whose checksum is made anew by a 1 after it.
 pub fn pieces() -> Vec<Vec<u8>> {
-    let (folder, files) = &*PARTS;
+    let (folder, files) = &*SHARDS;
     assert!(files.len() < 256, "{}", files.len());
     let numbered = (0_u8..).zip(files);
     let of = |(number, path): (u8, &PathBuf)| {
@@ -171,8 +171,8 @@ pub fn pieces() -> Vec<Vec<u8>> {
     numbered.flat_map(of).collect()
 }
 
-pub fn part(bytes: &[u8]) -> Result<(), String> {
-    let (folder, files) = &*PARTS;
+pub fn shard(bytes: &[u8]) -> Result<(), String> {
+    let (folder, files) = &*SHARDS;
     let Some(([number, again], bytes)) = bytes.split_first_chunk::<2>() else { return Ok(()) };
     let (damaged, mut bytes) = (usize::from(*number) % files.len(), bytes.to_vec());
     let is_chunk = files[damaged].extension().is_none();
@@ -190,11 +190,11 @@ pub fn part(bytes: &[u8]) -> Result<(), String> {
     joined.unwrap_or_else(|panic| panic::resume_unwind(panic))
 }
 
-/// Joins the parts in a folder, and reads some columns.
+/// Joins the shards in a folder, and reads some columns.
 fn join(folder: &Path) -> Result<(), String> {
     let joined = Shards::join(&[folder.to_path_buf()], &Unwatched);
-    let parts = joined.map_err(|error| error.to_string())?;
-    let map = MapSweep::of_shards(parts, None).map_err(|error| error.to_string())?;
+    let shards = joined.map_err(|error| error.to_string())?;
+    let map = MapSweep::of_shards(shards, None).map_err(|error| error.to_string())?;
     for column in [Column::Outcome, Column::Status, Column::Zeta] {
         map.column(column).map_err(|error| error.to_string())?;
     }

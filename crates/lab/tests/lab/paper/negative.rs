@@ -102,7 +102,7 @@ fn multi_impact_regions_are_smaller_than_for_positive_eccentricity() {
 
 /// Even but for the blue region, from very high counts down.
 #[test]
-fn path_2() {
+fn even_counts_fall_from_very_high_along_path_2() {
     let path = along_path("fig14", 4);
     let even = sequence(&path, Class::OverturnedLeft);
     say(&format!(

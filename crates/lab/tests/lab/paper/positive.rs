@@ -156,7 +156,7 @@ fn the_window_shows_a_progressive_enlargement() {
 }
 
 #[test]
-fn path_1() {
+fn odd_counts_fall_one_by_one_along_path_1() {
     let path = along_path("fig12", 1);
     let omega = 3.0;
     // From below: green, red about the right corner, many impacts, one, red about the left.

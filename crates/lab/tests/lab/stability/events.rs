@@ -139,7 +139,7 @@ fn uplift_and_impact_in_one_step() {
 /// excess that is seen, and no uplift where there is none. A block that lifts by less falls back at
 /// once.
 #[test]
-fn grazing_uplift() {
+fn a_grazing_uplift_is_found_and_none_below_the_threshold() {
     let lifts = |excess: f64| {
         let peak = 0.2 * GRAVITY * (1.0 + excess);
         let scene =
@@ -147,7 +147,9 @@ fn grazing_uplift() {
         swept::<f64>(&scene).uplifts > 0
     };
     let seen = (3..=15).take_while(|k| lifts(0.1_f64.powi(*k))).last().unwrap();
-    say(&format!("grazing_uplift: an excess of 1e-{seen} is seen"));
+    say(&format!(
+        "a_grazing_uplift_is_found_and_none_below_the_threshold: an excess of 1e-{seen} is seen"
+    ));
     // The crest is looked for on a parabola through the step's ends and middle, which errs by
     // (omega h/2)^4/24 of its height: 7e-9.
     assert!(seen >= 8, "{seen}");
@@ -159,7 +161,7 @@ fn grazing_uplift() {
 /// A block that all but lands, held up by the ground's motion: the amplitude at which its angle
 /// just touches zero, by the reference, and how near to it the sweep tells impact from none.
 #[test]
-fn grazing_impact() {
+fn a_grazing_impact_is_told_from_a_near_miss() {
     let scene = |a_h: f64| {
         on_the_ground(&format!(
             "[pulse]\nomega = 6.0\na_h = {a_h}\n[run]\nt_max = 0.75\ntilt = 0.08\n"
@@ -175,7 +177,9 @@ fn grazing_impact() {
         })
     };
     let to = (2..=12).take_while(|k| agree(0.1_f64.powi(*k))).last().unwrap();
-    say(&format!("grazing_impact: told apart from none to 1e-{to} of the amplitude {touch:.4}"));
+    say(&format!(
+        "a_grazing_impact_is_told_from_a_near_miss: told apart from none to 1e-{to} of the amplitude {touch:.4}"
+    ));
     assert!(to >= 7, "{to}");
 }
 

@@ -32,7 +32,7 @@ fn unresolved(what: &str, cell: &Outcome) {
 
 /// A scene with such a number is refused before anything runs.
 #[test]
-fn in_a_scene() {
+fn a_scene_with_a_number_that_is_not_finite_is_refused() {
     let text = |key: &str, value: &str| {
         let sections =
             [("block", "half_width"), ("base", "t_h"), ("pulse", "a_h"), ("run", "t_max")];
@@ -131,16 +131,16 @@ fn in_cells_of<R: Real>() {
     }
 }
 
-/// In the numbers that a cell's equations are made of.
+/// The numbers that a cell's equations are made of, one after the other.
 #[test]
-fn in_a_cell() {
+fn a_cell_with_a_number_that_is_not_finite_is_unresolved() {
     in_cells_of::<f32>();
     in_cells_of::<f64>();
 }
 
-/// In a motion on its way, full contact or rocking.
+/// The motion is on its way, in full contact or rocking.
 #[test]
-fn in_a_motion() {
+fn a_motion_with_a_number_that_is_not_finite_is_unresolved() {
     for tilt in [0.0, 0.05] {
         let mut scene = rocks();
         scene.set(Parameter::Tilt, tilt);
@@ -174,9 +174,9 @@ fn in_a_motion() {
     }
 }
 
-/// In a record's sample, past the readers and the pairing, which refuse such files.
+/// A sample past the readers and the pairing, which refuse such files.
 #[test]
-fn in_a_record() {
+fn a_record_with_a_sample_that_is_not_finite_is_unresolved() {
     for bad in BAD {
         let mut samples: Vec<f64> = (0..300).map(|k| 3.0 * f64::sin(0.06 * f64::from(k))).collect();
         // The peak, from which the yield displacement follows, is that of the finite samples.
@@ -194,16 +194,18 @@ fn in_a_record() {
 /// Parameters that a user may give but f32 does not hold: unresolved where they matter, and of no
 /// effect where they cannot.
 #[test]
-fn beyond_the_range_of_f32() {
+fn what_f32_does_not_hold_is_unresolved_or_has_no_effect() {
     let cell = |a_h: &str| swept::<f32>(&object(1, 0.2, (1.75, 0.75), 0.0, "5", a_h));
     unresolved("A_h = 1e39 in f32", &cell("1e39"));
     assert_eq!(cell("1e-41").class, Class::FullContact);
-    say("beyond_the_range_of_f32: A_h = 1e39 m/s^2 is unresolved, 1e-41 full contact");
+    say(
+        "what_f32_does_not_hold_is_unresolved_or_has_no_effect: A_h = 1e39 m/s^2 is unresolved, 1e-41 full contact",
+    );
 }
 
-/// In the shader's own arithmetic.
+/// What is not finite comes of the shader's own arithmetic.
 #[test]
-fn in_the_shader() {
+fn the_shader_says_so_where_its_numbers_are_not_finite() {
     let Some(gpu) = gpu("non-finite values in the shader", Precision::F32) else { return };
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "4:8:4", "3:8:4");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
@@ -245,7 +247,7 @@ fn in_the_shader() {
 
 /// A grid with one bad cell loses that cell and no other.
 #[test]
-fn one_cell_of_a_grid() {
+fn a_cell_that_is_not_finite_leaves_the_others_as_they_are() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.0, "5", "3:1e39:2");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let cells = cpu::sweep(Precision::F32, &plan, &Grid::of(&scene), &[0, 1], &Unwatched);

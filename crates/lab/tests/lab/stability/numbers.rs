@@ -83,7 +83,7 @@ fn the_uplift_margin() {
 /// Tilts and accelerations among the denormal numbers do no harm: the block stands, or comes to
 /// rest at once, on the CPU and in the shader, which may flush them to zero.
 #[test]
-fn denormal_numbers() {
+fn denormal_numbers_leave_the_block_at_rest() {
     let scene = |tilt: f64, a_h: f64| {
         on_the_ground(&format!(
             "[pulse]\nomega = 5.0\na_h = {a_h}\n[run]\nt_max = 0.5\ntilt = {tilt}\n"
@@ -104,7 +104,7 @@ fn denormal_numbers() {
             assert!(cell.impacts <= 2, "{name}: {tilt:e}: {} impacts", cell.impacts);
         }
     }
-    say("denormal_numbers: at rest at once, down to 1e-320");
+    say("denormal_numbers_leave_the_block_at_rest: at rest at once, down to 1e-320");
 }
 
 /// The same cells in f32 and f64 over 30 s and over 300 s: equal outcomes, and a difference that
