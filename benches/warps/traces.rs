@@ -145,15 +145,15 @@ pub fn turns(traces: &Traces, cells: impl Iterator<Item = usize>, lanes: usize) 
     free.into_iter().map(|Reverse((at, _))| at).max().unwrap_or(0)
 }
 
-/// What a lane tells of a turn.
-struct Told {
+/// The last trial of a lane.
+struct LastTrial {
     moved: bool,
     switch: u32,
     /// The block rocks after it.
     rocking: bool,
 }
 
-impl<R: Real> Listener<R> for Told {
+impl<R: Real> Listener<R> for LastTrial {
     const EVENTS: bool = true;
     const FORCES: bool = true;
 
@@ -167,7 +167,7 @@ impl<R: Real> Listener<R> for Told {
 }
 
 /// The trials of a cell to its end; none of one that is done before it begins.
-fn trials<R: Real>(lanes: &mut Lanes<'_, R, Told>, job: Job<R>) -> Vec<Packed> {
+fn trials<R: Real>(lanes: &mut Lanes<'_, R, LastTrial>, job: Job<R>) -> Vec<Packed> {
     let mut trials = Vec::new();
     let (mut searching, mut ended) = (false, job.state.status != RUNNING);
     lanes.log.rocking = job.state.mode != FULL_CONTACT;
@@ -199,10 +199,10 @@ pub fn record<R: Real>(plan: &Plan, grid: &Grid) -> Traces {
     let all = Cells::<R>::of(plan, grid, &cells, &record, &Unwatched);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let lanes = || {
-        let told = Told { moved: false, switch: NOTHING, rocking: false };
-        Lanes::new(shared, R::of(0.0), told)
+        let last = LastTrial { moved: false, switch: NOTHING, rocking: false };
+        Lanes::new(shared, R::of(0.0), last)
     };
-    let of_cell = |lanes: &mut Lanes<'_, R, Told>, &number: &usize| {
+    let of_cell = |lanes: &mut Lanes<'_, R, LastTrial>, &number: &usize| {
         let (cell, state) = all.begin(number);
         trials(lanes, Job { number, cell, state })
     };

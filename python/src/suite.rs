@@ -72,7 +72,7 @@ pub fn envelope<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Tables<'py>> {
-    let Asked { suite, request, threads, resume } = asked(py, keywords, &ENVELOPE)?;
+    let SuiteCall { suite, request, threads, resume } = suite_call(py, keywords, &ENVELOPE)?;
     let limits = Limits {
         standing: number(keywords, "standing", "a number")?.unwrap_or(1.0),
         u: number(keywords, "limit_u", "a number of metres")?,
@@ -108,7 +108,7 @@ pub fn fragility<'py>(
     keywords: &Bound<'py, PyDict>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Tables<'py>> {
-    let Asked { suite, request, threads, resume } = asked(py, keywords, &FRAGILITY)?;
+    let SuiteCall { suite, request, threads, resume } = suite_call(py, keywords, &FRAGILITY)?;
     let mut request = FragilityRequest::new(request);
     if let Some(im) = given::<String>(keywords, "im", "a text")? {
         request.im = im.parse::<Intensity>().map_err(|error| of_keyword("im", error))?;
@@ -151,12 +151,12 @@ pub fn fragility<'py>(
     };
     request.check().map_err(of_scene)?;
     let run = |watch: &watch::Watch| -> Result<Option<FragilityStudy>, SweepError> {
-        let FragilityJob { sweep, asked } = request.open(&suite)?;
+        let FragilityJob { sweep, settings } = request.open(&suite)?;
         let sweep = of_this_run(sweep, resume)?;
         if request.suite.settings.shard.is_some() {
             return sweep.run(watch).map(|_| None);
         }
-        FragilityJob { sweep, asked }.run(watch).map(Some)
+        FragilityJob { sweep, settings }.run(watch).map(Some)
     };
     let study = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
     let Some(mut study) = study else { return Ok((None, None)) };
@@ -165,7 +165,7 @@ pub fn fragility<'py>(
 
     add("fragility", text(|w| fragility_tables::write_counts(&study, w).map_err(of_table)))?;
     add("fits", text(|w| fragility_tables::write_fits(&study, w).map_err(of_table)))?;
-    if study.asked.unknown.is_some() {
+    if study.settings.unknown.is_some() {
         add(
             "sensitivity",
             text(|w| fragility_tables::write_sensitivity(&study, w).map_err(of_table)),
@@ -191,7 +191,7 @@ pub fn fragility<'py>(
 }
 
 /// What keywords ask for.
-struct Asked {
+struct SuiteCall {
     suite: Suite,
     request: SuiteRequest,
     threads: Threads,
@@ -199,7 +199,11 @@ struct Asked {
 }
 
 /// The suite and the request of keywords.
-fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyResult<Asked> {
+fn suite_call(
+    py: Python<'_>,
+    keywords: &Bound<'_, PyDict>,
+    others: &[&str],
+) -> PyResult<SuiteCall> {
     let path = keywords
         .get_item("suite")?
         .ok_or_else(|| of_keyword("suite", "missing; give a folder, a zip or a list of records"))?;
@@ -227,7 +231,7 @@ fn asked(py: Python<'_>, keywords: &Bound<'_, PyDict>, others: &[&str]) -> PyRes
     request.settings.shard = saving.and_then(|saving| saving.shard);
     request.settings.run = settings;
     let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
-    Ok(Asked { suite: suite.map_err(of_suite)?, request, threads, resume })
+    Ok(SuiteCall { suite: suite.map_err(of_suite)?, request, threads, resume })
 }
 
 /// A job whose directory holds motions of its own, or none, where it is to go on with them.

@@ -165,21 +165,21 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
-        let FragilityJob { sweep, asked } = request.open(&suite).map_err(sweep_error)?;
-        self.motions.refuse_foreign(&place, &self.names(&asked.states))?;
-        let Some(swept) = self.motions.run(sweep, asked.times, options, &say)? else {
+        let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
+        self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
+        let Some(swept) = self.motions.run(sweep, settings.times, options, &say)? else {
             return Ok(());
         };
         let cells = swept.grid.len();
         let screen = Screen::new(options.quiet);
-        let Some(mut study) = Study::of(swept, asked, &screen) else {
+        let Some(mut study) = Study::of(swept, settings, &screen) else {
             return Err(sweep_error(BackendError::Cancelled.into()));
         };
         screen.clear();
         let swept = &study.sweep;
         let mut out = place.open()?;
         let figures = self.figures(&study, hazard.as_ref())?;
-        let varies = study.asked.unknown.is_some();
+        let varies = study.settings.unknown.is_some();
         let mut files = vec![COUNTS, FITS];
         files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
         let told_one_by_one = !varies && cells <= MANY;
@@ -212,9 +212,9 @@ impl FragilityCommand {
             suite: self.motions.manifest(swept, records, options),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
-            limit_states: &study.asked.states,
-            estimators: study.asked.estimators.iter().map(|one| one.name()).collect(),
-            replicates: study.asked.bootstrap.replicates,
+            limit_states: &study.settings.states,
+            estimators: study.settings.estimators.iter().map(|one| one.name()).collect(),
+            replicates: study.settings.bootstrap.replicates,
             seed: self.seed,
             vary: &self.vary,
             samples: varies.then_some(self.samples),
@@ -281,7 +281,7 @@ impl FragilityCommand {
         if grid.axes().len() != 2 {
             return Ok(Vec::new());
         }
-        let states = study.asked.states.iter().enumerate();
+        let states = study.settings.states.iter().enumerate();
         let figure = |(number, state): (usize, &LimitState)| {
             let rates: Option<Vec<Option<f64>>> = hazard.map(|hazard| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);

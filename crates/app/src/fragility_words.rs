@@ -15,10 +15,10 @@ const TOLD: usize = 1;
 
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
 pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, say: &Reporter) {
-    for (number, state) in study.asked.states.iter().enumerate() {
+    for (number, state) in study.settings.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {
-            let by = study.asked.estimators[0].name();
+            let by = study.settings.estimators[0].name();
             let thetas: Vec<f64> = fits.clone().filter_map(|fit| fit.theta).collect();
             let low = thetas.iter().copied().fold(f64::MAX, f64::min);
             let high = thetas.iter().copied().fold(0.0, f64::max);
@@ -42,7 +42,7 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
             continue;
         }
         let estimates = &study.cells[0].states[number].estimates;
-        for (k, (estimator, fit)) in study.asked.estimators.iter().zip(estimates).enumerate() {
+        for (k, (estimator, fit)) in study.settings.estimators.iter().zip(estimates).enumerate() {
             let name = if k == 0 { state.to_string() } else { String::new() };
             say.line(&name, format!("{:8} {}", estimator.name(), curve(fit)));
             let sensitivity = study.cells[0].states[number].sensitivity.as_ref();
@@ -62,7 +62,7 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
             }
         }
     }
-    if let ([one], Some(unknown)) = (&study.cells[..], &study.asked.unknown) {
+    if let ([one], Some(unknown)) = (&study.cells[..], &study.settings.unknown) {
         let overturning = one.states[0].sensitivity.iter().flat_map(|of| &of.indices);
         for (k, (varied, index)) in unknown.varied.iter().zip(overturning).enumerate() {
             let number = |value: f64| format!("{value:.2}");
@@ -80,9 +80,9 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
         }
     }
     if let [one] = &study.cells[..]
-        && study.asked.unknown.is_none()
+        && study.settings.unknown.is_none()
         && let Some(share) = one.stands_again
-        && study.asked.levels.iter().any(|levels| levels.len() > 1)
+        && study.settings.levels.iter().any(|levels| levels.len() > 1)
     {
         let fallen = one.capacities.iter().flatten().count();
         let weighted = if study.is_weighted() { ", by weight," } else { "" };

@@ -15,7 +15,7 @@ pub mod uncertain;
 
 pub use fragility::limit_state::LimitState;
 pub use fragility::sensitivity::{Sensitivity, Unknown};
-pub use fragility::study::{Asked, CellStudy, StateStudy, Study as FragilityStudy};
+pub use fragility::study::{CellStudy, StateStudy, Study as FragilityStudy, StudySettings};
 pub use fragility::{
     AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob, FragilityRequest,
     Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,

@@ -25,7 +25,7 @@ const POINTS: u32 = 200;
 pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
     let mut canvas = Canvas::new(COLUMN);
     let mut parts = words::fixed(&study.sweep.scene);
-    if let Some(unknown) = &study.asked.unknown {
+    if let Some(unknown) = &study.settings.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
         parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));
     }
@@ -40,7 +40,7 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     let (mut canvas, top) = begin(study, &title);
     let x = MARGIN + LEFT;
     let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
-    let levels = study.asked.levels.iter().flatten();
+    let levels = study.settings.levels.iter().flatten();
     let (low, high) =
         levels.fold((f64::MAX, 0.0_f64), |(low, high), level| (low.min(*level), high.max(*level)));
     let (low, high) = if high > 1.05 * low { (low, high) } else { (0.8 * low, 1.25 * high) };
@@ -53,7 +53,7 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
         let points = (0..=POINTS).map(level);
         points.map(|x| frame.at((x.log10(), fragility.probability(x)))).collect()
     };
-    let one = study.cells[0].states.iter().zip(&study.asked.states);
+    let one = study.cells[0].states.iter().zip(&study.settings.states);
     canvas.clipped(place, |canvas| {
         for (k, (of, _)) in one.clone().enumerate() {
             let fit = &of.estimates[0];
@@ -85,7 +85,7 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
             mark.draw(&mut canvas, at, 1.6, colour);
         }
     }
-    let by = study.asked.estimators[0].name();
+    let by = study.settings.estimators[0].name();
     let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
         (false, _) => "",
         (true, false) => "Marks: shares of the motions. ",
@@ -126,7 +126,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     let x = MARGIN + LEFT;
     let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
     let fits = |state: usize| study.cells.iter().map(move |cell| &cell.states[state].estimates[0]);
-    let states = &study.asked.states;
+    let states = &study.settings.states;
     let most = (0..states.len())
         .flat_map(|state| fits(state).filter_map(|fit| fit.theta))
         .fold(0.0_f64, f64::max);
@@ -167,7 +167,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
         }
     });
     frame.draw(&mut canvas, BOTH);
-    let by = study.asked.estimators[0].name();
+    let by = study.settings.estimators[0].name();
     entries.push(entry(Swatch::None, format!("By {by}; bars: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
@@ -188,7 +188,7 @@ pub fn maps(
     use super::shades::{Shades, paint};
     /// Between two plots.
     const APART: f64 = 14.0;
-    let of = study.asked.states[state];
+    let of = study.settings.states[state];
     let title = format!("Fragility of {} under {} motions", of.words(), study.records().count());
     let (mut canvas, top) = begin(study, &title);
     let top = top + FONT;
@@ -230,7 +230,7 @@ pub fn maps(
         let text = format!("annual rate of {target} at most");
         entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
     }
-    let by = study.asked.estimators[0].name();
+    let by = study.settings.estimators[0].name();
     entries.push(entry(Swatch::None, format!("By {by}.")));
     let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), COLUMN - 2.0 * MARGIN, 2);
     Ok(canvas.finish(end + MARGIN))

@@ -4,7 +4,7 @@ use super::estimate::Estimator;
 use super::levels;
 use super::limit_state::LimitState;
 use super::sensitivity::Unknown;
-use super::study::{Asked, Study};
+use super::study::{Study, StudySettings};
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
 use crate::suites::Suite;
@@ -70,8 +70,8 @@ pub struct FragilityRequest {
 pub struct FragilityJob {
     /// The sweeps.
     pub sweep: SuiteJob,
-    /// What is asked of them.
-    pub asked: Asked,
+    /// What is estimated of them, and how.
+    pub settings: StudySettings,
 }
 
 /// Cells from which on there are many.
@@ -206,8 +206,9 @@ impl FragilityRequest {
         let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
-        let asked = Asked { levels: own, times, drawn, unknown, states, estimators, bootstrap };
-        Ok(FragilityJob { sweep, asked })
+        let settings =
+            StudySettings { levels: own, times, drawn, unknown, states, estimators, bootstrap };
+        Ok(FragilityJob { sweep, settings })
     }
 
     /// Refuses more runs of a cell than are held, under so many motions.
@@ -265,7 +266,7 @@ impl FragilityJob {
     /// Those of [`SuiteJob::run`], and that the observer ended it.
     pub fn run(self, observer: &dyn Observer) -> Result<Study, SweepError> {
         let swept = self.sweep.run(observer)?;
-        let study = Study::of(swept, self.asked, observer);
+        let study = Study::of(swept, self.settings, observer);
         Ok(study.ok_or(BackendError::Cancelled)?)
     }
 }

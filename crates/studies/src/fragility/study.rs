@@ -13,9 +13,9 @@ use crate::suites::swept::SuiteSweep;
 use topple::work::observer::{Observer, Phase};
 use topple::work::threads::install;
 
-/// What is asked of a study.
+/// What a study estimates, and how.
 #[derive(Debug, Clone)]
-pub struct Asked {
+pub struct StudySettings {
     /// The level of each motion at each of its factors.
     pub levels: Vec<Vec<f64>>,
     /// Motions of each record: more than one where numbers vary. They follow each other.
@@ -37,8 +37,8 @@ pub struct Asked {
 pub struct Study {
     /// The sweeps that it was made of.
     pub sweep: SuiteSweep,
-    /// What was asked.
-    pub asked: Asked,
+    /// What is estimated of them, and how.
+    pub settings: StudySettings,
     /// A cell each, in the grid's order.
     pub cells: Vec<CellStudy>,
 }
@@ -71,19 +71,24 @@ pub struct StateStudy {
 
 impl Study {
     /// Estimates the fragility of every cell; none where `observer` ends it.
-    pub fn of(sweep: SuiteSweep, asked: Asked, observer: &dyn Observer) -> Option<Study> {
-        observer.begins(Phase::Fitting, sweep.grid.len() * asked.states.len());
-        let shaken = SuiteRuns { sweep: &sweep, levels: &asked.levels, times: asked.times };
+    pub fn of(
+        sweep: SuiteSweep,
+        settings: StudySettings,
+        observer: &dyn Observer,
+    ) -> Option<Study> {
+        observer.begins(Phase::Fitting, sweep.grid.len() * settings.states.len());
+        let shaken = SuiteRuns { sweep: &sweep, levels: &settings.levels, times: settings.times };
         let cell = |cell: usize| {
-            let mut states = Vec::with_capacity(asked.states.len());
-            for state in &asked.states {
+            let mut states = Vec::with_capacity(settings.states.len());
+            for state in &settings.states {
                 if observer.cancelled() {
                     return None;
                 }
-                let records = shaken.records(*state, cell, 0..asked.drawn);
-                let by = |estimator: &Estimator| estimate(*estimator, &records, &asked.bootstrap);
-                let estimates = asked.estimators.iter().map(by).collect();
-                let unknown = asked.unknown.as_ref();
+                let records = shaken.records(*state, cell, 0..settings.drawn);
+                let by =
+                    |estimator: &Estimator| estimate(*estimator, &records, &settings.bootstrap);
+                let estimates = settings.estimators.iter().map(by).collect();
+                let unknown = settings.unknown.as_ref();
                 let sensitivity = unknown.map(|unknown| unknown.sensitivity(&shaken, *state, cell));
                 let stripes = Pool::of(&records, |run| run.failed).stripes(None);
                 states.push(StateStudy {
@@ -94,7 +99,7 @@ impl Study {
                 });
                 observer.advance(1);
             }
-            let overturning = shaken.records(LimitState::Overturning, cell, 0..asked.drawn);
+            let overturning = shaken.records(LimitState::Overturning, cell, 0..settings.drawn);
             Some(CellStudy {
                 states,
                 capacities: overturning.iter().map(|record| Capacity::of(&record.runs)).collect(),
@@ -104,7 +109,7 @@ impl Study {
         };
         let all = (0..sweep.grid.len()).into_par_iter().map(cell);
         let cells = install(|| all.collect::<Option<Vec<_>>>())?;
-        Some(Study { sweep, asked, cells })
+        Some(Study { sweep, settings, cells })
     }
 
     /// True where records count differently.
@@ -114,7 +119,7 @@ impl Study {
 
     /// The ids of the records.
     pub fn records(&self) -> impl Iterator<Item = &str> {
-        self.sweep.motions.iter().step_by(self.asked.times).map(|motion| motion.id.as_str())
+        self.sweep.motions.iter().step_by(self.settings.times).map(|motion| motion.id.as_str())
     }
 }
 

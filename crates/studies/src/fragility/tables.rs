@@ -56,7 +56,7 @@ impl<'a, W: Write> Table<'a, W> {
 fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStudy)> {
     let of = |(number, cell)| {
         let cell: &CellStudy = cell;
-        study.asked.states.iter().zip(&cell.states).map(move |(state, of)| (number, state, of))
+        study.settings.states.iter().zip(&cell.states).map(move |(state, of)| (number, state, of))
     };
     study.cells.iter().enumerate().flat_map(of)
 }
@@ -65,7 +65,7 @@ fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStud
 fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'static str, &Estimate)> {
     let of = |(cell, state, of)| {
         let of: &StateStudy = of;
-        let named = study.asked.estimators.iter().zip(&of.estimates);
+        let named = study.settings.estimators.iter().zip(&of.estimates);
         named.map(move |(estimator, fit)| (cell, state, estimator.name(), fit))
     };
     states(study).flat_map(of)
@@ -107,7 +107,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
     let mut table = Table::begin(study, writer, &RUNS)?;
     let cells = study.sweep.grid.len();
     for cell in 0..cells {
-        for (motion, levels) in study.sweep.motions.iter().zip(&study.asked.levels) {
+        for (motion, levels) in study.sweep.motions.iter().zip(&study.settings.levels) {
             for (k, level) in levels.iter().enumerate() {
                 let index = k * cells + cell;
                 let numbers = [&motion.max_u, &motion.stroke_v, &motion.zeta];
@@ -143,7 +143,7 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let Some(unknown) = &study.settings.unknown else { return Ok(()) };
     let mut table = Table::begin(study, writer, &SENSITIVITY)?;
     for (cell, state, of) in states(study) {
         let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
@@ -161,7 +161,7 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let Some(unknown) = &study.asked.unknown else { return Ok(()) };
+    let Some(unknown) = &study.settings.unknown else { return Ok(()) };
     let drawn = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
     let drawn: Vec<String> = drawn.collect();
     let [state, curve @ ..] = POINTS.map(|column| column.name);
