@@ -1,8 +1,7 @@
 //! The sweep on every backend against the reference, on the maps of Figs. 11 and 13.
 
-use std::sync::LazyLock;
+mod judged;
 
-use rayon::prelude::*;
 use topple::backend::backend_error::BackendError;
 use topple::backend::cpu;
 use topple::backend::gpu::run::Sweeper;
@@ -11,42 +10,14 @@ use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
-use topple::scene::{Grid, Scene};
+use topple::scene::Grid;
 use topple::stepping::outcome::{Class, Outcome};
-use topple::stepping::reference::{self, Settings};
 use topple::sweep::sample::Chosen;
 use topple::sweep::verification::{self, Verification, compare};
 use topple::work::observer::Unwatched;
-use topple_lab::chart::bench::MAPS;
 
 use crate::common::{all, gpu, object, say};
-
-/// Points of an axis.
-const SIDE: usize = 60;
-
-fn map_scene(a_v: f64, e: f64) -> Scene {
-    object(1, e, (1.75, 0.75), a_v, &format!("0.2:15:{SIDE}"), &format!("0.1:15:{SIDE}"))
-}
-
-/// A scene, and its cells' outcomes by the reference.
-type Judged = (Scene, Vec<Outcome>);
-
-/// The ten maps by the reference, made once: 36,000 cells of 30 s.
-static JUDGED: LazyLock<Vec<Judged>> = LazyLock::new(|| {
-    let judge = |(a_v, e)| {
-        let scene = map_scene(a_v, e);
-        let grid = Grid::of(&scene);
-        let outcomes = judged(&scene, &grid);
-        (scene, outcomes)
-    };
-    MAPS.into_iter().map(judge).collect()
-});
-
-/// The cells of a scene by the reference.
-fn judged(scene: &Scene, grid: &Grid) -> Vec<Outcome> {
-    let run = |index| reference::run(scene, &grid.case(index), &Settings::default());
-    (0..grid.len()).into_par_iter().map(run).collect()
-}
+use judged::{JUDGED, SIDE, judged};
 
 /// What the reference says of all cells of a sweep; where they lie is not asked.
 fn compared(grid: &Grid, outcomes: &[Outcome], judged: &[Outcome]) -> Verification {
@@ -122,7 +93,7 @@ fn a_wrong_sign_in_the_shader_shows() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "0.1:15:24");
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let grid = Grid::of(&scene);
-    let judged = judged(&scene, &grid);
+    let judged = judged(&scene);
     let differ = |source: &str| {
         let sweeper = Sweeper::from_source(&gpu, source, plan.variant(), 0).unwrap();
         let cells = sweeper
@@ -170,7 +141,7 @@ fn locked_directions_agree_with_the_reference() {
         ));
         let grid = Grid::of(&scene);
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
-        let judged = judged(&scene, &grid);
+        let judged = judged(&scene);
         let twin = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
         let report = compared(&grid, &twin, &judged);
         assert_eq!(report.differ + report.unresolved, 0, "{isolation}: {:?}", report.differences);

@@ -8,3 +8,4 @@ mod common;
 mod agreement;
 mod paper;
 mod stability;
+mod stored;
