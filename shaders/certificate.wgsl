@@ -18,6 +18,26 @@ fn least_rise(corner: Corner, phi: real) -> real {
     return phi * (arm - 0.5 * phi * height);
 }
 
+// Twice the energies of the base over M_t, from rest.
+fn base_energy_h(cell: Cell, y: Motion) -> real {
+    if !isolated_h {
+        return 0.0;
+    }
+    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    if yields {
+        return base_h + cell.yield_energy * y.z * y.z;
+    }
+    return base_h;
+}
+
+// Twice those over M_v; gravity is in them.
+fn base_energy_v(cell: Cell, y: Motion) -> real {
+    if !isolated_v {
+        return 0.0;
+    }
+    return y.dv * y.dv + cell.stiffness_v * y.v * y.v;
+}
+
 // True where energies that are left in the base reach no further than the largest |u| and |v|.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
@@ -42,18 +62,8 @@ fn is_final(cell: Cell, state: State) -> bool {
     let more: real = 1.0 + MARGIN;
     let y = state.motion;
     let rocking = state.mode != FULL_CONTACT;
-    // Twice the energies of the base over M_t and M_v, from rest; the vertical one holds gravity.
-    var base_h = zero;
-    if isolated_h {
-        base_h = y.du * y.du + cell.post_yield * y.u * y.u;
-        if yields {
-            base_h = base_h + cell.yield_energy * y.z * y.z;
-        }
-    }
-    var base_v = zero;
-    if isolated_v {
-        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
-    }
+    let base_h = base_energy_h(cell, y);
+    let base_v = base_energy_v(cell, y);
     // What is left of them at most. A block in full contact may yet lift, and the base's energies are
     // then the least that each can be.
     var left_h = more * base_h;

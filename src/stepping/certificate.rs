@@ -35,11 +35,34 @@ pub const MARGIN: f64 = 1.0e-3;
 /// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
 /// than this, by sin phi >= phi - phi^3/6 and 1 - cos phi <= phi^2/2 - phi^4/24 + phi^6/720.
 #[inline(always)]
-fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+pub(super) fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
     let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
     let arm = corner.arm * (one - t * t.like(1.0 / 6.0));
     let height = set.model.height * (one - t * t.like(1.0 / 12.0) * (one - t * t.like(1.0 / 30.0)));
     phi * (arm - half * phi * height)
+}
+
+/// Twice the energies of the base over M_t, from rest.
+#[inline(always)]
+pub(super) fn base_energy_h<N: Number>(set: &CellEquations<N>, y: &Motion<N>) -> N {
+    let (variant, cell) = (set.variant, set.cell);
+    if !variant.isolated_h {
+        return y.u.like(0.0);
+    }
+    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    if variant.yields {
+        return base_h + cell.yield_energy * y.z * y.z;
+    }
+    base_h
+}
+
+/// Twice those over M_v; gravity is in them.
+#[inline(always)]
+pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) -> N {
+    if !set.variant.isolated_v {
+        return y.u.like(0.0);
+    }
+    y.dv * y.dv + set.cell.stiffness_v * y.v * y.v
 }
 
 /// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|. Like
@@ -87,18 +110,7 @@ pub fn is_final<V: Vector>(
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
     let margin = y.u.like(MARGIN);
     let more = y.u.like(1.0 + MARGIN);
-    // Twice the energies of the base over M_t and M_v, from rest; the vertical one holds gravity.
-    let mut base_h = zero;
-    if variant.isolated_h {
-        base_h = y.du * y.du + cell.post_yield * y.u * y.u;
-        if variant.yields {
-            base_h = base_h + cell.yield_energy * y.z * y.z;
-        }
-    }
-    let mut base_v = zero;
-    if variant.isolated_v {
-        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
-    }
+    let (base_h, base_v) = (base_energy_h(set, y), base_energy_v(set, y));
     // What is left of them at most. A block in full contact may yet lift, and the base's energies
     // are then the least that each can be.
     let mut left_h = more * base_h;

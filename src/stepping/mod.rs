@@ -13,6 +13,7 @@
 pub mod certificate;
 pub(crate) mod crossing;
 pub(crate) mod cubic;
+pub mod early_rest;
 pub(crate) mod extremes;
 pub mod forcing;
 pub mod guards;
