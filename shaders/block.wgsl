@@ -33,8 +33,8 @@ struct Model {
     normal_by_turn: real,
     shear_by_normal: real,
     shear_by_turn: real,
-    most_growth: real,
-    flights: real,
+    padding_0: real,
+    padding_1: real,
 }
 
 // The body that all cells have, where they differ in none; otherwise that of the first.

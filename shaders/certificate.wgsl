@@ -20,8 +20,9 @@ fn least_rise(corner: Corner, phi: real) -> real {
 
 // Twice the energies of the base over M_t, from rest.
 fn base_energy_h(cell: Cell, y: Motion) -> real {
+    let zero: real = 0.0;
     if !isolated_h {
-        return 0.0;
+        return zero;
     }
     let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
     if yields {
@@ -32,8 +33,9 @@ fn base_energy_h(cell: Cell, y: Motion) -> real {
 
 // Twice those over M_v; gravity is in them.
 fn base_energy_v(cell: Cell, y: Motion) -> real {
+    let zero: real = 0.0;
     if !isolated_v {
-        return 0.0;
+        return zero;
     }
     return y.dv * y.dv + cell.stiffness_v * y.v * y.v;
 }
@@ -57,8 +59,6 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
 // just had an impact.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
-    let one: real = 1.0;
-    let margin: real = MARGIN;
     let more: real = 1.0 + MARGIN;
     let y = state.motion;
     let rocking = state.mode != FULL_CONTACT;
@@ -109,12 +109,22 @@ fn is_final(cell: Cell, state: State) -> bool {
     if !forces {
         return true;
     }
+    return forces_are_final(state, stays, x_most, y_swing, energy);
+}
+
+// True where the contact forces pass no extreme: of a block that stays in full contact, or of one with an energy over M
+// left to its rotation.
+fn forces_are_final(state: State, stays: bool, x_most: real, y_swing: real, energy: real) -> bool {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let margin: real = MARGIN;
+    let more: real = 1.0 + MARGIN;
     // The least normal force and the largest share of the shear.
-    let whole = select(model.normal_share, one, stays);
+    let share = select(model.normal_share, one, stays);
     let turn = select(energy, zero, stays);
     let by_shear = select(model.normal_by_shear * x_most, zero, stays);
     let by_normal = select(model.shear_by_normal * (model.gravity + y_swing), zero, stays);
-    let normal = whole * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
+    let normal = share * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
     let shear = x_most + by_normal + model.shear_by_turn * turn;
     let pressed = normal >= state.min_contact - margin * abs(state.min_contact);
     return pressed && more * state.friction * normal >= shear;

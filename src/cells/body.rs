@@ -46,16 +46,6 @@ impl Body {
         rho2 + height2 * (1.0 - self.mu_h) + b * b * (1.0 - self.mu_v)
     }
 
-    /// eta_phi of (17c) for an impact after which the block turns about a corner, or what is given in its place.
-    pub(crate) fn eta_phi(&self, side: f64) -> f64 {
-        let block = &self.block;
-        let (h, b, c) = (block.height, block.arm(side), block.arm(-side));
-        let (rho2, kappa_h, kappa_v) =
-            (block.inertia / block.mass, 1.0 - self.mu_h, 1.0 - self.mu_v);
-        let by_law = (rho2 + h * h * kappa_h - b * c * kappa_v) / self.impact_inertia(b);
-        self.restitution.unwrap_or(by_law)
-    }
-
     /// Rate at which a block that stands on a corner falls back, rad/s^2. A flight at the speed w
     /// lasts 2 w M D / (M g b): the corner with the shorter arm is the quicker to land.
     pub(crate) fn fall(&self) -> f64 {

@@ -39,20 +39,6 @@ impl Body {
         (restitution * restitution * ratio.max(1.0 / ratio)).max(1.0)
     }
 
-    /// For flights of which each has at most a share r of the energy of the one before: by how much the energy may grow in
-    /// a flight for that, and how much longer than the first they last together, 1/(1 - sqrt r). An impact leaves
-    /// eta_phi^2 D_l/D_r of the energy over that of rest, or the same about the other corner, at most s; half of what it
-    /// takes may come back, r = (1 + s)/2.
-    pub(crate) fn flights(&self) -> (f64, f64) {
-        let left = |side: f64| {
-            let [d, other] = [side, -side].map(|side| self.impact_inertia(self.block.arm(side)));
-            self.eta_phi(side).powi(2) * d / other
-        };
-        let s = left(1.0).max(left(-1.0));
-        let r = 0.5 * (1.0 + s);
-        (r / s - 1.0, 1.0 / (1.0 - r.min(1.0).sqrt()))
-    }
-
     /// The least of 1 - kappa_v Q^2/D: at Q = b and P = H.
     pub(crate) fn normal_share(&self) -> f64 {
         let (b, _, _) = self.dimensions();

@@ -11,16 +11,17 @@ impl Body {
     fn corner<R: Real>(&self, side: f64) -> Corner<R> {
         let block = &self.block;
         let rho2 = block.inertia / block.mass;
-        let (h, b) = (block.height, block.arm(side));
+        let (h, b, c) = (block.height, block.arm(side), block.arm(-side));
         let width = 2.0 * block.half_width;
         let (kappa_h, kappa_v) = (1.0 - self.mu_h, 1.0 - self.mu_v);
         let d = self.impact_inertia(b);
+        let by_law = (rho2 + h * h * kappa_h - b * c * kappa_v) / d;
         Corner {
             side: R::of(side),
             arm: R::of(b),
             inertia: R::of(rho2 + b * b + h * h),
             overturn: R::of(block.overturning_angle(side, self.overturn)),
-            eta_phi: R::of(self.eta_phi(side)),
+            eta_phi: R::of(self.restitution.unwrap_or(by_law)),
             eta_u: R::of(width * b * h * self.mu_h * kappa_v / d),
             eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d),
             padding: R::of(0.0),
@@ -32,7 +33,6 @@ impl Body {
         let block = &self.block;
         let radius = |side: f64| f64::hypot(block.arm(side), block.height);
         let inverse = |mu: f64| R::of(if mu > 0.0 { 1.0 / mu } else { 0.0 });
-        let (most_growth, flights) = self.flights();
         Model {
             left: self.corner(1.0),
             right: self.corner(-1.0),
@@ -50,8 +50,8 @@ impl Body {
             normal_by_turn: R::of((1.0 - self.mu_v) * self.most_by_turn(Lever::Height)),
             shear_by_normal: R::of((1.0 - self.mu_h) * self.most_pq()),
             shear_by_turn: R::of((1.0 - self.mu_h) * self.most_by_turn(Lever::Arm)),
-            most_growth: R::of(most_growth),
-            flights: R::of(flights),
+            padding_0: R::of(0.0),
+            padding_1: R::of(0.0),
         }
     }
 }

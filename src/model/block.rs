@@ -76,11 +76,10 @@ pub struct Model<R> {
     pub shear_by_normal: R,
     /// The most of kappa_h Q w [1 + (mu_h - mu_v) P^2/D] over the energy over M, 1/m.
     pub shear_by_turn: R,
-    /// Share by which the energy of a flight may grow in the flight, for the flights to shrink all the same
-    /// ([`early_rest`](crate::stepping::early_rest)); negative where impacts need take none.
-    pub most_growth: R,
-    /// How much longer than the first the flights then last together, at most.
-    pub flights: R,
+    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    pub padding_0: R,
+    /// The same.
+    pub padding_1: R,
 }
 
 macro_rules! model {
@@ -111,7 +110,7 @@ macro_rules! model {
 }
 model!(
     height mu_h mu_v gravity inverse_mu_h inverse_mu_v least_arm topple_energy impact_gain normal_share
-    normal_by_shear normal_by_turn shear_by_normal shear_by_turn most_growth flights
+    normal_by_shear normal_by_turn shear_by_normal shear_by_turn padding_0 padding_1
 );
 
 /// The corner that the block turns about in a rocking mode (the left one in full contact, where

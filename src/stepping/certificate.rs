@@ -69,7 +69,7 @@ pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
 /// all that is called from a turn it is a function: a closure that is called twice is compiled by itself, without the
 /// instructions of the vectors.
 #[inline(always)]
-fn within<V: Vector>(
+pub(super) fn within<V: Vector>(
     set: &CellEquations<V>,
     extremes: &Extremes<V>,
     tried: V::Mask,
@@ -108,7 +108,6 @@ pub fn is_final<V: Vector>(
 ) -> V::Mask {
     let (variant, model, cell) = (set.variant, set.model, set.cell);
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
-    let margin = y.u.like(MARGIN);
     let more = y.u.like(1.0 + MARGIN);
     let (base_h, base_v) = (base_energy_h(set, y), base_energy_v(set, y));
     // What is left of them at most. A block in full contact may yet lift, and the base's energies
@@ -156,8 +155,26 @@ pub fn is_final<V: Vector>(
     if !variant.forces {
         return last;
     }
+    forces_are_final(set, extremes, last, stays, x_most, y_swing, energy)
+}
+
+/// The lanes of `tried` whose contact forces pass no extreme: those of blocks that stay in full contact, and those of
+/// others, with an energy over M left to their rotation.
+#[inline(always)]
+pub(super) fn forces_are_final<V: Vector>(
+    set: &CellEquations<V>,
+    extremes: &Extremes<V>,
+    tried: V::Mask,
+    stays: V::Mask,
+    x_most: V,
+    y_swing: V,
+    energy: V,
+) -> V::Mask {
+    let model = set.model;
+    let (zero, one) = (energy.like(0.0), energy.like(1.0));
+    let (margin, more) = (energy.like(MARGIN), energy.like(1.0 + MARGIN));
     // The least normal force and the largest share of the shear.
-    let share = V::select(stays, y.u.like(1.0), model.normal_share);
+    let share = V::select(stays, one, model.normal_share);
     let turn = V::select(stays, zero, energy);
     let by_shear = V::select(stays, zero, model.normal_by_shear * x_most);
     let by_normal = V::select(stays, zero, model.shear_by_normal * (model.gravity + y_swing));
@@ -165,5 +182,5 @@ pub fn is_final<V: Vector>(
     let shear = x_most + by_normal + model.shear_by_turn * turn;
     let pressed = normal.ge(extremes.min_contact - margin * extremes.min_contact.abs());
     let held = (more * extremes.friction * normal).ge(shear);
-    last & pressed & held
+    tried & pressed & held
 }
