@@ -1,5 +1,5 @@
-// Rest before the last flights end: the proof that a block will come to rest for good, and that none of its flights until
-// then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
+// Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
+// until then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
 
 // True where a block may come to rest at once; the excitation must be over, and the block have just had an impact.
 fn rests_early(cell: Cell, state: State) -> bool {
@@ -13,13 +13,12 @@ fn rests_early(cell: Cell, state: State) -> bool {
         - model.mu_v * corner.arm * corner.arm;
     let momentum = more * d * speed;
     let flight = model.impact_gain * 0.5 * momentum * speed;
-    // The base. Elastic impacts would go on without end.
+    // The base.
     let rested = come_to_rest(corner, y);
     let base_h = more * base_energy_h(cell, rested);
     let base_v = more * base_energy_v(cell, rested);
     let base = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    let lossy = model.left.eta_phi * model.right.eta_phi < 1.0;
-    if !(lossy && model.topple_energy > base + flight) {
+    if !(model.topple_energy > base + flight) {
         return false;
     }
     let arm = max(model.left.arm, model.right.arm);

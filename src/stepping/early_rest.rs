@@ -1,4 +1,4 @@
-//! Rest before the last flights end: the proof that a block will come to rest for good, and that none of its flights
+//! Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
 //! until then reaches what has been reached. Twin of `shaders/early_rest.wgsl`.
 //!
 //! A block that chatters makes most of its impacts in flights shorter than a step. Let it come to rest at an impact, by
@@ -49,13 +49,12 @@ pub fn rests_early<V: Vector>(
         - model.mu_v * corner.arm * corner.arm;
     let momentum = more * d * speed;
     let flight = model.impact_gain * half * momentum * speed;
-    // The base. Elastic impacts would go on without end.
+    // The base.
     let rested = come_to_rest(set, corner, y);
     let base_h = more * base_energy_h(set, &rested);
     let base_v = more * base_energy_v(set, &rested);
     let base = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    let lossy = y.u.like(1.0).gt(model.left.eta_phi * model.right.eta_phi);
-    let mut rests = tried & lossy & model.topple_energy.gt(base + flight);
+    let mut rests = tried & model.topple_energy.gt(base + flight);
     if !V::any(rests) {
         return rests;
     }

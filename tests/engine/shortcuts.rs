@@ -164,10 +164,21 @@ fn the_certificate_changes_no_outcome_after_a_record() {
 /// run with the certificate, and without.
 #[test]
 fn what_is_proved_stays_so() {
-    for (isolation, a_v) in [("dual", 0.5), ("dual", 0.0), ("horizontal", 0.0), ("none", 0.5)] {
-        let name = format!("{isolation}, A_v = {a_v}");
+    // Where contact forces are not asked for, they hold up no proof.
+    for (isolation, a_v, forces) in [
+        ("dual", 0.5, true),
+        ("dual", 0.0, true),
+        ("dual", 0.5, false),
+        ("dual", 0.0, false),
+        ("vertical", 0.5, false),
+        ("horizontal", 0.0, true),
+        ("none", 0.5, true),
+    ] {
+        let name = format!("{isolation}, A_v = {a_v}, forces {forces}");
         let scene = map(isolation, None, a_v, 24);
-        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let grid = Grid::of(&scene);
+        let mut plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
+        plan.forces = forces;
         let model = plan.model::<f64>(&plan.scene.case());
         let (mut proved, mut rested) = (0, 0);
         for index in all(&grid) {
@@ -202,7 +213,7 @@ fn what_is_proved_stays_so() {
             assert!(higher <= 1.001e-3 * then.friction, "{:?}: {higher}", grid.case(index));
         }
         say(&format!("{name}: {proved} proved, {rested} of them rocked and rest"));
-        assert!(proved > 90 && rested > 5, "{name}: {proved}, {rested}");
+        assert!(proved > 50 && rested > 5, "{name}: {proved}, {rested}");
     }
 }
 
@@ -275,23 +286,6 @@ fn a_ball_that_bounces_gains_no_more_than_the_force_does() {
     }
     say(&format!("the largest energy is {worst:.3} of the bound"));
     assert!(worst <= 1.0 && worst > 0.9, "{worst}");
-}
-
-/// Impacts that take nothing never end: such a block goes on.
-#[test]
-fn a_block_whose_impacts_are_elastic_does_not_rest() {
-    let mut scene = map("none", None, 0.0, 12);
-    scene.set(Parameter::Restitution, 1.0);
-    let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
-    let cells = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
-    let full = cpu::sweep(Precision::F64, &plan.full_model(), &grid, &all(&grid), &Unwatched);
-    let rocks = cells.iter().zip(&full).filter(|(cell, _)| cell.class == Class::Rocking);
-    let mut some = 0;
-    for (cell, full) in rocks {
-        some += 1;
-        assert_eq!((cell.uplifts, cell.max_phi_left), (full.uplifts, full.max_phi_left));
-    }
-    assert!(some > 0);
 }
 
 #[test]
