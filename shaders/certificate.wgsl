@@ -18,6 +18,28 @@ fn least_rise(corner: Corner, phi: real) -> real {
     return phi * (arm - 0.5 * phi * height);
 }
 
+// Twice the energies of the base over M_t, from rest.
+fn base_energy_h(cell: Cell, y: Motion) -> real {
+    let zero: real = 0.0;
+    if !isolated_h {
+        return zero;
+    }
+    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    if yields {
+        return base_h + cell.yield_energy * y.z * y.z;
+    }
+    return base_h;
+}
+
+// Twice those over M_v; gravity is in them.
+fn base_energy_v(cell: Cell, y: Motion) -> real {
+    let zero: real = 0.0;
+    if !isolated_v {
+        return zero;
+    }
+    return y.dv * y.dv + cell.stiffness_v * y.v * y.v;
+}
+
 // True where energies that are left in the base reach no further than the largest |u| and |v|.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
@@ -37,23 +59,11 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
 // just had an impact.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
-    let one: real = 1.0;
-    let margin: real = MARGIN;
     let more: real = 1.0 + MARGIN;
     let y = state.motion;
     let rocking = state.mode != FULL_CONTACT;
-    // Twice the energies of the base over M_t and M_v, from rest; the vertical one holds gravity.
-    var base_h = zero;
-    if isolated_h {
-        base_h = y.du * y.du + cell.post_yield * y.u * y.u;
-        if yields {
-            base_h = base_h + cell.yield_energy * y.z * y.z;
-        }
-    }
-    var base_v = zero;
-    if isolated_v {
-        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
-    }
+    let base_h = base_energy_h(cell, y);
+    let base_v = base_energy_v(cell, y);
     // What is left of them at most. A block in full contact may yet lift, and the base's energies are
     // then the least that each can be.
     var left_h = more * base_h;
@@ -99,12 +109,22 @@ fn is_final(cell: Cell, state: State) -> bool {
     if !forces {
         return true;
     }
+    return forces_are_final(state, stays, x_most, y_swing, energy);
+}
+
+// True where the contact forces pass no extreme: of a block that stays in full contact, or of one with an energy over M
+// left to its rotation.
+fn forces_are_final(state: State, stays: bool, x_most: real, y_swing: real, energy: real) -> bool {
+    let zero: real = 0.0;
+    let one: real = 1.0;
+    let margin: real = MARGIN;
+    let more: real = 1.0 + MARGIN;
     // The least normal force and the largest share of the shear.
-    let whole = select(model.normal_share, one, stays);
+    let share = select(model.normal_share, one, stays);
     let turn = select(energy, zero, stays);
     let by_shear = select(model.normal_by_shear * x_most, zero, stays);
     let by_normal = select(model.shear_by_normal * (model.gravity + y_swing), zero, stays);
-    let normal = whole * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
+    let normal = share * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
     let shear = x_most + by_normal + model.shear_by_turn * turn;
     let pressed = normal >= state.min_contact - margin * abs(state.min_contact);
     return pressed && more * state.friction * normal >= shear;

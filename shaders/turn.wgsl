@@ -181,10 +181,18 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         (*state).status = DIVERGED;
     } else if (*state).step >= cell.steps {
         (*state).status = FINISHED;
-    } else if certificate && due && !(*t).forcing.forced && is_final(cell, *state) {
-        (*state).end_fraction = (*t).start;
-        (*state).status = PROVED;
-    } else if through && (*t).forcing.done >= (*t).forcing.steps {
-        (*t).forcing = begin_segment(cell, (*state).step);
+    } else {
+        if certificate && due && !(*t).forcing.forced {
+            if is_final(cell, *state) {
+                (*state).end_fraction = (*t).start;
+                (*state).status = PROVED;
+            } else if switches && (*state).mode != FULL_CONTACT && rests_early(cell, *state) {
+                (*state).motion = come_to_rest(pivot((*state).mode), (*state).motion);
+                (*state).mode = FULL_CONTACT;
+            }
+        }
+        if (*state).status == RUNNING && through && (*t).forcing.done >= (*t).forcing.steps {
+            (*t).forcing = begin_segment(cell, (*state).step);
+        }
     }
 }

@@ -161,7 +161,7 @@ columns! {
         "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";
     /// The impacts.
     Impacts = impacts: u32, "impacts", "",
-        "impacts up to t_end; of a cell that ended early, up to t_simulated";
+        "impacts of a block that overturns; of another up to where those to come can change no other column";
     /// The uplifts.
     Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact";
     /// The end, s.
@@ -217,7 +217,7 @@ Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo
 the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
 axes f64. The array `proved` is true for a cell that ended early: an energy bound shows that its results
-can no longer change (its impacts are counted up to `t_simulated`), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
+can no longer change (the impacts of a block that stays up are counted until then), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
 the version.
 
 ```python

@@ -35,18 +35,41 @@ pub const MARGIN: f64 = 1.0e-3;
 /// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
 /// than this, by sin phi >= phi - phi^3/6 and 1 - cos phi <= phi^2/2 - phi^4/24 + phi^6/720.
 #[inline(always)]
-fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+pub(super) fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
     let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
     let arm = corner.arm * (one - t * t.like(1.0 / 6.0));
     let height = set.model.height * (one - t * t.like(1.0 / 12.0) * (one - t * t.like(1.0 / 30.0)));
     phi * (arm - half * phi * height)
 }
 
+/// Twice the energies of the base over M_t, from rest.
+#[inline(always)]
+pub(super) fn base_energy_h<N: Number>(set: &CellEquations<N>, y: &Motion<N>) -> N {
+    let (variant, cell) = (set.variant, set.cell);
+    if !variant.isolated_h {
+        return y.u.like(0.0);
+    }
+    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    if variant.yields {
+        return base_h + cell.yield_energy * y.z * y.z;
+    }
+    base_h
+}
+
+/// Twice those over M_v; gravity is in them.
+#[inline(always)]
+pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) -> N {
+    if !set.variant.isolated_v {
+        return y.u.like(0.0);
+    }
+    y.dv * y.dv + set.cell.stiffness_v * y.v * y.v
+}
+
 /// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|. Like
 /// all that is called from a turn it is a function: a closure that is called twice is compiled by itself, without the
 /// instructions of the vectors.
 #[inline(always)]
-fn within<V: Vector>(
+pub(super) fn within<V: Vector>(
     set: &CellEquations<V>,
     extremes: &Extremes<V>,
     tried: V::Mask,
@@ -85,20 +108,8 @@ pub fn is_final<V: Vector>(
 ) -> V::Mask {
     let (variant, model, cell) = (set.variant, set.model, set.cell);
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
-    let margin = y.u.like(MARGIN);
     let more = y.u.like(1.0 + MARGIN);
-    // Twice the energies of the base over M_t and M_v, from rest; the vertical one holds gravity.
-    let mut base_h = zero;
-    if variant.isolated_h {
-        base_h = y.du * y.du + cell.post_yield * y.u * y.u;
-        if variant.yields {
-            base_h = base_h + cell.yield_energy * y.z * y.z;
-        }
-    }
-    let mut base_v = zero;
-    if variant.isolated_v {
-        base_v = y.dv * y.dv + cell.stiffness_v * y.v * y.v;
-    }
+    let (base_h, base_v) = (base_energy_h(set, y), base_energy_v(set, y));
     // What is left of them at most. A block in full contact may yet lift, and the base's energies
     // are then the least that each can be.
     let mut left_h = more * base_h;
@@ -144,8 +155,26 @@ pub fn is_final<V: Vector>(
     if !variant.forces {
         return last;
     }
+    forces_are_final(set, extremes, last, stays, x_most, y_swing, energy)
+}
+
+/// The lanes of `tried` whose contact forces pass no extreme: those of blocks that stay in full contact, and those of
+/// others, with an energy over M left to their rotation.
+#[inline(always)]
+pub(super) fn forces_are_final<V: Vector>(
+    set: &CellEquations<V>,
+    extremes: &Extremes<V>,
+    tried: V::Mask,
+    stays: V::Mask,
+    x_most: V,
+    y_swing: V,
+    energy: V,
+) -> V::Mask {
+    let model = set.model;
+    let (zero, one) = (energy.like(0.0), energy.like(1.0));
+    let (margin, more) = (energy.like(MARGIN), energy.like(1.0 + MARGIN));
     // The least normal force and the largest share of the shear.
-    let share = V::select(stays, y.u.like(1.0), model.normal_share);
+    let share = V::select(stays, one, model.normal_share);
     let turn = V::select(stays, zero, energy);
     let by_shear = V::select(stays, zero, model.normal_by_shear * x_most);
     let by_normal = V::select(stays, zero, model.shear_by_normal * (model.gravity + y_swing));
@@ -153,5 +182,5 @@ pub fn is_final<V: Vector>(
     let shear = x_most + by_normal + model.shear_by_turn * turn;
     let pressed = normal.ge(extremes.min_contact - margin * extremes.min_contact.abs());
     let held = (more * extremes.friction * normal).ge(shear);
-    last & pressed & held
+    tried & pressed & held
 }

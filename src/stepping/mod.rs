@@ -6,13 +6,15 @@
 //! ([`rk4`]) over its [`span`], under the ground of its [`forcing`] segment. Where a [guard](guards)
 //! has happened on the way ([`crossing`]), a [`search`] by further trials finds where, starting from a
 //! [`cubic`] through the span's ends; then the phase changes ([`switching`]). [`extremes`] take in
-//! what a span held, and the [`certificate`] ends cells of which all is final. Each of these files is
+//! what a span held, the [`certificate`] ends cells of which all is final, and by [`early_rest`] blocks whose
+//! last flights reach nothing new come to rest. Each of these files is
 //! the twin of the shader of its name. Blocks that stand on bases that do not yield have nothing to look
 //! for: a step of theirs is [`standing`]. Under a record the lanes are sorted by [`phases`].
 
 pub mod certificate;
 pub(crate) mod crossing;
 pub(crate) mod cubic;
+pub mod early_rest;
 pub(crate) mod extremes;
 pub mod forcing;
 pub mod guards;

@@ -57,7 +57,7 @@ pub enum Status {
     /// To its end, or to overturning.
     Ok,
     /// Before its end, where energy proved that the outcome and the largest values are final. In
-    /// files that is as good as `Ok`; `t_simulated` tells up to when impacts are counted.
+    /// files that is as good as `Ok`.
     Proved,
     /// In more switches than one step can hold.
     EventLimit,
@@ -101,14 +101,14 @@ impl Status {
 pub struct Outcome {
     /// What became of the block.
     pub class: Class,
-    /// Impacts, up to the end or the overturning, or to `t_simulated`.
+    /// Impacts of a block that overturns; of another, up to where those to come can change nothing else.
     pub impacts: u32,
     /// Uplifts from full contact.
     pub uplifts: u32,
     /// Time of overturning, or the end of the run, s.
     pub t_end: f64,
     /// Time up to which the cell was simulated, s: `t_end`, or before it the time at which all that
-    /// it tells was proved final; impacts are counted up to there.
+    /// it tells was proved final.
     pub t_simulated: f64,
     /// First uplift, s.
     pub t_uplift: Option<f64>,

@@ -9,6 +9,7 @@ use crate::model::isolation::support;
 use crate::model::real::{Real, Vector};
 
 use super::certificate;
+use super::early_rest::rests_early;
 use super::guards::{IMPACT, KINK, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
 use super::lanes::{Lanes, each};
 use super::log::Listener;
@@ -143,6 +144,19 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             &self.y,
             &self.extremes,
         )
+    }
+
+    /// Blocks of `landed` lanes, which have just had an impact, come to rest where flights to come change nothing.
+    #[inline(always)]
+    pub(super) fn rest_early(&mut self, landed: V::Mask) {
+        if !V::any(landed) {
+            return;
+        }
+        let set = self.equations();
+        let rests = rests_early(&set, &self.corner, landed, &self.y, &self.extremes);
+        let resting = come_to_rest(&set, &self.corner, &self.y);
+        self.y = select_motion(rests, &resting, &self.y);
+        self.rocking = self.rocking & !rests;
     }
 
     /// Ends forcing segments, and cells that are done, proved final, out of range, or switch too often in

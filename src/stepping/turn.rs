@@ -168,8 +168,10 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.steps_since_check = V::select(due, zero, self.steps_since_check);
             proved = (proved | (due & !self.rocking)) & self.free();
             if V::any(proved) {
+                let landed = proved & self.rocking;
                 proved = self.is_final(proved);
                 ending |= V::bits(proved);
+                self.rest_early(landed & !proved);
             }
         }
         let lost = through & !is_finite(&self.y);

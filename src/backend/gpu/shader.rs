@@ -12,7 +12,7 @@ pub enum Switches {
 }
 
 /// The files of a shader in order, with their names; the first one sets the number type.
-pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 27] {
+pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 28] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),
         Precision::F64 => ("real_f64.wgsl", include_str!("../../../shaders/real_f64.wgsl")),
@@ -42,6 +42,7 @@ pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'stat
         ("span.wgsl", include_str!("../../../shaders/span.wgsl")),
         ("switching.wgsl", include_str!("../../../shaders/switching.wgsl")),
         ("certificate.wgsl", include_str!("../../../shaders/certificate.wgsl")),
+        ("early_rest.wgsl", include_str!("../../../shaders/early_rest.wgsl")),
         ("turn.wgsl", include_str!("../../../shaders/turn.wgsl")),
         ("sweep.wgsl", include_str!("../../../shaders/sweep.wgsl")),
         ("tile.wgsl", include_str!("../../../shaders/tile.wgsl")),

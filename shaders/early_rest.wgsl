@@ -1,0 +1,56 @@
+// Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
+// until then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
+
+// True where a block may come to rest at once; the excitation must be over, and the block have just had an impact.
+fn rests_early(cell: Cell, state: State) -> bool {
+    let more: real = 1.0 + MARGIN;
+    let y = state.motion;
+    let corner = pivot(state.mode);
+    // The flights, the first of which begins.
+    let speed = abs(y.dphi);
+    let d = corner.inertia
+        - model.mu_h * model.height * model.height
+        - model.mu_v * corner.arm * corner.arm;
+    let momentum = more * d * speed;
+    let flight = model.impact_gain * 0.5 * momentum * speed;
+    // The base.
+    let rested = come_to_rest(corner, y);
+    let base_h = more * base_energy_h(cell, rested);
+    let base_v = more * base_energy_v(cell, rested);
+    let base = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
+    if !(model.topple_energy > base + flight) {
+        return false;
+    }
+    let arm = max(model.left.arm, model.right.arm);
+    let change_h = 2.0 * model.mu_h * model.height * speed;
+    let change_v = 2.0 * model.mu_v * arm * speed;
+    let root_h = sqrt(base_h) + min(change_h, sqrt(2.0 * model.mu_h * flight));
+    let root_v = sqrt(base_v) + min(change_v, sqrt(2.0 * model.mu_v * flight));
+    if !within(cell, state, root_h * root_h, root_v * root_v) {
+        return false;
+    }
+    // What holds the block, by Cauchy's inequality as in the certificate.
+    let x_most = cell.reach_h * root_h;
+    let y_swing = cell.reach_v * root_v;
+    let least_y = model.gravity - y_swing;
+    let least = model.least_arm * least_y - model.height * x_most;
+    let most = arm * (model.gravity + y_swing) + model.height * x_most;
+    let radians = 2.0 * momentum * max(cell.reach_h, cell.reach_v);
+    if !(least > 0.0 && least >= radians) {
+        return false;
+    }
+    let energy = flight * most / least;
+    // The energy that the largest angles so far ask for.
+    let left = reached(model.left, least_y, x_most, state.max_phi_left);
+    let right = reached(model.right, least_y, x_most, state.max_phi_right);
+    if !(left >= energy && right >= energy) {
+        return false;
+    }
+    return !forces || forces_are_final(state, false, x_most, y_swing, energy);
+}
+
+// The energy over M that a flight to an angle about a corner asks for at least.
+fn reached(corner: Corner, least_y: real, x_most: real, angle: real) -> real {
+    let sideways = angle * (model.height + 0.5 * corner.arm * angle);
+    return least_y * least_rise(corner, angle) - x_most * sideways;
+}

@@ -1,0 +1,100 @@
+//! Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
+//! until then reaches what has been reached. Twin of `shaders/early_rest.wgsl`.
+//!
+//! A block that chatters makes most of its impacts in flights shorter than a step. Let it come to rest at an impact, by
+//! (15a) and (15b): with w = |phi'| after the impact this takes the energy D w^2/2 over M, D as in the
+//! [`certificate`](super::certificate) at phi = 0; the flights that are left out would have had it. The base keeps the
+//! rest of its energy in each direction, to which they would have added theirs at most, and changed its velocity by mu_h
+//! or mu_v of the velocity of the centre of mass before and after an impact, H w or b w. So |X| and |Y - g| are bounded,
+//! and with them the moment over M that holds the block down,
+//!
+//! ```text
+//! least = b_min (g - |Y - g|) - H |X|        most = b_max (g + |Y - g|) + H |X|
+//! ```
+//!
+//! Where the least is positive the block does not lift again once it rests. A flight lasts 2 D w/least or less. If the
+//! base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
+//! changes slowly: E^(3/2)/force, its adiabatic invariant, falls at impacts alone. Hence no flight has more than
+//! (most/least)^(2/3) times the energy of the next one; most/least, which is larger, covers that a radian is not slow.
+//! This energy bounds angles and contact forces.
+
+use crate::model::CellEquations;
+use crate::model::block::Corner;
+use crate::model::impact::come_to_rest;
+use crate::model::motion::Motion;
+use crate::model::number::Number;
+use crate::model::real::Vector;
+
+use super::certificate::{
+    MARGIN, base_energy_h, base_energy_v, forces_are_final, least_rise, within,
+};
+use super::extremes::Extremes;
+
+/// The lanes of `tried` whose block may come to rest at once; the excitation is over, and they have just had an impact.
+#[inline(always)]
+pub fn rests_early<V: Vector>(
+    set: &CellEquations<V>,
+    corner: &Corner<V>,
+    tried: V::Mask,
+    y: &Motion<V>,
+    extremes: &Extremes<V>,
+) -> V::Mask {
+    let (model, cell) = (set.model, set.cell);
+    let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
+    let more = y.u.like(1.0 + MARGIN);
+    // The flights, the first of which begins.
+    let speed = y.dphi.abs();
+    let d = corner.inertia
+        - model.mu_h * model.height * model.height
+        - model.mu_v * corner.arm * corner.arm;
+    let momentum = more * d * speed;
+    let flight = model.impact_gain * half * momentum * speed;
+    // The base.
+    let rested = come_to_rest(set, corner, y);
+    let base_h = more * base_energy_h(set, &rested);
+    let base_v = more * base_energy_v(set, &rested);
+    let base = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
+    let mut rests = tried & model.topple_energy.gt(base + flight);
+    if !V::any(rests) {
+        return rests;
+    }
+    let arm = model.left.arm.max(model.right.arm);
+    let change_h = two * model.mu_h * model.height * speed;
+    let change_v = two * model.mu_v * arm * speed;
+    let root_h = base_h.sqrt() + change_h.min((two * model.mu_h * flight).sqrt());
+    let root_v = base_v.sqrt() + change_v.min((two * model.mu_v * flight).sqrt());
+    rests = within(set, extremes, rests, root_h * root_h, root_v * root_v);
+    // What holds the block, by Cauchy's inequality as in the certificate.
+    let x_most = cell.reach_h * root_h;
+    let y_swing = cell.reach_v * root_v;
+    let least_y = model.gravity - y_swing;
+    let least = model.least_arm * least_y - model.height * x_most;
+    let most = arm * (model.gravity + y_swing) + model.height * x_most;
+    let radians = two * momentum * cell.reach_h.max(cell.reach_v);
+    rests = rests & least.gt(zero) & least.ge(radians);
+    if !V::any(rests) {
+        return rests;
+    }
+    let energy = flight * most / least;
+    // The energy that the largest angles so far ask for.
+    let left = reached(set, &model.left, least_y, x_most, extremes.max_phi_left);
+    let right = reached(set, &model.right, least_y, x_most, extremes.max_phi_right);
+    rests = rests & left.ge(energy) & right.ge(energy);
+    if !set.variant.forces {
+        return rests;
+    }
+    forces_are_final(set, extremes, rests, zero.mask(0), x_most, y_swing, energy)
+}
+
+/// The energy over M that a flight to an angle about a corner asks for at least.
+#[inline(always)]
+fn reached<N: Number>(
+    set: &CellEquations<N>,
+    corner: &Corner<N>,
+    least_y: N,
+    x_most: N,
+    angle: N,
+) -> N {
+    let sideways = angle * (set.model.height + angle.like(0.5) * corner.arm * angle);
+    least_y * least_rise(set, corner, angle) - x_most * sideways
+}
