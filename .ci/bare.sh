@@ -25,3 +25,53 @@ apt() {
     [ "$(id -u)" -eq 0 ] || sudo=(sudo)
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq "$@"
 }
+
+# beside NAME COMMAND...: begins a step that runs beside those that follow, until `joined`. It takes the script's EXIT
+# trap: with the script ends what still runs.
+beside_names=() beside_pids=() beside_logs=()
+beside() {
+    local log
+    log="$(mktemp)"
+    beside_names+=("$1") beside_logs+=("$log")
+    shift
+    trap end_beside EXIT
+    # A group of its own, which is ended whole.
+    set -m
+    (
+        set +m
+        trap - EXIT
+        # What a script's function begins beside others has a time and steps of its own.
+        SECONDS=0
+        "$@"
+        echo "done, $SECONDS s"
+    ) >"$log" 2>&1 </dev/null &
+    beside_pids+=("$!")
+    set +m
+}
+
+# Waits for the steps that run beside, and shows what they said, in the order in which they began. Fails if one failed.
+joined() {
+    local number status failed=0
+    for number in "${!beside_pids[@]}"; do
+        status=0
+        wait "${beside_pids[number]}" || status=$?
+        step "${beside_names[number]}, beside the steps above"
+        cat "${beside_logs[number]}"
+        rm "${beside_logs[number]}"
+        unset "beside_pids[number]" "beside_logs[number]"
+        if [ "$status" -ne 0 ]; then
+            echo "${beside_names[number]}: failed with status $status" >&2
+            failed=1
+        fi
+    done
+    beside_names=() beside_pids=() beside_logs=()
+    return "$failed"
+}
+
+end_beside() {
+    local pid
+    for pid in "${beside_pids[@]}"; do
+        kill -- "-$pid" 2>/dev/null || true
+    done
+    [ "${#beside_logs[@]}" -eq 0 ] || rm -f "${beside_logs[@]}"
+}

@@ -13,6 +13,7 @@ use std::time::{Duration, Instant};
 
 use common::pulse;
 use rayon::prelude::*;
+use topple::Written;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::tile::{OwnClocks, Tile};
 use topple::backend::gpu::{adapter, outcomes};
@@ -132,7 +133,7 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
         "{name:<18} {:<4} tables {tables:5.2}  tiles {tiles:5.2}  handed over {upload:5.2} ({:.1} B)  \
          outcomes {read:5.2} ({again:5.2} in used memory)  together {total:5.2} ns a cell  \
          (cells made by the host: {begin:5.1})",
-        precision.name(),
+        precision.key(),
         size as f64 / all.len() as f64,
     );
 }

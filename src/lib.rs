@@ -34,8 +34,8 @@
 //!
 //! # Features
 //!
-//! `gpu` (default) is the shader, by wgpu; without it, sweeps run on the CPU. `clap` makes what a scene is written with arguments of
-//! a command. Suites, fragilities, pictures, the page and the command `topple` are crates of their own, in `crates/`.
+//! `gpu` (default) is the shader, by wgpu; without it, sweeps run on the CPU. Suites, fragilities, pictures, the page and the
+//! command `topple` are crates of their own, in `crates/`.
 //!
 //! # The way of the data
 //!
@@ -52,6 +52,7 @@ pub mod scene;
 pub mod stepping;
 pub mod sweep;
 pub mod work;
+pub mod written;
 
 pub use backend::backend_error::BackendError;
 pub use backend::description::AdapterDescription;
@@ -92,6 +93,7 @@ pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::shards_error::ShardsError;
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
 pub use work::observer::{Observer, Phase, Unwatched};
+pub use written::Written;
 
 /// The README's example, compiled and run with the tests.
 #[cfg(doctest)]

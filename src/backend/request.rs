@@ -7,20 +7,21 @@ use super::backend_error::BackendError;
 use super::gpu::{adapter, opened::Gpu};
 use super::ready::Backend;
 use crate::model::precision::Precision;
+use crate::written::written;
 
-/// The backend that a user asks for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "lowercase")]
-pub enum BackendRequest {
-    /// A real GPU, else the CPU.
-    Auto,
-    /// A GPU, a software adapter if there is no other.
-    Gpu,
-    /// The CPU.
-    Cpu,
-    /// The adaptive reference, on the CPU, in f64.
-    Reference,
+written! {
+    /// The backend that a user asks for.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum BackendRequest {
+        /// A real GPU, else the CPU.
+        Auto = "auto",
+        /// A GPU, a software adapter if there is no other.
+        Gpu = "gpu",
+        /// The CPU.
+        Cpu = "cpu",
+        /// The adaptive reference, on the CPU, in f64.
+        Reference = "reference",
+    }
 }
 
 /// The backends that a request opened.

@@ -8,63 +8,45 @@ use serde::{Deserialize, Serialize};
 use super::excitation::Cell;
 use super::number::Number;
 use super::real::Vector;
+use crate::written::{Written, written};
 
-/// What a pulse looks like.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Shape {
-    /// sin Ωt for one cycle, or for as many as cycles gives: (22)
-    #[default]
-    OneSine,
-    /// cos Ωt for one cycle, or for as many as cycles gives; it begins and ends with a jump
-    OneCosine,
-    /// sin Ωt for half a cycle, π/Ω
-    HalfSine,
-    /// The amplitude for half a period, π/Ω
-    Rectangle,
-    /// Ricker's symmetric wavelet for three periods: its peak comes 3π/Ω after its start
-    Ricker,
-    /// Ricker's antisymmetric wavelet for four periods: it passes through zero 4π/Ω after its start
-    RickerAntisymmetric,
-    /// The pulse of Mavroeidis & Papageorgiou (2003), for gamma periods: its velocity is a cosine of phase
-    /// ν under a bell, 1 + cos(Ωτ/γ)
-    MavroeidisPapageorgiou,
+written! {
+    /// What a pulse looks like.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Shape {
+        /// sin Ωt for one cycle, or for as many as cycles gives: (22)
+        OneSine = "one-sine",
+        /// cos Ωt for one cycle, or for as many as cycles gives; it begins and ends with a jump
+        OneCosine = "one-cosine",
+        /// sin Ωt for half a cycle, π/Ω
+        HalfSine = "half-sine",
+        /// The amplitude for half a period, π/Ω
+        Rectangle = "rectangle",
+        /// Ricker's symmetric wavelet for three periods: its peak comes 3π/Ω after its start
+        Ricker = "ricker",
+        /// Ricker's antisymmetric wavelet for four periods: it passes through zero 4π/Ω after its start
+        RickerAntisymmetric = "ricker-antisymmetric",
+        /// The pulse of Mavroeidis & Papageorgiou (2003), for gamma periods: its velocity is a cosine of phase
+        /// ν under a bell, 1 + cos(Ωτ/γ)
+        MavroeidisPapageorgiou = "mavroeidis-papageorgiou",
+    }
 }
 
 /// What the third-order wavelet's formula comes to at its extrema: (3 - x^2) x exp(-x^2/2) for
 /// x^2 = 3 - sqrt 6.
 pub const ANTISYMMETRIC_PEAK: f64 = 1.380_119_046_160_749_3;
 
-impl Shape {
-    /// Every shape there is; the first is the default.
-    pub const ALL: [Shape; 7] = [
-        Shape::OneSine,
-        Shape::OneCosine,
-        Shape::HalfSine,
-        Shape::Rectangle,
-        Shape::Ricker,
-        Shape::RickerAntisymmetric,
-        Shape::MavroeidisPapageorgiou,
-    ];
+impl Default for Shape {
+    fn default() -> Shape {
+        Shape::ALL[0]
+    }
+}
 
+impl Shape {
     /// Those that may have several cycles.
     pub const WITH_CYCLES: &[Shape] = &[Shape::OneSine, Shape::OneCosine];
     /// Those that gamma and nu make.
     pub const MODULATED: &[Shape] = &[Shape::MavroeidisPapageorgiou];
-
-    /// Its word in a scene file.
-    pub fn key(self) -> &'static str {
-        match self {
-            Shape::OneSine => "one-sine",
-            Shape::OneCosine => "one-cosine",
-            Shape::HalfSine => "half-sine",
-            Shape::Rectangle => "rectangle",
-            Shape::Ricker => "ricker",
-            Shape::RickerAntisymmetric => "ricker-antisymmetric",
-            Shape::MavroeidisPapageorgiou => "mavroeidis-papageorgiou",
-        }
-    }
 
     /// What it is called in captions and messages.
     pub fn words(self) -> &'static str {

@@ -2,19 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The directions in which the base moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Directions {
-    /// Horizontally and vertically.
-    Dual,
-    /// Horizontally only.
-    Horizontal,
-    /// Vertically only.
-    Vertical,
-    /// The block stands on the ground.
-    None,
+use crate::written::written;
+
+written! {
+    /// The directions in which the base moves.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Directions {
+        /// Horizontally and vertically.
+        Dual = "dual",
+        /// Horizontally only.
+        Horizontal = "horizontal",
+        /// Vertically only.
+        Vertical = "vertical",
+        /// The block stands on the ground.
+        None = "none",
+    }
 }
 
 /// The bases that move horizontally.

@@ -11,6 +11,7 @@ use super::record::read::{self, RecordHints};
 use super::record::{Pair, Provenance, Units, joined};
 use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
+use crate::written::Written;
 
 /// What shakes the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -47,20 +48,15 @@ impl Excitation {
 
 /// The record as written, but for its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct RecordText {
     /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
     /// synthetic pair]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub horizontal: Option<PathBuf>,
     /// Vertical record, positive up
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     pub vertical: Option<PathBuf>,
     /// Time between samples, s, where a file does not tell
-    #[cfg_attr(feature = "clap", arg(long, value_name = "S", allow_hyphen_values = true))]
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
-    #[cfg_attr(feature = "clap", arg(long, value_name = "g|m/s2|cm/s2"))]
     pub units: Option<Units>,
 }
 

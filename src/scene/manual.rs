@@ -2,10 +2,9 @@
 
 use std::fmt::Write;
 
-use clap::ValueEnum;
-
 use super::parameters::{PARAMETERS, Section};
 use crate::model::pulse::Shape;
+use crate::written::Written;
 
 const HEAD: &str = "# Every number of a scene
 
@@ -65,11 +64,8 @@ pub fn page() -> String {
         }
         if section == Section::Pulse {
             page.push_str(SHAPES);
-            for shape in Shape::value_variants() {
-                if let Some(value) = shape.to_possible_value() {
-                    let help = value.get_help().map(ToString::to_string).unwrap_or_default();
-                    let _ = writeln!(page, "| `{}` | {help} |", value.get_name());
-                }
+            for shape in Shape::ALL {
+                let _ = writeln!(page, "| `{}` | {} |", shape.key(), shape.help());
             }
         }
     }

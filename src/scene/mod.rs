@@ -16,7 +16,6 @@ pub mod excitation;
 pub mod grid;
 pub mod isolation;
 pub mod keys;
-#[cfg(feature = "clap")]
 pub mod manual;
 pub(crate) mod numbers;
 pub mod parameters;
@@ -29,6 +28,7 @@ pub mod words;
 
 use serde::{Deserialize, Serialize};
 
+use crate::written::written;
 use applies::{Choice, ShakenBy};
 
 pub use block::Block;
@@ -49,15 +49,15 @@ pub const FIRST: [Parameter; 4] = [Parameter::Omega, Parameter::AH, Parameter::T
 /// g, m/s^2.
 pub const GRAVITY: f64 = 9.81;
 
-/// When a block counts as overturned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Overturn {
-    /// |phi| reaches arctan((B +- e)/H), the paper's convention (section 2.6).
-    CriticalAngle,
-    /// |phi| reaches 90 degrees (Zhang & Makris 2001).
-    QuarterTurn,
+written! {
+    /// When a block counts as overturned.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Overturn {
+        /// |phi| reaches arctan((B +- e)/H), the paper's convention (section 2.6).
+        CriticalAngle = "critical-angle",
+        /// |phi| reaches 90 degrees (Zhang & Makris 2001).
+        QuarterTurn = "quarter-turn",
+    }
 }
 
 /// A checked scene. SI units everywhere.

@@ -548,11 +548,4 @@ mod tests {
             assert_eq!(excluded, wanted, "{choice:?}");
         }
     }
-
-    #[test]
-    fn a_shape_has_the_word_of_a_scene_file() {
-        for shape in Shape::ALL {
-            assert_eq!(serde_json::to_value(shape).unwrap(), shape.key());
-        }
-    }
 }

@@ -1,5 +1,6 @@
 //! The manifest: it asks for a compiler that all locked dependencies can be built with.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
 use serde_json::Value;
@@ -37,20 +38,53 @@ fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
     }
 }
 
+/// The crates below some of the workspace's, of what runs and of what builds it: a line each, in `cargo tree`'s format.
+fn tree(format: &str, arguments: &[&str]) -> Vec<String> {
+    let run = Command::new(env!("CARGO"))
+        .args(["tree", "--locked", "--edges", "normal,build"])
+        .args(["--prefix", "none", "--format", format, "--manifest-path"])
+        .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let told = String::from_utf8(run.stdout).unwrap();
+    // What was told before is marked.
+    told.lines().map(|line| line.trim_end_matches(" (*)").to_string()).collect()
+}
+
+/// A crate that both use is built once, in whichever order. Cargo fetches what is missing.
+#[test]
+#[ignore = "needs the network: cargo test --test engine manifest:: -- --ignored"]
+fn the_command_and_the_python_package_share_what_is_built() {
+    let features = |package: &str| -> BTreeMap<String, BTreeSet<String>> {
+        let mut found: BTreeMap<_, BTreeSet<_>> = BTreeMap::new();
+        for line in tree("{p}|{f}", &["-p", package]) {
+            if let Some((name, features)) = line.split_once('|') {
+                found.entry(name.into()).or_default().insert(features.into());
+            }
+        }
+        found
+    };
+    let (command, python) = (features("topple-app"), features("topple-python"));
+    let shared: Vec<_> = command.keys().filter(|name| python.contains_key(*name)).collect();
+    assert!(shared.len() > 100, "{shared:?}");
+    for name in shared {
+        let problem = "name what one lacks in crates/features/Cargo.toml";
+        assert_eq!(
+            command[name], python[name],
+            "features of {name}, command and Python: {problem}"
+        );
+    }
+}
+
 /// A library user without pictures, the page and the GPU builds none of their dependencies.
 #[test]
 fn each_crate_leaves_out_what_is_of_others() {
     let tree = |arguments: &[&str]| -> Vec<String> {
-        let run = Command::new(env!("CARGO"))
-            .args(["tree", "--locked", "--offline", "--edges", "normal,build"])
-            .args(["--prefix", "none", "--manifest-path"])
-            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"))
-            .args(arguments)
-            .output()
-            .unwrap();
-        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
-        let told = String::from_utf8(run.stdout).unwrap();
-        told.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
+        let lines = tree("{p}", &[&["--offline"], arguments].concat());
+        let name = |line: &String| Some(line.split_whitespace().next()?.to_string());
+        lines.iter().filter_map(name).collect()
     };
     let command = ["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"];
     let gpu = ["naga", "pollster", "wgpu"];

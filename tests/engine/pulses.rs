@@ -4,6 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use bytemuck::Zeroable;
+use topple::Written;
 use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
@@ -189,8 +190,8 @@ fn the_wavelets_are_strongest_at_omega() {
 
 /// A block on the ground under a pulse of 2 rad/s.
 fn standing(sample: &Sample, a_h: f64, rest: &str) -> Scene {
-    let name = clap::ValueEnum::to_possible_value(&sample.shape).unwrap().get_name().to_string();
-    let mut pulse = format!("[pulse]\nshape = \"{name}\"\nomega = 2.0\na_h = {a_h:?}\n");
+    let mut pulse =
+        format!("[pulse]\nshape = \"{}\"\nomega = 2.0\na_h = {a_h:?}\n", sample.shape.key());
     if sample.shape.has_cycles() {
         pulse += &format!("cycles = {:?}\n", sample.cycles);
     }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use sysinfo::{CpuRefreshKind, RefreshKind, System};
+use topple::Written;
 use topple::backend::cell_run::CellRun;
 use topple::backend::gpu::adapter;
 use topple::backend::gpu::opened::Gpu;
@@ -209,7 +210,7 @@ impl BenchCommand {
             print_line!(
                 "| {:<40} | {:<7} | {:>17} | {:>6.2} | {:>14} | {:>5.2} | {:>10} | {:>5.2} | {:>7.3} |",
                 row.name,
-                row.precision.name(),
+                row.precision.key(),
                 rate(0),
                 times(0),
                 rate(1),

@@ -4,12 +4,12 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use topple::Written;
 use topple::backend::gpu::adapter;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::results::files::Directory;
-use topple::scene::excitation::RecordText;
 use topple::work::observer::Observer;
 use topple_lab::chart::bench::{self, Bench, FULL, QUICK};
 use topple_lab::chart::errors::compare;
@@ -22,6 +22,7 @@ use topple_pictures::drawing::render;
 use super::options::flag_error;
 use super::print::print_line;
 use super::progress::Bar;
+use super::record::RecordFlags;
 use super::results_directory::{self, write_picture};
 use super::seismic::write_synthetic;
 use super::{InputError, examples};
@@ -34,7 +35,7 @@ pub struct ChartCommand {
     #[arg(short, long, value_name = "DIR", default_value = "topple-chart")]
     out: PathBuf,
     #[command(flatten, next_help_heading = "Record")]
-    record: RecordText,
+    record: RecordFlags,
     /// Results of other programs on the cells of cells.csv, to chart beside topple's
     #[arg(long, value_name = "FILE")]
     peer: Vec<PathBuf>,
@@ -59,7 +60,7 @@ impl ChartCommand {
     /// Runs the trials and draws them.
     pub fn run(&self) -> anyhow::Result<()> {
         let out = results_directory::open(&self.out)?;
-        let mut record = self.record.clone();
+        let mut record = self.record.text();
         if record.horizontal.is_none() && record.vertical.is_none() {
             record = write_synthetic(&out, record)?;
         }
@@ -148,7 +149,7 @@ impl ChartCommand {
                 let row = Row {
                     bench: bench.name,
                     method: trial.method.name().into(),
-                    precision: trial.precision.name(),
+                    precision: trial.precision.key(),
                     steps: trial.method != Method::Reference,
                     setting: trial.setting,
                     threads,

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use topple::Written;
 use topple::backend::ready::Backend;
 use topple::results::size::room;
 use topple::scene::{Parameter, Scene};
@@ -40,7 +41,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
         "about {} of sweep by {} {}, {:.0} cells/s on {} cells",
         duration(wanted.len() as f64 / takes.rate / workers),
         backend.name(),
-        backend.columns(options.run.precision()).name(),
+        backend.columns(options.run.precision()).key(),
         takes.rate * workers,
         takes.sampled
     );

@@ -15,6 +15,7 @@ use topple_explore::start;
 use super::errors::{not_exported, sweep_error};
 use super::scene::DEFAULT_SCENE;
 use super::words::{self, Reporter};
+use super::written::one_of;
 use super::{InputError, examples, interrupt, load, options};
 
 /// Show a map alive, on a page in the browser.
@@ -36,7 +37,7 @@ pub struct ExploreCommand {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "no_open"])]
     export: Option<PathBuf>,
     /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
-    #[arg(long)]
+    #[arg(long, value_parser = one_of::<BackendRequest>())]
     backend: Option<BackendRequest>,
     /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]

@@ -20,6 +20,7 @@ use topple_pictures::map::figure::history as figure;
 use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
+use super::record::RecordFlags;
 use super::results_directory::Place;
 use super::save::save;
 use super::words::{self, Reporter};
@@ -37,7 +38,7 @@ pub struct HistoryCommand {
     #[command(flatten)]
     pulse: PulseFlags,
     #[command(flatten, next_help_heading = "Record")]
-    record: RecordText,
+    record: RecordFlags,
     #[command(flatten)]
     scale: RecordNumbers,
     #[command(flatten, next_help_heading = "Computing")]
@@ -59,11 +60,12 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        let record = self.record.text();
         let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
         let text = SceneBuilder {
             force: options.force,
             shape: self.pulse.shape,
-            record: (self.record != RecordText::default()).then(|| self.record.clone()),
+            record: (record != RecordText::default()).then_some(record),
             ..self.common.text(Some("Time history"), numbers)
         };
         let none =

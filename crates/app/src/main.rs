@@ -34,6 +34,7 @@ mod probability;
 mod progress;
 mod pulse;
 mod ratios;
+mod record;
 mod refined;
 mod results_directory;
 mod run;
@@ -45,6 +46,7 @@ mod suite_run;
 mod template;
 mod uncertain;
 mod words;
+mod written;
 
 use std::process::ExitCode;
 

@@ -5,6 +5,8 @@ use topple::model::pulse::Shape;
 use topple::scene::parameters::{Entry, Section};
 use topple::scene::{Numbers, Parameter, Values};
 
+use super::written::one_of;
+
 /// The flags of a section, by its number in [`Section::ALL`].
 #[derive(Debug, Clone, Default)]
 pub struct SectionNumbers<const SECTION: usize>(Vec<(usize, Parameter, Values)>);
@@ -24,7 +26,7 @@ pub type RunNumbers = SectionNumbers<{ Section::Run as usize }>;
 #[derive(Debug, Clone, Args)]
 pub struct PulseFlags {
     /// What the pulse looks like [default: one-sine]
-    #[arg(long = "pulse", value_name = "SHAPE", help_heading = Section::Pulse.heading())]
+    #[arg(long = "pulse", value_name = "SHAPE", help_heading = Section::Pulse.heading(), value_parser = one_of::<Shape>())]
     pub shape: Option<Shape>,
     /// Its numbers.
     #[command(flatten)]

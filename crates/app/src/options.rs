@@ -24,6 +24,7 @@ use super::map_file::{Besides, MapFile};
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
 use super::uncertain::UncertainFlags;
 use super::words::with_flags;
+use super::written::one_of;
 use super::{InputError, memory, words};
 
 /// Where to and on what.
@@ -33,13 +34,13 @@ pub struct RunOptions {
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     pub out: PathBuf,
     /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
-    #[arg(long)]
+    #[arg(long, value_parser = one_of::<BackendRequest>())]
     pub backend: Option<BackendRequest>,
     /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
     /// Number type of the sweep [default: f32]
-    #[arg(long)]
+    #[arg(long, value_parser = one_of::<Precision>())]
     pub precision: Option<Precision>,
     /// Largest step, s [default: 0.0078125, 1/128]
     #[arg(long, value_name = "S", value_parser = number, allow_negative_numbers = true)]
@@ -355,14 +356,14 @@ pub struct CommonFlags {
     #[command(flatten)]
     block: BlockNumbers,
     /// Directions in which the base moves; a locked one needs no period [default: dual]
-    #[arg(long, value_name = "DIRECTIONS", help_heading = "Base")]
+    #[arg(long, value_name = "DIRECTIONS", help_heading = "Base", value_parser = one_of::<Directions>())]
     isolation: Option<Directions>,
     #[command(flatten)]
     base: BaseNumbers,
     #[command(flatten)]
     run: RunNumbers,
     /// When a block counts as overturned [default: critical-angle]
-    #[arg(long, value_name = "WHEN", help_heading = "Run")]
+    #[arg(long, value_name = "WHEN", help_heading = "Run", value_parser = one_of::<Overturn>())]
     overturn: Option<Overturn>,
     /// Write the scene that the flags make (not how it is computed) to a new file, - is stdout; run nothing
     #[arg(long, value_name = "FILE", help_heading = "Run")]

@@ -10,6 +10,7 @@ use topple::scene::{Excitation, bounded};
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
+use super::record::RecordFlags;
 use super::results_directory;
 use super::save::{self, save};
 use super::{InputError, examples, run};
@@ -21,7 +22,7 @@ pub struct SeismicCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten, next_help_heading = "Record")]
-    record: RecordText,
+    record: RecordFlags,
     #[command(flatten)]
     numbers: RecordNumbers,
     #[command(flatten, next_help_heading = "Computing")]
@@ -31,7 +32,7 @@ pub struct SeismicCommand {
 impl SeismicCommand {
     /// Runs the map.
     pub fn run(&self) -> anyhow::Result<()> {
-        let mut record = self.record.clone();
+        let mut record = self.record.text();
         let force = self.options.run.force;
         if record.horizontal.is_none() && record.vertical.is_none() {
             // Nothing is written, the synthetic pair neither, before the scene is known to be right.

@@ -6,6 +6,7 @@ use anstyle::Style;
 
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
 use crate::manifest::Timings;
+use topple::Written;
 use topple::backend::ready::Backend;
 use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
@@ -162,7 +163,7 @@ fn cut(grid: &Grid) -> Option<(f64, f64)> {
 pub fn head(say: &Reporter, plan: &Plan, grid: &Grid, backends: &[Backend], precision: Precision) {
     scene(say, &plan.scene, grid);
     let several = if backends.len() > 1 { format!("{} x ", backends.len()) } else { String::new() };
-    say.line("backend", format!("{several}{}", backend(&backends[0], precision.name())));
+    say.line("backend", format!("{several}{}", backend(&backends[0], precision.key())));
     say.line("model", model(plan));
 }
 

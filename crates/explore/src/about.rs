@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::frame::type_of;
 use super::session::Session;
 use super::stages::MOST;
+use topple::Written;
 use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
@@ -33,7 +34,7 @@ fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
 
 /// The choices of a scene that are no numbers.
 fn words() -> Vec<Value> {
-    let shapes = Shape::ALL.map(|shape| (json!(shape), shape.words()));
+    let shapes: Vec<_> = Shape::ALL.iter().map(|shape| (json!(shape), shape.words())).collect();
     vec![
         choice(
             Section::Block,

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::asked::SYNTHETIC;
 use super::frame::type_of;
+use topple::Written;
 use topple::backend::gpu::pace::DISPATCH_TURNS;
 use topple::backend::gpu::pipelines::WORKGROUP;
 use topple::cells::clock;
@@ -44,13 +45,11 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "alternatives": description::alternatives(),
         "defaults": defaults()?,
         "words": {
-            "isolation": [
-                Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None,
-            ],
-            "overturn": [Overturn::CriticalAngle, Overturn::QuarterTurn],
+            "isolation": Directions::ALL,
+            "overturn": Overturn::ALL,
             "shape": Shape::ALL,
         },
-        "shapes": Shape::ALL.map(shape),
+        "shapes": Shape::ALL.iter().copied().map(shape).collect::<Vec<Value>>(),
         "steps": {
             "largest_step": clock::DEFAULT_STEP,
             "steps_a_period": clock::STEPS_A_PERIOD,

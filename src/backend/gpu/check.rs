@@ -10,6 +10,7 @@ use wgpu::{
 use super::BackendError;
 use super::device::OpenDevice;
 use crate::model::precision::Precision;
+use crate::written::Written;
 
 /// Numbers that the pass makes, one a thread.
 const COUNT: u32 = 64;
@@ -23,7 +24,7 @@ pub fn source(precision: Precision) -> String {
              let number = {0}(id.x) * {0}(0.25) + {0}(3.0);
              numbers[id.x] = f32(number);
          }}",
-        precision.name()
+        precision.key()
     )
 }
 

@@ -5,6 +5,7 @@ use super::read::RecordHints;
 use super::{Pair, Provenance, Record, RecordFile, Units};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};
+use crate::written::Written;
 
 /// Peak below which units that were given by hand are questioned, g: maps are asked for of stronger motions.
 const WEAK: f64 = 0.1;
@@ -41,7 +42,7 @@ fn questioned(
         let in_g = horizontal.peak() / units.factor();
         let problem = format!(
             "in {} the peak is {peak:.3} g, a weak motion; if the numbers are in g, it is {in_g:.2} g",
-            units.name()
+            units.key()
         );
         return asked("units", problem);
     }

@@ -20,6 +20,7 @@ pub mod zips;
 use serde::{Deserialize, Serialize};
 
 use super::bounded;
+use crate::written::written;
 
 pub use pair::Pair;
 pub use provenance::{Provenance, RecordFile};
@@ -63,22 +64,17 @@ pub fn rounded(number: f64, digits: usize) -> f64 {
     format!("{number:.*e}", digits.saturating_sub(1)).parse().unwrap_or(number)
 }
 
-/// Units of the numbers in a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-pub enum Units {
-    /// Multiples of 9.81 m/s^2.
-    #[serde(rename = "g")]
-    #[cfg_attr(feature = "clap", value(name = "g"))]
-    G,
-    /// m/s^2.
-    #[serde(rename = "m/s2")]
-    #[cfg_attr(feature = "clap", value(name = "m/s2"))]
-    MetresPerSecondSquared,
-    /// cm/s^2, gal.
-    #[serde(rename = "cm/s2", alias = "gal")]
-    #[cfg_attr(feature = "clap", value(name = "cm/s2", alias = "gal"))]
-    CentimetresPerSecondSquared,
+written! {
+    /// Units of the numbers in a file.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Units {
+        /// Multiples of 9.81 m/s^2.
+        G = "g",
+        /// m/s^2.
+        MetresPerSecondSquared = "m/s2",
+        /// cm/s^2, gal.
+        CentimetresPerSecondSquared = "cm/s2" | "gal",
+    }
 }
 
 impl Units {
@@ -88,15 +84,6 @@ impl Units {
             Units::G => super::GRAVITY,
             Units::MetresPerSecondSquared => 1.0,
             Units::CentimetresPerSecondSquared => 0.01,
-        }
-    }
-
-    /// Its name, as it is given: `m/s2`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Units::G => "g",
-            Units::MetresPerSecondSquared => "m/s2",
-            Units::CentimetresPerSecondSquared => "cm/s2",
         }
     }
 

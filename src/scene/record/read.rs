@@ -10,6 +10,7 @@ use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Units};
 use super::{at2, columns, cosmos, csmip, esm, knet, smc};
 use crate::scene::{GRAVITY, bounded};
+use crate::written::Written;
 
 /// What the user says of a record file, where the file itself does not say it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -154,7 +155,7 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
     }
     let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {
-            let (read, given) = (read.name(), given.name());
+            let (read, given) = (read.key(), given.key());
             let problem =
                 format!("the file's units are {read}, `units` says {given}; leave `units` out");
             return Err(RecordError::whole(problem));

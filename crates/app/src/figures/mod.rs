@@ -6,6 +6,7 @@ mod maps;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use topple::Written;
 use topple::backend::backend_error::BackendError;
 use topple::backend::cell_run::CellRun;
 use topple::backend::ready::Backend;
@@ -33,7 +34,7 @@ use super::{InputError, examples, interrupt, load};
 const MOST: i64 = topple::scene::Range::LARGEST_COUNT as i64;
 
 /// A figure's name and its TOML.
-type Written = (String, String);
+type NamedToml = (String, String);
 
 /// The figures that are part of the binary.
 const BUILT_IN: [(&str, &str); 16] = [
@@ -131,8 +132,8 @@ impl FiguresCommand {
     }
 
     /// The figures asked for, by name and text, and the motions.
-    fn written(&self) -> Result<(Vec<Written>, Motions), InputError> {
-        let mut all: Vec<Written> = Vec::new();
+    fn written(&self) -> Result<(Vec<NamedToml>, Motions), InputError> {
+        let mut all: Vec<NamedToml> = Vec::new();
         let (mut place, mut motions) = (format!("{MOTIONS_FILE}.toml"), MOTIONS.to_string());
         match &self.scenes {
             None => all.extend(BUILT_IN.map(|(name, text)| (name.into(), text.into()))),
@@ -241,7 +242,7 @@ impl Work<'_> {
             "topple {}, {} {}, steps of at most {} s.",
             env!("CARGO_PKG_VERSION"),
             self.backend.name(),
-            method.precision.name(),
+            method.precision.key(),
             method.largest_step
         )
     }

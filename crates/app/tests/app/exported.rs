@@ -10,6 +10,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 use serde_json::{Value, json};
 use topple::BackendRequest;
+use topple::Written;
 use topple::backend::cell_run::CellRun;
 use topple::backend::history::{Row, by_steps};
 use topple::backend::ready::Backend;
@@ -313,12 +314,12 @@ fn choices() -> Vec<(Vec<Choice>, Flat)> {
         [(BlockBy::Object, "object=1"), (BlockBy::Numbers, "half_width=0.3 height=1 mass=100")];
     let directions =
         [Directions::Dual, Directions::Horizontal, Directions::Vertical, Directions::None];
-    let pulses = Shape::ALL.map(|shape| {
+    let pulses = Shape::ALL.iter().map(|&shape| {
         let text = format!("shape={} omega=3 a_h=4", shape.key());
         (vec![Choice::Excitation(ShakenBy::Pulse), Choice::Shape(shape)], text)
     });
     let record = (vec![Choice::Excitation(ShakenBy::Record)], format!("horizontal={SYNTHETIC}"));
-    let shaken: Vec<_> = pulses.into_iter().chain([record]).collect();
+    let shaken: Vec<_> = pulses.chain([record]).collect();
     let mut found = Vec::new();
     for (block, of_block) in blocks {
         for isolation in directions {
