@@ -18,14 +18,12 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let base_h = more * base_energy_h(cell, rested);
     let base_v = more * base_energy_v(cell, rested);
     let base = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    if !(model.topple_energy > base + flight) {
+    if !(model.topple_energy > base + 4.0 * flight) {
         return false;
     }
     let arm = max(model.left.arm, model.right.arm);
-    let change_h = 2.0 * model.mu_h * model.height * speed;
-    let change_v = 2.0 * model.mu_v * arm * speed;
-    let root_h = sqrt(base_h) + min(change_h, sqrt(2.0 * model.mu_h * flight));
-    let root_v = sqrt(base_v) + min(change_v, sqrt(2.0 * model.mu_v * flight));
+    let root_h = sqrt(base_h) + sqrt(2.0 * model.mu_h * flight);
+    let root_v = sqrt(base_v) + sqrt(2.0 * model.mu_v * flight);
     if !within(cell, state, root_h * root_h, root_v * root_v) {
         return false;
     }
@@ -35,7 +33,7 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;
-    let radians = 2.0 * momentum * max(cell.reach_h, cell.reach_v);
+    let radians = 2.5 * momentum * max(cell.reach_h, cell.reach_v);
     if !(least > 0.0 && least >= radians) {
         return false;
     }

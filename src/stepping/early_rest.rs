@@ -4,15 +4,15 @@
 //! A block that chatters makes most of its impacts in flights shorter than a step. Let it come to rest at an impact, by
 //! (15a) and (15b): with w = |phi'| after the impact this takes the energy D w^2/2 over M, D as in the
 //! [`certificate`](super::certificate) at phi = 0; the flights that are left out would have had it. The base keeps the
-//! rest of its energy in each direction, to which they would have added theirs at most, and changed its velocity by mu_h
-//! or mu_v of the velocity of the centre of mass before and after an impact, H w or b w. So |X| and |Y - g| are bounded,
+//! rest of its energy in each direction, to which they would have added theirs at most. So |X| and |Y - g| are bounded,
 //! and with them the moment over M that holds the block down,
 //!
 //! ```text
 //! least = b_min (g - |Y - g|) - H |X|        most = b_max (g + |Y - g|) + H |X|
 //! ```
 //!
-//! Where the least is positive the block does not lift again once it rests. A flight lasts 2 D w/least or less. If the
+//! Where the least is positive the block does not lift again once it rests. A flight with a quarter of the energy that
+//! overturns the block, or less, lasts 2.5 D w/least at most: 2 by the moment at phi = 0, and 1.25 as it falls on the way. If the
 //! base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
 //! changes slowly: E^(3/2)/force, its adiabatic invariant, falls at impacts alone. Hence no flight has more than
 //! (most/least)^(2/3) times the energy of the next one; most/least, which is larger, covers that a radian is not slow.
@@ -54,15 +54,13 @@ pub fn rests_early<V: Vector>(
     let base_h = more * base_energy_h(set, &rested);
     let base_v = more * base_energy_v(set, &rested);
     let base = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    let mut rests = tried & model.topple_energy.gt(base + flight);
+    let mut rests = tried & model.topple_energy.gt(base + y.u.like(4.0) * flight);
     if !V::any(rests) {
         return rests;
     }
     let arm = model.left.arm.max(model.right.arm);
-    let change_h = two * model.mu_h * model.height * speed;
-    let change_v = two * model.mu_v * arm * speed;
-    let root_h = base_h.sqrt() + change_h.min((two * model.mu_h * flight).sqrt());
-    let root_v = base_v.sqrt() + change_v.min((two * model.mu_v * flight).sqrt());
+    let root_h = base_h.sqrt() + (two * model.mu_h * flight).sqrt();
+    let root_v = base_v.sqrt() + (two * model.mu_v * flight).sqrt();
     rests = within(set, extremes, rests, root_h * root_h, root_v * root_v);
     // What holds the block, by Cauchy's inequality as in the certificate.
     let x_most = cell.reach_h * root_h;
@@ -70,7 +68,7 @@ pub fn rests_early<V: Vector>(
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;
-    let radians = two * momentum * cell.reach_h.max(cell.reach_v);
+    let radians = y.u.like(2.5) * momentum * cell.reach_h.max(cell.reach_v);
     rests = rests & least.gt(zero) & least.ge(radians);
     if !V::any(rests) {
         return rests;
