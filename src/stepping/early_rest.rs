@@ -12,8 +12,8 @@
 //! ```
 //!
 //! Where the least is positive the block does not lift again once it rests. A flight with a quarter of the energy that
-//! overturns the block, or less, lasts 2.5 D w/least at most: 2 by the moment at phi = 0, and 1.25 as it falls on the way. If the
-//! base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
+//! overturns the block, or less, lasts 2.5 D w/least: 2 by the moment at phi = 0, and 1.25 as it falls on the way, which is a bound
+//! where least is near b g, not far below it. If the base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
 //! changes slowly: E^(3/2)/force, its adiabatic invariant, falls at impacts alone. Hence no flight has more than
 //! (most/least)^(2/3) times the energy of the next one; most/least, which is larger, covers that a radian is not slow.
 //! This energy bounds angles and contact forces.
