@@ -54,7 +54,10 @@ impl Answer {
                 arrays.push(rest[..bytes].to_vec());
                 rest = &rest[bytes.next_multiple_of(8)..];
             }
-            frames.push((header, arrays));
+            // How far a stage is, is told where it takes long; no test knows whether it does.
+            if header.get("progress").is_none() {
+                frames.push((header, arrays));
+            }
         }
         frames
     }
