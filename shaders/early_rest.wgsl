@@ -1,5 +1,5 @@
-// Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
-// until then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
+// Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its
+// flights until then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
 
 // True where a block may come to rest at once; the excitation must be over, and the block have just had an impact.
 fn rests_early(cell: Cell, state: State) -> bool {
@@ -18,7 +18,7 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let base_h = more * base_energy_h(cell, rested);
     let base_v = more * base_energy_v(cell, rested);
     let base = 0.5 * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    if !(model.topple_energy > base + 4.0 * flight) {
+    if !(model.topple_energy > base + flight) {
         return false;
     }
     let arm = max(model.left.arm, model.right.arm);
@@ -33,8 +33,10 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;
+    let fall = model.height * least_y + arm * x_most;
+    let held = 4.0 * flight * (least + 2.0 * fall);
     let radians = 2.5 * momentum * max(cell.reach_h, cell.reach_v);
-    if !(least > 0.0 && least >= radians) {
+    if !(least > 0.0 && least >= radians && least * least >= held) {
         return false;
     }
     let energy = flight * most / least;

@@ -1,5 +1,5 @@
-//! Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its flights
-//! until then reaches what has been reached. Twin of `shaders/early_rest.wgsl`.
+//! Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its
+//! flights until then reaches what has been reached. Twin of `shaders/early_rest.wgsl`.
 //!
 //! A block that chatters makes most of its impacts in flights shorter than a step. Let it come to rest at an impact, by
 //! (15a) and (15b): with w = |phi'| after the impact this takes the energy D w^2/2 over M, D as in the
@@ -11,12 +11,15 @@
 //! least = b_min (g - |Y - g|) - H |X|        most = b_max (g + |Y - g|) + H |X|
 //! ```
 //!
-//! Where the least is positive the block does not lift again once it rests. A flight with a quarter of the energy that
-//! overturns the block, or less, lasts 2.5 D w/least: 2 by the moment at phi = 0, and 1.25 as it falls on the way, which is a bound
-//! where least is near b g, not far below it. If the base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
-//! changes slowly: E^(3/2)/force, its adiabatic invariant, falls at impacts alone. Hence no flight has more than
-//! (most/least)^(2/3) times the energy of the next one; most/least, which is larger, covers that a radian is not slow.
-//! This energy bounds angles and contact forces.
+//! Where the least is positive the block does not lift again once it rests. At an angle phi the moment is no less than
+//! least cos(phi) - fall sin(phi), with fall = H (g - |Y - g|) + b_max |X|, so that it holds back flights of up to
+//! sqrt(least^2 + fall^2) - fall >= least^2/(least + 2 fall). One of a quarter of this energy lasts 2.2 D w/least at most
+//! (2 by the moment at phi = 0, 1.1 = artanh(1/2)/(1/2) since it falls); we take 2.5, since D changes with phi. If the
+//! base moves by no more than a radian in that time, the flights are those of a ball that bounces under a force that
+//! changes slowly: E^(3/2)/force, its adiabatic invariant, falls at impacts alone. Hence no flight lasts longer, or asks
+//! for more of what holds it back, than this first one would at the least moment, and none has more than
+//! (most/least)^(2/3) times its energy; most/least, which is larger, covers that a radian is not slow. This energy bounds
+//! angles and contact forces.
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
@@ -54,7 +57,7 @@ pub fn rests_early<V: Vector>(
     let base_h = more * base_energy_h(set, &rested);
     let base_v = more * base_energy_v(set, &rested);
     let base = half * (model.inverse_mu_h * base_h + model.inverse_mu_v * base_v);
-    let mut rests = tried & model.topple_energy.gt(base + y.u.like(4.0) * flight);
+    let mut rests = tried & model.topple_energy.gt(base + flight);
     if !V::any(rests) {
         return rests;
     }
@@ -68,8 +71,10 @@ pub fn rests_early<V: Vector>(
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;
+    let fall = model.height * least_y + arm * x_most;
+    let held = y.u.like(4.0) * flight * (least + two * fall);
     let radians = y.u.like(2.5) * momentum * cell.reach_h.max(cell.reach_v);
-    rests = rests & least.gt(zero) & least.ge(radians);
+    rests = rests & least.gt(zero) & least.ge(radians) & (least * least).ge(held);
     if !V::any(rests) {
         return rests;
     }
