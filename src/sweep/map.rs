@@ -3,7 +3,6 @@
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::error::SweepError;
 use super::repaired::Repair;
@@ -148,10 +147,13 @@ impl MapSweep {
         observer: &dyn Observer,
     ) -> Result<Verification, SweepError> {
         let chosen = self.choose(settings.cells, observer)?;
-        self.verify_chosen(&chosen, settings.within, observer)
+        observer.begins(Phase::Verifying, chosen.len());
+        let sample = (&chosen[..], settings.within);
+        let verified = verification::verify(&self.plan, &self.grid, sample, observer);
+        verified.ok_or(BackendError::Cancelled.into())
     }
 
-    /// The cells for the reference to run again, with their outcomes.
+    /// The cells for the reference to run again, with their outcomes: [`verification::verify`] runs them.
     ///
     /// # Errors
     /// Those of reading; [`SweepError::Read`] where it is cancelled.
@@ -161,21 +163,6 @@ impl MapSweep {
         observer.begins(Phase::Choosing, 2 * all + columns * cells.min(all));
         let watched = ObservedOutcomes::new(&*self.outcomes, observer);
         Ok(sample::sample(&self.grid, &watched, cells)?)
-    }
-
-    /// Runs cells again that were chosen; those that are not done `within` a time are left out.
-    ///
-    /// # Errors
-    /// That it was cancelled.
-    pub fn verify_chosen(
-        &self,
-        chosen: &[Chosen],
-        within: Duration,
-        observer: &dyn Observer,
-    ) -> Result<Verification, SweepError> {
-        observer.begins(Phase::Verifying, chosen.len());
-        let verified = verification::verify(&self.plan, &self.grid, (chosen, within), observer);
-        verified.ok_or(BackendError::Cancelled.into())
     }
 
     /// Writes it as a Zarr group, in the place of one that is there. `observer` hears of its chunks' cells. What

@@ -6,15 +6,18 @@ use crate::manifest::{Facts, Manifest, Steps, Timings};
 use topple::backend::backend_error::BackendError;
 use topple::refine::refined::RefinedMap;
 use topple::results::earlier::RUN;
+use topple::results::tally::Tally;
 use topple::scene::Parameter;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;
-use topple::sweep::verdict;
+use topple::sweep::{verdict, verification};
+use topple::work::observer::Observer;
 use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
 use topple_studies::Sharpness;
 
+use super::beside;
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
 use super::map_files;
@@ -58,7 +61,6 @@ pub fn write(
     say: &Reporter,
     screen: &Screen,
 ) -> anyhow::Result<()> {
-    let files = to.files;
     let mut took = Timings { estimate: to.estimate.as_secs_f64(), ..Timings::default() };
     let mut began = Instant::now();
     if let Some(repair) = &map.repair {
@@ -91,6 +93,52 @@ pub fn write(
             say.line(if number == 0 { "refined" } else { "" }, text);
         }
     }
+    let by_reference = to.verify.cells > 0 && map.by_reference();
+    let (plan, grid, within) = (map.plan.clone(), map.grid.clone(), to.verify.within);
+    let verify = (!chosen.is_empty()).then_some(|observer: &dyn Observer| {
+        let mut began = Instant::now();
+        let verified = verification::verify(&plan, &grid, (&chosen, within), observer);
+        verified.map(|verification| (verification, lap(&mut began)))
+    });
+    let write = || files(&mut map, results, to, (tally, sharpness), &mut took, say, screen);
+    let (facts, verified) = beside::run(screen, chosen.len(), write, verify)?;
+    screen.clear();
+    if by_reference {
+        say.line("reference", "it computed the map: there is nothing to verify");
+    }
+    if let Some(verified) = verified {
+        let cancelled: SweepError = BackendError::Cancelled.into();
+        let (verification, seconds) = verified.ok_or(cancelled).map_err(not_verified)?;
+        took.verification = Some(seconds);
+        say.line("reference", verdict::agreement(&verification, within));
+        say.styled("", verdict::told(&verification), words::style(&verification));
+        map.verification = Some(verification);
+    }
+    let manifest = Manifest::of(&map, &facts, took);
+    if map.verification.is_some() {
+        results.finish(&manifest)?;
+    }
+    if to.talk.verbose {
+        say.line("time", words::phases(&manifest.timings));
+    }
+    if to.talk.json {
+        print_line!("{}", serde_json::to_string_pretty(&results.run(&manifest))?);
+    }
+    Ok(())
+}
+
+/// Draws a map and writes its files, and says where they are.
+fn files<'a>(
+    map: &mut MapSweep,
+    results: &mut Results,
+    to: &Finish<'a>,
+    (tally, sharpness): (Tally, Option<Sharpness>),
+    took: &mut Timings,
+    say: &Reporter,
+    screen: &Screen,
+) -> anyhow::Result<Facts<'a>> {
+    let files = to.files;
+    let mut began = Instant::now();
     let slices = match to.refined {
         Some(refined) => slices::of(&refined.scene, &refined.grid, refined)?,
         None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
@@ -100,7 +148,7 @@ pub fn write(
     took.drawing = lap(&mut began);
     let names = map_files::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
     results.begin(names, say)?;
-    let pictures = match map_files::write(&results.out, &map, (&slices, &figures), files, screen) {
+    let pictures = match map_files::write(&results.out, map, (&slices, &figures), files, screen) {
         Ok(pictures) => pictures,
         Err(_) if super::interrupt::asked() => {
             let cancelled: SweepError = BackendError::Cancelled.into();
@@ -108,8 +156,8 @@ pub fn write(
         }
         Err(error) => return Err(error),
     };
-    if let Some(map) = to.refined {
-        refined::write(&results.out, map, files)?;
+    if let Some(refined) = to.refined {
+        refined::write(&results.out, refined, files)?;
     }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
@@ -122,7 +170,7 @@ pub fn write(
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
     let facts = Facts { tally, steps, drawn, tag: to.tag, refined, sharpness };
-    results.finish(Manifest::of(&map, &facts, took))?;
+    results.finish(Manifest::of(map, &facts, *took))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
     let thinned = match cells == all {
@@ -141,27 +189,5 @@ pub fn write(
     }
     let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
     say.line("data", format!("{} with {}", results.file(data[0]).display(), data[1..].join(", ")));
-    if to.verify.cells > 0 && map.by_reference() {
-        say.line("reference", "it computed the map: there is nothing to verify");
-    } else if to.verify.cells > 0 {
-        let mut began = Instant::now();
-        let verified = map.verify_chosen(&chosen, to.verify.within, screen);
-        screen.clear();
-        let verification = verified.map_err(not_verified)?;
-        took.verification = Some(lap(&mut began));
-        say.line("reference", verdict::agreement(&verification, to.verify.within));
-        say.styled("", verdict::told(&verification), words::style(&verification));
-        map.verification = Some(verification);
-    }
-    let manifest = Manifest::of(&map, &facts, took);
-    if map.verification.is_some() {
-        results.finish(&manifest)?;
-    }
-    if to.talk.verbose {
-        say.line("time", words::phases(&manifest.timings));
-    }
-    if to.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&results.run(&manifest))?);
-    }
-    Ok(())
+    Ok(facts)
 }

@@ -4,6 +4,7 @@
 
 mod adapters;
 mod bench;
+mod beside;
 mod chart;
 mod completions;
 mod disk;
