@@ -138,35 +138,37 @@ fn files<'a>(
     screen: &Screen,
 ) -> anyhow::Result<Facts<'a>> {
     let files = to.files;
-    let mut began = Instant::now();
+    let began = Instant::now();
     let slices = match to.refined {
         Some(refined) => slices::of(&refined.scene, &refined.grid, refined)?,
         None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
-    let figures = map_files::draw(&slices)?;
-    took.drawing = lap(&mut began);
     let names = map_files::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
     results.begin(names, say)?;
-    let pictures = match map_files::write(&results.out, map, (&slices, &figures), files, screen) {
-        Ok(pictures) => pictures,
-        Err(_) if super::interrupt::asked() => {
-            let cancelled: SweepError = BackendError::Cancelled.into();
-            return Err(sweep_error(map.stopped(cancelled)));
-        }
-        Err(error) => return Err(error),
-    };
+    let (out, whole) = (&results.out, &*map);
+    let (pictures, tables) = rayon::join(
+        || (map_files::pictures(out, &slices), began.elapsed()),
+        || map_files::tables(out, whole, &slices, files, screen),
+    );
+    if tables.is_err() && super::interrupt::asked() {
+        let cancelled: SweepError = BackendError::Cancelled.into();
+        return Err(sweep_error(map.stopped(cancelled)));
+    }
+    tables?;
+    took.drawing = pictures.1.as_secs_f64();
+    let pictures = pictures.0?;
     if let Some(refined) = to.refined {
         refined::write(&results.out, refined, files)?;
     }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();
-    drop((slices, figures));
+    drop(slices);
     if files.contains(&MapFile::Zarr) {
         map.publish(&results.file(MapFile::Zarr.name()), screen).map_err(sweep_error)?;
         screen.clear();
     }
-    took.writing = lap(&mut began);
+    took.writing = began.elapsed().as_secs_f64();
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
     let facts = Facts { tally, steps, drawn, tag: to.tag, refined, sharpness };

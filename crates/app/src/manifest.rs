@@ -220,10 +220,10 @@ pub struct Timings {
     pub sweep: f64,
     /// Counting outcomes, and choosing the reference's sample.
     pub counting: f64,
-    /// Drawing the pictures.
+    /// Drawing and writing the pictures.
     pub drawing: f64,
-    /// Writing the files.
+    /// Writing all files, the pictures at the same time.
     pub writing: f64,
-    /// The reference's sample; none before, and where none was asked for.
+    /// The reference's sample, beside the files; none before, and where none was asked for.
     pub verification: Option<f64>,
 }

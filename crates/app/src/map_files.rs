@@ -32,13 +32,13 @@ const BOUNDARIES: &str = "boundaries.csv";
 pub fn places(scene: &Scene, grid: &Grid, files: &[MapFile], refines: bool) -> Vec<String> {
     let tables = files.iter().map(|file| file.name().to_string());
     let boundaries = has_boundaries(scene, grid).then(|| BOUNDARIES.to_string());
-    let pictures = pictures(scene, grid).into_iter().flat_map(|name| picture_files(&name));
+    let pictures = names_of_pictures(scene, grid).into_iter().flat_map(|name| picture_files(&name));
     let of_leaves = if refines { refined::names(files) } else { Vec::new() };
     tables.chain(boundaries).chain(pictures).chain(of_leaves).collect()
 }
 
 /// The names of the pictures of a map.
-fn pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
+fn names_of_pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
     match grid.slices() {
         1 if scene.excitation.record().is_none() || grid.line().is_some() => vec![MAIN.into()],
         1 => {
@@ -52,7 +52,7 @@ fn pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
 }
 
 /// Draws the slices of a map.
-pub fn draw(slices: &[Slice]) -> Result<Vec<Figure>, FigureError> {
+fn draw(slices: &[Slice]) -> Result<Vec<Figure>, FigureError> {
     match slices {
         [whole] => figures(&whole.map),
         slices => slices
@@ -68,30 +68,44 @@ fn has_boundaries(scene: &Scene, grid: &Grid) -> bool {
     scene.excitation.record().is_some() && grid.axes().len() == 2 && grid.line().is_none()
 }
 
-/// Writes the files of a map, but map.zarr and run.json; the paths of its pictures.
-pub fn write(
+/// Writes the tables of a map, but map.zarr, at the same time.
+pub fn tables(
     out: &Directory,
     map: &MapSweep,
-    (slices, figures): (&[Slice], &[Figure]),
+    slices: &[Slice],
     files: &[MapFile],
     screen: &Screen,
-) -> anyhow::Result<Vec<PathBuf>> {
+) -> anyhow::Result<()> {
     let grid = &map.grid;
     let tables = files.iter().filter(|file| **file != MapFile::Zarr).count();
     screen.begins(Phase::Writing, grid.len() * tables * Column::ALL.len());
     let outcomes = ObservedOutcomes::new(&*map.outcomes, screen);
-    if files.contains(&MapFile::Csv) {
-        out.write("map.csv", |w| csv::write(grid, &outcomes, w))?;
-    }
-    if files.contains(&MapFile::Npz) {
-        out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
-    }
-    if let [whole] = slices
-        && has_boundaries(&map.plan.scene, grid)
-    {
-        out.write(BOUNDARIES, |w| map::boundaries::write(&whole.map, w))?;
-    }
-    for (name, svg, png) in figures {
+    let (rows, arrays) = rayon::join(
+        || -> anyhow::Result<()> {
+            if files.contains(&MapFile::Csv) {
+                out.write("map.csv", |w| csv::write(grid, &outcomes, w))?;
+            }
+            if let [whole] = slices
+                && has_boundaries(&map.plan.scene, grid)
+            {
+                out.write(BOUNDARIES, |w| map::boundaries::write(&whole.map, w))?;
+            }
+            Ok(())
+        },
+        || -> anyhow::Result<()> {
+            if files.contains(&MapFile::Npz) {
+                out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
+            }
+            Ok(())
+        },
+    );
+    rows.and(arrays)
+}
+
+/// Draws the slices of a map and writes the pictures; the paths of those that stand for it.
+pub fn pictures(out: &Directory, slices: &[Slice]) -> anyhow::Result<Vec<PathBuf>> {
+    let figures = draw(slices)?;
+    for (name, svg, png) in &figures {
         write_picture(out, name, svg, png)?;
     }
     let maps = figures.iter().filter(|(name, ..)| name.starts_with(MAIN));
