@@ -18,6 +18,7 @@ use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::results;
 use topple::results::about::Source;
+use topple::results::column_set::ColumnSet;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Scene};
 use topple::stepping::certificate::is_final;
@@ -90,9 +91,12 @@ fn writers(c: &mut Criterion) {
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
     c.bench_function("writer, csv, 128 x 128", |b| {
-        b.iter(|| results::csv::write(&grid, &outcomes, Vec::with_capacity(1 << 22)).unwrap());
+        b.iter(|| {
+            results::csv::write(&grid, &outcomes, ColumnSet::ALL, Vec::with_capacity(1 << 22))
+                .unwrap()
+        });
     });
-    let source = Source { scene: &scene, precision: Precision::F32 };
+    let source = Source { scene: &scene, precision: Precision::F32, columns: ColumnSet::ALL };
     c.bench_function("writer, npz, 128 x 128", |b| {
         b.iter(|| {
             let into = Cursor::new(Vec::with_capacity(1 << 22));

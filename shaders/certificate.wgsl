@@ -40,8 +40,12 @@ fn base_energy_v(cell: Cell, y: Motion) -> real {
     return y.dv * y.dv + cell.stiffness_v * y.v * y.v;
 }
 
-// True where energies that are left in the base reach no further than the largest |u| and |v|.
+// True where energies that are left in the base reach no further than the largest |u| and |v|, or where nobody asks for
+// these.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
+    if !displacements {
+        return true;
+    }
     if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
         return false;
     }
@@ -55,7 +59,7 @@ fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     return true;
 }
 
-// True where all results of the cell are final; the excitation must be over, and a block that rocks have
+// True where all results of the cell that are asked for are final; the excitation must be over, and a block that rocks have
 // just had an impact.
 fn is_final(cell: Cell, state: State) -> bool {
     let zero: real = 0.0;
@@ -98,10 +102,12 @@ fn is_final(cell: Cell, state: State) -> bool {
         if !(small && within(cell, state, left_h, left_v)) {
             return false;
         }
-        let bound_left = model.gravity * least_rise(model.left, state.max_phi_left);
-        let bound_right = model.gravity * least_rise(model.right, state.max_phi_right);
-        if !(energy <= bound_left && energy <= bound_right) {
-            return false;
+        if angles {
+            let bound_left = model.gravity * least_rise(model.left, state.max_phi_left);
+            let bound_right = model.gravity * least_rise(model.right, state.max_phi_right);
+            if !(energy <= bound_left && energy <= bound_right) {
+                return false;
+            }
         }
         x_most = cell.reach_h * sqrt(left_h);
         y_swing = cell.reach_v * sqrt(left_v);

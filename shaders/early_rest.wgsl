@@ -40,11 +40,13 @@ fn rests_early(cell: Cell, state: State) -> bool {
         return false;
     }
     let energy = flight * most / least;
-    // The energy that the largest angles so far ask for.
-    let left = reached(model.left, least_y, x_most, state.max_phi_left);
-    let right = reached(model.right, least_y, x_most, state.max_phi_right);
-    if !(left >= energy && right >= energy) {
-        return false;
+    if angles {
+        // The energy that the largest angles so far ask for.
+        let left = reached(model.left, least_y, x_most, state.max_phi_left);
+        let right = reached(model.right, least_y, x_most, state.max_phi_right);
+        if !(left >= energy && right >= energy) {
+            return false;
+        }
     }
     return !forces || forces_are_final(state, false, x_most, y_swing, energy);
 }

@@ -1,6 +1,9 @@
 // The largest and least values of a cell so far. Twin: src/stepping/extremes.rs.
 
-// The least contact force and the friction asked for are looked for.
+// The values that are looked for: the largest rotations, the largest |u| and |v|, the least contact force and the
+// friction asked for.
+override angles: bool = true;
+override displacements: bool = true;
 override forces: bool = true;
 
 // The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
@@ -71,13 +74,15 @@ fn bend(start: real, mid: real, end: real) -> real {
     return 0.125 * abs(start - 2.0 * mid + end);
 }
 
-// Updates the extremes by the motion over a span of `h` seconds.
+// Updates those extremes that are asked for by the motion over a span of `h` seconds.
 fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
-    (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
-    let range_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
-    (*state).least_v = range_v.least;
-    (*state).most_v = range_v.most;
-    if (*state).mode == FULL_CONTACT {
+    if displacements {
+        (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
+        let range_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
+        (*state).least_v = range_v.least;
+        (*state).most_v = range_v.most;
+    }
+    if !angles || (*state).mode == FULL_CONTACT {
         return;
     }
     let left = (*state).mode != ROCKING_RIGHT;

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict, PyType};
 use serde_json::{Map, Value, json};
+use topple::results::column_set::ColumnSet;
 use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
@@ -33,7 +34,7 @@ pub struct Request {
 }
 
 /// The keywords that say how a scene is run.
-pub const SETTINGS: [&str; 12] = [
+pub const SETTINGS: [&str; 13] = [
     "backend",
     "adapter",
     "precision",
@@ -41,6 +42,7 @@ pub const SETTINGS: [&str; 12] = [
     "resolve",
     "full_model",
     "repair",
+    "columns",
     "verify",
     "out",
     "resume",
@@ -299,6 +301,14 @@ fn set(settings: &mut RunSettings, key: &str, value: &Bound<'_, PyAny>) -> PyRes
         "resolve" => settings.method.resolve = taken(key, value, "True or False")?,
         "full_model" => settings.method.full_model = taken(key, value, "True or False")?,
         "repair" => settings.method.repair = taken(key, value, "True or False")?,
+        "columns" => {
+            let names = match value.extract::<Vec<String>>() {
+                Ok(names) => names,
+                Err(_) => text()?.split(',').map(String::from).collect(),
+            };
+            settings.method.columns =
+                ColumnSet::of_names(&names).map_err(|error| named(&error.problem))?;
+        }
         "verify" => {
             let none = value.extract::<bool>().is_ok_and(|flag| !flag);
             let none = none || value.extract::<String>().is_ok_and(|text| text == "none");

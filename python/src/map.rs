@@ -34,7 +34,7 @@ fn own() -> Vec<&'static str> {
 
 /// A map: its columns, unless they are on disk, and what is said of it.
 struct Arrays {
-    columns: Option<Vec<ColumnValues>>,
+    columns: Option<Vec<(Column, ColumnValues)>>,
     /// Of a refined map the numbers of its leaves' first cells, and what else is counted of them.
     leaves: Option<(Vec<u64>, Vec<CountColumn>)>,
     about: String,
@@ -146,10 +146,10 @@ fn returned(py: Python<'_>, map: Arrays) -> PyResult<Returned<'_>> {
         }
     }
     let proved = |code: &u8| Status::ALL.get(usize::from(*code)) == Some(&Status::Proved);
-    for (column, values) in Column::ALL.iter().zip(columns) {
+    for (column, values) in columns {
         let name = column.entry().name;
         match values {
-            ColumnValues::Codes(codes) if *column == Column::Status => {
+            ColumnValues::Codes(codes) if column == Column::Status => {
                 let ended = codes.iter().map(proved);
                 arrays.set_item("proved", PyArray1::from_iter(py, ended))?;
                 let code = |code: u8| {
@@ -224,7 +224,7 @@ fn leaves(
         about.insert("sharpness".into(), json!(sharpness));
         let cells = listed.cells.iter().map(|cell| *cell as u64).collect();
         Ok(Arrays {
-            columns: Some(block.into_columns()),
+            columns: Some(block.into_columns(source.columns)),
             leaves: Some((cells, listed.counts.to_vec())),
             about: Value::Object(about).to_string(),
         })

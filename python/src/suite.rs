@@ -214,6 +214,9 @@ fn suite_call(
     if settings.method.repair {
         return Err(of_keyword("repair", "sweeps under a suite are not repaired; leave it out"));
     }
+    if !settings.method.columns.is_all() {
+        return Err(of_keyword("columns", "they are those of maps; leave it out"));
+    }
     let mut request = SuiteRequest::new(scene);
     request.both_directions = given(keywords, "both_directions", "True or False")?.unwrap_or(false);
     let saving = settings.saving.as_ref();

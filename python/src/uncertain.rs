@@ -23,8 +23,8 @@ const SEED: &str = "seed";
 /// What a seed is.
 pub const A_SEED: &str = "a whole number from 0 to 4294967295";
 /// Keywords of a map that have no meaning for its probabilities.
-const NOT_BESIDE: [&str; 7] =
-    ["out", "resume", "tile", "repair", REFINING[0], REFINING[1], SHARPNESS];
+const NOT_BESIDE: [&str; 8] =
+    ["out", "resume", "tile", "repair", "columns", REFINING[0], REFINING[1], SHARPNESS];
 /// Sweeps where no count is given, and the fewest and most.
 const SWEEPS: (u32, std::ops::RangeInclusive<u32>) = (64, 2..=1 << 20);
 

@@ -391,9 +391,10 @@ def open(path: str | os.PathLike[str]) -> Any:
             raise ValueError(f"{place}: no map of topple")
         about = json.loads(str(arrays["about"])) | of_run(place)
         about["coordinates"] = {key: arrays[key] for key in about["axes"]}
+        columns = [name for name in [*about["columns"], "proved"] if name in arrays]
         if "counts" in about:
-            return of_leaves({name: arrays[name] for name in [*about["counts"], *about["columns"], "proved"]}, about)
-        return of_map({name: arrays[name] for name in [*about["columns"], "proved"]}, about)
+            return of_leaves({name: arrays[name] for name in [*about["counts"], *columns]}, about)
+        return of_map({name: arrays[name] for name in columns}, about)
 
 
 def __dir__() -> list[str]:

@@ -35,6 +35,10 @@ WORDS = {
     "resolve": ("bool", "run cells of doubt again in f64 with half the step"),
     "full_model": ("bool", "leave out no part of the model that a scene does not need"),
     "repair": ("bool", "run the cells beside a boundary again in f64 with half the step; replace those that change"),
+    "columns": (
+        "str | Sequence[str]",
+        "columns of the map, by their names: a cell runs no longer than these need; by default all",
+    ),
     "verify": ("int", "cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most"),
     "out": ("Path", "directory: the map is written there as map.zarr, and opened lazily"),
     "resume": ("bool", "go on from what an interrupted call left in ``out``"),

@@ -54,8 +54,16 @@ def classes(dataset: Any) -> tuple[np.ndarray, np.ndarray]:
     return kinds.reshape(shape), dots.reshape(shape)
 
 
+def tells_beyond(dataset: Any) -> bool:
+    """Whether a map has the columns that tell where the model does not hold."""
+    return "min_contact" in dataset and "friction_demand" in dataset
+
+
 def beyond(dataset: Any) -> np.ndarray:
-    """Where the model does not hold: tensile contact, or more friction asked for than there is."""
+    """Where the model does not hold: tensile contact, or more friction asked for than there is. Nowhere where a map has not
+    the columns that tell it."""
+    if not tells_beyond(dataset):
+        return np.zeros(np.asarray(dataset["outcome"]).shape, dtype=bool)
     found = np.asarray(dataset["min_contact"]) < 0.0
     numbers = json.loads(dataset.attrs["scene"])["numbers"]
     if "friction" in numbers:
@@ -128,6 +136,8 @@ def _check(dataset: Any, column: str) -> None:
     """Refuses what is no map: other tables, and maps of which an axis was averaged away."""
     if "outcome" not in dataset or "scene" not in dataset.attrs:
         raise ValueError("outcome: missing; maps are drawn so, other tables by xarray's own plot")
+    if column == "outcome" and not ("impacts" in dataset and "uplifts" in dataset):
+        raise ValueError("columns: colours tell impacts and uplifts, too; ask for outcome, impacts and uplifts")
     if column not in dataset:
         raise ValueError(f"column: {column} is no column of the map; it has {', '.join(dataset.data_vars)}")
     if column in ("status", "proved") or dataset["outcome"].dtype.kind not in "iu":
@@ -220,6 +230,8 @@ def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> N
         _hatched(ax, x, y, where, hatch)
         if where.any() and meaning:
             handles.append(Patch(facecolor=rgb(palette["marked"]), hatch=hatch, edgecolor="black", label=meaning))
+    if not tells_beyond(dataset):
+        handles.append(Patch(facecolor="none", label="Contact forces were not asked for: where the model does not hold is not shown."))
     _legend(ax, handles, dataset)
 
 

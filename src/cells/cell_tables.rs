@@ -99,7 +99,7 @@ impl<'a, R: Real> CellTables<'a, R> {
             vertical: by_body(of, &Vertical::<R>::law(), Vertical::of),
             drive: Table::of(&list, &Drive::<R>::LAW, |case| Drive::of(case, shared)),
             clocks,
-            readers: by_body(of, &Reader::LAW, |case, _| Reader::of(case)),
+            readers: by_body(of, &Reader::LAW, |case, _| Reader::of(case, plan.asked)),
         }
     }
 

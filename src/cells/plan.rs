@@ -14,6 +14,7 @@ use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::laws::Laws;
 use super::reader::Reader;
 use super::shortcuts::Shortcuts;
+use crate::model::asked::Asked;
 use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
@@ -40,8 +41,8 @@ pub struct Plan {
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub shortcuts: Shortcuts,
-    /// Contact forces are asked for: where they are not, min_contact and the friction asked for are not looked for.
-    pub forces: bool,
+    /// The largest and least values that are asked for: others are not looked for, and not a number in the outcomes.
+    pub asked: Asked,
     /// The laws that all its cells have.
     pub(crate) laws: Laws,
     /// Its cells differ in their body.
@@ -83,7 +84,7 @@ impl Plan {
             scene: copy,
             resolution,
             shortcuts,
-            forces: true,
+            asked: Asked::ALL,
             laws,
             bodies,
             cycles,
@@ -105,9 +106,9 @@ impl Plan {
         plan
     }
 
-    /// The plan of a sweep of which nobody asks for contact forces.
-    pub fn without_forces(&self) -> Plan {
-        Plan { forces: false, ..self.clone() }
+    /// The plan of a sweep of which only these largest and least values are asked for.
+    pub fn asking(&self, asked: Asked) -> Plan {
+        Plan { asked, ..self.clone() }
     }
 
     /// The plan with steps half as long.
@@ -208,7 +209,7 @@ impl Plan {
             kinks: self.resolution.kinks && yields,
             yields,
             certificate: self.shortcuts.certificate,
-            forces: self.forces,
+            asked: self.asked,
             bodies: self.bodies,
             bouc_wen_n,
         }
@@ -246,7 +247,7 @@ impl Plan {
 
     /// The outcome of a cell whose last state is `state`.
     pub fn outcome<R: Real>(&self, case: &Case, state: &State<R>) -> Outcome {
-        Reader::of(case).outcome(&self.clock(case), state)
+        Reader::of(case, self.asked).outcome(&self.clock(case), state)
     }
 
     /// Frees the motions that its cells share, at the end of a sweep.

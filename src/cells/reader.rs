@@ -1,6 +1,7 @@
 //! The outcome of a cell from its last state.
 
 use super::clock::Clock;
+use crate::model::asked::Asked;
 use crate::model::real::Real;
 use crate::scene::{Case, Parameter};
 use crate::stepping::outcome::{Class, Outcome, Status};
@@ -17,20 +18,22 @@ pub struct Reader {
     critical: [f64; 2],
     /// The static deflection, m.
     deflection: f64,
+    /// What was looked for.
+    asked: Asked,
 }
 
 impl Reader {
     /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
     pub const LAW: [Parameter; 3] = [Parameter::TMax, Parameter::Tilt, Parameter::TV];
 
-    /// That of a cell.
-    pub fn of(case: &Case) -> Reader {
+    /// That of a cell of a plan which looks for what is asked.
+    pub fn of(case: &Case, asked: Asked) -> Reader {
         let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
         let deflection = case.deflection();
-        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection }
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection, asked }
     }
 
-    /// The outcome of a cell of this clock whose last state is `state`.
+    /// The outcome of a cell of this clock whose last state is `state`; what was not looked for is not a number.
     #[inline]
     pub fn outcome<R: Real>(&self, clock: &Clock, state: &State<R>) -> Outcome {
         let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
@@ -55,6 +58,8 @@ impl Reader {
         let max_v = (least_v - self.deflection).abs().max((most_v - self.deflection).abs());
         let reached = clock.time(state.step, state.end_fraction.to_f64());
         let ended = matches!(state.status, FINISHED | PROVED);
+        let Asked { angles, displacements, forces } = self.asked;
+        let known = |looked_for: bool, value: f64| if looked_for { value } else { f64::NAN };
         Outcome {
             class,
             impacts: state.impacts,
@@ -63,15 +68,15 @@ impl Reader {
             t_simulated: if state.status == FINISHED { self.t_max } else { reached },
             t_uplift: (state.uplifts > 0)
                 .then(|| clock.time(state.uplift_step, state.uplift_fraction.to_f64())),
-            zeta,
-            max_phi_left: left,
-            max_phi_right: right,
-            max_u: state.max_u.to_f64(),
+            zeta: known(angles, zeta),
+            max_phi_left: known(angles, left),
+            max_phi_right: known(angles, right),
+            max_u: known(displacements, state.max_u.to_f64()),
             // As many digits as the number type has.
-            max_v: R::of(max_v).to_f64(),
-            stroke_v: most_v.max(-least_v),
-            min_contact: state.min_contact.to_f64(),
-            friction: state.friction.to_f64(),
+            max_v: known(displacements, R::of(max_v).to_f64()),
+            stroke_v: known(displacements, most_v.max(-least_v)),
+            min_contact: known(forces, state.min_contact.to_f64()),
+            friction: known(forces, state.friction.to_f64()),
             status,
         }
     }

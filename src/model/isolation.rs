@@ -2,6 +2,7 @@
 //! `shaders/isolation.wgsl`.
 
 use super::CellEquations;
+use super::asked::Asked;
 use super::excitation::Ground;
 use super::motion::Motion;
 use super::number::Number;
@@ -27,8 +28,8 @@ pub struct Variant {
     pub yields: bool,
     /// Cells end where energy proves that nothing more will happen.
     pub certificate: bool,
-    /// The least contact force and the friction asked for are looked for.
-    pub forces: bool,
+    /// The largest and least values that are looked for.
+    pub asked: Asked,
     /// Cells differ in their body.
     pub bodies: bool,
     /// n of (11).
@@ -46,7 +47,7 @@ impl Variant {
         kinks: false,
         yields: false,
         certificate: false,
-        forces: true,
+        asked: Asked::ALL,
         bodies: false,
         bouc_wen_n: 2,
     };

@@ -8,6 +8,7 @@
 //! the nonlinear rocking dynamics of dual isolated asymmetric rigid blocks". Every equation is
 //! divided by the mass that it belongs to, so that forces are accelerations here.
 
+pub mod asked;
 pub mod block;
 pub mod dynamics;
 pub mod excitation;

@@ -10,6 +10,7 @@ use super::smooth::{between, numbers, places};
 use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::Block;
+use crate::results::column_set::ColumnSet;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::scene::{Grid, Scene};
@@ -18,15 +19,17 @@ use crate::stepping::outcome::Outcome;
 /// Cells that were run, with their outcomes.
 pub struct RanCells {
     precision: Precision,
+    /// The columns that were asked for.
+    columns: ColumnSet,
     /// Their numbers in the finest grid.
     cells: Vec<usize>,
     blocks: Vec<Block>,
 }
 
 impl RanCells {
-    /// None yet, of columns of a number type.
-    pub fn new(precision: Precision) -> RanCells {
-        RanCells { precision, cells: Vec::new(), blocks: Vec::new() }
+    /// None yet, of these columns of a number type.
+    pub fn new(precision: Precision, columns: ColumnSet) -> RanCells {
+        RanCells { precision, columns, cells: Vec::new(), blocks: Vec::new() }
     }
 
     /// How many they are.
@@ -48,7 +51,7 @@ impl RanCells {
     }
 
     /// The same in the grid's order, in one block.
-    pub fn sorted(self) -> RanCells {
+    pub fn sorted(mut self) -> RanCells {
         let starts: Vec<usize> = self
             .blocks
             .iter()
@@ -64,8 +67,9 @@ impl RanCells {
             self.blocks[block].read(number - starts[block], &Column::ALL, &mut outcome);
             sorted.put(place, &outcome);
         }
-        let cells = order.into_iter().map(|number| self.cells[number]).collect();
-        RanCells { precision: self.precision, cells, blocks: vec![sorted] }
+        self.cells = order.into_iter().map(|number| self.cells[number]).collect();
+        self.blocks = vec![sorted];
+        self
     }
 }
 
@@ -146,7 +150,8 @@ impl RefinedMap {
 
     /// What its files are of.
     pub fn source(&self) -> Source<'_> {
-        Source { scene: &self.scene, precision: self.ran.precision }
+        let RanCells { precision, columns, .. } = self.ran;
+        Source { scene: &self.scene, precision, columns }
     }
 }
 

@@ -71,9 +71,9 @@ pub fn refine_on(
     let (precision, resolve) = (map.method.precision, map.method.resolve);
     let runner = Runner { plan: &plan, grid: &grid, backends, precision, resolve };
     let (columns, rows) = boxes.shape();
-    let ran = RanCells::new(map.precision());
+    let ran = RanCells::new(map.precision(), map.method.columns);
     let codes = vec![NOT_RUN; columns * rows];
-    let smooth = settings.smooth.map(Smooth::new);
+    let smooth = settings.smooth.map(|share| Smooth::new(share, plan.asked));
     let rounds = map.rounds(&format!("{LISTS}-{columns}x{rows}"))?;
     let saved_in = map.saved_in();
     let mut refiner = Refiner { runner, observer, boxes, codes, ran, smooth, rounds, saved_in };

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 
 use super::boxes::{Boxes, Square};
 use super::codes::NOT_RUN;
+use crate::model::asked::Asked;
 use crate::stepping::outcome::Outcome;
 
 /// The numbers that are looked at.
@@ -37,13 +38,17 @@ pub fn between(corners: &[[f64; COUNT]; 4], [x, y]: [f64; 2]) -> [f64; COUNT] {
 pub struct Smooth {
     /// Of each number, in its unit.
     tolerances: [f64; COUNT],
+    /// Those that were asked for: others are not looked at.
+    asked: [bool; COUNT],
     numbers: HashMap<usize, [f64; COUNT]>,
 }
 
 impl Smooth {
     /// A tolerance as a share of the range that each number has on a map.
-    pub fn new(tolerance: f64) -> Smooth {
-        Smooth { tolerances: [tolerance; COUNT], numbers: HashMap::new() }
+    pub fn new(tolerance: f64, asked: Asked) -> Smooth {
+        let Asked { angles, displacements, forces } = asked;
+        let asked = [angles, forces, displacements, displacements];
+        Smooth { tolerances: [tolerance; COUNT], asked, numbers: HashMap::new() }
     }
 
     /// Takes cells that were run.
@@ -69,7 +74,8 @@ impl Smooth {
 
     /// True where numbers are as near to others as they are to be; what is not a number is not.
     fn near(&self, one: &[f64; COUNT], other: &[f64; COUNT], part: f64) -> bool {
-        (0..COUNT).all(|k| part * (one[k] - other[k]).abs() <= self.tolerances[k])
+        let near = |k: usize| part * (one[k] - other[k]).abs() <= self.tolerances[k];
+        (0..COUNT).all(|k| !self.asked[k] || near(k))
     }
 
     /// The numbers at the corners of a box.

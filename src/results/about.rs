@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::columns::{STATUS_NAMES, TABLE};
+use super::column_set::ColumnSet;
+use super::columns::STATUS_NAMES;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
 use crate::scene::{Grid, Scene};
@@ -15,6 +16,8 @@ pub struct Source<'a> {
     pub scene: &'a Scene,
     /// The sweep's numbers: those of the columns are of the same type.
     pub precision: Precision,
+    /// The columns that were asked for.
+    pub columns: ColumnSet,
 }
 
 impl Source<'_> {
@@ -25,7 +28,8 @@ impl Source<'_> {
             let entry = axis.entry();
             (entry.key.to_string(), units(entry.unit, entry.meaning))
         });
-        let columns = TABLE.iter().map(|e| (e.name.to_string(), units(e.unit, e.meaning)));
+        let columns =
+            self.columns.entries().map(|e| (e.name.to_string(), units(e.unit, e.meaning)));
         let entries = [
             ("program", json!("topple")),
             ("version", json!(env!("CARGO_PKG_VERSION"))),

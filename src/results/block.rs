@@ -4,6 +4,7 @@ use std::ops::Range;
 
 pub use super::cell_value::PENDING;
 use super::cell_value::{CellValue, Stored};
+use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnType, Columns, ValueOf, with_column};
 pub use super::element::ColumnValues;
 use super::element::{ColumnNumber, Element};
@@ -73,6 +74,17 @@ impl<F: ColumnNumber> Columns<F> {
         }
         columns
     }
+
+    /// Columns of which nothing is known.
+    pub(super) fn absent(count: usize) -> Columns<F> {
+        let mut columns = Columns::default();
+        for column in Column::ALL {
+            with_column!(column, C => {
+                *C::values_mut(&mut columns) = vec![ValueOf::<C>::filler::<F>(); count];
+            });
+        }
+        columns
+    }
 }
 
 /// Moves the values of a column to the end of those of other columns, as wide as these.
@@ -82,6 +94,13 @@ fn append<C: ColumnType, F: ColumnNumber, G: ColumnNumber>(
 ) {
     let values = std::mem::take(C::values_mut(from));
     C::values_mut(to).extend(values.into_iter().map(C::Value::resized::<G, F>));
+}
+
+/// Says of a column of outcomes that it is not known.
+pub(super) fn leave_out<C: ColumnType>(outcomes: &mut [Outcome]) {
+    for cell in outcomes {
+        C::give(cell, C::Value::of::<f64>(C::Value::filler::<f64>()));
+    }
 }
 
 /// Fills a column of outcomes.
@@ -182,15 +201,15 @@ impl Block {
         }
     }
 
-    /// Its columns, in the table's order.
-    pub fn into_columns(self) -> Vec<ColumnValues> {
+    /// Some of its columns, in the table's order.
+    pub fn into_columns(self, asked: ColumnSet) -> Vec<(Column, ColumnValues)> {
         with_columns!(self, mut columns => {
             let mut handed_out = |column| {
                 with_column!(column, C => {
                     Element::handed_out(std::mem::take(C::values_mut(&mut columns)))
                 })
             };
-            Column::ALL.into_iter().map(&mut handed_out).collect()
+            asked.columns().map(|column| (column, handed_out(column))).collect()
         })
     }
 

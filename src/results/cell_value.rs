@@ -78,7 +78,7 @@ pub trait CellValue: Copy {
         Stored::<Self, F>::default()
     }
 
-    /// What fills up a file.
+    /// What fills up a file, and stands for what is not known.
     fn filler<F: ColumnNumber>() -> Stored<Self, F> {
         Self::pending::<F>()
     }

@@ -11,6 +11,7 @@ use flate2::{Compression, GzBuilder};
 
 use super::block::{Block, with_columns};
 use super::cell_value::{CellValue, Stored};
+use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnType, Columns, with_column};
 use super::element::{ColumnNumber, Element};
 use super::zarr::{self, LEVEL, PROVED};
@@ -119,21 +120,23 @@ pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     Ok(C::Value::of_file::<F>(&mut values, &proved).then_some(values))
 }
 
-/// The whole block of a chunk; its arrays are asked for in the order of [`zarr::columns`].
+/// The whole block of a chunk; its arrays are asked for in the order of [`zarr::columns`]. Columns that are not held
+/// have what tells that they are not known.
 ///
 /// # Errors
 /// Those of `arrays`; none where one of them is not whole.
 pub fn decode_all<E>(
     sizes: (usize, usize),
-    precision: Precision,
+    (precision, asked): (Precision, ColumnSet),
     arrays: &mut ArrayBytes<E>,
 ) -> Result<Option<Block>, E> {
     fn all<F: ColumnNumber, E>(
         sizes: (usize, usize),
+        asked: ColumnSet,
         arrays: &mut ArrayBytes<E>,
     ) -> Result<Option<Columns<F>>, E> {
-        let mut columns = Columns::default();
-        for (_, column) in zarr::columns().filter(|(array, _)| *array != PROVED) {
+        let mut columns = Columns::absent(sizes.0);
+        for (_, column) in zarr::columns(asked).filter(|(array, _)| *array != PROVED) {
             with_column!(column, C => match decode::<C, F, E>(sizes, arrays)? {
                 Some(values) => *C::values_mut(&mut columns) = values,
                 None => return Ok(None),
@@ -142,7 +145,7 @@ pub fn decode_all<E>(
         Ok(Some(columns))
     }
     Ok(match precision {
-        Precision::F32 => all::<f32, E>(sizes, arrays)?.map(Block::from),
-        Precision::F64 => all::<f64, E>(sizes, arrays)?.map(Block::from),
+        Precision::F32 => all::<f32, E>(sizes, asked, arrays)?.map(Block::from),
+        Precision::F64 => all::<f64, E>(sizes, asked, arrays)?.map(Block::from),
     })
 }

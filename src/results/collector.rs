@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::block::Block;
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::outcomes::Outcomes;
 use super::reader::{BlocksInMemory, ChunkReader, ShardFolder};
 use super::saved_chunks::SavedChunks;
@@ -259,10 +260,12 @@ impl<'a> OutcomeCollector<'a> {
             let blocks = open.into_values().map(|open| open.block).collect();
             return Ok(Box::new(BlocksInMemory::new(chunking, blocks)));
         }
+        let columns = saver.as_ref().map_or(ColumnSet::ALL, |saver| saver.store.columns());
         let folder = saver.map_or_else(PathBuf::new, |saver| saver.store.path().to_path_buf());
         let count = wanted.len();
         let reader = ChunkReader::new(
             chunking,
+            columns,
             vec![ShardFolder { cells: wanted, folder, precision }],
             count,
         );

@@ -161,9 +161,9 @@ columns! {
         "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";
     /// The impacts.
     Impacts = impacts: u32, "impacts", "",
-        "impacts of a block that overturns; of another up to where those to come can change no other column";
+        "impacts of a block that overturns; of another up to where those to come can change no other column of the map";
     /// The uplifts.
-    Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact";
+    Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact, counted as long as impacts are";
     /// The end, s.
     TEnd = t_end: f64, "t_end", "s", "time of overturning, or the run's end";
     /// The first uplift, s.
@@ -202,11 +202,6 @@ impl Column {
     pub fn entry(self) -> &'static Entry {
         &TABLE[self as usize]
     }
-
-    /// Those of map.csv.
-    pub fn of_table() -> impl Iterator<Item = &'static Entry> {
-        TABLE.iter().filter(|entry| entry.column != Column::TSimulated)
-    }
 }
 
 const HEAD: &str = "# Columns
@@ -216,9 +211,9 @@ Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo
 `map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
 the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
-axes f64. The array `proved` is true for a cell that ended early: an energy bound shows that its results
-can no longer change (the impacts of a block that stays up are counted until then), and `about`, a text in JSON: units, meanings, the names of the codes, the scene,
-the version.
+axes f64. The array `proved`, which goes with `status`, is true for a cell that ended early: an energy bound shows that its results
+can no longer change (the impacts of a block that stays up are counted until then). `about` is a text in JSON: units, meanings, the
+names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)): no file has the others.
 
 ```python
 import json, numpy

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
+use super::column_set::ColumnSet;
 use super::columns::{Column, Entry, Shown};
 use super::listed::ListedCells;
 use super::outcomes::{Outcomes, each_block, each_block_of};
@@ -28,26 +29,27 @@ impl Serialize for Number {
 /// Rows that a thread makes at once.
 const ROWS: usize = 1 << 12;
 
-/// Writes the table, its rows made on all cores.
+/// Writes a table of some columns, its rows made on all cores.
 ///
 /// # Errors
 /// Those of the writer, and of reading the outcomes.
 pub fn write(
     grid: &Grid,
     outcomes: &dyn Outcomes,
+    columns: ColumnSet,
     mut writer: impl Write,
 ) -> Result<(), csv::Error> {
     let mut head = csv::Writer::from_writer(&mut writer);
-    head.write_record(
-        grid.axes().iter().map(Axis::key).chain(Column::of_table().map(|entry| entry.name)),
-    )?;
+    let names = columns.of_table().map(|entry| entry.name);
+    head.write_record(grid.axes().iter().map(Axis::key).chain(names))?;
     head.flush()?;
     drop(head);
-    each_block(grid, outcomes, &Column::ALL, |first, block| {
+    let read: Vec<Column> = columns.columns().collect();
+    each_block(grid, outcomes, &read, |first, block| {
         let made: Vec<Vec<u8>> = block
             .par_chunks(ROWS)
             .enumerate()
-            .map(|(k, cells)| rows(grid, first + k * ROWS, cells))
+            .map(|(k, cells)| rows(grid, columns, first + k * ROWS, cells))
             .collect::<Result<_, _>>()?;
         made.iter().try_for_each(|rows| writer.write_all(rows))
     })?;
@@ -59,17 +61,22 @@ pub fn write(
 ///
 /// # Errors
 /// Those of [`write()`].
-pub fn write_list(listed: &ListedCells, writer: impl Write) -> Result<(), csv::Error> {
+pub fn write_list(
+    listed: &ListedCells,
+    columns: ColumnSet,
+    writer: impl Write,
+) -> Result<(), csv::Error> {
     let ListedCells { grid, cells, counts, outcomes, .. } = *listed;
     let mut table = csv::Writer::from_writer(writer);
     let names = grid.axes().iter().map(Axis::key).chain(counts.iter().map(|count| count.name));
-    table.write_record(names.chain(Column::of_table().map(|entry| entry.name)))?;
-    each_block_of(cells.len(), outcomes, &Column::ALL, |first, block| {
+    table.write_record(names.chain(columns.of_table().map(|entry| entry.name)))?;
+    let read: Vec<Column> = columns.columns().collect();
+    each_block_of(cells.len(), outcomes, &read, |first, block| {
         for (number, cell) in (first..).zip(block) {
             let at = grid.coordinates(cells[number]).map(|value| Field::Number(Number(value)));
             let counts = counts.iter().map(|count| Field::Count(count.values[number]));
-            let columns = Column::of_table().map(|entry| Field::of(entry, cell));
-            table.serialize(at.chain(counts).chain(columns).collect::<Vec<Field>>())?;
+            let fields = columns.of_table().map(|entry| Field::of(entry, cell));
+            table.serialize(at.chain(counts).chain(fields).collect::<Vec<Field>>())?;
         }
         Ok(())
     })?;
@@ -99,23 +106,28 @@ impl Field {
     }
 }
 
-/// A cell with its place in the grid.
-struct Row<'a>(&'a Grid, usize, &'a Outcome);
+/// Columns of a cell with its place in the grid.
+struct Row<'a>(&'a Grid, ColumnSet, usize, &'a Outcome);
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Row(grid, index, cell) = *self;
+        let Row(grid, columns, index, cell) = *self;
         let at = grid.coordinates(index).map(|value| Field::Number(Number(value)));
-        serializer.collect_seq(at.chain(Column::of_table().map(|entry| Field::of(entry, cell))))
+        serializer.collect_seq(at.chain(columns.of_table().map(|entry| Field::of(entry, cell))))
     }
 }
 
 /// The rows of some cells.
-fn rows(grid: &Grid, first: usize, cells: &[Outcome]) -> Result<Vec<u8>, csv::Error> {
+fn rows(
+    grid: &Grid,
+    columns: ColumnSet,
+    first: usize,
+    cells: &[Outcome],
+) -> Result<Vec<u8>, csv::Error> {
     let mut table =
         csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
     for (index, cell) in (first..).zip(cells) {
-        table.serialize(Row(grid, index, cell))?;
+        table.serialize(Row(grid, columns, index, cell))?;
     }
     table.into_inner().map_err(|error| io::Error::other(error.to_string()).into())
 }

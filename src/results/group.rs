@@ -9,6 +9,7 @@ use serde_json::Value;
 use super::about::Source;
 use super::block::Block;
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::columns::Column;
 use super::files::{Directory, WriteError};
 use super::listed::{CELL, ListedCells};
@@ -41,10 +42,12 @@ pub struct ChunkFiles<'a> {
     pub chunking: &'a Chunking,
     /// What ties them to their run.
     pub tag: u32,
+    /// The columns that were asked for.
+    pub columns: ColumnSet,
 }
 
 impl ChunkFiles<'_> {
-    /// Writes all columns of a chunk, the status last, while it is to `go_on`, which is asked before each file; false
+    /// Writes the columns of a chunk, the status last, while it is to `go_on`, which is asked before each file; false
     /// where it ended early: the status is not written then.
     ///
     /// # Errors
@@ -63,7 +66,7 @@ impl ChunkFiles<'_> {
             self.write_array(array, chunk, &chunk::encode(array, column, block, cells))?;
             Ok(true)
         };
-        let mut arrays: Vec<(&str, Column)> = zarr::columns().collect();
+        let mut arrays: Vec<(&str, Column)> = zarr::columns(self.columns).collect();
         let status = arrays.pop();
         let written = arrays.into_par_iter().map(write).collect::<Result<Vec<bool>, _>>()?;
         let whole = written.into_iter().all(|written| written);
@@ -114,7 +117,7 @@ pub fn write_list(
         for (path, bytes) in metadata_files(listed.grid, documents, tag) {
             folder.write(&path, |w| w.write_all(&bytes))?;
         }
-        let to = ChunkFiles { folder, chunking: &chunking, tag };
+        let to = ChunkFiles { folder, chunking: &chunking, tag, columns: source.columns };
         for chunk in 0..chunking.count() {
             let cells = chunking.cells(chunk);
             let mut block = Block::pending(cells.len(), source.precision);

@@ -1,7 +1,7 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! element, cell_value, columns (the table) -> block, filling (in memory) -> chunking, chunk, zarr, group, store (on disk) -> csv, npz
+//! element, cell_value, columns (the table), column_set -> block, filling (in memory) -> chunking, chunk, zarr, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
@@ -11,6 +11,7 @@ pub mod chunk;
 pub mod chunking;
 pub mod collector;
 pub mod colour;
+pub mod column_set;
 pub mod columns;
 pub mod csv;
 pub mod earlier;

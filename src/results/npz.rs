@@ -14,7 +14,8 @@ use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
 use super::cell_value::{CellValue, Stored};
-use super::columns::{Column, ColumnType, TABLE, with_column};
+use super::column_set::ColumnSet;
+use super::columns::{Column, ColumnType, with_column};
 use super::element::ColumnNumber;
 use super::listed::{CELL, ListedCells};
 use super::outcomes::{Outcomes, each_block_of};
@@ -29,8 +30,8 @@ use crate::stepping::outcome::{Outcome, Status};
 const LEVEL: i64 = 2;
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
-/// tells with units, meanings, scene and version, as JSON. `proved` is true for cells whose impacts are
-/// counted up to `t_simulated`.
+/// tells with units, meanings, scene and version, as JSON. `proved`, which goes with the status, is true for
+/// cells whose impacts are counted up to `t_simulated`.
 ///
 /// # Errors
 /// Those of the writer, and of reading the outcomes.
@@ -120,16 +121,19 @@ struct Archive<'a, W: Write + Seek> {
 }
 
 impl<W: Write + Seek> Archive<'_, W> {
-    /// Adds the axes of a grid and all columns.
+    /// Adds the axes of a grid and the columns that were asked for.
     fn all(&mut self, grid: &Grid, source: Source) -> io::Result<()> {
         for axis in grid.axes() {
             self.axis(axis)?;
         }
         match source.precision {
-            Precision::F32 => self.columns::<f32>()?,
-            Precision::F64 => self.columns::<f64>()?,
+            Precision::F32 => self.columns::<f32>(source.columns)?,
+            Precision::F64 => self.columns::<f64>(source.columns)?,
         }
-        self.column(PROVED, Column::Status, |cell| cell.status == Status::Proved)
+        match source.columns.has(Column::Status) {
+            true => self.column(PROVED, Column::Status, |cell| cell.status == Status::Proved),
+            false => Ok(()),
+        }
     }
 
     /// Begins an array of a type and a shape, the last index fastest: its values are to follow, so many
@@ -175,12 +179,12 @@ impl<W: Write + Seek> Archive<'_, W> {
         self.zip.write_all(bytemuck::cast_slice(&values))
     }
 
-    /// Adds all columns, numbers of a type.
-    fn columns<F: ColumnNumber>(&mut self) -> io::Result<()> {
+    /// Adds columns, numbers of a type.
+    fn columns<F: ColumnNumber>(&mut self, columns: ColumnSet) -> io::Result<()> {
         fn of<C: ColumnType, F: ColumnNumber>(cell: &Outcome) -> Stored<C::Value, F> {
             C::Value::to_file::<F>(C::of(cell).stored::<F>())
         }
-        TABLE.iter().try_for_each(|entry| {
+        columns.entries().try_for_each(|entry| {
             with_column!(entry.column, C => self.column(entry.name, entry.column, of::<C, F>))
         })
     }

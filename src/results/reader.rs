@@ -12,6 +12,7 @@ use super::block::{self, Block};
 use super::cell_value::Stored;
 use super::chunk;
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnType, TABLE, with_column};
 use super::element::ColumnNumber;
 use super::outcomes::Outcomes;
@@ -91,6 +92,8 @@ fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> 
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
 pub struct ChunkReader {
     chunking: Chunking,
+    /// The columns that were asked for.
+    columns: ColumnSet,
     /// By their first cells.
     held: Vec<ShardFolder>,
     /// The last values read of each column: who goes through a map asks for a chunk's many times.
@@ -104,9 +107,10 @@ impl fmt::Debug for ChunkReader {
 }
 
 impl ChunkReader {
-    /// The reader of folders; none if they leave one of `count` cells out, or hold one twice.
+    /// The reader of these columns in folders; none if they leave one of `count` cells out, or hold one twice.
     pub fn new(
         chunking: Chunking,
+        columns: ColumnSet,
         mut held: Vec<ShardFolder>,
         count: usize,
     ) -> Option<ChunkReader> {
@@ -119,7 +123,7 @@ impl ChunkReader {
             end = held.cells.end;
         }
         let last = Mutex::default();
-        (end == count).then_some(ChunkReader { chunking, held, last })
+        (end == count).then_some(ChunkReader { chunking, columns, held, last })
     }
 
     /// The values of a column of a chunk in a folder.
@@ -165,6 +169,10 @@ impl Outcomes for ChunkReader {
             let place = some.start - cells.start..some.end - cells.start;
             each_chunk(&self.chunking, &some, &mut outcomes[place], |chunk, first, outcomes| {
                 for column in columns {
+                    if !self.columns.held().has(*column) {
+                        with_column!(*column, C => block::leave_out::<C>(outcomes));
+                        continue;
+                    }
                     let values = self.values((folder, chunk, *column as usize))?;
                     values(first, outcomes);
                 }

@@ -9,6 +9,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::block::{Block, bytes_a_cell};
+use super::column_set::ColumnSet;
 use super::files::Directory;
 use super::own::ROUND;
 use super::store_error::StoreError;
@@ -63,7 +64,8 @@ impl Rounds {
             Ok::<_, ()>(Some(array.to_vec()))
         };
         let sizes = (cells.len(), cells.len());
-        let block = chunk::decode_all(sizes, self.precision, &mut arrays).ok()??;
+        let block =
+            chunk::decode_all(sizes, (self.precision, ColumnSet::ALL), &mut arrays).ok()??;
         self.next += 1;
         Some(block.to_outcomes())
     }
@@ -76,7 +78,7 @@ impl Rounds {
         let mut block = Block::pending(cells.len(), self.precision);
         block.put(0, outcomes);
         let mut bytes = bytes_of(cells);
-        for (array, column) in zarr::columns() {
+        for (array, column) in zarr::columns(ColumnSet::ALL) {
             bytes.extend(chunk::encode(array, column, &block, cells.len()));
         }
         let name = self.name();

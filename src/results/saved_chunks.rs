@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::columns::{Column, of};
 use super::store_error::StoreError;
 use super::{block, chunk, zarr};
@@ -31,18 +32,18 @@ pub struct SavedChunks {
 }
 
 impl SavedChunks {
-    /// The chunks of an identity's tag in a folder; `progress` hears of the cells of each.
+    /// The chunks in a folder of an identity's tag and the columns that were asked for; `progress` hears of the cells of each.
     ///
     /// # Errors
     /// Those of the disk.
     pub fn in_folder(
         folder: &Path,
         chunking: &Chunking,
-        tag: u32,
+        of: (u32, ColumnSet),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<SavedChunks, StoreError> {
         let find = |chunk| {
-            let found = find(folder, chunking, chunk, tag)?;
+            let found = find(folder, chunking, chunk, of)?;
             if let Some(Ok(saved)) = &found {
                 progress(saved.done.iter().map(Range::len).sum());
             }
@@ -74,7 +75,7 @@ fn find(
     folder: &Path,
     chunking: &Chunking,
     chunk: usize,
-    tag: u32,
+    (tag, columns): (u32, ColumnSet),
 ) -> Result<Option<Chunk>, StoreError> {
     let name = |array: &str| zarr::chunk_path(array, chunking, chunk);
     let path = |array: &str| folder.join(name(array));
@@ -83,7 +84,7 @@ fn find(
         return Ok(None);
     }
     let mut broken = Vec::new();
-    for (array, _) in zarr::columns() {
+    for (array, _) in zarr::columns(columns) {
         let path = path(array);
         match bounded::read(&path, chunk::LARGEST) {
             Ok(bytes) => {

@@ -48,7 +48,7 @@ impl FileSizes {
         cells: usize,
     ) -> io::Result<FileSizes> {
         let mut table = Count::default();
-        csv::write(sample, outcomes, &mut table).map_err(io::Error::other)?;
+        csv::write(sample, outcomes, source.columns, &mut table).map_err(io::Error::other)?;
         let mut archive = io::Cursor::new(Vec::new());
         npz::write(sample, outcomes, source, &mut archive)?;
         let mut block = Block::pending(sample.len(), source.precision);
@@ -56,7 +56,7 @@ impl FileSizes {
         let packed = |(name, column)| {
             chunk::pack(&chunk::encode(name, column, &block, sample.len()), 0, name).len() as u64
         };
-        let chunks = zarr::columns().map(packed).sum();
+        let chunks = zarr::columns(source.columns).map(packed).sum();
         let scaled = |bytes: u64| bytes as f64 * cells as f64 / sample.len() as f64;
         let archive = archive.into_inner().len() as u64;
         Ok(FileSizes { table: scaled(table.0), archive: scaled(archive), chunks: scaled(chunks) })

@@ -16,6 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::about::Source;
 use super::block::Block;
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::columns::Column;
 use super::files::{self, Directory, WriteError};
 use super::group::{self, ChunkFiles};
@@ -56,6 +57,7 @@ pub struct Store {
     has_metadata: AtomicBool,
     chunking: Chunking,
     precision: Precision,
+    columns: ColumnSet,
     /// Given up last, when the folder is no longer this run's.
     _lock: Lock,
 }
@@ -99,6 +101,7 @@ impl Store {
             identity,
             chunking: Chunking::of(contents.grid),
             precision: contents.source.precision,
+            columns: contents.source.columns,
             _lock: lock,
         };
         let before = store.path.join(IDENTITY);
@@ -116,8 +119,7 @@ impl Store {
         if let Some(difference) = store.identity.difference(&text) {
             return Err(StoreError::Other { place, difference });
         }
-        let found =
-            SavedChunks::in_folder(&store.path, &store.chunking, store.identity.tag(), &|_| ())?;
+        let found = store.found()?;
         for (path, _) in &found.broken {
             own::gone(fs::remove_file(path)).map_err(StoreError::file(path))?;
         }
@@ -149,6 +151,20 @@ impl Store {
     /// The number type of its columns.
     pub fn precision(&self) -> Precision {
         self.precision
+    }
+
+    /// The columns that were asked for.
+    pub fn columns(&self) -> ColumnSet {
+        self.columns
+    }
+
+    /// The chunks that are saved in it.
+    ///
+    /// # Errors
+    /// Those of the disk.
+    pub fn found(&self) -> Result<SavedChunks, StoreError> {
+        let of = (self.identity.tag(), self.columns);
+        SavedChunks::in_folder(&self.path, &self.chunking, of, &|_| ())
     }
 
     /// What ties its chunks to its identity.
@@ -211,8 +227,12 @@ impl Store {
             return Ok(false);
         }
         self.begin()?;
-        let to =
-            ChunkFiles { folder: &self.folder, chunking: &self.chunking, tag: self.identity.tag() };
+        let to = ChunkFiles {
+            folder: &self.folder,
+            chunking: &self.chunking,
+            tag: self.identity.tag(),
+            columns: self.columns,
+        };
         Ok(to.write(chunk, block, go_on)?)
     }
 
@@ -234,11 +254,13 @@ impl Store {
             Ok(chunk::unpack(&packed, count))
         };
         let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
-        chunk::decode_all::<io::Error>(sizes, self.precision, &mut arrays)?.ok_or_else(|| {
-            let path = self.file(Column::Status.entry().name, chunk);
-            let problem = format!("{}: its chunk was damaged since it was found", path.display());
-            io::Error::new(ErrorKind::InvalidData, problem)
-        })
+        chunk::decode_all::<io::Error>(sizes, (self.precision, self.columns), &mut arrays)?
+            .ok_or_else(|| {
+                let path = self.file(Column::Status.entry().name, chunk);
+                let problem =
+                    format!("{}: its chunk was damaged since it was found", path.display());
+                io::Error::new(ErrorKind::InvalidData, problem)
+            })
     }
 
     fn file(&self, array: &str, chunk: usize) -> PathBuf {

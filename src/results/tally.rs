@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::io;
 
+use super::column_set::ColumnSet;
 use super::columns::Column;
 use super::outcomes::{Outcomes, each_block};
 use crate::scene::{Grid, Parameter};
@@ -24,9 +25,11 @@ pub struct Tally {
     pub cells: usize,
     /// Those of each class, in the order of [`Class::ALL`].
     by_class: [usize; 5],
-    /// Those in which the contact force turned tensile, where the model does not hold.
-    pub tensile: usize,
-    /// Those that ask for more friction than the scene has; none where it has no coefficient.
+    /// Those in which the contact force turned tensile, where the model does not hold; none where nobody asked for contact
+    /// forces.
+    pub tensile: Option<usize>,
+    /// Those that ask for more friction than the scene has; none where it has no coefficient, or nobody asked for contact
+    /// forces.
     pub sliding: Option<usize>,
     /// Those that ended early, their results proved final.
     pub proved: usize,
@@ -35,16 +38,18 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts the cells of a grid.
+    /// Counts the cells of a grid, of which these columns were asked for.
     ///
     /// # Errors
     /// Those of reading.
-    pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Tally> {
+    pub fn of(grid: &Grid, outcomes: &dyn Outcomes, asked: ColumnSet) -> io::Result<Tally> {
+        let forces = asked.asked().forces;
+        let friction = grid.value(Parameter::Friction, 0).filter(|_| forces);
         let mut tally = Tally {
             cells: grid.len(),
             by_class: [0; 5],
-            tensile: 0,
-            sliding: grid.value(Parameter::Friction, 0).map(|_| 0),
+            tensile: forces.then_some(0),
+            sliding: friction.map(|_| 0),
             proved: 0,
             mean_time: 0.0,
         };
@@ -52,7 +57,9 @@ impl Tally {
         each_block(grid, outcomes, &COLUMNS, |first, block| {
             for (index, cell) in (first..).zip(block) {
                 tally.by_class[cell.class as usize] += 1;
-                tally.tensile += usize::from(cell.min_contact < 0.0);
+                if let Some(tensile) = &mut tally.tensile {
+                    *tensile += usize::from(cell.min_contact < 0.0);
+                }
                 tally.proved += usize::from(cell.status == Status::Proved);
                 if let Some(sliding) = &mut tally.sliding {
                     *sliding += usize::from(slides(grid, index, cell));

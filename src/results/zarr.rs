@@ -9,7 +9,8 @@ use serde_json::{Map, Value, json};
 use super::about::{Source, index};
 use super::cell_value::{CellValue, Stored};
 use super::chunking::Chunking;
-use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES, TABLE, ValueOf, with_column};
+use super::column_set::ColumnSet;
+use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES, ValueOf, with_column};
 use super::element::{ColumnNumber, Element};
 use super::listed::{CELL, CELL_MEANING, ListedCells};
 use crate::model::precision::Precision;
@@ -104,13 +105,13 @@ impl Layout<'_> {
         Array { data_type, fill, shape, chunk, index: self.index }.document(attributes)
     }
 
-    /// Those of all columns.
-    fn columns(&self, precision: Precision) -> Documents {
+    /// Those of the columns that are held.
+    fn columns(&self, source: &Source) -> Documents {
         let of = |entry: &Entry| {
-            let array = self.array(data_type(entry.column, precision), attributes(entry));
+            let array = self.array(data_type(entry.column, source.precision), attributes(entry));
             (entry.name.to_string(), array)
         };
-        let mut arrays: Documents = TABLE.iter().map(of).collect();
+        let mut arrays: Documents = source.columns.entries().map(of).collect();
         let meaning = "ended early, because energy proved all that it tells final: impacts and uplifts are counted \
                        up to t_simulated";
         let proved = self.array(("bool", json!(false)), json!({ "long_name": meaning }));
@@ -131,10 +132,16 @@ fn axes(grid: &Grid) -> Documents {
     grid.axes().iter().map(of).collect()
 }
 
+/// What a group is of: it has the columns that are held.
+fn held<'a>(source: &Source<'a>) -> Source<'a> {
+    Source { columns: source.columns.held(), ..*source }
+}
+
 /// The documents of a map, each with its path: the arrays', and last the group's, which holds them all.
 pub fn documents(grid: &Grid, source: &Source) -> Documents {
     let layout = Layout { chunking: Chunking::of(grid), index: &index(grid) };
-    let mut arrays = layout.columns(source.precision);
+    let source = held(source);
+    let mut arrays = layout.columns(&source);
     arrays.extend(axes(grid));
     group(arrays, source.about(grid))
 }
@@ -142,14 +149,15 @@ pub fn documents(grid: &Grid, source: &Source) -> Documents {
 /// The same of some cells: arrays of one index, with the numbers of the cells and their counts, beside the axes.
 pub fn list_documents(listed: &ListedCells, source: &Source) -> Documents {
     let layout = Layout { chunking: Chunking::of_list(listed.cells.len()), index: &[listed.index] };
-    let mut arrays = layout.columns(source.precision);
+    let source = held(source);
+    let mut arrays = layout.columns(&source);
     let whole =
         |data_type, meaning| layout.array((data_type, json!(0)), json!({ "long_name": meaning }));
     arrays.push((CELL.to_string(), whole("uint64", CELL_MEANING)));
     let counts = listed.counts.iter();
     arrays.extend(counts.map(|count| (count.name.to_string(), whole("uint32", count.meaning))));
     arrays.extend(axes(listed.grid));
-    group(arrays, listed.about(*source))
+    group(arrays, listed.about(source))
 }
 
 /// The documents of a group of arrays, each with its path: the arrays', and last its own.
@@ -180,10 +188,10 @@ pub fn chunk_path(array: &str, chunking: &Chunking, chunk: usize) -> String {
     format!("{array}/{CHUNKS}/{}", chunking.key(chunk))
 }
 
-/// The names of the arrays that hold a map's columns, each with its column; the status comes last, so that
+/// The names of the arrays that hold columns which were asked for, each with its column; the status comes last, so that
 /// what it says has run is there.
-pub fn columns() -> impl Iterator<Item = (&'static str, Column)> {
-    let others = TABLE.iter().filter(|entry| entry.column != Column::Status);
+pub fn columns(asked: ColumnSet) -> impl Iterator<Item = (&'static str, Column)> {
+    let others = asked.held().entries().filter(|entry| entry.column != Column::Status);
     let others = others.map(|entry| (entry.name, entry.column));
     others.chain([(PROVED, Column::Status), (Column::Status.entry().name, Column::Status)])
 }

@@ -4,7 +4,7 @@
 //! Once the excitation is over the system is passive: (9) and (11) only take energy out, and so does
 //! an impact (15). The energy that is left bounds every coordinate and both contact forces from then
 //! on. Where no bound lies beyond the extremes of the cell so far, its outcome and its largest and
-//! least values are final, and it ends.
+//! least values are final, and it ends. A bound on what nobody asks for is not looked at.
 //!
 //! The bounds on the contact forces follow from (9) with f_h and f_v of (10), w = phi'^2,
 //! kappa = 1 - mu and D = rho^2 + kappa_h P^2 + kappa_v Q^2:
@@ -65,7 +65,8 @@ pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
     y.dv * y.dv + set.cell.stiffness_v * y.v * y.v
 }
 
-/// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|. Like
+/// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|, or in
+/// which nobody asks for these. Like
 /// all that is called from a turn it is a function: a closure that is called twice is compiled by itself, without the
 /// instructions of the vectors.
 #[inline(always)]
@@ -79,6 +80,9 @@ pub(super) fn within<V: Vector>(
     let (variant, cell) = (set.variant, set.cell);
     let two = left_h.like(2.0);
     let mut within = tried;
+    if !variant.asked.displacements {
+        return within;
+    }
     if variant.isolated_h {
         within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
     }
@@ -94,7 +98,7 @@ pub(super) fn within<V: Vector>(
     within
 }
 
-/// The lanes of `tried` of which everything that a map tells is final, the excitation being over; a block of theirs
+/// The lanes of `tried` of which everything that is asked for is final, the excitation being over; a block of theirs
 /// that rocks has just had an impact. `lifted` are those that have lifted from full contact, whose time of first uplift is known.
 #[inline(always)]
 pub fn is_final<V: Vector>(
@@ -146,13 +150,15 @@ pub fn is_final<V: Vector>(
         if !V::any(last) {
             return last;
         }
-        let bound_left = model.gravity * least_rise(set, &model.left, extremes.max_phi_left);
-        let bound_right = model.gravity * least_rise(set, &model.right, extremes.max_phi_right);
-        last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
+        if variant.asked.angles {
+            let bound_left = model.gravity * least_rise(set, &model.left, extremes.max_phi_left);
+            let bound_right = model.gravity * least_rise(set, &model.right, extremes.max_phi_right);
+            last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
+        }
         x_most = cell.reach_h * left_h.sqrt();
         y_swing = cell.reach_v * left_v.sqrt();
     }
-    if !variant.forces {
+    if !variant.asked.forces {
         return last;
     }
     forces_are_final(set, extremes, last, stays, x_most, y_swing, energy)

@@ -79,11 +79,13 @@ pub fn rests_early<V: Vector>(
         return rests;
     }
     let energy = flight * most / least;
-    // The energy that the largest angles so far ask for.
-    let left = reached(set, &model.left, least_y, x_most, extremes.max_phi_left);
-    let right = reached(set, &model.right, least_y, x_most, extremes.max_phi_right);
-    rests = rests & left.ge(energy) & right.ge(energy);
-    if !set.variant.forces {
+    if set.variant.asked.angles {
+        // The energy that the largest angles so far ask for.
+        let left = reached(set, &model.left, least_y, x_most, extremes.max_phi_left);
+        let right = reached(set, &model.right, least_y, x_most, extremes.max_phi_right);
+        rests = rests & left.ge(energy) & right.ge(energy);
+    }
+    if !set.variant.asked.forces {
         return rests;
     }
     forces_are_final(set, extremes, rests, zero.mask(0), x_most, y_swing, energy)

@@ -1,5 +1,6 @@
 //! The largest and least values of each lane's cell so far. Twin of `shaders/extremes.wgsl`.
 
+use crate::model::asked::Asked;
 use crate::model::dynamics::Contact;
 use crate::model::layout::reals;
 use crate::model::motion::Motion;
@@ -112,11 +113,12 @@ fn share<N: Number>(shear: N, normal: N) -> N {
 }
 
 impl<N: Number> Extremes<N> {
-    /// Updates the extremes of some lanes by their motion over spans of `h` seconds, about corners of
-    /// this side where they rock.
+    /// Updates those extremes of some lanes that are asked for by their motion over spans of `h` seconds, about corners
+    /// of this side where they rock.
     #[inline(always)]
     pub fn update_motion(
         &mut self,
+        asked: Asked,
         lanes: N::Mask,
         rocking: N::Mask,
         side: N,
@@ -124,11 +126,13 @@ impl<N: Number> Extremes<N> {
         y1: &Motion<N>,
         h: N,
     ) {
-        self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
-        let range_v = [self.least_v, self.most_v];
-        [self.least_v, self.most_v] = range(lanes, range_v, y0.v, y0.dv, y1.v, y1.dv, h);
+        if asked.displacements {
+            self.max_u = peak(lanes, self.max_u, y0.u, y0.du, y1.u, y1.du, h);
+            let range_v = [self.least_v, self.most_v];
+            [self.least_v, self.most_v] = range(lanes, range_v, y0.v, y0.dv, y1.v, y1.dv, h);
+        }
         let rocks = lanes & rocking;
-        if !N::any(rocks) {
+        if !(asked.angles && N::any(rocks)) {
             return;
         }
         let left = side.gt(h.like(0.0));

@@ -401,7 +401,11 @@ fn saved(
 ) -> Result<(Store, SavedChunks), SweepError> {
     let content = Content::new(&plan.scene, backend, &settings.method, saving.shard);
     let identity = content.identity().map_err(io::Error::from)?;
-    let source = Source { scene: &plan.scene, precision: content.columns() };
+    let source = Source {
+        scene: &plan.scene,
+        precision: content.columns(),
+        columns: settings.method.columns,
+    };
     let contents = Contents { grid, source };
     Store::open(&saving.directory, identity, contents, saving.resume).map_err(SweepError::Folder)
 }

@@ -20,7 +20,6 @@ use crate::results::block::{Block, ColumnValues};
 use crate::results::columns::Column;
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::rounds::Rounds;
-use crate::results::saved_chunks::SavedChunks;
 use crate::results::store::Store;
 use crate::results::store_error::StoreError;
 use crate::results::tally::{self, Tally};
@@ -84,7 +83,11 @@ impl MapSweep {
 
     /// What its files are of.
     pub fn source(&self) -> Source<'_> {
-        Source { scene: &self.plan.scene, precision: self.precision() }
+        Source {
+            scene: &self.plan.scene,
+            precision: self.precision(),
+            columns: self.method.columns,
+        }
     }
 
     /// The outcome of a cell.
@@ -100,8 +103,12 @@ impl MapSweep {
     /// [`STATUS_NAMES`](crate::results::columns::STATUS_NAMES), a time that a cell does not have not a number.
     ///
     /// # Errors
-    /// Those of reading, where they are on disk.
+    /// Those of reading, where they are on disk; a column that was [not asked for](Method::columns).
     pub fn column(&self, column: Column) -> io::Result<Vec<f64>> {
+        if !self.method.columns.held().has(column) {
+            let problem = format!("{} was not asked for", column.entry().name);
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+        }
         let mut values = Vec::with_capacity(self.grid.len());
         let shown = column.entry().shown;
         each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
@@ -111,15 +118,15 @@ impl MapSweep {
         Ok(values)
     }
 
-    /// All columns, in the order of [`Column::ALL`], numbers as wide as the sweep's; outcomes and statuses are places in
+    /// Columns that were asked for, in the table's order, numbers as wide as the sweep's; outcomes and statuses are places in
     /// [`Class::ALL`](crate::stepping::outcome::Class::ALL) and
     /// [`Status::ALL`](crate::stepping::outcome::Status::ALL).
     ///
     /// # Errors
     /// Those of reading, where they are on disk.
-    pub fn into_columns(self) -> io::Result<Vec<ColumnValues>> {
-        let precision = self.precision();
-        Ok(self.outcomes.into_block(self.grid.len(), precision)?.into_columns())
+    pub fn into_columns(self) -> io::Result<Vec<(Column, ColumnValues)>> {
+        let (precision, asked) = (self.precision(), self.method.columns);
+        Ok(self.outcomes.into_block(self.grid.len(), precision)?.into_columns(asked))
     }
 
     /// Counts its cells.
@@ -128,7 +135,8 @@ impl MapSweep {
     /// Those of reading; [`SweepError::Read`] where it is cancelled.
     pub fn tally(&self, observer: &dyn Observer) -> Result<Tally, SweepError> {
         observer.begins(Phase::Counting, self.grid.len() * tally::COLUMNS.len());
-        Ok(Tally::of(&self.grid, &ObservedOutcomes::new(&*self.outcomes, observer))?)
+        let outcomes = ObservedOutcomes::new(&*self.outcomes, observer);
+        Ok(Tally::of(&self.grid, &outcomes, self.method.columns)?)
     }
 
     /// True where the reference computed all of it, so that it has nothing to verify.
@@ -173,7 +181,7 @@ impl MapSweep {
     /// Those of the disk; a map without a directory to be saved in has none to be written to.
     pub fn publish(&mut self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
         let Some(store) = &self.store else { return Err(StoreError::Incomplete.into()) };
-        let whole = SavedChunks::in_folder(store.path(), store.chunking(), store.tag(), &|_| ())?;
+        let whole = store.found()?;
         let chunking = store.chunking().clone();
         observer.begins(Phase::Writing, self.grid.len());
         let go_on = || !observer.cancelled();

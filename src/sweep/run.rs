@@ -36,21 +36,18 @@ pub fn sweep(
     finish(Job::open(scene, axes, settings)?, settings, observer)
 }
 
-/// The same on backends that are open, of which nobody asks for contact forces: min_contact and friction_demand of its map
-/// mean nothing.
+/// The same on backends that are open.
 ///
 /// # Errors
 /// Those of [`sweep`].
-pub fn sweep_outcomes(
+pub fn sweep_on(
     opened: &Arc<OpenBackends>,
     scene: &Scene,
     axes: &[(Parameter, Values)],
     settings: &RunSettings,
     observer: &dyn Observer,
 ) -> Result<MapSweep, SweepError> {
-    let mut job = Job::on(opened, scene, axes, settings)?;
-    job.plan = job.plan.without_forces();
-    finish(job, settings, observer)
+    finish(Job::on(opened, scene, axes, settings)?, settings, observer)
 }
 
 fn finish(

@@ -9,6 +9,7 @@ use crate::backend::request::BackendRequest;
 use crate::cells::clock::DEFAULT_STEP;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
+use crate::results::column_set::ColumnSet;
 use crate::results::shard::Shard;
 use crate::scene::{Scene, SceneError};
 
@@ -28,13 +29,23 @@ pub struct Method {
     /// replaced.
     #[serde(default)]
     pub repair: bool,
+    /// The columns that are asked for: what others need is not looked for, and a cell ends when these are final.
+    #[serde(default, skip_serializing_if = "ColumnSet::is_all")]
+    pub columns: ColumnSet,
 }
 
 impl Default for Method {
     fn default() -> Method {
         let precision = Precision::F32;
         let largest_step = DEFAULT_STEP;
-        Method { precision, largest_step, resolve: false, full_model: false, repair: false }
+        Method {
+            precision,
+            largest_step,
+            resolve: false,
+            full_model: false,
+            repair: false,
+            columns: ColumnSet::ALL,
+        }
     }
 }
 
@@ -63,7 +74,7 @@ impl Method {
     /// # Errors
     /// Those of [`Plan::new`], for the shortest steps that a cell runs in by this method.
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
-        let plan = Plan::new(scene, self.largest_step)?;
+        let plan = Plan::new(scene, self.largest_step)?.asking(self.columns.asked());
         let plan = if self.full_model { plan.full_model() } else { plan };
         self.finest(&plan).check_steps()?;
         Ok(plan)

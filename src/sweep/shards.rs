@@ -81,7 +81,8 @@ impl Shards {
             held.push(ShardFolder { cells: piece.cells, folder: piece.place.clone(), precision });
             reports.push((piece.place, piece.report));
         }
-        let reader = ChunkReader::new(Chunking::of(&grid), held, grid.len());
+        let reader =
+            ChunkReader::new(Chunking::of(&grid), content.method.columns, held, grid.len());
         let overlap = || ShardsError::Unreadable {
             place: reports[0].0.clone(),
             reason: "its chunks overlap".into(),
@@ -108,7 +109,8 @@ impl Shards {
         let shards: Vec<Value> = self.reports.iter().map(ran).collect();
         let identity = json!({ "columns": precision, "parts": shards, "map": self.content });
         let identity = Identity::new(format!("{identity:#}"), None);
-        let source = Source { scene: &self.content.scene, precision };
+        let columns = self.content.method.columns;
+        let source = Source { scene: &self.content.scene, precision, columns };
         let contents = Contents { grid: &grid, source };
         let opened = Store::open(directory, identity, contents, true);
         Ok(opened.map_err(SweepError::Folder)?.0)
@@ -135,10 +137,10 @@ impl Piece {
         })?;
         let identity = Identity::new(written, content.shard);
         let grid = Grid::of(&content.scene);
-        let found =
-            SavedChunks::in_folder(&place, &Chunking::of(&grid), identity.tag(), &|cells| {
-                observer.advance(cells)
-            })?;
+        let of = (identity.tag(), content.method.columns);
+        let found = SavedChunks::in_folder(&place, &Chunking::of(&grid), of, &|cells| {
+            observer.advance(cells)
+        })?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {
             return Err(ShardsError::Broken { place, reason });

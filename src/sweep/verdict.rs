@@ -14,15 +14,16 @@ pub fn agreement(v: &Verification, within: Duration) -> String {
         0 => String::new(),
         count => format!("{count} unresolved, "),
     };
+    let zeta = v.worst_zeta.map(|worst| format!(", zeta within {}", rounded(worst)));
+    let zeta = zeta.unwrap_or_default();
     format!(
         "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
-         t_end within {} s, zeta within {}",
+         t_end within {} s{zeta}",
         cells(v.sampled),
         v.beside_boundary,
         v.differ,
         v.impacts_differ,
-        rounded(v.worst_t_end),
-        rounded(v.worst_zeta)
+        rounded(v.worst_t_end)
     )
 }
 
@@ -55,19 +56,18 @@ pub fn told(v: &Verification) -> String {
         .map(|(count, place)| format!("{count} {place}"))
         .collect();
     let places = places.join(", ");
+    let [worst, median] = [v.worst_zeta, v.median_zeta].map(Option::unwrap_or_default);
     match v.verdict {
-        Verdict::Right if v.worst_zeta > ZETA_OFF => format!(
-            "every outcome of the sample is right, but zeta of one cell at least is off by {:.0e}",
-            v.worst_zeta
+        Verdict::Right if worst > ZETA_OFF => format!(
+            "every outcome of the sample is right, but zeta of one cell at least is off by {worst:.0e}"
         ),
         Verdict::Right => "every outcome of the sample is right".into(),
         Verdict::AsExpected => {
             format!("the map is right as far as can be expected: {}, {places}", differ(v.differ))
         }
         Verdict::Wrong if v.differ == 0 => format!(
-            "the map is not right: half of the rocking cells are off by {:.0e} in zeta or more; \
-             try a smaller --step or --precision f64",
-            v.median_zeta
+            "the map is not right: half of the rocking cells are off by {median:.0e} in zeta or more; \
+             try a smaller --step or --precision f64"
         ),
         Verdict::Wrong => format!(
             "the map is not right: {}, {places}; try a smaller --step, --precision f64 or --resolve",

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::sample::Chosen;
 use crate::backend::by_reference::by_reference;
 use crate::cells::plan::Plan;
+use crate::model::asked::Asked;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::Settings;
@@ -116,10 +117,10 @@ pub struct Verification {
     pub worst_t_end: f64,
     /// Largest error of the first uplift where the outcome agrees, s.
     pub worst_t_uplift: f64,
-    /// Largest error of zeta where the outcome agrees.
-    pub worst_zeta: f64,
-    /// Median error of zeta over the cells that rock.
-    pub median_zeta: f64,
+    /// Largest error of zeta where the outcome agrees; none where nobody asked for zeta.
+    pub worst_zeta: Option<f64>,
+    /// Median error of zeta over the cells that rock; the same.
+    pub median_zeta: Option<f64>,
 }
 
 /// |dphi| below which a landing block comes to rest, rad/s: ten times the reference's own. Where an impact loses
@@ -145,7 +146,7 @@ impl Verification {
         let few = (OFF * self.beside_boundary as f64).max(1.0);
         let wrong = self.differ_inside() > 0
             || self.differ_beside_boundary as f64 > few
-            || self.median_zeta > ZETA_OFF;
+            || self.median_zeta.is_some_and(|error| error > ZETA_OFF);
         match (self.sampled - self.unresolved, self.differ) {
             (0, _) => Verdict::Nothing,
             _ if wrong => Verdict::Wrong,
@@ -188,12 +189,17 @@ pub fn verify(
     if observer.cancelled() {
         return None;
     }
-    let report = compare(grid, judged.into_iter().flatten());
+    let report = compare(grid, plan.asked, judged.into_iter().flatten());
     Some(Verification { chosen: chosen.len(), ..report })
 }
 
-/// Compares cells that sweep and reference have run.
-pub fn compare(grid: &Grid, judged: impl IntoIterator<Item = Judged>) -> Verification {
+/// Compares cells that sweep and reference have run, in what the sweep was asked for.
+pub fn compare(
+    grid: &Grid,
+    asked: Asked,
+    judged: impl IntoIterator<Item = Judged>,
+) -> Verification {
+    let zeta = asked.angles.then_some(0.0);
     let mut report = Verification {
         verdict: Verdict::Nothing,
         chosen: 0,
@@ -208,8 +214,8 @@ pub fn compare(grid: &Grid, judged: impl IntoIterator<Item = Judged>) -> Verific
         impacts_differ: 0,
         worst_t_end: 0.0,
         worst_t_uplift: 0.0,
-        worst_zeta: 0.0,
-        median_zeta: 0.0,
+        worst_zeta: zeta,
+        median_zeta: zeta,
     };
     let mut zeta_errors = Vec::new();
     for judged in judged {
@@ -243,18 +249,19 @@ pub fn compare(grid: &Grid, judged: impl IntoIterator<Item = Judged>) -> Verific
             } else {
                 report.impacts_differ += 1;
             }
-        } else {
+        } else if let Some(worst) = &mut report.worst_zeta {
             let error = (cell.zeta - reference.zeta).abs();
             // No number at all is as wrong as can be.
             let error = if error.is_nan() { f64::INFINITY } else { error };
-            report.worst_zeta = report.worst_zeta.max(error);
+            *worst = worst.max(error);
             if cell.class == Class::Rocking {
                 zeta_errors.push(error);
             }
         }
     }
     zeta_errors.sort_by(f64::total_cmp);
-    report.median_zeta = zeta_errors.get(zeta_errors.len() / 2).copied().unwrap_or(0.0);
+    let median = zeta_errors.get(zeta_errors.len() / 2).copied();
+    report.median_zeta = zeta.map(|none| median.unwrap_or(none));
     report.chosen = report.sampled;
     report.verdict = report.judge();
     report
@@ -294,7 +301,7 @@ mod tests {
             let sensitive = (30..33).contains(&cell);
             Judged { chosen: Chosen { cell, beside_boundary, outcome }, reference, sensitive }
         });
-        compare(&grid(), judged)
+        compare(&grid(), Asked::ALL, judged)
     }
 
     #[test]
@@ -314,10 +321,10 @@ mod tests {
             let chosen =
                 Chosen { cell: 5, beside_boundary: false, outcome: outcome(Class::Rocking, 1.0) };
             let reference = outcome(Class::OverturnedLeft, 1.0);
-            compare(&grid(), [Judged { chosen, reference, sensitive }]).verdict
+            compare(&grid(), Asked::ALL, [Judged { chosen, reference, sensitive }]).verdict
         };
         assert_eq!((one(true), one(false)), (Verdict::AsExpected, Verdict::Wrong));
-        assert_eq!(compare(&grid(), []).verdict, Verdict::Nothing);
+        assert_eq!(compare(&grid(), Asked::ALL, []).verdict, Verdict::Nothing);
         let report = report(2, 3, 4);
         assert_eq!((report.sampled, report.beside_boundary, report.differ), (40, 20, 9));
         assert_eq!((report.differ_beside_boundary, report.differ_tensile), (2, 4));
@@ -337,7 +344,7 @@ mod tests {
                 Judged { chosen, reference, sensitive: false }
             })
         };
-        assert_eq!(compare(&grid(), judged(0.009)).verdict, Verdict::Right);
-        assert_eq!(compare(&grid(), judged(0.011)).verdict, Verdict::Wrong);
+        assert_eq!(compare(&grid(), Asked::ALL, judged(0.009)).verdict, Verdict::Right);
+        assert_eq!(compare(&grid(), Asked::ALL, judged(0.011)).verdict, Verdict::Wrong);
     }
 }

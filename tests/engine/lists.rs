@@ -3,6 +3,7 @@
 use topple::backend::cell_run::CellRun;
 use topple::backend::ready::Backend;
 use topple::cells::plan::Plan;
+use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::scene::{Grid, Scene};
 use topple::work::observer::Unwatched;
@@ -97,7 +98,7 @@ fn lists_of_few_cells_have_the_outcomes_of_the_whole_sweep_to_the_last_bit() {
         for forces in [true, false] {
             let plan = || {
                 let plan = Plan::new(&scene, 1.0 / 128.0).unwrap();
-                if forces { plan } else { plan.without_forces() }
+                plan.asking(Asked { forces, ..Asked::ALL })
             };
             for precision in [Precision::F32, Precision::F64] {
                 let backend = Backend::Cpu;

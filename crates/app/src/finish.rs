@@ -139,12 +139,13 @@ fn files<'a>(
 ) -> anyhow::Result<Facts<'a>> {
     let files = to.files;
     let began = Instant::now();
+    let asked = map.method.columns;
     let slices = match to.refined {
-        Some(refined) => slices::of(&refined.scene, &refined.grid, refined)?,
-        None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes)?,
+        Some(refined) => slices::of(&refined.scene, &refined.grid, refined, asked)?,
+        None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes, asked)?,
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
-    let names = map_files::places(&map.plan.scene, &map.grid, files, to.refined.is_some());
+    let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.refined.is_some());
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);
     let (pictures, tables) = rayon::join(

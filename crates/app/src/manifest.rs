@@ -50,8 +50,9 @@ pub struct Manifest<'a> {
     pub cells_per_second: f64,
     /// Cells of each outcome.
     pub outcomes: BTreeMap<&'static str, usize>,
-    /// Cells in which the contact force turned tensile, where the model does not hold.
-    pub tensile_cells: usize,
+    /// Cells in which the contact force turned tensile, where the model does not hold; none where nobody asked for contact
+    /// forces.
+    pub tensile_cells: Option<usize>,
     /// Cells that ask for more friction than the scene's coefficient, if it has one.
     pub sliding_cells: Option<usize>,
     /// How cells beside boundaries were repaired; none where it was not asked for.

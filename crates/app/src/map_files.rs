@@ -4,7 +4,7 @@ use std::iter;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use topple::results::columns::Column;
+use topple::results::column_set::ColumnSet;
 use topple::results::files::Directory;
 use topple::results::{csv, npz};
 use topple::scene::{Grid, Scene};
@@ -28,23 +28,29 @@ const MAIN: &str = "map";
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
 
-/// The names of the files that the map of a scene gets, those of a refined one among them.
-pub fn places(scene: &Scene, grid: &Grid, files: &[MapFile], refines: bool) -> Vec<String> {
+/// The names of the files that the map of a scene gets of which some columns are asked for, those of a refined one among
+/// them.
+pub fn places(
+    (scene, grid, asked): (&Scene, &Grid, ColumnSet),
+    files: &[MapFile],
+    refines: bool,
+) -> Vec<String> {
     let tables = files.iter().map(|file| file.name().to_string());
     let boundaries = has_boundaries(scene, grid).then(|| BOUNDARIES.to_string());
-    let pictures = names_of_pictures(scene, grid).into_iter().flat_map(|name| picture_files(&name));
+    let pictures =
+        names_of_pictures(scene, grid, asked).into_iter().flat_map(|name| picture_files(&name));
     let of_leaves = if refines { refined::names(files) } else { Vec::new() };
     tables.chain(boundaries).chain(pictures).chain(of_leaves).collect()
 }
 
 /// The names of the pictures of a map.
-fn names_of_pictures(scene: &Scene, grid: &Grid) -> Vec<String> {
+fn names_of_pictures(scene: &Scene, grid: &Grid, asked: ColumnSet) -> Vec<String> {
     match grid.slices() {
         1 if scene.excitation.record().is_none() || grid.line().is_some() => vec![MAIN.into()],
         1 => {
-            let [contact, _] = &fields::CONTACT;
-            let fields = fields_of(scene).map(|field| field.name);
-            iter::once(MAIN).chain(fields).chain([contact.name]).map(String::from).collect()
+            let fields = fields_of(scene, asked).map(|field| field.name);
+            let contact = contact(asked).first().map(|field| field.name);
+            iter::once(MAIN).chain(fields).chain(contact).map(String::from).collect()
         }
         slices if slices <= MOST => (0..slices).map(name_of).collect(),
         _ => Vec::new(),
@@ -78,12 +84,12 @@ pub fn tables(
 ) -> anyhow::Result<()> {
     let grid = &map.grid;
     let tables = files.iter().filter(|file| **file != MapFile::Zarr).count();
-    screen.begins(Phase::Writing, grid.len() * tables * Column::ALL.len());
+    screen.begins(Phase::Writing, grid.len() * tables * map.method.columns.columns().count());
     let outcomes = ObservedOutcomes::new(&*map.outcomes, screen);
     let (rows, arrays) = rayon::join(
         || -> anyhow::Result<()> {
             if files.contains(&MapFile::Csv) {
-                out.write("map.csv", |w| csv::write(grid, &outcomes, w))?;
+                out.write("map.csv", |w| csv::write(grid, &outcomes, map.method.columns, w))?;
             }
             if let [whole] = slices
                 && has_boundaries(&map.plan.scene, grid)
@@ -120,10 +126,16 @@ fn name_of(number: usize) -> String {
     format!("{MAIN}-{:02}", number + 1)
 }
 
-/// The fields of a scene that have a picture each, beside the main one.
-fn fields_of(scene: &Scene) -> impl Iterator<Item = &'static Field> {
+/// The fields of a scene that have a picture each, beside the main one, of the columns that were asked for.
+fn fields_of(scene: &Scene, asked: ColumnSet) -> impl Iterator<Item = &'static Field> {
     let directions = scene.isolation;
-    fields::FIELDS[1..].iter().filter(move |field| field.moves(directions))
+    let others = fields::FIELDS[1..].iter();
+    others.filter(move |field| field.moves(directions) && asked.has(field.column))
+}
+
+/// The fields of the picture of contact forces, of the columns that were asked for: two, one or none.
+fn contact(asked: ColumnSet) -> Vec<&'static Field> {
+    fields::CONTACT.iter().filter(|field| asked.has(field.column)).collect()
 }
 
 /// The picture of a map that stands for all of it.
@@ -143,14 +155,17 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
         let png = render::png(&svg)?;
         Ok((name.into(), svg, png))
     };
-    let shown: Vec<_> = fields_of(map.scene).collect();
+    let shown: Vec<_> = fields_of(map.scene, map.columns).collect();
     let others: Vec<Figure> = shown
         .into_par_iter()
         .map(|field| finish(field.name, field::draw(map, field, "")?))
         .collect::<Result<_, _>>()?;
     figures.extend(others);
-    let [normal, friction] = &fields::CONTACT;
-    let title = format!("{}: {} and {}", map.scene.title, normal.title, friction.title);
-    figures.push(finish(normal.name, field::beside(map, &[normal, friction], &title)?)?);
+    let contact = contact(map.columns);
+    if let Some(first) = contact.first() {
+        let titles: Vec<&str> = contact.iter().map(|field| field.title).collect();
+        let title = format!("{}: {}", map.scene.title, titles.join(" and "));
+        figures.push(finish(first.name, field::beside(map, &contact, &title)?)?);
+    }
     Ok(figures)
 }

@@ -75,7 +75,8 @@ impl MergeCommand {
         };
         let grid = Grid::of(&shards.content.scene);
         let refines = self.refine.is_some();
-        let names = map_files::places(&shards.content.scene, &grid, &files(grid.len()), refines);
+        let content = (&shards.content.scene, &grid, shards.content.method.columns);
+        let names = map_files::places(content, &files(grid.len()), refines);
         place.refuse_foreign(&names)?;
         let mut results = place.open()?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
@@ -87,7 +88,8 @@ impl MergeCommand {
         Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
         let files = files(grid.len());
         let (slice, _) = grid.slice(0);
-        let sample = thinned(&map.plan.scene, (&slice, 0), &*map.outcomes, SAMPLE)?;
+        let sample =
+            thinned(&map.plan.scene, (&slice, 0), (&*map.outcomes, map.method.columns), SAMPLE)?;
         let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
         let bytes = disk::of_files(&sizes, &files);
         disk::fits(bytes, &self.out)?;

@@ -11,6 +11,7 @@ use topple::backend::request::{BackendRequest, OpenBackends};
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::refine::run as refine;
+use topple::results::column_set::ColumnSet;
 use topple::results::earlier::Kind;
 use topple::results::shard::Shard;
 use topple::scene::builder::SceneBuilder;
@@ -90,6 +91,9 @@ pub struct MapOptions {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
+    /// Columns of the map, by their names in map.csv: a cell runs no longer than these need [default: all]
+    #[arg(long, value_name = "NAME,...")]
+    pub columns: Option<ColumnSet>,
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
@@ -270,6 +274,10 @@ impl MapOptions {
         }
         let sharp = besides.sharpness && !self.sharpness;
         self.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
+        if self.columns.is_none() && !unknown {
+            self.columns =
+                earlier.map(|earlier| earlier.columns).filter(|columns| !columns.is_all());
+        }
         // A shard, a sample and probabilities have no files of a map.
         if self.files.is_empty() && !shard && !unknown {
             self.files.clone_from(&besides.files);
@@ -285,6 +293,7 @@ impl MapOptions {
             ("--resume", self.resume),
             ("--tile", self.tile.is_some()),
             ("--files", !self.files.is_empty()),
+            ("--columns", self.columns.is_some()),
             ("--repair", self.repair),
             ("--refine", self.refine.is_some()),
             ("--sharpness", self.sharpness),
@@ -328,7 +337,8 @@ impl MapOptions {
         let mut settings = RunSettings::default();
         settings.backend = self.run.backend();
         settings.adapters.clone_from(&self.run.adapter);
-        settings.method = Method { repair: self.repair, ..self.run.method() };
+        let columns = self.columns.unwrap_or_default();
+        settings.method = Method { repair: self.repair, columns, ..self.run.method() };
         settings.saving = Some(Saving {
             resume: self.resume,
             every: self.keep_every,

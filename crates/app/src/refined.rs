@@ -34,7 +34,9 @@ pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Re
     map.listed(|listed| -> anyhow::Result<()> {
         for name in &names {
             match name.as_str() {
-                "leaves.csv" => out.write(name, |w| csv::write_list(listed, w))?,
+                "leaves.csv" => {
+                    out.write(name, |w| csv::write_list(listed, map.source().columns, w))?
+                }
                 "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
                 LEAVES => group::write_list(out, name, listed, map.source())?,
                 "refined.png" => out.write(name, |w| write_png(map, w))?,

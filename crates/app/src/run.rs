@@ -128,7 +128,8 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         Kind::Probability => probability::names(),
         _ => {
             let (grid, refines) = (Grid::of(scene), options.refine.is_some());
-            map_files::places(scene, &grid, &options.files(&grid), refines)
+            let asked = options.columns.unwrap_or_default();
+            map_files::places((scene, &grid, asked), &options.files(&grid), refines)
         }
     };
     if options.tile.is_none() {

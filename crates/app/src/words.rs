@@ -221,8 +221,12 @@ pub fn shares(tally: &Tally, friction: Option<&Values>) -> String {
             parts.push(format!("{} {} %", class.name().replace('_', " "), percent(count)));
         }
     }
-    if tally.tensile > 0 {
-        parts.push(format!("contact force tensile in {} %", percent(tally.tensile)));
+    match tally.tensile {
+        Some(0) => {}
+        Some(tensile) => parts.push(format!("contact force tensile in {} %", percent(tensile))),
+        None => parts.push(
+            "contact forces not asked for, and cells where they are tensile not hatched".into(),
+        ),
     }
     if let (Some(sliding), Some(mu)) = (tally.sliding, friction) {
         let mu = if mu.count() == 1 { mu.to_string() } else { "μ".into() };

@@ -69,7 +69,8 @@ pub fn run(
         Kind::Png => return Ok((render::png(&svg()?)?, "image/png")),
         Kind::Svg => return Ok((svg()?.into_bytes(), "image/svg+xml")),
         Kind::Npz => npz::write(&map.grid, &*map.outcomes, map.source(), &mut file)?,
-        _ => csv::write(&map.grid, &*map.outcomes, &mut file).map_err(Refused::told)?,
+        _ => csv::write(&map.grid, &*map.outcomes, map.method.columns, &mut file)
+            .map_err(Refused::told)?,
     }
     let kind = if request.kind == Kind::Npz { "application/octet-stream" } else { "text/csv" };
     Ok((file.into_inner(), kind))

@@ -98,7 +98,12 @@ pub fn run(
             note,
         };
         let outcomes = refined.read(0..refined.grid.len(), &Column::ALL)?;
-        let map_of = Map { scene: &refined.scene, grid: refined.grid.clone(), outcomes };
+        let map_of = Map {
+            scene: &refined.scene,
+            grid: refined.grid.clone(),
+            outcomes,
+            columns: refined.source().columns,
+        };
         let mut arrays = arrays(&map_of, columns);
         if let Some((_, Array::Bytes(marks))) = arrays.iter_mut().find(|own| own.0 == "marks") {
             let mut ran = refined.cells().iter().peekable();
@@ -178,5 +183,6 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, Array)> {
 /// Those of reading.
 pub fn whole(map: &MapSweep) -> Result<Map<'_>, Refused> {
     let outcomes = map.outcomes.read(0..map.grid.len(), &Column::ALL)?;
-    Ok(Map { scene: &map.plan.scene, grid: map.grid.clone(), outcomes })
+    let (grid, columns) = (map.grid.clone(), map.method.columns);
+    Ok(Map { scene: &map.plan.scene, grid, outcomes, columns })
 }

@@ -12,6 +12,7 @@ use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
+use topple::results::column_set::ColumnSet;
 use topple::scene::Grid;
 use topple::work::observer::Unwatched;
 use topple_pictures::drawing::render;
@@ -24,7 +25,7 @@ fn pictures(c: &mut Criterion) {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
-    let map = Map { scene: &scene, grid, outcomes: outcomes.into() };
+    let map = Map { scene: &scene, grid, outcomes: outcomes.into(), columns: ColumnSet::ALL };
     c.bench_function("svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
     let svg = overturning::draw(&map, "").unwrap();
     c.bench_function("png of the svg", |b| b.iter(|| render::png(&svg).unwrap()));

@@ -119,7 +119,7 @@ impl<R: Real> FullContactMotions<R> {
         let all = of.combinations(grid);
         // With as many motions as cells there is nothing to save. Without forces a cell is so cheap that a motion takes as
         // long as some of them.
-        let each = if plan.forces { 1 } else { CELLS_A_MOTION };
+        let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
         let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
         let pays = grid.len() > motions && amplitude != Some(0.0);
         let share = || plan.shortcuts.full_contact && !grid.tilts() && fit::<R>(plan, grid, &all);
@@ -147,7 +147,7 @@ impl<R: Real> FullContactMotions<R> {
             let some = |places: &[Place]| {
                 let starts: Vec<Start<R>> = places.iter().map(start).collect();
                 let set = MotionSet { variant, direction, record, starts: &starts };
-                if plan.forces {
+                if plan.asked.forces {
                     motions_with_forces::sample(set, level)
                 } else {
                     bounded_motions::sample(set, level)
@@ -169,7 +169,7 @@ impl<R: Real> FullContactMotions<R> {
         let (along_x, along_y) = (along_x?, along_y?);
         let (up, across) =
             rayon::join(|| vertical(&up, &along_y), || horizontal(&across, &along_x));
-        Some(FullContactMotions { across, up, still: of.still, forces: plan.forces, level })
+        Some(FullContactMotions { across, up, still: of.still, forces: plan.asked.forces, level })
     }
 
     /// Where the cells of a list find the motions of u and of v.

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::cells::clock::Resolution;
 use crate::cells::laws::Laws;
 use crate::cells::shortcuts::Shortcuts;
+use crate::model::asked::Asked;
 use crate::scene::{Grid, Scene};
 
 /// All that motions in full contact depend on, but the number type.
@@ -15,7 +16,7 @@ pub(crate) struct Key {
     pub(crate) grid: Grid,
     pub(crate) resolution: Resolution,
     pub(crate) shortcuts: Shortcuts,
-    pub(crate) forces: bool,
+    pub(crate) asked: Asked,
     pub(crate) laws: Laws,
 }
 

@@ -22,8 +22,8 @@ pub(crate) fn shared_motions<R: Real>(
     observer: &dyn Observer,
 ) -> Arc<Option<FullContactMotions<R>>> {
     let (scene, grid) = (plan.scene.clone(), grid.clone());
-    let Plan { resolution, shortcuts, forces, laws, .. } = *plan;
-    let key = Key { scene, grid, resolution, shortcuts, forces, laws };
+    let Plan { resolution, shortcuts, asked, laws, .. } = *plan;
+    let key = Key { scene, grid, resolution, shortcuts, asked, laws };
     let known = plan.motion_cache.find::<Option<FullContactMotions<R>>>(&key);
     if let Some(motions) = &known
         && motions.as_ref().as_ref().is_none_or(|motions| motions.hold(&key.grid, cells))

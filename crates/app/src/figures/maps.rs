@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use topple::backend::backend_error::BackendError;
 use topple::results;
+use topple::results::column_set::ColumnSet;
 use topple::scene::{Grid, Scene};
 use topple::sweep::sample;
 use topple::sweep::settings::Method;
@@ -61,14 +62,17 @@ impl Work<'_> {
                 Some(twin) => maps[twin].outcomes.clone(),
                 None => self.sweep(&panel.scene, panel.fixed_step, &place, &progress)?.into(),
             };
-            maps.push(Map { scene: &panel.scene, grid: Grid::of(&panel.scene), outcomes });
+            let grid = Grid::of(&panel.scene);
+            maps.push(Map { scene: &panel.scene, grid, outcomes, columns: ColumnSet::ALL });
         }
         progress.finish();
         let seconds = began.elapsed().as_secs_f64();
         let mut told = Vec::with_capacity(maps.len());
         for (k, (panel, map)) in figure.panels.iter().zip(&maps).enumerate() {
             let name = format!("{}-{}", figure.name, letter(k));
-            self.out.write(&format!("{name}.csv"), |w| results::csv::write(&map.grid, map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| {
+                results::csv::write(&map.grid, map, map.columns, w)
+            })?;
             told.push(PanelManifest {
                 letter: letter(k),
                 scene: &panel.scene,
@@ -120,9 +124,12 @@ impl Work<'_> {
             let progress = Bar::new(Grid::of(&scene).len(), self.options.quiet);
             let outcomes = self.sweep(&scene, panel.fixed_step, &name, &progress)?;
             progress.finish();
-            let map = Map { scene: &scene, grid: Grid::of(&scene), outcomes: outcomes.into() };
+            let (grid, outcomes) = (Grid::of(&scene), outcomes.into());
+            let map = Map { scene: &scene, grid, outcomes, columns: ColumnSet::ALL };
             let judged = self.judge(&map, &name)?;
-            self.out.write(&format!("{name}.csv"), |w| results::csv::write(&map.grid, &map, w))?;
+            self.out.write(&format!("{name}.csv"), |w| {
+                results::csv::write(&map.grid, &map, map.columns, w)
+            })?;
             let title = format!("{}: upwards at Ω = {} rad/s", along.name, along.omega);
             let caption = format!(
                 "Object and base of {panel_name}, ε = {}; {}",

@@ -143,7 +143,7 @@ fn by_library(count: u32, columns: [Column; 2]) -> Vec<ColumnValues> {
     settings.verify = VerifySettings::cells(0);
     let mut all = sweep(&scene, &[], &settings, &Unwatched).unwrap().into_columns().unwrap();
     columns
-        .map(|column| std::mem::replace(&mut all[column as usize], ColumnValues::Codes(vec![])))
+        .map(|column| std::mem::replace(&mut all[column as usize].1, ColumnValues::Codes(vec![])))
         .into()
 }
 

@@ -16,6 +16,7 @@ use topple::results::block::Block;
 use topple::results::chunk::{check, decode_all, encode, pack, unpack};
 use topple::results::chunking::Chunking;
 use topple::results::collector::{OutcomeCollector, Saver};
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::files::WriteError;
 use topple::results::reader::{ChunkReader, ShardFolder, missing};
@@ -74,7 +75,7 @@ fn block(outcomes: &[Outcome], precision: Precision) -> Block {
 /// The files of a block in a chunk of 6 cells, by their arrays.
 fn packed(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
     let of = |(array, column)| (array, pack(&encode(array, column, block, 6), tag, array));
-    zarr::columns().map(of).collect()
+    zarr::columns(ColumnSet::ALL).map(of).collect()
 }
 
 #[test]
@@ -86,7 +87,7 @@ fn a_chunk_holds_its_outcomes_bit_by_bit() {
         };
         let packed = packed(&block(&outcomes(), precision), 7);
         let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
-        let block = decode_all((4, 6), precision, &mut bytes).unwrap().unwrap();
+        let block = decode_all((4, 6), (precision, ColumnSet::ALL), &mut bytes).unwrap().unwrap();
         let mut read = vec![Outcome::PENDING; 4];
         block.read(0, &Column::ALL, &mut read);
         assert_eq!(read, expected);
@@ -152,7 +153,8 @@ fn open(
     let method = Method { precision, ..Method::default() };
     let content = Content::new(scene, &Backend::Cpu, &method, None);
     let grid = Grid::of(scene);
-    let contents = Contents { grid: &grid, source: Source { scene, precision } };
+    let contents =
+        Contents { grid: &grid, source: Source { scene, precision, columns: ColumnSet::ALL } };
     Store::open(out, content.identity().unwrap(), contents, resume)
 }
 
@@ -235,7 +237,9 @@ fn outcomes_are_read_across_chunks() {
     let chunking = Chunking::of(&Grid::of(&scene));
     let held =
         |cells: Range<usize>| ShardFolder { cells, folder: "".into(), precision: Precision::F32 };
-    let reader = |held: &[ShardFolder]| ChunkReader::new(chunking.clone(), held.to_vec(), 10);
+    let reader = |held: &[ShardFolder]| {
+        ChunkReader::new(chunking.clone(), ColumnSet::ALL, held.to_vec(), 10)
+    };
     let (one, other) = (held(6..10), held(0..6));
     assert!(reader(&[one.clone(), other.clone()]).is_some());
     assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
@@ -317,8 +321,8 @@ fn files_that_change_places_are_found() {
 fn a_chunk_of_another_length_is_refused() {
     let packed = packed(&block(&outcomes(), Precision::F64), 7);
     let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
-    assert!(decode_all((4, 6), Precision::F32, &mut bytes).unwrap().is_none());
-    assert!(decode_all((4, 5), Precision::F64, &mut bytes).unwrap().is_none());
+    assert!(decode_all((4, 6), (Precision::F32, ColumnSet::ALL), &mut bytes).unwrap().is_none());
+    assert!(decode_all((4, 5), (Precision::F64, ColumnSet::ALL), &mut bytes).unwrap().is_none());
 }
 
 /// What has no identity is no run's, be it the copy of a map: it stays, and is not mixed with a run's.

@@ -71,7 +71,7 @@ fn what_is_wrong_beside_boundaries_is_mended_or_undecided() {
     assert!(undecided.iter().all(|cell| mended.outcome(*cell).unwrap().class == Class::Unresolved));
     let codes: Vec<u8> = classes(&mended).iter().map(|class| *class as u8).collect();
     let columns = mended.into_columns().unwrap();
-    assert_eq!(columns[Column::Outcome as usize], ColumnValues::Codes(codes));
+    assert_eq!(columns[0], (Column::Outcome, ColumnValues::Codes(codes)));
 }
 
 /// Both components as files of a column each.

@@ -17,6 +17,7 @@ use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;
 use topple::results::collector::{OutcomeCollector, Saver};
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::identity::Identity;
 use topple::results::reader::missing;
@@ -67,6 +68,7 @@ fn method() -> Method {
         resolve: false,
         full_model: false,
         repair: false,
+        columns: ColumnSet::ALL,
     }
 }
 
@@ -207,7 +209,8 @@ fn after_a_lost_device_the_run_goes_on() {
         let out = TempDir::new().unwrap();
         let open = || {
             let content = Content::new(&scene, &Backend::Cpu, &method(), None);
-            let source = Source { scene: &scene, precision: Precision::F32 };
+            let source =
+                Source { scene: &scene, precision: Precision::F32, columns: ColumnSet::ALL };
             let contents = Contents { grid: &grid, source };
             Store::open(out.path(), content.identity().unwrap(), contents, true).unwrap()
         };
@@ -248,7 +251,7 @@ fn a_fine_map_is_drawn_with_fewer_cells() {
     let grid = Grid::of(&scene);
     let outcomes: Vec<Outcome> =
         (0..15_000).map(|k| Outcome { impacts: k, ..Outcome::PENDING }).collect();
-    let map = thinned(&scene, (&grid, 0), &outcomes, DRAWN).unwrap();
+    let map = thinned(&scene, (&grid, 0), (&outcomes, ColumnSet::ALL), DRAWN).unwrap();
     assert_eq!(map.grid.shape(), (DRAWN, 3));
     assert_eq!((map.outcomes[0].impacts, map.outcomes[map.grid.len() - 1].impacts), (0, 14_999));
     let pitch = 11.0 / 4999.0;
@@ -256,7 +259,7 @@ fn a_fine_map_is_drawn_with_fewer_cells() {
         let (drawn, own) = (xy(&map.grid, cell), xy(&grid, outcome.impacts as usize));
         assert!((drawn.0 - own.0).abs() <= 0.5001 * pitch && drawn.1 == own.1, "{drawn:?} {own:?}");
     }
-    assert_eq!(Tally::of(&grid, &outcomes).unwrap().cells, 15_000);
+    assert_eq!(Tally::of(&grid, &outcomes, ColumnSet::ALL).unwrap().cells, 15_000);
 }
 
 const GRID: [&str; 4] = ["--omega", "1:12:30", "--a-h", "1:12:31"];
@@ -457,7 +460,7 @@ fn what_is_no_map_is_refused_by_name() {
     let old = text.replace(version, "\"version\": \"0.0.1\"");
     let Content { scene, shard: number, .. } = Content::read(&old).unwrap();
     let grid = Grid::of(&scene);
-    let source = Source { scene: &scene, precision: Precision::F32 };
+    let source = Source { scene: &scene, precision: Precision::F32, columns: ColumnSet::ALL };
     let contents = Contents { grid: &grid, source };
     let (store, _) =
         Store::open(&place("old"), Identity::new(old.clone(), number), contents, false).unwrap();

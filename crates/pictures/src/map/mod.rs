@@ -10,6 +10,7 @@ use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
 
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::results::tally::slides;
@@ -24,14 +25,21 @@ pub struct Map<'a> {
     pub grid: Grid,
     /// One outcome a cell, in the grid's order.
     pub outcomes: Cow<'a, [Outcome]>,
+    /// The columns that were asked for: others are not known.
+    pub columns: ColumnSet,
 }
 
 impl Map<'_> {
     /// True where the model is too small for what a cell does: its contact force turns tensile, or
-    /// it asks for more friction than there is.
+    /// it asks for more friction than there is. Of cells of which this is not known it is false.
     pub fn beyond_the_model(&self, cell: usize) -> bool {
         let outcome = &self.outcomes[cell];
         outcome.min_contact < 0.0 || slides(&self.grid, cell, outcome)
+    }
+
+    /// True where it is known which cells are beyond the model.
+    pub fn tells_beyond_the_model(&self) -> bool {
+        self.columns.asked().forces
     }
 
     /// True where a cell is beyond the model.

@@ -5,6 +5,7 @@ use std::io;
 use super::Map;
 use super::thinned::{DRAWN, thinned};
 use crate::drawing::ticks::rounded;
+use topple::results::column_set::ColumnSet;
 use topple::results::outcomes::Outcomes;
 use topple::scene::{Grid, Scene};
 
@@ -19,7 +20,7 @@ pub struct Slice<'a> {
     pub at: String,
 }
 
-/// The slices of a sweep, thinned to what is drawn; none where there are more than [`MOST`].
+/// The slices of a sweep of which some columns were asked for, thinned to what is drawn; none where there are more than [`MOST`].
 ///
 /// # Errors
 /// Those of reading.
@@ -27,6 +28,7 @@ pub fn of<'a>(
     scene: &'a Scene,
     grid: &Grid,
     outcomes: &'a dyn Outcomes,
+    asked: ColumnSet,
 ) -> io::Result<Vec<Slice<'a>>> {
     let count = grid.slices();
     if count > MOST {
@@ -36,7 +38,7 @@ pub fn of<'a>(
     (0..count)
         .map(|number| {
             let (slice, fixed) = grid.slice(number);
-            let map = thinned(scene, (&slice, number * area), outcomes, DRAWN)?;
+            let map = thinned(scene, (&slice, number * area), (outcomes, asked), DRAWN)?;
             let at: Vec<String> = fixed
                 .iter()
                 .map(|(parameter, value)| parameter.entry().written(rounded(*value, value.abs())))

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io;
 
 use super::Map;
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::scene::values::spread;
@@ -20,14 +21,14 @@ pub const DRAWN: usize = 2048;
 pub fn thinned<'a>(
     scene: &'a Scene,
     (grid, first): (&Grid, usize),
-    outcomes: &'a dyn Outcomes,
+    (outcomes, asked): (&'a dyn Outcomes, ColumnSet),
     most: usize,
 ) -> io::Result<Map<'a>> {
     let (columns, rows) = grid.shape();
     let thin = grid.thinned(most);
     if thin == *grid {
         let outcomes = outcomes.read(first..first + grid.len(), &Column::ALL)?;
-        return Ok(Map { scene, grid: thin, outcomes });
+        return Ok(Map { scene, grid: thin, outcomes, columns: asked });
     }
     let (across, up) = thin.shape();
     let mut some = Vec::with_capacity(thin.len());
@@ -36,5 +37,5 @@ pub fn thinned<'a>(
         let row = outcomes.read(first..first + columns, &Column::ALL)?;
         some.extend((0..across).map(|i| row[spread(i, across, columns)]));
     }
-    Ok(Map { scene, grid: thin, outcomes: Cow::Owned(some) })
+    Ok(Map { scene, grid: thin, outcomes: Cow::Owned(some), columns: asked })
 }

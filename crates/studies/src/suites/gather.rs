@@ -1,12 +1,17 @@
 //! From the map of a motion at some levels to the motion's cells.
 
 use super::swept_motion::SweptMotion;
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::scene::grid::AXES;
 use topple::scene::{Grid, Parameter};
 use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
+
+/// The columns of a map that a motion's cells are made of.
+pub(super) const COLUMNS: ColumnSet =
+    ColumnSet::of(&[Column::Outcome, Column::MaxU, Column::StrokeV, Column::Zeta]);
 
 /// Adds the cells of a map to a motion's, level by level in the order of a grid. Levels may lie along any axis of the map.
 ///

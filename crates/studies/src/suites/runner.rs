@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::gather::gather;
+use super::gather::{COLUMNS, gather};
 use super::saved;
 use super::swept::SuiteJob;
 use super::swept_motion::SweptMotion;
@@ -17,7 +17,7 @@ use topple::backend::backend_error::BackendError;
 use topple::backend::ready::Backend;
 use topple::scene::{Parameter, Scene, SceneError, Values};
 use topple::sweep::error::SweepError;
-use topple::sweep::run::sweep_outcomes;
+use topple::sweep::run::sweep_on;
 use topple::sweep::settings::{RunSettings, VerifySettings};
 use topple::sweep::verification;
 use topple::work::observer::Observer;
@@ -197,6 +197,7 @@ impl<'a> Runner<'a> {
     ) -> Result<(), SweepError> {
         let mut settings: RunSettings = self.job.settings.run.clone();
         (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
+        settings.method.columns = COLUMNS;
         let mut axes = Vec::new();
         if factors != [1.0] {
             // The factor of a scene is on the file's values.
@@ -206,7 +207,7 @@ impl<'a> Runner<'a> {
             axes.push((Parameter::Scale, values));
         }
         let watch = OneOfSeveral::of(self.observer, Some(&self.stopped));
-        let map = sweep_outcomes(&self.job.opened, scene, &axes, &settings, &watch)?;
+        let map = sweep_on(&self.job.opened, scene, &axes, &settings, &watch)?;
         gather(&map, &self.job.grid, factors.len(), motion)?;
         if sampled == 0 || map.by_reference() {
             return Ok(());

@@ -10,13 +10,14 @@ use super::pixel;
 use super::points::{shares, values};
 use super::varied::Varied;
 use crate::several::OneOfSeveral;
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::csv::Number;
 use topple::scene::{Grid, Parameter, Scene, SceneError, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
 use topple::sweep::job::check_held;
-use topple::sweep::run::sweep_outcomes;
+use topple::sweep::run::sweep_on;
 use topple::sweep::settings::RunSettings;
 use topple::work::observer::{Observer, Phase};
 
@@ -117,7 +118,7 @@ impl Probabilities {
     /// `settings` tell how each sweep is run, their verification of all sweeps together.
     ///
     /// # Errors
-    /// Those of [`Uncertainty::check`] and of [`sweep_outcomes`].
+    /// Those of [`Uncertainty::check`] and of [`sweep_on`].
     pub fn run(
         scene: &Scene,
         uncertainty: &Uncertainty,
@@ -136,6 +137,8 @@ impl Probabilities {
         let opened = Arc::new(settings.backend.open(method.precision, &settings.adapters)?);
         let mut run = settings.clone();
         (run.verify, run.saving) = (settings.verify.shared_out(samples), None);
+        // Nothing else is counted.
+        run.method.columns = ColumnSet::of(&[Column::Outcome]);
         let mut all = Probabilities {
             scene: scene.clone(),
             counts: vec![[0; 5]; grid.len()],
@@ -148,7 +151,7 @@ impl Probabilities {
         };
         for number in 0..samples {
             let scene = points.scene(scene, number)?;
-            let map = sweep_outcomes(&opened, &scene, &[], &run, &several)?;
+            let map = sweep_on(&opened, &scene, &[], &run, &several)?;
             // Codes are places among the classes.
             for (counts, code) in all.counts.iter_mut().zip(map.column(Column::Outcome)?) {
                 counts[code as usize] += 1;

@@ -44,14 +44,16 @@ pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
     let (x, width) = SIDE;
     let mut y = caption::heading(&mut canvas, map.scene, &title) + GAP;
     let directions = map.scene.isolation;
-    for field in SHOWN.into_iter().filter(|field| field.moves(directions)) {
+    let shown = |field: &&Field| field.moves(directions) && map.columns.has(field.column);
+    for field in SHOWN.into_iter().filter(shown) {
         let place = Place { x, y, width, height: HEIGHT };
         paint(&mut canvas, map, axis, field, place);
         y += HEIGHT + GAP;
     }
     let place = Place { x, y, width, height: STRIP };
     let line = map.grid.along_line().unwrap_or_else(|| map.grid.clone());
-    let line = Map { scene: map.scene, grid: line, outcomes: Cow::Borrowed(&map.outcomes) };
+    let outcomes = Cow::Borrowed(&map.outcomes[..]);
+    let line = Map { scene: map.scene, grid: line, outcomes, columns: map.columns };
     let overlay = Overlay::of(&line, true);
     overturning::paint(&mut canvas, &line, place, overlay, Kind::of, Kind::colour)?;
     Frame::new(place, Axis::of(Some(axis)), Axis::of(None)).draw(&mut canvas, BOTH);

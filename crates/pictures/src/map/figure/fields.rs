@@ -1,11 +1,14 @@
 //! The values of a cell that maps show, with their titles and scales.
 
+use topple::results::columns::Column;
 use topple::scene::Directions;
 use topple::stepping::outcome::Outcome;
 
 /// A value that is drawn over the grid.
 #[derive(Debug, Clone, Copy)]
 pub struct Field {
+    /// The column that it shows.
+    pub column: Column,
     /// Name of the files.
     pub name: &'static str,
     /// Title of the figure.
@@ -21,6 +24,7 @@ pub struct Field {
 /// The rocking index, the displacements and the vertical stroke, a figure each.
 pub const FIELDS: [Field; 4] = [
     Field {
+        column: Column::Zeta,
         name: "map",
         title: "rocking index",
         label: "ζ = max |φ| / α",
@@ -28,6 +32,7 @@ pub const FIELDS: [Field; 4] = [
         ends: Some((0.0, 1.0)),
     },
     Field {
+        column: Column::MaxU,
         name: "displacement_u",
         title: "horizontal displacement of the base",
         label: "max |u| [m]",
@@ -35,6 +40,7 @@ pub const FIELDS: [Field; 4] = [
         ends: None,
     },
     Field {
+        column: Column::MaxV,
         name: "displacement_v",
         title: "vertical displacement of the base",
         label: "max |v| [m]",
@@ -42,6 +48,7 @@ pub const FIELDS: [Field; 4] = [
         ends: None,
     },
     Field {
+        column: Column::StrokeV,
         name: "stroke_v",
         title: "vertical stroke of the base about its static position",
         label: "max |v + g/ω_v²| [m]",
@@ -53,6 +60,7 @@ pub const FIELDS: [Field; 4] = [
 /// The contact forces, the two halves of a figure.
 pub const CONTACT: [Field; 2] = [
     Field {
+        column: Column::MinContact,
         name: "contact",
         title: "least contact force",
         label: "min N/M [m/s²]",
@@ -60,6 +68,7 @@ pub const CONTACT: [Field; 2] = [
         ends: Some((0.0, 10.0)),
     },
     Field {
+        column: Column::Friction,
         name: "friction",
         title: "friction needed",
         label: "max |S|/N (up to 1)",
@@ -74,9 +83,9 @@ const FRICTION: f64 = 1.0;
 impl Field {
     /// True where it changes at all: a direction that is locked has no displacement.
     pub fn moves(&self, directions: Directions) -> bool {
-        match self.name {
-            "displacement_u" => directions.moves_h(),
-            "displacement_v" | "stroke_v" => directions.moves_v(),
+        match self.column {
+            Column::MaxU => directions.moves_h(),
+            Column::MaxV | Column::StrokeV => directions.moves_v(),
             _ => true,
         }
     }

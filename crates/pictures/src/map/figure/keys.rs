@@ -12,6 +12,10 @@ use topple::results::shares::shares;
 use topple::scene::Parameter;
 use topple::stepping::outcome::{Outcome, Status};
 
+/// What is said where nobody asked for what the hatch shows.
+const NOT_HATCHED: &str =
+    "Contact forces were not asked for: where the model does not hold is not shown.";
+
 /// What the hatch of a map says.
 pub fn hatch_label(map: &Map) -> String {
     let why = match map.scene.numbers.get(Parameter::Friction) {
@@ -54,6 +58,9 @@ pub fn overlay(maps: &[&Map], overlay: Overlay) -> Vec<Entry> {
     }
     if let (true, Some(map)) = (overlay.hatched, maps.first()) {
         entries.push(entry(Swatch::Hatched, hatch_label(map)));
+    }
+    if maps.iter().any(|map| !map.tells_beyond_the_model()) {
+        entries.push(entry(Swatch::None, NOT_HATCHED));
     }
     entries
 }

@@ -5,16 +5,17 @@ use super::{curves, field, fields, overturning};
 use crate::drawing::error::FigureError;
 
 /// Draws the picture of a map that stands for all of it as SVG: its outcomes for a pulse, the rocking index for a
-/// record; of one axis curves. `at` tells what the map is a slice at.
+/// record where it was asked for; of one axis curves. `at` tells what the map is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].
 pub fn draw(map: &Map, at: &str) -> Result<String, FigureError> {
+    let rocking_index = &fields::FIELDS[0];
     if let Some(axis) = map.grid.line() {
         curves::draw(map, axis)
-    } else if map.scene.excitation.record().is_none() {
+    } else if map.scene.excitation.record().is_none() || !map.columns.has(rocking_index.column) {
         overturning::draw(map, at)
     } else {
-        field::draw(map, &fields::FIELDS[0], at)
+        field::draw(map, rocking_index, at)
     }
 }

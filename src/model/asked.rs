@@ -1,0 +1,18 @@
+//! Which largest and least values of a cell somebody asks for. What nobody asks for is not looked for, and a cell may end
+//! before it is final.
+
+/// Groups of values, each of which is looked for or is not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Asked {
+    /// The largest rotations, and with them the rocking index.
+    pub angles: bool,
+    /// The largest |u| and |v|.
+    pub displacements: bool,
+    /// The least contact force and the friction asked for.
+    pub forces: bool,
+}
+
+impl Asked {
+    /// All of them.
+    pub const ALL: Asked = Asked { angles: true, displacements: true, forces: true };
+}

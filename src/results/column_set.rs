@@ -1,0 +1,192 @@
+//! The columns that somebody asks for: what a sweep looks for, holds on disk and tells follows from them.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::columns::{Column, Entry, TABLE};
+use crate::model::asked::Asked;
+use crate::scene::SceneError;
+
+/// Some of the columns of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ColumnSet(u32);
+
+impl Default for ColumnSet {
+    fn default() -> ColumnSet {
+        ColumnSet::ALL
+    }
+}
+
+impl ColumnSet {
+    /// All of them.
+    pub const ALL: ColumnSet = ColumnSet((1 << Column::ALL.len()) - 1);
+
+    /// What tells whether a cell has run, and what pictures and counts are made of: a sweep holds these whatever is asked
+    /// for, since each cell has them anyway.
+    const HELD: ColumnSet = ColumnSet::of(&[
+        Column::Outcome,
+        Column::Impacts,
+        Column::Uplifts,
+        Column::Status,
+        Column::TSimulated,
+    ]);
+
+    /// What tells where the model does not hold.
+    const FORCES: ColumnSet = ColumnSet::of(&[Column::MinContact, Column::Friction]);
+
+    /// Those of a list.
+    pub const fn of(columns: &[Column]) -> ColumnSet {
+        let (mut set, mut next) = (0, 0);
+        while next < columns.len() {
+            set |= 1 << columns[next] as u32;
+            next += 1;
+        }
+        ColumnSet(set)
+    }
+
+    /// Those of these names.
+    ///
+    /// # Errors
+    /// The key `columns`: no name, or one that no column has.
+    pub fn of_names<N: AsRef<str>>(names: &[N]) -> Result<ColumnSet, SceneError> {
+        let all = || TABLE.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
+        if names.is_empty() {
+            let problem = format!("names none; give some of {}", all());
+            return Err(SceneError { key: "columns", problem });
+        }
+        let column = |name: &N| {
+            let name = name.as_ref().trim();
+            let known = TABLE.iter().find(|entry| entry.name == name);
+            known.map(|entry| entry.column).ok_or_else(|| {
+                let problem = format!("no column is called '{name}'; they are {}", all());
+                SceneError { key: "columns", problem }
+            })
+        };
+        Ok(ColumnSet::of(&names.iter().map(column).collect::<Result<Vec<Column>, _>>()?))
+    }
+
+    /// True where a column is among them.
+    pub fn has(self, column: Column) -> bool {
+        self.0 >> column as u32 & 1 == 1
+    }
+
+    /// True where all columns are.
+    pub fn is_all(&self) -> bool {
+        *self == ColumnSet::ALL
+    }
+
+    /// What is known of them, in the table's order.
+    pub fn entries(self) -> impl Iterator<Item = &'static Entry> {
+        TABLE.iter().filter(move |entry| self.has(entry.column))
+    }
+
+    /// They, in the table's order.
+    pub fn columns(self) -> impl Iterator<Item = Column> {
+        self.entries().map(|entry| entry.column)
+    }
+
+    /// Those of map.csv: the time simulated only where it was asked for by its name.
+    pub fn of_table(self) -> impl Iterator<Item = &'static Entry> {
+        self.entries().filter(move |entry| !self.is_all() || entry.column != Column::TSimulated)
+    }
+
+    /// Those that are on disk while a sweep runs, and in its map.zarr.
+    pub fn held(self) -> ColumnSet {
+        let forces = if self.asked().forces { ColumnSet::FORCES.0 } else { 0 };
+        ColumnSet(self.0 | ColumnSet::HELD.0 | forces)
+    }
+
+    /// The largest and least values that they are made of.
+    pub fn asked(self) -> Asked {
+        let any = |columns: &[Column]| columns.iter().any(|column| self.has(*column));
+        Asked {
+            angles: any(&[Column::Zeta, Column::MaxPhiLeft, Column::MaxPhiRight]),
+            displacements: any(&[Column::MaxU, Column::MaxV, Column::StrokeV]),
+            forces: any(&[Column::MinContact, Column::Friction]),
+        }
+    }
+}
+
+/// From their names, separated by commas.
+impl FromStr for ColumnSet {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<ColumnSet, String> {
+        let names: Vec<&str> = text.split(',').filter(|name| !name.trim().is_empty()).collect();
+        ColumnSet::of_names(&names).map_err(|error| error.problem)
+    }
+}
+
+/// Their names, separated by commas.
+impl fmt::Display for ColumnSet {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.entries().map(|entry| entry.name).collect::<Vec<_>>().join(","))
+    }
+}
+
+/// A list of names.
+impl Serialize for ColumnSet {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.entries().map(|entry| entry.name))
+    }
+}
+
+impl<'de> Deserialize<'de> for ColumnSet {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<ColumnSet, D::Error> {
+        let names = Vec::<String>::deserialize(deserializer)?;
+        ColumnSet::of_names(&names).map_err(|error| D::Error::custom(error.problem))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_asked_for_by_their_names() {
+        let some = ColumnSet::of_names(&["zeta", " outcome"]).unwrap();
+        assert_eq!(some.columns().collect::<Vec<_>>(), [Column::Outcome, Column::Zeta]);
+        assert_eq!(some.to_string(), "outcome,zeta");
+        let text = serde_json::to_string(&some).unwrap();
+        assert_eq!(serde_json::from_str::<ColumnSet>(&text).unwrap(), some);
+        let problem = |names: &[&str]| ColumnSet::of_names(names).unwrap_err().problem;
+        assert!(
+            problem(&["zeta", "max_w"])
+                .starts_with("no column is called 'max_w'; they are outcome, ")
+        );
+        assert!(problem(&[]).starts_with("names none"));
+    }
+
+    /// Every number of an outcome that is looked for belongs to a group, and each group is asked for by its columns alone.
+    #[test]
+    fn what_is_looked_for_follows_from_the_columns() {
+        assert_eq!(ColumnSet::ALL.asked(), Asked::ALL);
+        let of = |names: &str| {
+            let set = ColumnSet::of_names(&names.split(',').collect::<Vec<_>>()).unwrap();
+            let Asked { angles, displacements, forces } = set.asked();
+            [angles, displacements, forces]
+        };
+        for names in ["zeta", "max_phi_left", "max_phi_right"] {
+            assert_eq!(of(names), [true, false, false]);
+        }
+        for names in ["max_u", "max_v", "stroke_v"] {
+            assert_eq!(of(names), [false, true, false]);
+        }
+        for names in ["min_contact", "friction_demand"] {
+            assert_eq!(of(names), [false, false, true]);
+        }
+        let others = "outcome,impacts,uplifts,t_end,t_uplift,status,t_simulated";
+        assert_eq!(of(others), [false; 3]);
+        assert_eq!(TABLE.len(), 8 + others.split(',').count());
+    }
+
+    #[test]
+    fn the_time_simulated_is_in_a_table_where_it_is_asked_for() {
+        let has = |set: ColumnSet| set.of_table().any(|entry| entry.column == Column::TSimulated);
+        assert!(!has(ColumnSet::ALL));
+        assert!(has(ColumnSet::of(&[Column::TSimulated])));
+    }
+}
