@@ -37,6 +37,7 @@ fn make(place: Place) -> bool {
     model.height = numbers[lever];
     model.left.arm = numbers[lever + 1u];
     model.right.arm = numbers[lever + 2u];
+    model.least_arm = min(model.left.arm, model.right.arm);
     let cell = Cell(
         numbers[h],
         numbers[h + 1u],

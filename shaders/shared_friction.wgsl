@@ -1,14 +1,14 @@
 // The friction that full contact asks for, of the motions that cells share.
 // Twin: src/cells/contact/shared_friction.rs.
 
-// The friction asked for at the samples before one. A motion grows until the block lifts: from the last
-// sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
-fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32) -> real {
+// The friction asked for at the samples before one, where some is known to be. A motion grows until the block lifts: from
+// the last sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
+fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32, known: real) -> real {
     let x = h + ACCELERATION * tile.across.more;
     let y = v + ACCELERATION * tile.up.more;
     let magnitude_so_far = h + MAGNITUDE_SO_FAR * tile.across.more;
     let least_so_far = v + LEAST_SO_FAR * tile.up.more;
-    var friction: real = 0.0;
+    var friction = known;
     for (var before = sample; before > 0u; before--) {
         let limit = size * motions[magnitude_so_far + before - 1u];
         if friction * motions[least_so_far + min(before, last_v)] >= limit {

@@ -2,6 +2,7 @@
 
 use bytemuck::Zeroable;
 
+use super::certificate::STEPS_A_TRY;
 use super::extremes::Extremes;
 use super::forcing::Forcing;
 use super::log::Listener;
@@ -415,7 +416,9 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     pub(super) fn begin_segment(&mut self, lane: usize, step: u32, follows: bool) {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
         let first = self.forcing.begin(lane, &set, step, follows);
-        self.steps_since_check.put(lane, V::Element::of(0.0));
+        // A cell that shares its full contact may begin between two tries.
+        let since_check = step.saturating_sub(set.cell.steps_forced) % STEPS_A_TRY;
+        self.steps_since_check.put(lane, V::Element::of(f64::from(since_check)));
         let lane = &mut self.lanes[lane];
         lane.next_sample = first / lane.job.cell.substeps.max(1) + 1;
         lane.first_step = first;

@@ -4,7 +4,7 @@
 use fearless_simd::Level;
 
 use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionSet, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SampledMotion};
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Lanes, Shared, each};
 use crate::work::vectors::vectorized;
@@ -47,7 +47,7 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
         lanes.leave_off(ended);
     }
     let ends = sampled.into_iter().zip(starts);
-    ends.map(|(sampled, start)| sampled.filled(samples(&start.cell)).finish(false)).collect()
+    ends.map(|(sampled, start)| sampled.filled(start.samples()).finish(false)).collect()
 }
 
 /// X or Y where each lane is.

@@ -7,7 +7,8 @@
 //! and the periods, and u is proportional to A_h where u_y is (21): a map of N frequencies has N motions,
 //! and v is at rest where A_v = 0. They are integrated through the excitation; a cell compares its two
 //! and begins its own integration at the first gap between samples (of a pulse, the first step) in which
-//! it may lift. A cell that cannot lift under the excitation is done at its end, or goes on from there.
+//! it may lift. After a pulse they go on for a while: there a cell that lifts no more is final, and is done without an
+//! integration of its own.
 
 use fearless_simd::Level;
 use rayon::prelude::*;
@@ -18,13 +19,16 @@ use super::kept_motions::{Kept, horizontal, vertical};
 use super::motions::{HORIZONTAL_FIELDS, MotionPair, Motions, VERTICAL_FIELDS};
 use super::motions_with_forces;
 use super::shared_motion::{Direction, MotionSet, SampledMotion, Start};
+use crate::cells::laws::Laws;
 use crate::cells::listing::{Entries, Index, occurring};
 use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
 use crate::model::excitation::Ground;
+use crate::model::isolation::Variant;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 use crate::scene::{Excitation, Grid, Parameter};
+use crate::stepping::certificate::STEPS_A_TRY;
 use crate::work::observer::Observer;
 use crate::work::vectors::lanes_of;
 
@@ -44,14 +48,29 @@ pub struct FullContactMotions<R> {
     pub(crate) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
     pub(crate) still: bool,
-    /// Forces inside gaps are known.
-    pub(crate) forces: bool,
+    /// The variant of the model that the cells have.
+    variant: Variant,
+    /// Steps after the excitation.
+    after: u32,
     /// The vector instructions of this machine.
     pub(crate) level: Level,
 }
 
-/// True where the motions of these combinations fit in memory. Those of a pulse are looked at until they do not.
-fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
+/// Steps after a pulse for which motions go on, at the most: some periods of the base, in which it moves farther than
+/// before or does not any more. Of 400 x 400 cells ALL0 of the ALL1 that never lift are final by then.
+const AFTER_PULSE: u32 = 20 * STEPS_A_TRY;
+
+/// Steps after the excitation for which motions go on. There energy proves cells final; where the ground moves the block
+/// itself its force may jump at the end of the excitation, and no gap begins with what the one before ends with.
+fn steps_after(plan: &Plan, still: bool) -> u32 {
+    let Laws { moves: [h, v], .. } = plan.laws;
+    let pulse = plan.scene.excitation.record().is_none();
+    if pulse && plan.shortcuts.certificate && h && (v || still) { AFTER_PULSE } else { 0 }
+}
+
+/// True where the motions of these combinations, with so many steps after the excitation, fit in memory. Those of a pulse
+/// are looked at until they do not.
+fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> bool {
     let mut left = MOST_MEMORY / size_of::<R>();
     all.iter().zip([HORIZONTAL_FIELDS, VERTICAL_FIELDS]).all(|(all, fields)| {
         let most = left / fields;
@@ -62,8 +81,9 @@ fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
             Excitation::Pulse(_) => {
                 let mut samples = 0;
                 for number in 0..all.count() {
-                    samples +=
-                        plan.clock(&grid.case_at(&all.place(number))).steps_forced as usize + 1;
+                    let clock = plan.clock(&grid.case_at(&all.place(number)));
+                    let after = after.min(clock.steps - clock.steps_forced);
+                    samples += (clock.steps_forced + after) as usize + 1;
                     if samples > most {
                         break;
                     }
@@ -122,10 +142,16 @@ impl<R: Real> FullContactMotions<R> {
         let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
         let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
         let pays = grid.len() > motions && amplitude != Some(0.0);
-        let share = || plan.shortcuts.full_contact && !grid.tilts() && fit::<R>(plan, grid, &all);
-        if known.is_none() && !(pays && share()) {
-            return None;
-        }
+        let shares = plan.shortcuts.full_contact && !grid.tilts() && pays;
+        let fitting = || {
+            let mut most = [steps_after(plan, of.still), 0].into_iter();
+            most.find(|after| fit::<R>(plan, grid, &all, *after))
+        };
+        let after = match known {
+            Some(known) => known.after,
+            None if shares => fitting()?,
+            None => return None,
+        };
         let known = known.map(|known| [&known.across, &known.up]);
         let wanted =
             wanted((grid, cells), all, known.map(|known| known.map(|motions| &motions.entries)));
@@ -134,7 +160,8 @@ impl<R: Real> FullContactMotions<R> {
         let level = Level::new();
         let sampled = |direction: Direction, places: &[Place]| {
             let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
-            let variant = alone.variant();
+            // Of a cell energy proves more than of a motion in one direction.
+            let variant = Variant { certificate: false, ..alone.variant() };
             // Under a pulse the steps are those of the cells.
             let clock = if recorded { alone } else { plan };
             let start = |place: &Place| {
@@ -142,7 +169,7 @@ impl<R: Real> FullContactMotions<R> {
                     Some(amplitude) => grid.case_with(place, Parameter::AH, amplitude),
                     None => grid.case_at(place),
                 };
-                Start::of(clock, &case, direction)
+                Start::of(clock, &case, direction, after)
             };
             let some = |places: &[Place]| {
                 let starts: Vec<Start<R>> = places.iter().map(start).collect();
@@ -169,7 +196,8 @@ impl<R: Real> FullContactMotions<R> {
         let (along_x, along_y) = (along_x?, along_y?);
         let (up, across) =
             rayon::join(|| vertical(&up, &along_y), || horizontal(&across, &along_x));
-        Some(FullContactMotions { across, up, still: of.still, forces: plan.asked.forces, level })
+        let (still, variant) = (of.still, plan.variant());
+        Some(FullContactMotions { across, up, still, variant, after, level })
     }
 
     /// Where the cells of a list find the motions of u and of v.
@@ -185,7 +213,7 @@ impl<R: Real> FullContactMotions<R> {
     /// Motions of u and of v, by their numbers.
     #[inline(always)]
     pub(crate) fn pair(&self, [across, up]: [usize; 2]) -> MotionPair<'_, R> {
-        let FullContactMotions { still, forces, level, .. } = *self;
-        MotionPair { across: self.across.at(across), up: self.up.at(up), still, forces, level }
+        let FullContactMotions { still, variant, level, .. } = *self;
+        MotionPair { across: self.across.at(across), up: self.up.at(up), still, variant, level }
     }
 }

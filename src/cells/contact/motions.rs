@@ -5,6 +5,7 @@
 use fearless_simd::Level;
 
 use crate::cells::listing::Entries;
+use crate::model::isolation::Variant;
 use crate::model::real::Real;
 
 /// u or v at each sample, m.
@@ -138,8 +139,8 @@ pub struct MotionPair<'a, R> {
     pub up: MotionSlice<'a, R>,
     /// The base does not move vertically before the block lifts.
     pub still: bool,
-    /// Forces inside gaps are known.
-    pub forces: bool,
+    /// The variant of the model that its cells have.
+    pub variant: Variant,
     /// The vector instructions of this machine.
     pub level: Level,
 }

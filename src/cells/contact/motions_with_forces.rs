@@ -7,7 +7,7 @@ use fearless_simd::Level;
 
 use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
 use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionSet, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SampledMotion};
 use crate::model::dynamics::{Contact, Rates};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
@@ -115,7 +115,7 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
     let all = sampled.into_iter().zip(starts).enumerate();
     let finished = all.map(|(lane, (sampled, start))| {
         let allowed = direction.allowed(&sampled, start.model.gravity);
-        sampled.filled(samples(&start.cell)).finish(missed.lane(lane) > allowed)
+        sampled.filled(start.samples()).finish(missed.lane(lane) > allowed)
     });
     finished.collect()
 }
@@ -232,6 +232,7 @@ mod tests {
     use crate::cells::contact::shared_motion::{Sample, Start};
     use crate::cells::plan::Plan;
     use crate::model::excitation::Ground;
+    use crate::model::isolation::Variant;
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::work::vectors::lanes_of;
@@ -252,17 +253,21 @@ mod tests {
             Direction::Horizontal => plan.without_vertical(),
             Direction::Vertical => plan.without_horizontal(),
         };
-        let clock = if scene.excitation.record().is_some() { &alone } else { &plan };
+        let recorded = scene.excitation.record().is_some();
+        let (clock, after) = if recorded { (&alone, 0) } else { (&plan, 40) };
         let grid = Grid::of(scene);
         let cases = (0..grid.len().min(lanes_of::<R>(Level::new()))).map(|cell| grid.case(cell));
-        let starts: Vec<Start<R>> = cases.map(|case| Start::of(clock, &case, direction)).collect();
-        let (variant, record, level) = (alone.variant(), &record[..], Level::new());
+        let starts: Vec<Start<R>> =
+            cases.map(|case| Start::of(clock, &case, direction, after)).collect();
+        let variant = Variant { certificate: false, ..alone.variant() };
+        let (record, level) = (&record[..], Level::new());
         let of = |starts| sample(MotionSet { variant, direction, record, starts }, level);
         let together = of(&starts);
         assert_eq!(together.len(), starts.len());
         for (number, motion) in together.iter().enumerate() {
             let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
-            assert_eq!(motion.samples.len(), samples(&starts[number].cell));
+            assert_eq!(motion.samples.len(), starts[number].samples());
+            assert_eq!(starts[number].after, after);
             assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
             let beyond = R::of(1.0e30);
             assert!(

@@ -1,14 +1,14 @@
 //! What the makers of shared motions have in common: motions on the lanes of a vector, and what is kept of each gap
 //! between two samples.
 
-use super::shared_motion::{Direction, MotionSet, SLACK, Sample, SampledMotion, samples};
+use super::shared_motion::{Direction, MotionSet, SLACK, Sample, SampledMotion};
 use crate::model::excitation::Cell;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Job, Lanes};
 use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
-/// Puts each motion of a set on a lane, up to the end of the excitation; the motions, nothing in them, whose gaps are
+/// Puts each motion of a set on a lane; the motions, nothing in them, whose gaps are
 /// kept in so many parts.
 #[inline(always)]
 pub(crate) fn load<V: Vector, L: Listener<V>>(
@@ -18,8 +18,8 @@ pub(crate) fn load<V: Vector, L: Listener<V>>(
 ) -> Vec<SampledMotion<V::Element>> {
     let mut sampled = Vec::with_capacity(set.starts.len());
     for (number, start) in set.starts.iter().enumerate() {
-        sampled.push(SampledMotion::of(samples(&start.cell), parts));
-        let cell = Cell { body: number as u32, steps: start.cell.steps_forced, ..start.cell };
+        sampled.push(SampledMotion::of(start.samples(), parts));
+        let cell = Cell { body: number as u32, steps: start.steps(), ..start.cell };
         if start.state.status == RUNNING && cell.steps > 0 {
             lanes.load(number, Job { number, cell, state: start.state });
         }

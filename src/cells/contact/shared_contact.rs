@@ -6,12 +6,14 @@ use super::motions::{
     MINUS_LOWER_SO_FAR, MotionPair, TOP, UPPER, UPPER_SO_FAR, VELOCITY, Z,
 };
 use super::shared_friction::{at_samples, crests};
+use crate::model::CellEquations;
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
-use crate::stepping::state::{FINISHED, State};
+use crate::stepping::certificate::{STEPS_A_TRY, is_final};
+use crate::stepping::state::{FINISHED, PROVED, State};
 use crate::work::vectors::vectorized;
 
 /// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
@@ -23,8 +25,8 @@ fn lifts<N: Number>(arms: [N; 2], lever: N, upper: N, lower: N, lower_y: N) -> N
     one.max(other).gt(arms[0] * lower_y) | (-one).max(-other).gt(arms[1] * lower_y)
 }
 
-/// Takes a cell from its start to the first gap in which it may lift, or to the end of the
-/// excitation.
+/// Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end of the
+/// motions. It is tried as an integration of its own would try it.
 #[inline(always)]
 pub(crate) fn full_contact<R: Real>(
     motions: &MotionPair<R>,
@@ -33,30 +35,77 @@ pub(crate) fn full_contact<R: Real>(
     cell: &Cell<R>,
     state: &mut State<R>,
 ) {
-    let zero = R::of(0.0);
-    let (h, v) = (motions.across, motions.up);
+    let variant = motions.variant;
     // u is A_h times what it is for A_h = 1.
     let lever = model.height * scale;
-    let size = scale.abs();
     let arms = [model.left.arm, model.right.arm];
-    // A motion of v at rest is as long as it is asked for.
-    let last_v = v.length - 1;
     let first = first_beyond(motions, arms, lever);
     // A scan along rows of numbers, with the widest vectors that this machine has.
-    let (mut sample, mut friction, none) = (first, zero, zero);
-    vectorized!(motions.level, none => {
-        sample = first_lift(motions, arms, lever, first, none);
-        if motions.forces && !motions.still {
-            friction = at_samples(motions, size, sample, none);
-            friction = crests(motions, size, sample, friction, none);
+    let (mut sample, none) = (first, R::of(0.0));
+    vectorized!(motions.level, none => sample = first_lift(motions, arms, lever, first, none));
+    let mut friction = none;
+    // A motion that goes on after the excitation has a sample a step.
+    let mut tried = cell.steps_forced.saturating_add(STEPS_A_TRY);
+    while variant.certificate && tried as usize <= sample && tried < cell.steps {
+        let set = CellEquations { variant, model, cell, record: &[] };
+        move_to(motions, scale, tried as usize, state);
+        // As if the contact forces passed no extreme: they take longer to be known.
+        (state.friction, state.min_contact) = (R::of(MOST), R::of(-MOST));
+        if stays_final(&set, state) {
+            friction = friction_before(motions, scale.abs(), tried as usize, friction);
+            meet_forces(motions, model, tried as usize, friction, state);
+            if stays_final(&set, state) {
+                (state.step, state.status) = (tried, PROVED);
+                return;
+            }
         }
-    });
-    if motions.still && sample > 0 {
-        let y = v.field(ACCELERATION)[0];
-        let magnitude = h.field(MAGNITUDE_SO_FAR)[sample - 1];
-        friction = if y > zero { size * magnitude / y } else { zero };
+        tried += STEPS_A_TRY;
     }
-    let at = sample.min(last_v);
+    friction = friction_before(motions, scale.abs(), sample, friction);
+    move_to(motions, scale, sample, state);
+    meet_forces(motions, model, sample, friction, state);
+    // A sample is a step of the cell or more, of which there are fewer than 2^32.
+    state.step = sample as u32 * cell.substeps;
+    if state.step >= cell.steps {
+        state.status = FINISHED;
+    }
+}
+
+/// More than any contact force, m/s^2, and any friction; no number type loses it.
+const MOST: f64 = 1.0e30;
+
+/// True where a block in full contact that has not lifted stays so, and all that is asked for is final.
+#[inline(always)]
+fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
+    let (none, tried) = (set.model.height.mask(0), set.model.height.mask(1));
+    let (corner, extremes) = (&set.model.left, state.extremes());
+    R::any(is_final(set, corner, none, tried, none, &state.motion, &extremes))
+}
+
+/// The friction asked for before a sample, where some is known to be.
+#[inline(always)]
+fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, known: R) -> R {
+    let (mut friction, none) = (known, R::of(0.0));
+    if motions.still && sample > 0 {
+        let y = motions.up.field(ACCELERATION)[0];
+        let magnitude = motions.across.field(MAGNITUDE_SO_FAR)[sample - 1];
+        return if y > none { size * magnitude / y } else { none };
+    }
+    if motions.variant.asked.forces && !motions.still {
+        vectorized!(motions.level, none => {
+            friction = at_samples(motions, size, sample, known, none);
+            friction = crests(motions, size, sample, friction, none);
+        });
+    }
+    friction
+}
+
+/// The motion at a sample, and the largest displacements up to it.
+#[inline(always)]
+fn move_to<R: Real>(motions: &MotionPair<R>, scale: R, sample: usize, state: &mut State<R>) {
+    let (h, v, zero) = (motions.across, motions.up, R::of(0.0));
+    // A motion of v at rest is as long as it is asked for.
+    let at = sample.min(v.length - 1);
     let z = h.field(Z)[sample];
     state.motion = Motion {
         u: scale * h.field(DISPLACEMENT)[sample],
@@ -70,16 +119,21 @@ pub(crate) fn full_contact<R: Real>(
     state.max_u = scale.abs() * h.field(TOP)[sample];
     state.least_v = v.field(BOTTOM)[at];
     state.most_v = v.field(TOP)[at];
-    let least = v.field(LEAST_SO_FAR)[at];
-    if least < state.min_contact {
-        state.min_contact = least;
-    }
+}
+
+/// The contact forces up to a sample, of which the friction is known.
+#[inline(always)]
+fn meet_forces<R: Real>(
+    motions: &MotionPair<R>,
+    model: &Model<R>,
+    sample: usize,
+    friction: R,
+    state: &mut State<R>,
+) {
+    let v = motions.up;
+    let least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
+    state.min_contact = if least < model.gravity { least } else { model.gravity };
     state.friction = friction;
-    // A sample is a step of the cell or more, of which there are fewer than 2^32.
-    state.step = (sample as u32 * cell.substeps).min(cell.steps_forced);
-    if state.step >= cell.steps {
-        state.status = FINISHED;
-    }
 }
 
 /// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not fall and
@@ -184,7 +238,7 @@ mod tests {
             vectorized!(motions.level, none => {
                 let first = first_beyond(&motions, arms, lever);
                 let sample = first_lift(&motions, arms, lever, first, none);
-                let at_samples = at_samples(&motions, size, sample, none);
+                let at_samples = at_samples(&motions, size, sample, of(0.0), none);
                 found = (sample, at_samples, crests(&motions, size, sample, at_samples, none));
             });
             assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");

@@ -15,13 +15,14 @@ fn in_vectors<V: Vector>(sample: usize, last_v: usize) -> usize {
     if both < V::LANES { 0 } else { both }
 }
 
-/// The friction asked for at the samples before one. A motion grows until the block lifts: from the last sample
-/// backwards, until the largest |X| so far over the least Y so far exceeds no more.
+/// The friction asked for at the samples before one, where some is known to be. A motion grows until the block lifts: from
+/// the last sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
 #[inline(always)]
 pub(crate) fn at_samples<V: Vector>(
     motions: &MotionPair<V::Element>,
     size: V::Element,
     sample: usize,
+    known: V::Element,
     zero: V,
 ) -> V::Element {
     let (h, v) = (motions.across, motions.up);
@@ -32,7 +33,7 @@ pub(crate) fn at_samples<V: Vector>(
     // The largest in each lane.
     let mut frictions = zero;
     let mut before = in_vectors::<V>(sample, last_v);
-    let mut friction = V::Element::of(0.0);
+    let mut friction = known;
     for gap in before..sample {
         let y = y[v.gap(gap)];
         friction = friction.max(share(size, x[gap], y));

@@ -144,11 +144,13 @@ pub struct Start<R> {
     pub cell: Cell<R>,
     /// The state at rest.
     pub state: State<R>,
+    /// Steps after the excitation.
+    pub after: u32,
 }
 
 impl<R: Real> Start<R> {
-    /// That of a motion that a case has in one direction, in the steps of a plan.
-    pub fn of(plan: &Plan, case: &Case, direction: Direction) -> Start<R> {
+    /// That of a motion that a case has in one direction, in the steps of a plan, so many after the excitation at the most.
+    pub fn of(plan: &Plan, case: &Case, direction: Direction, after: u32) -> Start<R> {
         let mut model = plan.model::<R>(case);
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
         let (mut cell, state) = plan.cell::<R>(case);
@@ -156,7 +158,18 @@ impl<R: Real> Start<R> {
             // X by itself: over g it is the friction asked for where the ground does not move vertically.
             cell.amplitude_v = R::of(0.0);
         }
-        Start { model, cell, state }
+        let after = after.min(cell.steps - cell.steps_forced);
+        Start { model, cell, state, after }
+    }
+
+    /// Steps of the motion.
+    pub fn steps(&self) -> u32 {
+        self.cell.steps_forced + self.after
+    }
+
+    /// Its samples: the ends of its gaps.
+    pub fn samples(&self) -> usize {
+        (self.steps() / self.cell.substeps) as usize + 1
     }
 }
 
@@ -171,11 +184,6 @@ pub struct MotionSet<'a, R> {
     pub record: &'a [Ground<R>],
     /// Where each begins.
     pub starts: &'a [Start<R>],
-}
-
-/// Samples of a cell's motion in full contact: the ends of its gaps.
-pub fn samples<R>(cell: &Cell<R>) -> usize {
-    (cell.steps_forced / cell.substeps) as usize + 1
 }
 
 /// A bound beyond any acceleration, m/s^2.
