@@ -7,6 +7,7 @@ mod common;
 
 mod again;
 mod chart;
+mod columns;
 mod command;
 mod drivers;
 mod ending;
