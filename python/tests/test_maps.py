@@ -232,6 +232,31 @@ def test_repair():
     assert int((plain.outcome != found.outcome).sum()) == repaired["changed"]
 
 
+def test_columns_that_are_asked_for(command, tmp_path):
+    whole = topple.pulse(**PULSE, backend="cpu", verify=0)
+    command("pulse", *flags(PULSE), "--backend", "cpu", "--columns", "zeta,outcome", "--out", tmp_path)
+    for some in (
+        topple.pulse(**PULSE, backend="cpu", verify=0, columns=["outcome", "zeta"]),
+        topple.pulse(**PULSE, backend="cpu", verify=0, columns="outcome,zeta"),
+        topple.open(tmp_path / "map.npz"),
+    ):
+        assert list(some.data_vars) == ["outcome", "zeta"]
+        for name in some.data_vars:
+            assert np.array_equal(some[name], whole[name]), name
+        with pytest.raises(ValueError, match="^columns: colours tell impacts"):
+            some.topple.plot()
+    drawn = topple.pulse(**PULSE, backend="cpu", verify=0, columns="outcome,impacts,uplifts")
+    texts = [text.get_text() for text in drawn.topple.plot().get_legend().get_texts()]
+    assert any("not asked for" in text.replace("\n", " ") for text in texts)
+    stored = topple.pulse(**PULSE, backend="cpu", verify=0, columns="max_u", out=tmp_path / "lazy")
+    assert "max_u" in stored and "max_v" not in stored
+    for wrong, told in [("max_w", "^columns: no column is called 'max_w'"), ([], "^columns: names none")]:
+        with pytest.raises(ValueError, match=told):
+            topple.pulse(**PULSE, columns=wrong)
+    with pytest.raises(ValueError, match="^columns: probabilities have none"):
+        topple.pulse(**PULSE, columns="outcome", pixel=True)
+
+
 def test_history(command, tmp_path):
     cell = {"object": 1, "eccentricity": 0.2, "t_h": 1.75, "t_v": 0.75, "omega": 9, "a_h": 8.4}
     command("history", *flags(cell), "--out", tmp_path)

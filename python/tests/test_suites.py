@@ -251,6 +251,8 @@ def test_what_a_suite_refuses(records):
     for call in (topple.envelope, topple.fragility):
         with pytest.raises(ValueError, match="^repair: sweeps under a suite are not repaired"):
             call(records / "list.csv", **SCENE, repair=True)
+        with pytest.raises(ValueError, match="^columns: they are those of maps"):
+            call(records / "list.csv", **SCENE, columns="outcome")
         for key in ("limit_u", "limit_v"):
             for value in (True, np.ma.masked, "wide"):
                 with pytest.raises(ValueError, match=f"^{key}: "):

@@ -143,6 +143,8 @@ class Settings(TypedDict, total=False):
     full_model: bool
     # run the cells beside a boundary again in f64 with half the step; replace those that change
     repair: bool
+    # columns of the map, by their names: a cell runs no longer than these need; by default all
+    columns: str | Sequence[str]
     # cells that the reference runs again; 0 for none; by default as many as 30 s allow, 128 at most
     verify: int
     # directory: the map is written there as map.zarr, and opened lazily

@@ -2,17 +2,20 @@
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+use topple::backend::cpu;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::run::Sweeper;
 use topple::backend::gpu::shader::{self, Switches};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
+use topple::cells::shortcuts::Shortcuts;
 use topple::model::excitation::Cell;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
 use topple::scene::{Grid, Overturn, Parameter, Range, Scene};
-use topple::stepping::state::{RUNNING, State};
+use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::state::{PROVED, RUNNING, State};
 use topple::work::observer::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
@@ -246,5 +249,70 @@ fn a_mistake_in_making_cells_shows() {
             words(&made.cells[index]) == words(&cell) && words(&made.states[index]) == words(&state)
         });
         assert!(!same, "'{wrong}' passes for right");
+    }
+}
+
+/// Shared motions go on after a pulse: nearly every cell that never lifts is done as it begins, at the step at which its own
+/// integration would be, with the same results.
+#[test]
+fn a_cell_that_does_not_lift_is_done_with_its_motions() {
+    let pulse = |base: &str, a_v: f64| {
+        scene(&format!(
+            "[block]\nobject = 1\neccentricity = 0.2\n[base]\n{base}\n\
+             [pulse]\nomega = \"0.2:15:40\"\na_h = \"0.1:15:40\"\na_v = {a_v}\n"
+        ))
+    };
+    for (base, a_v, goes_on) in [
+        ("t_h = 1.75\nt_v = 0.75", 0.0, true),
+        ("t_h = 1.75\nt_v = 0.75", 0.5, true),
+        ("t_h = 1.75\nt_v = 0.75\npsi = 1", 2.0, true),
+        ("isolation = \"horizontal\"\nt_h = 1.75", 0.0, true),
+        // Of these the force may jump where the pulse ends.
+        ("isolation = \"horizontal\"\nt_h = 1.75", 0.5, false),
+        ("isolation = \"vertical\"\nt_v = 0.75", 0.5, false),
+    ] {
+        let scene = pulse(base, a_v);
+        let (grid, plan) = (Grid::of(&scene), Plan::new(&scene, DEFAULT_STEP).unwrap());
+        let mut without = plan.clone();
+        without.shortcuts.full_contact = false;
+        let cells = all(&grid);
+        let alone = cpu::sweep(Precision::F64, &without, &grid, &cells, &Unwatched);
+        let made = Cells::<f64>::of(&plan, &grid, &cells, &plan.record(), &Unwatched);
+        let (mut never_lift, mut done) = (0, 0);
+        for (cell, alone) in alone.iter().enumerate() {
+            let (_, state) = made.begin(cell);
+            never_lift += usize::from(alone.class == Class::FullContact);
+            if state.status != PROVED {
+                continue;
+            }
+            done += 1;
+            let own = made.outcome(cell, &state);
+            let counts = |cell: &Outcome| (cell.class, cell.status, cell.t_simulated, cell.t_end);
+            assert_eq!(counts(&own), counts(alone), "{base}, A_v = {a_v}, cell {cell}");
+            // An integration of its own cuts steps at kinks of the Bouc-Wen law, which moves v by its error.
+            for (one, other) in [
+                (own.max_u, alone.max_u),
+                (own.max_v, alone.max_v),
+                (own.stroke_v, alone.stroke_v),
+                (own.min_contact, alone.min_contact),
+            ] {
+                assert!((one - other).abs() <= 1e-6, "{base}, A_v = {a_v}: {own:?} {alone:?}");
+            }
+            let friction = (own.friction - alone.friction).abs();
+            // What a gap may exceed the largest share by without being looked into.
+            assert!(friction <= 1e-3 * alone.friction, "{base}, A_v = {a_v}: {own:?} {alone:?}");
+        }
+        say(&format!(
+            "{base}, A_v = {a_v}: {done} of {never_lift} that never lift".replace('\n', ", ")
+        ));
+        match goes_on {
+            true => {
+                assert!(never_lift > 300 && 10 * done >= 9 * never_lift, "{done} of {never_lift}")
+            }
+            false => assert_eq!(done, 0),
+        }
+        without.shortcuts = Shortcuts { certificate: false, ..plan.shortcuts };
+        let made = Cells::<f64>::of(&without, &grid, &cells, &plan.record(), &Unwatched);
+        assert!(cells.iter().all(|cell| made.begin(*cell).1.status != PROVED), "{base}");
     }
 }
