@@ -236,7 +236,9 @@ fn a_mistake_in_making_cells_shows() {
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),
-        ("motions[h + VELOCITY * all_h + sample]", "motions[h + VELOCITY * all_h + sample + 1u]"),
+        ("motions[h + VELOCITY * all_h]", "motions[h + VELOCITY * all_h + 1u]"),
+        ("tried += STEPS_A_TRY;", "tried += 2u * STEPS_A_TRY;"),
+        ("(*state).min_contact = -most;", "(*state).min_contact = most;"),
         ("max(-one, -other) > model.right.arm", "max(one, other) > model.right.arm"),
         ("block / tile.blocks * BLOCK_HEIGHT", "block / tile.blocks * BLOCK_WIDTH"),
     ] {
@@ -302,12 +304,11 @@ fn a_cell_that_does_not_lift_is_done_with_its_motions() {
             // What a gap may exceed the largest share by without being looked into.
             assert!(friction <= 1e-3 * alone.friction, "{base}, A_v = {a_v}: {own:?} {alone:?}");
         }
-        say(&format!(
-            "{base}, A_v = {a_v}: {done} of {never_lift} that never lift".replace('\n', ", ")
-        ));
+        let name = base.replace('\n', ", ");
+        say(&format!("{name}, A_v = {a_v}: {done} of {never_lift} that never lift"));
         match goes_on {
             true => {
-                assert!(never_lift > 300 && 10 * done >= 9 * never_lift, "{done} of {never_lift}")
+                assert!(never_lift > 100 && 10 * done >= 9 * never_lift, "{done} of {never_lift}")
             }
             false => assert_eq!(done, 0),
         }
