@@ -242,7 +242,8 @@ def test_columns_that_are_asked_for(command, tmp_path):
     ):
         assert list(some.data_vars) == ["outcome", "zeta"]
         for name in some.data_vars:
-            assert np.array_equal(some[name], whole[name]), name
+            # But for rounding: without contact forces motions in full contact are made in another order.
+            assert np.allclose(some[name], whole[name], rtol=1e-4, atol=0.0), name
         with pytest.raises(ValueError, match="^columns: colours tell impacts"):
             some.topple.plot()
     drawn = topple.pulse(**PULSE, backend="cpu", verify=0, columns="outcome,impacts,uplifts")

@@ -7,8 +7,17 @@ use topple_studies::uncertain::{Uncertainty, Varied};
 use super::numbers::seed;
 
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
-const NOT_BESIDE: [&str; 8] =
-    ["resume", "keep_every", "tile", "files", "repair", "refine", "sharpness", "dry_run"];
+const NOT_BESIDE: [&str; 9] = [
+    "resume",
+    "keep_every",
+    "tile",
+    "files",
+    "columns",
+    "repair",
+    "refine",
+    "sharpness",
+    "dry_run",
+];
 /// Sweeps where no count is given.
 const SAMPLES: u32 = 64;
 

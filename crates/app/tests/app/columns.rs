@@ -32,6 +32,20 @@ fn column(out: &Path, name: &str) -> Vec<String> {
     table.records().map(|row| row.unwrap()[place].to_string()).collect()
 }
 
+/// Holds a column of two maps to each other, but for rounding: without contact forces motions in full contact are made in
+/// another order.
+fn same(one: &Path, other: &Path, name: &str) {
+    let [one, other] = [one, other].map(|out| column(out, name));
+    assert_eq!(one.len(), other.len());
+    for (one, other) in one.iter().zip(&other) {
+        let numbers = [one, other].map(|text| text.parse::<f64>());
+        match numbers {
+            [Ok(a), Ok(b)] => assert!((a - b).abs() <= 1e-4 * a.abs().max(b), "{name}: {a} {b}"),
+            _ => assert_eq!(one, other, "{name}"),
+        }
+    }
+}
+
 fn header(out: &Path) -> String {
     let table = fs::read_to_string(out.join("map.csv")).unwrap();
     table.lines().next().unwrap().to_string()
@@ -54,7 +68,7 @@ fn files_have_the_columns_that_are_asked_for_and_no_others() {
     assert!(picture.contains("not asked for"), "the legend says it");
     assert_eq!(header(some.path()), "omega,a_h,outcome,zeta");
     for name in ["outcome", "zeta"] {
-        assert_eq!(column(some.path(), name), column(whole.path(), name), "{name}");
+        same(some.path(), whole.path(), name);
     }
     let about: serde_json::Value =
         serde_json::from_str(&npz::about(&some.path().join("map.npz")).unwrap()).unwrap();
@@ -75,7 +89,7 @@ fn files_have_the_columns_that_are_asked_for_and_no_others() {
     run(&format!("{line} --columns t_simulated,max_u"), again.path());
     assert_eq!(header(again.path()), "omega,a_h,max_u,t_simulated");
     assert!(manifest(again.path())["verification"]["worst_zeta"].is_null());
-    assert_eq!(column(again.path(), "max_u"), column(whole.path(), "max_u"));
+    same(again.path(), whole.path(), "max_u");
 }
 
 #[test]
@@ -114,7 +128,7 @@ fn interrupted_runs_and_shards_have_the_columns_that_were_asked_for() {
     assert_eq!(header(joined.path()), "omega,a_h,max_u");
     let whole = TempDir::new().unwrap();
     run(PULSE, whole.path());
-    assert_eq!(column(joined.path(), "max_u"), column(whole.path(), "max_u"));
+    same(joined.path(), whole.path(), "max_u");
     let other = shards.replace("max_u", "max_v");
     let again = format!("{other} 1/2 --resume --out {}", out.path().display());
     let told = refused(&again.split_whitespace().collect::<Vec<&str>>());
