@@ -5,7 +5,8 @@ use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
 
 /// What a body depends on: the numbers of a scene's block, and the restitution.
 pub fn body_parameters() -> Vec<Parameter> {
-    Parameter::of_section(Section::Block).chain([Parameter::Restitution]).collect()
+    let impact = [Parameter::Restitution, Parameter::RestitutionFactor];
+    Parameter::of_section(Section::Block).chain(impact).collect()
 }
 
 /// A block on its base.
@@ -19,6 +20,8 @@ pub struct Body {
     pub mu_v: f64,
     /// eta_phi in place of the law of impact.
     pub restitution: Option<f64>,
+    /// r, times the eta_phi of the law.
+    pub restitution_factor: f64,
     /// When the block counts as overturned.
     pub overturn: Overturn,
 }
@@ -26,14 +29,13 @@ pub struct Body {
 impl Body {
     /// That of a cell.
     pub fn of(case: &Case) -> Body {
-        let (block, base) = (case.block, &case.isolation);
-        let mass_v = block.mass + base.plate_v;
-        let mass_h = mass_v + base.plate_h;
+        let [mu_h, mu_v] = case.isolation.shares(&case.block);
         Body {
-            block,
-            mu_h: if base.horizontal.is_some() { block.mass / mass_h } else { 0.0 },
-            mu_v: if base.vertical.is_some() { block.mass / mass_v } else { 0.0 },
+            block: case.block,
+            mu_h,
+            mu_v,
             restitution: case.restitution,
+            restitution_factor: case.restitution_factor,
             overturn: case.overturn,
         }
     }

@@ -26,7 +26,8 @@ impl Body {
         block.inertia / block.mass + (1.0 - self.mu_h) * block.height * block.height
     }
 
-    /// The most by which impacts to come can raise the energy. By (15) none does. A coefficient of
+    /// The most by which impacts to come can raise the energy. By (15) none does, nor with a factor up to
+    /// [the largest](crate::scene::Case::most_restitution_factor). A coefficient of
     /// restitution E in place of the law makes it E^2 I_l/I_r of itself on the way from the right
     /// corner to the left, and E^2 I_r/I_l on the way back: never more than the larger of the two,
     /// for E <= 1.

@@ -16,14 +16,16 @@ impl Body {
         let (kappa_h, kappa_v) = (1.0 - self.mu_h, 1.0 - self.mu_v);
         let d = self.impact_inertia(b);
         let by_law = (rho2 + h * h * kappa_h - b * c * kappa_v) / d;
+        // The factor's share of the rotation that goes on; of the law itself nothing.
+        let (factor, less) = (self.restitution_factor, (1.0 - self.restitution_factor) * by_law);
         Corner {
             side: R::of(side),
             arm: R::of(b),
             inertia: R::of(rho2 + b * b + h * h),
             overturn: R::of(block.overturning_angle(side, self.overturn)),
-            eta_phi: R::of(self.restitution.unwrap_or(by_law)),
-            eta_u: R::of(width * b * h * self.mu_h * kappa_v / d),
-            eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d),
+            eta_phi: R::of(self.restitution.unwrap_or(factor * by_law)),
+            eta_u: R::of(width * b * h * self.mu_h * kappa_v / d + self.mu_h * h * less),
+            eta_v: R::of(width * self.mu_v * (h * h * kappa_h + rho2) / d - self.mu_v * b * less),
             padding: R::of(0.0),
         }
     }

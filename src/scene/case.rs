@@ -86,13 +86,15 @@ pub struct Case {
     pub friction: Option<f64>,
     /// eta_phi given in place of the law of impact (no isolation only).
     pub restitution: Option<f64>,
+    /// r, times the eta_phi of the law of impact.
+    pub restitution_factor: f64,
 }
 
 /// What the ground's horizontal peak, [`Shaking::peak_h`], depends on.
 pub const PEAK: [Parameter; 3] = [Parameter::AH, Parameter::Scale, Parameter::Pga];
 
 /// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
-const ROUNDING: f64 = 1.0e-12;
+pub(super) const ROUNDING: f64 = 1.0e-12;
 
 impl Shaking {
     /// PGA_h of (21), m/s^2: |A_h| for a pulse.
@@ -181,6 +183,7 @@ impl Choices {
             overturn: self.overturn,
             friction: point.get(Parameter::Friction),
             restitution: point.get(Parameter::Restitution),
+            restitution_factor: point.get(Parameter::RestitutionFactor).unwrap_or(1.0),
         }
     }
 }
@@ -189,6 +192,18 @@ impl Case {
     /// g/omega_v^2, by which the base hangs below its unloaded spring, m; zero where it is locked.
     pub fn deflection(&self) -> f64 {
         self.isolation.vertical.map_or(0.0, |law| law.deflection())
+    }
+
+    /// The largest r: with it an impact keeps the energy. By (15a) and (15b) the energy over M of a rotation phi' about a
+    /// corner whose arm is x is D_x phi'^2/2 more than that of the same momenta at rest, D_x = rho^2 + kappa_h H^2 +
+    /// kappa_v x^2; an impact takes D_c phi'^2/2 and gives (r eta_phi)^2 D_b phi'^2/2, with eta_phi D_b = rho^2 +
+    /// kappa_h H^2 - kappa_v b c of (17c). The same for both corners; infinite where the law leaves no rebound.
+    pub fn most_restitution_factor(&self) -> f64 {
+        let (block, [mu_h, mu_v]) = (&self.block, self.isolation.shares(&self.block));
+        let across = block.inertia / block.mass + (1.0 - mu_h) * block.height * block.height;
+        let (b, c) = (block.arm(1.0), block.arm(-1.0));
+        let about = |arm: f64| across + (1.0 - mu_v) * arm * arm;
+        (about(b) * about(c)).sqrt() / (across - (1.0 - mu_v) * b * c).max(0.0)
     }
 
     /// |phi| at which the block counts as overturned about a corner, +1 the left, -1 the right, rad.

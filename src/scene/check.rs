@@ -1,6 +1,7 @@
 //! Whether a scene's numbers make sense: each by itself, and together.
 
 use super::applies::Choice;
+use super::case::ROUNDING;
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
@@ -128,6 +129,12 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
         if !(e.abs() < b) {
             let problem = format!("{e} m lies outside the base, whose half is {b} m");
             return Err(SceneError::new("offset", problem));
+        }
+        let (factor, most) = (case.restitution_factor, case.most_restitution_factor());
+        if factor > most * (1.0 + ROUNDING) {
+            let problem =
+                format!("{factor} must be at most {most:.6}: beyond, impacts raise the energy");
+            return Err(SceneError::new("restitution_factor", problem));
         }
         let most = case.overturning_angle(case.tilt.signum());
         if !(case.tilt.abs() < most) {

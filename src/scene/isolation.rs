@@ -68,6 +68,16 @@ impl KelvinVoigt {
 }
 
 impl Isolation {
+    /// mu_h = M/(M + m_h + m_v) and mu_v = M/(M + m_v); zero where the direction is locked.
+    pub fn shares(&self, block: &Block) -> [f64; 2] {
+        let mass_v = block.mass + self.plate_v;
+        let share = |moves: bool, mass: f64| if moves { block.mass / mass } else { 0.0 };
+        [
+            share(self.horizontal.is_some(), mass_v + self.plate_h),
+            share(self.vertical.is_some(), mass_v),
+        ]
+    }
+
     /// The base of these numbers under a block, for the ground's horizontal peak, m/s^2.
     pub(super) fn of(directions: Directions, point: &Point, block: &Block, peak: f64) -> Isolation {
         let of = |parameter| point.get(parameter).unwrap_or(0.0);

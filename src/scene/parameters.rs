@@ -75,6 +75,8 @@ pub enum Parameter {
     Friction,
     /// Restitution.
     Restitution,
+    /// Times the law's restitution.
+    RestitutionFactor,
 }
 
 /// What a number belongs to: a table of a scene file, a heading of the help.
@@ -407,15 +409,22 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
     entry(P::Restitution, ("restitution", "η_φ", ""), Run, AboveUpTo(0.0, 1.0),
         "angular velocity after an impact over the one before, in place of the law; only without isolation",
         "the law's", "(17c)").moving(&[Directions::None]),
+    entry(P::RestitutionFactor, ("restitution_factor", "r", ""), Run, NotNegative,
+        "times the law's angular velocity after an impact, linear momenta kept; up to where impacts would raise the energy",
+        "1", "(15a), (15b), (17c)"),
 ];
 
 /// Parameters that say the same: a scene has one of each row at most.
-pub const ALTERNATIVES: [&[Parameter]; 3] =
-    [&[P::Eccentricity, P::Offset], &[P::AlphaY, P::UY, P::YieldForce], &[P::Scale, P::Pga]];
+pub const ALTERNATIVES: [&[Parameter]; 4] = [
+    &[P::Eccentricity, P::Offset],
+    &[P::AlphaY, P::UY, P::YieldForce],
+    &[P::Scale, P::Pga],
+    &[P::Restitution, P::RestitutionFactor],
+];
 
 impl Parameter {
     /// How many there are.
-    pub const COUNT: usize = Parameter::Restitution as usize + 1;
+    pub const COUNT: usize = Parameter::RestitutionFactor as usize + 1;
 
     /// What is known of it.
     pub fn entry(self) -> &'static Entry {

@@ -273,3 +273,46 @@ fn a_jump_at_the_start() {
         }
     }
 }
+
+/// Impacts that lose more or hardly less than the law's: maps of the sweep have the reference's outcomes, and what is proved
+/// stays so.
+#[test]
+fn a_restitution_factor() {
+    let mut proved = 0;
+    for (isolation, base, r) in [
+        ("dual", "t_h = 1.75\nt_v = 0.75", 0.8),
+        ("dual", "t_h = 1.75\nt_v = 0.75", 1.002),
+        ("none", "", 0.9),
+        ("vertical", "t_v = 0.75", 0.95),
+    ] {
+        let scene = scene(&format!(
+            "[block]\nobject = 1\neccentricity = 0.2\n[base]\nisolation = \"{isolation}\"\n{base}\n\
+             [pulse]\nomega = \"2:9:7\"\na_h = \"1:9:8\"\n[run]\nrestitution_factor = {r}\n"
+        ));
+        let sweeps = swept(&scene);
+        let grid = Grid::of(&scene);
+        for cell in all(&grid) {
+            let mut one = scene.clone();
+            for (axis, value) in grid.axes().iter().zip(grid.coordinates(cell)) {
+                one.set(axis.parameter, value);
+            }
+            let right = judge(&one);
+            for sweep in &sweeps {
+                assert_eq!(sweep[cell].class, right.class, "{isolation}, r = {r}, cell {cell}");
+                // Of few impacts: later ones tell roundings apart.
+                if right.class.overturned() && right.impacts < 4 {
+                    assert_eq!(sweep[cell].impacts, right.impacts);
+                    assert!((sweep[cell].t_end - right.t_end).abs() < 1e-3);
+                }
+                proved += usize::from(sweep[cell].status == Status::Proved);
+            }
+        }
+        // Another law of impact is another map.
+        let mut law = scene.clone();
+        law.set(Parameter::RestitutionFactor, 1.0);
+        let same = |one: &Outcome, other: &Outcome| one.zeta == other.zeta;
+        let differ = swept(&law)[1].iter().zip(&sweeps[1]).filter(|(a, b)| !same(a, b)).count();
+        assert!(differ > 5, "{isolation}, r = {r}: {differ}");
+    }
+    assert!(proved > 100, "{proved}");
+}

@@ -10,7 +10,7 @@ use topple::model::block::ROCKING_LEFT;
 use topple::model::impact::{change_corner, come_to_rest};
 use topple::model::motion::Motion;
 use topple::model::precision::Precision;
-use topple::scene::{GRAVITY, Grid, Scene};
+use topple::scene::{GRAVITY, Grid, Scene, SceneBuilder};
 use topple::stepping::guards::IMPACT;
 use topple::stepping::log::Log;
 use topple::stepping::outcome::Class;
@@ -40,6 +40,82 @@ fn restitution_is_housners_on_the_ground() {
         let eta = 1.0 - 1.5 * alpha.sin().powi(2);
         assert_relative_eq!(model.left.eta_phi, eta, max_relative = 1e-14);
         assert_relative_eq!(model.right.eta_phi, eta, max_relative = 1e-14);
+    }
+}
+
+/// A factor on the law's restitution keeps the linear momenta of (15a) and (15b); the largest keeps the energy, too, and a
+/// larger one is refused.
+#[test]
+fn a_restitution_factor_keeps_linear_momenta() {
+    let given = |base: &str, r: f64| {
+        let text = format!(
+            "[block]\nhalf_width = 0.3\nheight = 0.8\nmass = 500\nplate_h = 90\nplate_v = 60\neccentricity = 0.25\n\
+             [base]\n{base}\n[pulse]\nomega = 5\na_h = 3\n[run]\nrestitution_factor = {r:?}\n"
+        );
+        SceneBuilder::from_toml(&text).unwrap().check()
+    };
+    for (base, moves) in [
+        ("t_h = 1.75\nt_v = 0.75", [1.0, 1.0]),
+        ("isolation = \"horizontal\"\nt_h = 1.75", [1.0, 0.0]),
+        ("isolation = \"vertical\"\nt_v = 0.75", [0.0, 1.0]),
+        ("isolation = \"none\"", [0.0, 0.0]),
+    ] {
+        let most = given(base, 1.0).unwrap().case().most_restitution_factor();
+        assert!(most > 1.0 && most < 3.0, "{base}: {most}");
+        let error = given(base, most * 1.000_01).unwrap_err();
+        assert_eq!(error.key, "restitution_factor");
+        for r in [0.0, 0.4, 0.9, 1.0, 0.5 * (1.0 + most), most] {
+            let scene = given(base, r).unwrap();
+            let case = scene.case();
+            let model = Plan::new(&scene, 0.004).unwrap().model::<f64>(&case);
+            let system = System::new(&scene, &case);
+            for (leaving, landing, pole) in
+                [(&model.left, &model.right, Pole::Left), (&model.right, &model.left, Pole::Right)]
+            {
+                let before = Motion {
+                    u: 0.1,
+                    du: 0.7 * moves[0],
+                    v: -0.05,
+                    dv: -0.4 * moves[1],
+                    z: 0.3,
+                    phi: 0.0,
+                    // Towards the base.
+                    dphi: -0.9 * leaving.side,
+                };
+                let after = change_corner(landing, &before);
+                let momenta = |y: &Motion<f64>, side: f64, arm: f64| {
+                    [
+                        650.0 * y.du - 500.0 * 0.8 * y.dphi,
+                        560.0 * y.dv + 500.0 * side * arm * y.dphi,
+                    ]
+                };
+                let [old, new] = [
+                    momenta(&before, leaving.side, leaving.arm),
+                    momenta(&after, landing.side, landing.arm),
+                ];
+                for direction in 0..2 {
+                    if moves[direction] > 0.0 {
+                        assert_relative_eq!(old[direction], new[direction], max_relative = 1e-13);
+                    }
+                }
+                // The other form of the same, of the reference.
+                let mut y = Cell::zeros();
+                (y[U], y[DU], y[V], y[DV]) = (before.u, before.du, before.v, before.dv);
+                (y[Z], y[DPHI]) = (before.z, before.dphi);
+                let judged = system.impact(pole, &y);
+                for (own, other) in
+                    [(after.du, judged[DU]), (after.dv, judged[DV]), (after.dphi, judged[DPHI])]
+                {
+                    assert_abs_diff_eq!(own, other, epsilon = 1e-13);
+                }
+                let energy = |pole: Pole, y: &Cell| system.energy(Some(pole), y);
+                let lost = energy(pole, &y) - energy(pole.other(), &judged);
+                match r == most {
+                    true => assert_abs_diff_eq!(lost, 0.0, epsilon = 1e-10),
+                    false => assert!(lost > 1e-3, "{base}, r = {r}: {lost}"),
+                }
+            }
+        }
     }
 }
 

@@ -38,7 +38,16 @@ impl System {
             matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
             right[2] = restitution * y[DPHI];
         }
-        let solved = matrix.lu().solve(&right).unwrap_or_else(|| Vector3::repeat(f64::NAN));
+        let solve = |matrix: Matrix3<f64>, right: &Vector3<f64>| {
+            matrix.lu().solve(right).unwrap_or_else(|| Vector3::repeat(f64::NAN))
+        };
+        let mut solved = solve(matrix, &right);
+        if self.restitution_factor != 1.0 {
+            // The linear momenta stay; the rotation is given in the place of the angular one.
+            matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
+            right[2] = self.restitution_factor * solved[2];
+            solved = solve(matrix, &right);
+        }
         let mut landed = *y;
         landed[PHI] = 0.0;
         landed.fixed_rows_mut::<3>(DU).copy_from(&solved);

@@ -91,6 +91,7 @@ pub struct System {
     pub(super) moves_h: bool,
     pub(super) moves_v: bool,
     pub(super) restitution: Option<f64>,
+    pub(super) restitution_factor: f64,
     pub(super) tilt: f64,
     pub(super) overturn: Overturn,
     /// The pulse, where no record shakes the base.
@@ -129,6 +130,7 @@ impl System {
             moves_h: base.horizontal.is_some(),
             moves_v: base.vertical.is_some(),
             restitution: case.restitution,
+            restitution_factor: case.restitution_factor,
             tilt: case.tilt,
             overturn: case.overturn,
             pulse,

@@ -199,6 +199,8 @@ fn run(dice: &mut Dice, body: &Body, directions: &str, forced: f64, cuts: bool) 
             "restitution = {:?}\n",
             if dice.chance(0.2) { 1.0 } else { dice.within(0.3, 1.0) }
         );
+    } else if dice.chance(0.25) {
+        text += &format!("restitution_factor = {:?}\n", dice.within(0.3, 1.0));
     }
     text
 }

@@ -58,7 +58,7 @@ const NUMBERS: [&str; 30] = [
 ];
 
 /// Keys of a scene file: table and name.
-const KEYS: [(&str, &str); 27] = [
+const KEYS: [(&str, &str); 28] = [
     ("block", "object"),
     ("block", "half_width"),
     ("block", "height"),
@@ -85,6 +85,7 @@ const KEYS: [(&str, &str); 27] = [
     ("run", "overturn"),
     ("run", "friction"),
     ("run", "restitution"),
+    ("run", "restitution_factor"),
     ("run", "colour"),
 ];
 
@@ -184,7 +185,7 @@ fn any_scene_is_refused_or_runs() {
 }
 
 /// Flags of the maps, and what takes none or any.
-const FLAGS: [&str; 36] = [
+const FLAGS: [&str; 37] = [
     "--object",
     "--half-width",
     "--height",
@@ -214,6 +215,7 @@ const FLAGS: [&str; 36] = [
     "--overturn",
     "--friction",
     "--restitution",
+    "--restitution-factor",
     "--precision",
     "--adapter",
     "--tile",

@@ -34,6 +34,7 @@ const HANDY = {
   tilt: [-0.3, 0.3],
   friction: [0.05, 2, 'log'],
   restitution: [0.3, 1],
+  restitution_factor: [0.5, 1],
 };
 /** The nearest place to an end that a number may not have, where nothing else says it. */
 const EDGE = 1e-3;

@@ -2,23 +2,22 @@
 // coefficients.rs.
 
 import { arm, criticalAngle, overturningAngle } from './block.js';
+import { sharesOf } from './isolation.js';
 import { known } from './known.js';
 
 // What a body depends on: the numbers of a scene's block, and the restitution.
 export function bodyParameters() {
   const own = known.parameters.filter((entry) => entry.section === 'block').map((entry) => entry.key);
-  return [...own, 'restitution'];
+  return [...own, 'restitution', 'restitution_factor'];
 }
 
 export class Body {
   constructor(cell) {
     const { block, base } = cell;
-    const massV = block.mass + base.plateV;
-    const massH = massV + base.plateH;
     this.block = block;
-    this.muH = base.horizontal ? block.mass / massH : 0;
-    this.muV = base.vertical ? block.mass / massV : 0;
+    [this.muH, this.muV] = sharesOf(base, block);
     this.restitution = cell.restitution;
+    this.restitutionFactor = cell.restitutionFactor;
     this.overturn = cell.overturn;
     this.rho2 = block.inertia / block.mass;
     this.arms = [arm(block, 1), arm(block, -1)];
@@ -126,14 +125,15 @@ export class Body {
     const [kappaH, kappaV] = [1 - muH, 1 - muV];
     const d = this.impactInertia(b);
     const byLaw = (rho2 + h * h * kappaH - b * c * kappaV) / d;
+    const less = (1 - this.restitutionFactor) * byLaw;
     return [
       side,
       b,
       rho2 + b * b + h * h,
       overturningAngle(block, side, this.overturn),
-      this.restitution ?? byLaw,
-      (width * b * h * muH * kappaV) / d,
-      (width * muV * (h * h * kappaH + rho2)) / d,
+      this.restitution ?? this.restitutionFactor * byLaw,
+      (width * b * h * muH * kappaV) / d + muH * h * less,
+      (width * muV * (h * h * kappaH + rho2)) / d - muV * b * less,
       0,
     ];
   }

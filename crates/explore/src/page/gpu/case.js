@@ -1,7 +1,7 @@
 // One cell of a scene: all of its numbers, resolved. Twin: src/scene/case.rs.
 
-import { blockOf, overturningAngle } from './block.js';
-import { deflectionOf, isolationOf } from './isolation.js';
+import { arm, blockOf, overturningAngle } from './block.js';
+import { deflectionOf, isolationOf, sharesOf } from './isolation.js';
 import { highest, periods } from './pulse.js';
 
 const TAU = 2 * Math.PI;
@@ -10,7 +10,7 @@ const TAU = 2 * Math.PI;
 export const PEAK = ['a_h', 'scale', 'pga'];
 
 // Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
-const ROUNDING = 1e-12;
+export const ROUNDING = 1e-12;
 
 function pulseOf(shape, point) {
   const omega = point.omega ?? 0;
@@ -53,7 +53,17 @@ export function caseOf(point, choices) {
     overturn,
     friction: point.friction,
     restitution: point.restitution,
+    restitutionFactor: point.restitution_factor ?? 1,
   };
+}
+
+// The largest factor of the restitution: with it an impact keeps the energy.
+export function mostRestitutionFactor({ block, base }) {
+  const [muH, muV] = sharesOf(base, block);
+  const across = block.inertia / block.mass + (1 - muH) * block.height * block.height;
+  const [b, c] = [arm(block, 1), arm(block, -1)];
+  const about = (lever) => across + (1 - muV) * lever * lever;
+  return Math.sqrt(about(b) * about(c)) / Math.max(across - (1 - muV) * b * c, 0);
 }
 
 // g/omega_v^2, m; zero where the vertical direction is locked.

@@ -19,6 +19,13 @@ export function deflectionOf(vertical) {
   return known.gravity / (omega * omega);
 }
 
+// mu_h = M/(M + m_h + m_v) and mu_v = M/(M + m_v); zero where the direction is locked.
+export function sharesOf(base, block) {
+  const massV = block.mass + base.plateV;
+  const share = (moves, mass) => (moves ? block.mass / mass : 0);
+  return [share(base.horizontal, massV + base.plateH), share(base.vertical, massV)];
+}
+
 // The base of these numbers under a block, for the ground's horizontal peak, m/s^2.
 export function isolationOf(isolation, point, block, peak) {
   const of = (key) => point[key] ?? 0;

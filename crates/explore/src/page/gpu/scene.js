@@ -3,7 +3,7 @@
 
 import { isBeside } from '../choices.js';
 import { completeBlock, offset } from './block.js';
-import { overturning } from './case.js';
+import { ROUNDING, mostRestitutionFactor, overturning } from './case.js';
 import { EngineError } from './errors.js';
 import { Grid } from './grid.js';
 import { completeIsolation } from './isolation.js';
@@ -105,6 +105,11 @@ function checkTogether(scene) {
     const e = offset(block);
     if (!(Math.abs(e) < block.halfWidth)) {
       throw new EngineError('offset', `${e} m lies outside the base, whose half is ${block.halfWidth} m`);
+    }
+    const mostFactor = mostRestitutionFactor(cell);
+    if (cell.restitutionFactor > mostFactor * (1 + ROUNDING)) {
+      const problem = `${cell.restitutionFactor} must be at most ${mostFactor.toFixed(6)}: beyond, impacts raise the energy`;
+      throw new EngineError('restitution_factor', problem);
     }
     const most = overturning(cell, Math.sign(cell.tilt));
     if (!(Math.abs(cell.tilt) < most)) {
