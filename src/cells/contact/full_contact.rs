@@ -57,7 +57,7 @@ pub struct FullContactMotions<R> {
 }
 
 /// Steps after a pulse for which motions go on, at the most: some periods of the base, in which it moves farther than
-/// before or does not any more. Of 400 x 400 cells ALL0 of the ALL1 that never lift are final by then.
+/// before or does not any more. Of 400 x 400 cells 60,948 of the 63,492 that never lift are final by then.
 const AFTER_PULSE: u32 = 20 * STEPS_A_TRY;
 
 /// Steps after the excitation for which motions go on. There energy proves cells final; where the ground moves the block
