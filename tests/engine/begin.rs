@@ -281,6 +281,17 @@ fn a_cell_that_does_not_lift_is_done_with_its_motions() {
         let alone = cpu::sweep(Precision::F64, &without, &grid, &cells, &Unwatched);
         let made = Cells::<f64>::of(&plan, &grid, &cells, &plan.record(), &Unwatched);
         let (mut never_lift, mut done) = (0, 0);
+        // One that begins between two tries goes on with the next.
+        let swept = cpu::sweep(Precision::F64, &plan, &grid, &cells, &Unwatched);
+        for (cell, (swept, alone)) in swept.iter().zip(&alone).enumerate() {
+            assert_eq!(swept.class, alone.class, "{base}, A_v = {a_v}, cell {cell}");
+            if alone.class == Class::FullContact {
+                assert_eq!(
+                    swept.t_simulated, alone.t_simulated,
+                    "{base}, A_v = {a_v}, cell {cell}"
+                );
+            }
+        }
         for (cell, alone) in alone.iter().enumerate() {
             let (_, state) = made.begin(cell);
             never_lift += usize::from(alone.class == Class::FullContact);

@@ -278,7 +278,7 @@ fn a_jump_at_the_start() {
 /// stays so.
 #[test]
 fn a_restitution_factor() {
-    let mut proved = 0;
+    let (mut proved, mut changed) = (0, 0);
     for (isolation, base, r) in [
         ("dual", "t_h = 1.75\nt_v = 0.75", 0.8),
         ("dual", "t_h = 1.75\nt_v = 0.75", 1.002),
@@ -287,7 +287,7 @@ fn a_restitution_factor() {
     ] {
         let scene = scene(&format!(
             "[block]\nobject = 1\neccentricity = 0.2\n[base]\nisolation = \"{isolation}\"\n{base}\n\
-             [pulse]\nomega = \"2:9:7\"\na_h = \"1:9:8\"\n[run]\nrestitution_factor = {r}\n"
+             [pulse]\nomega = \"4:9:7\"\na_h = \"2:9:12\"\n[run]\nrestitution_factor = {r}\n"
         ));
         let sweeps = swept(&scene);
         let grid = Grid::of(&scene);
@@ -311,8 +311,8 @@ fn a_restitution_factor() {
         let mut law = scene.clone();
         law.set(Parameter::RestitutionFactor, 1.0);
         let same = |one: &Outcome, other: &Outcome| one.zeta == other.zeta;
-        let differ = swept(&law)[1].iter().zip(&sweeps[1]).filter(|(a, b)| !same(a, b)).count();
-        assert!(differ > 0, "{isolation}, r = {r}: {differ}");
+        changed += swept(&law)[1].iter().zip(&sweeps[1]).filter(|(a, b)| !same(a, b)).count();
     }
+    assert!(changed > 5, "{changed}");
     assert!(proved > 100, "{proved}");
 }
