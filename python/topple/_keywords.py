@@ -124,8 +124,8 @@ class Run(TypedDict, total=False):
     # η_φ, angular velocity after an impact over the one before, in place of the law; only without isolation;
     # by default the law's
     restitution: Numbers
-    # r, times the law's angular velocity after an impact, linear momenta kept; up to where impacts would raise
-    # the energy; by default 1
+    # r, times the law's angular velocity after an impact, linear momenta kept; up to where impacts would
+    # raise the energy; by default 1
     restitution_factor: Numbers
 
 
