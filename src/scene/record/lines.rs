@@ -15,7 +15,12 @@ pub(crate) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub fn of(text: &'a str) -> Lines<'a> {
-        Lines { lines: text.lines().peekable(), next: 0 }
+        Lines::after(text, 0)
+    }
+
+    /// Those of a part of a file, with so many lines before it.
+    pub fn after(text: &'a str, before: usize) -> Lines<'a> {
+        Lines { lines: text.lines().peekable(), next: before }
     }
 
     /// Number of the line that `next` gives, from 1.
@@ -95,11 +100,20 @@ impl<'a> Lines<'a> {
             for field in cut(line) {
                 let value = number(field).ok_or_else(|| {
                     let shown: String = field.chars().take(20).collect();
-                    RecordError::line(self.number(), format!("'{shown}' is not a number"))
+                    let shown = shown.trim();
+                    let problem = match count {
+                        Some(count) if !values.is_empty() => format!(
+                            "'{shown}' is not a number; {} of {count} stand before it",
+                            values.len()
+                        ),
+                        _ => format!("'{shown}' is not a number"),
+                    };
+                    RecordError::line(self.number(), problem)
                 })?;
-                if values.len() < wanted {
+                // What follows in the line is for the caller.
+                if values.len() < wanted || count.is_some() {
                     values.push(value);
-                } else if count.is_none() {
+                } else {
                     let problem = format!("more than {MOST_SAMPLES} samples");
                     return Err(RecordError::line(self.number(), problem));
                 }
@@ -115,42 +129,146 @@ impl<'a> Lines<'a> {
             _ => Ok(values),
         }
     }
+
+    /// The `count` samples that a header states, and what has to be said of what follows them.
+    ///
+    /// # Errors
+    /// Those of [`numbers`](Lines::numbers).
+    pub fn samples(
+        &mut self,
+        count: usize,
+        cut: impl Fn(&'a str) -> Vec<&'a str>,
+    ) -> Result<(Vec<f64>, Option<String>), RecordError> {
+        let mut values = self.numbers(Some(count), &cut)?;
+        let on_the_line = values.len().saturating_sub(count);
+        values.truncate(count);
+        let mut more = on_the_line;
+        while let Some(line) = self.peek() {
+            let fields = cut(line);
+            if !fields.iter().all(|field| number(field).is_some()) {
+                break;
+            }
+            more += fields.len();
+            self.advance();
+        }
+        let component = self.lines.clone().any(|line| line.to_ascii_uppercase().contains("NPTS"));
+        let note = match (more, component) {
+            (0, false) => None,
+            (0, true) => Some(format!(
+                "what follows the {count} samples is left out: another component, with a header of its own"
+            )),
+            (more, _) => Some(format!(
+                "{more} samples after the {count} that its header states are left out"
+            )),
+        };
+        Ok((values, note))
+    }
 }
 
-/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent; with a long minus.
+/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent, or none before one of three digits
+/// (`0.1234567-104`); with a long minus.
 pub(crate) fn number(field: &str) -> Option<f64> {
     let field = field.trim();
-    let value = match field.parse::<f64>() {
-        Ok(value) => value,
-        // Long minus signs are a word processor's.
-        Err(_) => {
-            let plain = field.replace(['\u{2212}', '\u{2013}'], "-");
-            plain.replace(['D', 'd'], "E").parse().ok()?
-        }
-    };
-    value.is_finite().then_some(value)
+    if let Ok(value) = field.parse::<f64>() {
+        return value.is_finite().then_some(value);
+    }
+    // Long minus signs are a word processor's.
+    let mut plain = field.replace(['\u{2212}', '\u{2013}'], "-").replace(['D', 'd'], "E");
+    if let Some(at) = bare_exponent(&plain).filter(|at| at + 4 == plain.len()) {
+        plain.insert(at, 'E');
+    }
+    plain.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// The fields of a line between blanks and commas; also before a sign that no exponent owns, for
-/// a negative value may touch the one before it.
+/// Where the sign of an exponent without its letter stands: after a number with a point, before three digits and no more.
+fn bare_exponent(word: &str) -> Option<usize> {
+    let bytes = word.as_bytes();
+    let from = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let mantissa =
+        bytes.get(from..)?.iter().take_while(|c| c.is_ascii_digit() || **c == b'.').count();
+    let at = from + mantissa;
+    let digits = bytes.get(at + 1..)?.iter().take_while(|c| c.is_ascii_digit()).count();
+    let ends = !matches!(bytes.get(at + 1 + digits), Some(b'.' | b'e' | b'E' | b'd' | b'D'));
+    let is_one = matches!(bytes[at], b'+' | b'-')
+        && word[from..at].contains('.')
+        && mantissa > 1
+        && digits == 3
+        && ends;
+    is_one.then_some(at)
+}
+
+/// The fields of a line between blanks and commas; also those of numbers that touch: before a sign that no exponent
+/// owns, and where the digits of one number end and the next has begun.
 pub(crate) fn free(line: &str) -> Vec<&str> {
     let mut fields = Vec::new();
     for word in line.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '"')) {
-        let mut from = 0;
-        let mut before = ' ';
+        let (mut from, mut before) = (0, ' ');
+        let mut own = bare_exponent(word);
         for (at, c) in word.char_indices() {
             let sign = c == '-' || c == '+';
-            if sign && at > from && !matches!(before, 'e' | 'E' | 'd' | 'D') {
-                fields.push(&word[from..at]);
+            if sign && at > from && !matches!(before, 'e' | 'E' | 'd' | 'D') && own != Some(at) {
+                touching(&word[from..at], &mut fields);
                 from = at;
+                own = bare_exponent(&word[at..]).map(|own| at + own);
             }
             before = c;
         }
         if from < word.len() {
-            fields.push(&word[from..]);
+            touching(&word[from..], &mut fields);
         }
     }
     fields
+}
+
+/// A word, or the numbers without signs that touch in it (`1.0E-022.0E-02`, `0.12340.5678`): each has as many digits
+/// after its point as the last one.
+fn touching<'a>(word: &'a str, fields: &mut Vec<&'a str>) {
+    let points = word.bytes().filter(|c| *c == b'.').count();
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let decimals = word.rsplit_once('.').map_or(0, |(_, rest)| digits(rest));
+    if points < 2 || decimals == 0 || !word.is_ascii() {
+        fields.push(word);
+        return;
+    }
+    let exponent = |text: &str| -> usize {
+        let letter = usize::from(text.starts_with(['e', 'E', 'd', 'D']));
+        if letter == 0 {
+            return 0;
+        }
+        letter + usize::from(text[letter..].starts_with(['+', '-']))
+    };
+    // Exponents have two digits, of FORTRAN and C alike.
+    let mut cuts = Vec::new();
+    let mut from = 0;
+    while from < word.len() {
+        let Some(point) = word[from..].find('.').map(|point| from + point) else { break };
+        let mantissa = (point + 1 + decimals).min(word.len());
+        let sign = exponent(&word[mantissa..]);
+        let to = if sign == 0 { mantissa } else { (mantissa + sign + 2).min(word.len()) };
+        cuts.push(&word[from..to]);
+        from = to;
+    }
+    match from == word.len() && cuts.iter().all(|cut| number(cut).is_some()) {
+        true => fields.extend(cuts),
+        false => fields.push(word),
+    }
+}
+
+/// The width of a field of a FORTRAN format such as `Format=(1E15.6)`, `(8f10.6)` in a line.
+pub(crate) fn width(line: &str) -> Option<usize> {
+    let upper = line.to_ascii_uppercase();
+    upper.split('(').skip(1).find_map(|inside| {
+        let inside = inside.trim_start();
+        // Scale factors and counts stand before the letter: 1P5E15.7.
+        let letter = inside.find(['E', 'F', 'I', 'G'])?;
+        if !inside[..letter].bytes().all(|c| c.is_ascii_digit() || matches!(c, b'P' | b',' | b' '))
+        {
+            return None;
+        }
+        let digits: String =
+            inside[letter + 1..].chars().take_while(char::is_ascii_digit).collect();
+        digits.parse().ok().filter(|width| (1..=64).contains(width))
+    })
 }
 
 /// The fields of a line in columns of `width` characters; blank ones at the end do not count.
@@ -183,7 +301,7 @@ pub(crate) fn after(line: &str, key: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{after, fixed, free, number};
+    use super::{Lines, after, fixed, free, number, width};
 
     #[test]
     fn values_that_touch_are_told_apart() {
@@ -202,6 +320,50 @@ mod tests {
         assert_eq!(number("\u{2212}0.5"), Some(-0.5));
         assert_eq!(number("NaN"), None);
         assert_eq!(number("1e999"), None);
+    }
+
+    #[test]
+    fn exponents_without_their_letter_are_read() {
+        assert_eq!(number("0.1234567-104"), Some(0.1234567e-104));
+        assert_eq!(number("-.5+101"), Some(-0.5e101));
+        assert_eq!(
+            free(" 0.12346-104-0.12346-104 0.5E-02"),
+            ["0.12346-104", "-0.12346-104", "0.5E-02"]
+        );
+        // Two numbers that touch.
+        assert_eq!(free("0.5-104.25"), ["0.5", "-104.25"]);
+        assert_eq!(free("1234-104"), ["1234", "-104"]);
+        assert_eq!(free("0.5-10"), ["0.5", "-10"]);
+        for word in ["-", ".", "+.", "0.-", "-104", "1.2.3-"] {
+            assert!(!free(word).is_empty());
+        }
+    }
+
+    #[test]
+    fn numbers_without_signs_are_told_apart_by_their_digits() {
+        assert_eq!(free("5.6785E-022.0424E-04"), ["5.6785E-02", "2.0424E-04"]);
+        assert_eq!(free("12.3456712.34567 0.5"), ["12.34567", "12.34567", "0.5"]);
+        assert_eq!(free("-0.12340.5678"), ["-0.1234", "0.5678"]);
+        assert_eq!(free("1.2.3"), ["1.2", ".3"]);
+        assert_eq!(free("10.0.0.1x"), ["10.0.0.1x"]);
+    }
+
+    #[test]
+    fn widths_are_those_of_a_format() {
+        assert_eq!(width("400 pts, units=cm/sec2(04),Format=(8F10.4)"), Some(10));
+        assert_eq!(width("in cm/sec2. (8f10.6)"), Some(10));
+        assert_eq!(width("Format=(1P5E15.7)"), Some(15));
+        assert_eq!(width("units=counts(50),Format=(10F8.0)"), Some(8));
+        assert_eq!(width("(UNITS: CM/SEC/SEC)"), None);
+    }
+
+    #[test]
+    fn what_follows_the_samples_is_said() {
+        let of = |text| Lines::of(text).samples(3, free).unwrap();
+        assert_eq!(of("1 2\n3\n"), (vec![1.0, 2.0, 3.0], None));
+        assert!(of("1 2\n3 4\n5\nEND\n").1.unwrap().starts_with("2 samples after the 3"));
+        assert!(of("1 2\n3\nA\nNPTS= 3\n1 2 3\n").1.unwrap().contains("another component"));
+        assert_eq!(of("1 2\n3\nEND\n").1, None);
     }
 
     #[test]

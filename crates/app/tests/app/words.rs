@@ -125,7 +125,7 @@ fn records_say_what_they_are() {
         (
             "PEER\nA\nACCELERATION IN UNITS OF FURLONGS\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
             &[],
-            "units of FURLONGS are not read",
+            "units of 'FURLONGS' are not read",
         ),
     ];
     for (text, more, said) in cases {

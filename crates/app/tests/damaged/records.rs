@@ -58,8 +58,8 @@ fn hints() -> [RecordHints; 3] {
     let units = Some(Units::MetresPerSecondSquared);
     [
         RecordHints::default(),
-        RecordHints { dt: Some(0.01), units, scaled: true },
-        RecordHints { dt: None, units, scaled: false },
+        RecordHints { dt: Some(0.01), units, scaled: true, ..RecordHints::default() },
+        RecordHints { dt: None, units, scaled: false, ..RecordHints::default() },
     ]
 }
 
@@ -86,7 +86,12 @@ pub fn pair(bytes: &[u8]) -> Result<(), String> {
     let found = hints()
         .into_iter()
         .find_map(|hints| read::of_bytes(Path::new("damaged"), bytes, &hints).ok());
-    let given = RecordHints { dt: Some(0.01), units: Some(Units::G), scaled: true };
+    let given = RecordHints {
+        dt: Some(0.01),
+        units: Some(Units::G),
+        scaled: true,
+        ..RecordHints::default()
+    };
     let other = read::of_bytes(Path::new("long"), long.as_bytes(), &given).unwrap();
     let damaged = found.unwrap();
     for (h, v) in [(&damaged, &other), (&other, &damaged)] {

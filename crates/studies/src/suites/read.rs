@@ -10,11 +10,12 @@ use super::entry::{Entry, Motion};
 use super::files::Files;
 use super::measures::Measures;
 use super::names::{self, Component};
+use super::unused::{self, Unused};
 use super::{SuiteError, list, peer};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::zips::MOST_FILES;
-use topple::scene::record::{Record, RecordFile, component, joined};
+use topple::scene::record::{Record, RecordFile, joined, text};
 use topple::scene::{bounded, shown};
 
 /// Largest list that is read, bytes.
@@ -28,12 +29,12 @@ pub struct Suite {
     /// All lines in order: each with its motion, or with why there is none.
     pub rows: Vec<(Entry, Result<Motion, String>)>,
     /// Files that are no part of any line.
-    pub unused: Vec<String>,
+    pub unused: Vec<Unused>,
 }
 
 impl Suite {
     /// Reads a suite: a folder or a zip, with PEER's list or by the names of its files, or a list beside its files.
-    /// `strict` refuses what is missing or ambiguous; else it is a line without a motion.
+    /// `strict` refuses what is missing, ambiguous or unused; else it is a line without a motion, or a file that is told.
     ///
     /// # Errors
     /// Those of [`SuiteError`]: nothing can be read, a list makes no sense, nothing is there.
@@ -69,6 +70,9 @@ impl Suite {
             return Err(SuiteError::Strict { count, all: suite.rows.len(), id, reason });
         }
         drop(left_out);
+        if let (Some(Unused { file, why }), true) = (suite.unused.first().cloned(), strict) {
+            return Err(SuiteError::Unused { count: suite.unused.len(), file, why });
+        }
         Ok(suite)
     }
 
@@ -104,12 +108,13 @@ impl Suite {
 }
 
 /// The lines of a suite, and files that none of them has.
-fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), SuiteError> {
+fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), SuiteError> {
     let refused = |path: &Path, problem: String| SuiteError::List {
         path: path.into(),
         problem: shown::line(&problem),
     };
-    let is_list = path.is_file() && ending(&path.to_string_lossy(), "csv");
+    let is_list = path.is_file()
+        && ["csv", "tsv", "txt"].iter().any(|own| ending(&path.to_string_lossy(), own));
     if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
         let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
         return Err(refused(path, problem.to_string()));
@@ -119,13 +124,14 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
     if is_list {
         let bytes = bounded::read(path, LARGEST_LIST)
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
-        let text = String::from_utf8_lossy(&bytes);
+        let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
         return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
     }
-    for name in files.names().iter().filter(|name| ending(name, "csv")) {
+    for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
         let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
-        let text = String::from_utf8_lossy(&bytes);
+        // What is no text is no list.
+        let Ok(text) = text::decoded(&bytes) else { continue };
         let read = match (peer::matches(&text), list::matches(&text)) {
             (true, _) => peer::read(&text, files),
             (_, true) => list::read(&text, files),
@@ -155,6 +161,8 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
         }
     }
     listed.extend(named);
+    let unused = unused::explained(unused, files, !lists.is_empty())
+        .map_err(|(name, problem)| refused(&files.path(&name), problem))?;
     Ok((listed, unused))
 }
 
@@ -235,22 +243,22 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     if entry.vertical.is_none() && !entry.horizontal_alone {
         return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
     }
-    let hints = RecordHints { dt: entry.dt, units: entry.units, scaled: false };
-    let record = |name: &str| -> Result<(Record, RecordFile), String> {
+    let hints =
+        RecordHints { dt: entry.dt, units: entry.units, scaled: false, ..RecordHints::default() };
+    let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
+        let hints = RecordHints { vertical: Some(vertical), ..hints.clone() };
         read::of_bytes(&files.path(name), &bytes, &hints)
             .map_err(|error| format!("{name}: {error}"))
     };
-    let horizontal = record(&entry.horizontal)?;
-    let vertical = entry.vertical.as_deref().map(record).transpose()?;
-    if let Some((place, _)) = component::place(&horizontal.0.title) {
-        let (event, station) = component::event_and_station(place);
-        if entry.event.is_empty() {
-            entry.event = event.into();
-        }
-        if entry.station.is_empty() {
-            entry.station = station.into();
-        }
+    let horizontal = record(&entry.horizontal, false)?;
+    let vertical = entry.vertical.as_deref().map(|name| record(name, true)).transpose()?;
+    let stated = &horizontal.0.stated;
+    if entry.event.is_empty() {
+        entry.event.clone_from(&stated.event);
+    }
+    if entry.station.is_empty() {
+        entry.station.clone_from(&stated.station);
     }
     let pair = joined::join(horizontal, vertical, &hints, false);
     // Here nothing is forced: a list says what is meant.
