@@ -75,7 +75,7 @@ def _is_number(value: Any) -> bool:
 
 
 def _is_file(record: Any) -> bool:
-    return isinstance(record, (str, bytes, os.PathLike))
+    return isinstance(record, (str, os.PathLike))
 
 
 def _step(delta: float) -> float:

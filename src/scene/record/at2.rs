@@ -1,6 +1,7 @@
 //! PEER NGA .AT2, in the dialects of its three databases.
 
-use super::lines::{Lines, after, free, number};
+use super::lines::Lines;
+use super::numbers::{after, free, number};
 use super::read::RecordHints;
 use super::{Raw, RecordError, Stated, Step};
 

@@ -2,7 +2,8 @@
 
 use super::channel::{Channel, choose};
 use super::component::Component;
-use super::lines::{MOST_SAMPLES, free, number};
+use super::lines::MOST_SAMPLES;
+use super::numbers::{free, number};
 use super::read::RecordHints;
 use super::times::{self, Times};
 use super::{Raw, RecordError, Stated};

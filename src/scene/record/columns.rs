@@ -2,7 +2,8 @@
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
 //! before them; after it several values may stand in a row.
 
-use super::lines::{MOST_SAMPLES, free, number};
+use super::lines::MOST_SAMPLES;
+use super::numbers::{free, number};
 use super::read::RecordHints;
 use super::times::{self, Times};
 use super::{Raw, RecordError, Stated, Step, Units};
@@ -245,7 +246,15 @@ fn units_in(heading: &str) -> Result<Option<String>, String> {
     // Brackets may hold anything.
     let found = in_brackets(heading).into_iter().rev();
     let mut found = found.filter(|text| !is_time(text) && Units::are_meant(text));
-    Ok(found.next().map(String::from))
+    // Without brackets: `acceleration in g`, `units: cm/s2`.
+    let said = || {
+        let at = ["units:", "units=", "units ", " in "]
+            .iter()
+            .find_map(|word| Some(lower.rfind(word)? + word.len()))?;
+        let words = lower.get(at..)?.trim();
+        Units::are_meant(words).then(|| words.to_string())
+    };
+    Ok(found.next().map(String::from).or_else(said))
 }
 
 /// What stands in the outermost brackets of a line.

@@ -2,7 +2,8 @@
 
 use super::channel::{Channel, choose, parts};
 use super::component::Component;
-use super::lines::{Lines, after, fixed, number, width};
+use super::lines::Lines;
+use super::numbers::{after, fixed, number, width};
 use super::read::RecordHints;
 use super::stated::tidy;
 use super::{Raw, RecordError, Stated, Step};

@@ -1,7 +1,8 @@
 //! ESM and ITACA ASCII (DYNA 1.2): 64 lines of `KEY: value`, then one value a line.
 
 use super::component::Component;
-use super::lines::{Lines, free, number};
+use super::lines::Lines;
+use super::numbers::{free, number};
 use super::read::RecordHints;
 use super::stated::{seconds, tidy};
 use super::{Raw, RecordError, Stated, Step};

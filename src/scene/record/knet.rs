@@ -1,7 +1,8 @@
 //! K-NET and KiK-net ASCII: counts of a digitizer with their scale factor.
 
 use super::component::Component;
-use super::lines::{Lines, free, number};
+use super::lines::Lines;
+use super::numbers::{free, number};
 use super::read::RecordHints;
 use super::stated::seconds;
 use super::{Raw, RecordError, Stated, Step};

@@ -60,7 +60,7 @@ impl Pair {
         };
         let lengths = [&horizontal, other].map(|record| record.samples.len());
         let steps = Steps::of([horizontal.dt, other.dt], lengths).ok_or_else(|| {
-            let [h, v] = [horizontal.dt, other.dt];
+            let [h, v] = [horizontal.dt, other.dt].map(|dt| rounded(dt, DIGITS));
             RecordError::Whole(format!(
                 "steps of {h} s and {v} s have no common divisor that is not far finer; resample one component to the \
                  step of the other"

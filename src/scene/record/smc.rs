@@ -1,7 +1,8 @@
 //! USGS SMC: a type, text, integers, reals, comments, and values that touch.
 
 use super::component::Component;
-use super::lines::{Lines, fixed};
+use super::lines::Lines;
+use super::numbers::fixed;
 use super::read::RecordHints;
 use super::stated::tidy;
 use super::{Raw, RecordError, Stated, Step};

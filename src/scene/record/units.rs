@@ -69,7 +69,7 @@ impl Units {
         let plain = plain(text);
         let is_word = |words: &[&str]| words.contains(&plain.as_str());
         Units::named(text).is_some()
-            || plain.contains('/') && plain.len() < 16
+            || plain.ends_with("/s")
             || plain.ends_with("s2")
             || plain.ends_with("s-2")
             || is_word(&["mg", "%g", "mgal", "milli-g", "millig", "counts", "count", "v", "mv"])
@@ -138,7 +138,7 @@ mod tests {
             assert_eq!(Units::named(other), None, "{other}");
             assert!(Units::are_meant(other), "{other}");
         }
-        for words in ["corrected", "horizontal", "NS", "228", "s", "filtered"] {
+        for words in ["corrected", "horizontal", "NS", "228", "s", "filtered", "Osaka/Japan"] {
             assert!(!Units::are_meant(words), "{words}");
         }
     }

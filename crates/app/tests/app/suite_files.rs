@@ -127,6 +127,25 @@ fn names_alike_in_two_folders_are_two_motions() {
     assert_eq!(why, "H1.AT2 may be one/H1.AT2 or two/H1.AT2; give its folder in the list");
 }
 
+#[test]
+fn a_list_names_channels_of_one_file() {
+    let folder = TempDir::new().unwrap();
+    let motions =
+        [Motion::made(300, Some(90)), Motion::made(290, None), Motion::made(280, Some(0))];
+    let text: String = (1..)
+        .zip(&motions)
+        .map(|(k, motion)| motion.csmip().text.replace("CHAN  1", &format!("CHAN  {k}")))
+        .collect();
+    fs::write(folder.path().join("three.v2"), text).unwrap();
+    let list = "id,horizontal,vertical,horizontal_channel\na,three.v2,three.v2,90\nb,three.v2,three.v2,3\nc,three.v2,three.v2,\n";
+    fs::write(folder.path().join("list.csv"), list).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let found: Vec<_> =
+        suite.motions().map(|(entry, motion)| (entry.id.as_str(), motion.pair.len())).collect();
+    assert_eq!(found, [("a", 300), ("b", 290)]);
+    assert_eq!(suite.left_out().next().unwrap().1, "the same motion as a");
+}
+
 fn told(path: &Path, more: &[&str]) -> (i32, String) {
     let out = TempDir::new().unwrap();
     let run = Command::cargo_bin("topple")

@@ -285,6 +285,8 @@ fn units_are_those_of_the_file_or_it_is_refused() {
         ("time (s) acc (m.s-2)", 5.0),
         ("Time (s);Acceleration (m/s²)", 5.0),
         ("time (s) acc (corrected) (m/s2)", 5.0),
+        ("acceleration in cm/s2", 0.05),
+        ("Units: g", 5.0 * 9.81),
     ] {
         assert_abs_diff_eq!(
             headed(heading).unwrap_or_else(|e| panic!("{heading}: {e}")),
@@ -298,7 +300,9 @@ fn units_are_those_of_the_file_or_it_is_refused() {
             .unwrap_err()
             .contains("does not tell its units")
     );
-    for heading in ["time (s) acc (mg)", "time (s) acc (ft/s2)", "time (s) acc (counts)"] {
+    for heading in
+        ["time (s) acc (mg)", "time (s) acc (ft/s2)", "time (s) acc (counts)", "Acceleration in mg"]
+    {
         assert!(headed(heading).unwrap_err().contains("are not read"), "{heading}");
     }
 }

@@ -19,6 +19,8 @@ pub struct Entry {
     pub horizontal: String,
     /// The vertical component's; none where there is none.
     pub vertical: Option<String>,
+    /// The channels of both files, where a list names one of several.
+    pub channels: [Option<String>; 2],
     /// True where a list says that there is no vertical component.
     pub horizontal_alone: bool,
     /// Time between samples, s, where a list tells it.
@@ -69,6 +71,7 @@ impl Entry {
             station: String::new(),
             horizontal: horizontal.into(),
             vertical: None,
+            channels: [None, None],
             horizontal_alone: false,
             dt: None,
             units: None,

@@ -1,5 +1,5 @@
 //! A list of one's own: a CSV with the columns `id,horizontal,vertical,dt,units,scale,weight`, of which `horizontal`
-//! alone must be there.
+//! alone must be there, and others that it may have.
 
 use std::collections::BTreeSet;
 
@@ -12,8 +12,19 @@ use topple::scene::record::Units;
 use topple::scene::record::zips::MOST_FILES;
 
 /// The columns that a list may have.
-const COLUMNS: [&str; 9] =
-    ["id", "event", "station", "horizontal", "vertical", "dt", "units", "scale", "weight"];
+const COLUMNS: [&str; 11] = [
+    "id",
+    "event",
+    "station",
+    "horizontal",
+    "vertical",
+    "horizontal_channel",
+    "vertical_channel",
+    "dt",
+    "units",
+    "scale",
+    "weight",
+];
 
 /// A row of the list, its numbers as they are written.
 #[derive(Deserialize)]
@@ -23,6 +34,8 @@ struct Row {
     station: Option<String>,
     horizontal: String,
     vertical: Option<String>,
+    horizontal_channel: Option<String>,
+    vertical_channel: Option<String>,
     dt: Option<String>,
     units: Option<String>,
     scale: Option<String>,
@@ -149,6 +162,8 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
             entry.notes.push(format!("weight {}", entry.weight));
         }
         entry.units = units(at, row.units.as_deref())?;
+        entry.channels = [row.horizontal_channel, row.vertical_channel]
+            .map(|channel| channel.filter(|channel| !channel.is_empty()));
         // Files of one name in two folders get ids of their own.
         if let Some(id) = row.id.filter(|id| !id.is_empty()) {
             if !ids.insert(id.clone()) {

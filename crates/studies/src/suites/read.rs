@@ -1,6 +1,7 @@
 //! From a folder, a zip or a list to the motions of a suite.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -15,7 +16,7 @@ use super::{SuiteError, list, peer};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::zips::MOST_FILES;
-use topple::scene::record::{Record, RecordFile, joined, text};
+use topple::scene::record::{Pair, Record, RecordFile, joined, text};
 use topple::scene::{bounded, shown};
 
 /// Largest list that is read, bytes.
@@ -79,12 +80,14 @@ impl Suite {
     /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
     /// the others are scaled otherwise, or read with another time step or in other units.
     fn leave_out_copies(&mut self) {
-        let mut known: BTreeMap<(String, Option<String>, [u64; 3]), String> = BTreeMap::new();
+        let mut known: BTreeMap<(String, Option<String>, [u64; 4]), String> = BTreeMap::new();
         for (entry, motion) in &mut self.rows {
             let Ok(Motion { pair, measures }) = motion else { continue };
             let Some(files) = &pair.provenance else { continue };
             let vertical = files.vertical.as_ref().map(|file| file.sha256.clone());
-            let read_as = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            let [scale, dt, pga] = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            // Of one file there may be several channels.
+            let read_as = [scale, dt, pga, checksum(pair)];
             let key = (files.horizontal.sha256.clone(), vertical, read_as);
             if let Some(first) = known.get(&key) {
                 *motion = Err(format!("the same motion as {}", shown::shown(first)));
@@ -105,6 +108,15 @@ impl Suite {
             .iter()
             .filter_map(|(entry, motion)| Some((entry, motion.as_ref().err()?.as_str())))
     }
+}
+
+/// A number that two motions do not share unless their samples are the same.
+fn checksum(pair: &Pair) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for sample in pair.horizontal.iter().chain(pair.vertical.iter()) {
+        hasher.write_u64(sample.to_bits());
+    }
+    hasher.finish()
 }
 
 /// The lines of a suite, and files that none of them has.
@@ -247,7 +259,8 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
         RecordHints { dt: entry.dt, units: entry.units, scaled: false, ..RecordHints::default() };
     let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
-        let hints = RecordHints { vertical: Some(vertical), ..hints.clone() };
+        let channel = entry.channels[usize::from(vertical)].clone();
+        let hints = RecordHints { vertical: Some(vertical), channel, ..hints.clone() };
         read::of_bytes(&files.path(name), &bytes, &hints)
             .map_err(|error| format!("{name}: {error}"))
     };
