@@ -117,7 +117,8 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         let words = if words.trim().is_empty() { text } else { words };
         (at, words.trim().to_string())
     });
-    let (step, odd) = step(&reals, count, after(line, "APPROX"));
+    let (step, odd) = step(&reals, count, after(line, "APPROX"), hints.dt)
+        .map_err(|problem| RecordError::line(at, problem))?;
     let cut = width(line);
     let (values, more) = lines.samples(count, |line| match cut {
         Some(cut) => fixed(line, cut),
@@ -127,23 +128,34 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     Ok(Raw { title, stated, step, units, values, notes })
 }
 
-/// The time between samples: the header's, in ms, unless it is far from the stated duration, which is rounded to seconds.
-fn step(reals: &[f64], count: usize, duration: Option<f64>) -> (Option<Step>, Option<String>) {
+/// The time between samples: the header's, in ms; else by the stated duration, which is rounded to seconds.
+///
+/// # Errors
+/// Both are stated and contradict each other, and none is `given`.
+fn step(
+    reals: &[f64],
+    count: usize,
+    duration: Option<f64>,
+    given: Option<f64>,
+) -> Result<(Option<Step>, Option<String>), String> {
     let gaps = count.max(1) as f64;
     let fits =
         |dt: f64| duration.is_none_or(|rough| (dt * gaps - rough).abs() <= 1.0 + 0.02 * rough);
-    let stated = (INTERVAL..=LAST_INTERVAL)
-        .filter_map(|place| reals.get(place - 1))
-        .map(|ms| ms * 1.0e-3)
-        .find(|dt| *dt > 0.0 && fits(*dt));
-    let rough = duration.filter(|duration| *duration > 0.0).map(|duration| duration / gaps);
-    match (stated, rough) {
-        (Some(stated), _) => (Some(Step::exact(stated)), None),
+    let seconds = |place: usize| reals.get(place - 1).map(|ms| ms * 1.0e-3).filter(|dt| *dt > 0.0);
+    if let Some(dt) = (INTERVAL..=LAST_INTERVAL).filter_map(seconds).find(|dt| fits(*dt)) {
+        return Ok((Some(Step::exact(dt)), None));
+    }
+    let rough = duration.filter(|duration| *duration > 0.0);
+    match (seconds(INTERVAL), rough, given) {
+        (Some(dt), Some(rough), None) => Err(format!(
+            "a step of {dt} s in the header, and {rough} s for {count} points here; give `dt`"
+        )),
+        (_, Some(_), Some(_)) => Ok((None, None)),
         // The duration is rounded to a second.
-        (None, Some(dt)) => (
-            Some(Step { seconds: dt, within: 0.5 / gaps }),
+        (None, Some(rough), None) => Ok((
+            Some(Step { seconds: rough / gaps, within: 0.5 / gaps }),
             Some("time between samples taken from the stated duration".to_string()),
-        ),
-        (None, None) => (None, None),
+        )),
+        (_, None, _) => Ok((None, None)),
     }
 }

@@ -473,6 +473,28 @@ fn rows_of_a_time_and_three_components_are_channels() {
 }
 
 #[test]
+fn the_step_of_cosmos_is_the_headers_whatever_the_duration_is_rounded_to() {
+    let motion = Motion { dt: 0.005, ..Motion::made(150, Some(90)) };
+    let text = motion.cosmos().text;
+    for approx in ["approx    1 secs", "approx    0 secs"] {
+        assert!(text.contains("approx    1 secs"));
+        assert_eq!(
+            plain(&text.replace("approx    1 secs", approx)).unwrap().0.dt,
+            0.005,
+            "{approx}"
+        );
+    }
+    let other = text.replace("approx    1 secs", "approx   15 secs");
+    let error = plain(&other).unwrap_err();
+    assert!(
+        error.contains("a step of 0.005 s in the header, and 15 s for 150 points here; give `dt`"),
+        "{error}"
+    );
+    let given = RecordHints { dt: Some(0.1), ..RecordHints::default() };
+    assert_eq!(of(&other, &given).unwrap().0.dt, 0.1);
+}
+
+#[test]
 fn files_that_are_no_corrected_accelerations_are_refused_by_name() {
     let motion = Motion::made(200, Some(90));
     let csmip = motion.csmip().text;
