@@ -12,7 +12,8 @@ use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
-use topple::scene::record::{Pair, Provenance, Record, synthetic};
+use topple::scene::record::read::RecordHints;
+use topple::scene::record::{Pair, Provenance, Record, Stated, joined, synthetic};
 use topple::sweep::settings::VerifySettings;
 use topple::work::threads::{Threads, too_many};
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
@@ -256,26 +257,40 @@ fn unknown(key: &str, word: &str, error: &serde_json::Error) -> PyErr {
     of_keyword(key, format!("{word} is not known; give {known}"))
 }
 
-/// A motion in arrays.
+/// A component in arrays: its step, its samples, its title; of a trace also the station, the channel's code and when it
+/// begins, s.
+type Component = (f64, Vec<f64>, String, Option<(String, String, f64)>);
+
+/// A motion in arrays; of traces what they state of themselves is judged as what files state is, unless it is forced.
 fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
-    type Arrays = (f64, Vec<f64>, Option<Vec<f64>>, (String, String));
-    let (dt, horizontal, vertical, titles): Arrays = value.extract()?;
-    if !(dt.is_finite() && dt > 0.0) {
-        return Err(of_keyword(
-            "dt",
-            format!("{dt} is no time between samples; give seconds above 0"),
-        ));
-    }
-    let record = |key: &str, title: &str, samples: Vec<f64>| {
+    let (horizontal, vertical, force): (Component, Option<Component>, bool) = value.extract()?;
+    let record = |key: &str, (dt, samples, title, trace): Component| {
+        if !(dt.is_finite() && dt > 0.0) {
+            return Err(of_keyword(
+                "dt",
+                format!("{dt} is no time between samples; give seconds above 0"),
+            ));
+        }
         if samples.len() < 2 || samples.iter().any(|sample| !sample.is_finite()) {
             return Err(of_keyword(key, "give two samples at least, all of them finite"));
         }
-        Ok(Record { title: title.into(), dt, samples, notes: Vec::new() })
+        let stated =
+            trace.map(|(station, channel, start)| Stated::of_trace(&station, &channel, start));
+        let stated = stated.unwrap_or_default();
+        Ok(Record { title, dt, samples, stated, ..Record::default() })
     };
-    let horizontal = record("horizontal", &titles.0, horizontal)?;
-    let vertical = vertical.map(|samples| record("vertical", &titles.1, samples)).transpose()?;
+    let horizontal = record("horizontal", horizontal)?;
+    let vertical = vertical.map(|samples| record("vertical", samples)).transpose()?;
     if horizontal.peak() == 0.0 && vertical.as_ref().is_none_or(|record| record.peak() == 0.0) {
         return Err(of_keyword("horizontal", "all samples are zero; give a motion"));
+    }
+    let of_traces = [Some(&horizontal), vertical.as_ref()]
+        .into_iter()
+        .flatten()
+        .any(|record| record.stated != Stated::default());
+    if of_traces {
+        return joined::bring(horizontal, vertical, &RecordHints::default(), force)
+            .map_err(of_scene);
     }
     Pair::new(horizontal, vertical).map_err(|error| of_keyword("horizontal", error))
 }

@@ -53,6 +53,8 @@ def test_a_file_that_obspy_wrote(pair, by_arrays, tmp_path):
 def test_what_is_ambiguous_is_refused(pair):
     h, v = pair
     north = trace("HNN", h.data)
+    elsewhere = v.copy()
+    elsewhere.stats.station = "XYZ"
     gaps = h.copy()
     gaps.data = np.ma.masked_array(h.data, mask=np.arange(len(h.data)) == 7)
     # What obspy itself makes of two pieces of a trace.
@@ -65,9 +67,41 @@ def test_what_is_ambiguous_is_refused(pair):
         ({"horizontal": gaps, "vertical": v}, "^horizontal: the trace has gaps"),
         ({"horizontal": h, "vertical": gaps}, "^vertical: the trace has gaps"),
         ({"horizontal": merged}, "^horizontal: the trace has gaps"),
-        ({"horizontal": h, "vertical": trace("HNZ", v.data, start=2.0)}, "^vertical: it begins 2 s away"),
+        ({"horizontal": v, "vertical": h}, "^horizontal: .* is a vertical component"),
+        ({"horizontal": h, "vertical": north}, "^vertical: .*(the same motion|is a horizontal)"),
+        ({"horizontal": h, "vertical": elsewhere}, "^vertical: .* is of another place .* 'XX.ABC' and 'XX.XYZ'"),
+        ({"horizontal": h, "vertical": trace("HNZ", v.data, start=90.0)}, "^vertical: .* begins 90 s away"),
     ):
         with pytest.raises(ValueError, match=line):
             topple.seismic(**SCENE, **given, units="cm/s2")
     with pytest.raises(ValueError, match="^units: missing"):
         topple.seismic(**SCENE, horizontal=h)
+
+
+def test_traces_that_do_not_begin_together_are_aligned(pair):
+    h, v = pair
+    late = topple.seismic(**SCENE, horizontal=h, vertical=trace("HNZ", v.data[200:], start=2.0), units="cm/s2")
+    zeros = np.concatenate([np.zeros(200), v.data[200:]])
+    assert late.equals(topple.seismic(**SCENE, horizontal=h.data, vertical=zeros, dt=DT, units="cm/s2"))
+
+
+def test_each_trace_has_its_own_step_and_units(pair, by_arrays):
+    h, v = pair
+    single = v.copy()
+    single.stats.delta = float(np.float32(DT))
+    assert topple.seismic(**SCENE, horizontal=h, vertical=single, units="cm/s2").equals(by_arrays)
+    fine = trace("HNZ", np.interp(np.arange(2 * len(v) - 1) / 2, np.arange(len(v)), v.data))
+    fine.stats.delta = DT / 2
+    topple.seismic(**SCENE, horizontal=h, vertical=fine, units="cm/s2")
+    odd = v.copy()
+    odd.stats.delta = DT * 1.0005
+    with pytest.raises(ValueError, match="^vertical: .* no common divisor"):
+        topple.seismic(**SCENE, horizontal=h, vertical=odd, units="cm/s2")
+    own = [trace.copy() for trace in pair]
+    for trace_of in own:
+        trace_of.stats.units = "cm/s**2"
+    assert topple.seismic(**SCENE, horizontal=obspy.Stream(own)).equals(by_arrays)
+    with pytest.raises(ValueError, match="^units: the trace's are"):
+        topple.seismic(**SCENE, horizontal=obspy.Stream(own), units="g")
+    with pytest.raises(ValueError, match="^units: missing"):
+        topple.seismic(**SCENE, horizontal=own[0], vertical=v)

@@ -239,7 +239,7 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
     path : path
         A folder, a zip or a list (CSV) of records.
     strict : bool
-        Refuse a suite in which anything is missing or ambiguous.
+        Refuse a suite in which anything is missing, ambiguous or unused.
 
     Returns
     -------

@@ -22,6 +22,8 @@ WORDS = {
         "horizontal record: a path, an array, or a trace or a stream as obspy's; a stream may hold the vertical, too",
     ),
     "vertical": ("Any", "vertical record, positive up: as horizontal"),
+    "horizontal_channel": ("str", "channel of the horizontal record's file, where it has several: its number or direction"),
+    "vertical_channel": ("str", "channel of the vertical record's file"),
     "dt": ("float", "time between samples, s, where the record does not tell"),
     "units": ("str", "g, m/s2 or cm/s2, where the record does not tell"),
     "overturn": ("str", "critical-angle or quarter-turn"),

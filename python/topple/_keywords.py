@@ -93,6 +93,10 @@ class Record(TypedDict, total=False):
     horizontal: Any
     # vertical record, positive up: as horizontal
     vertical: Any
+    # channel of the horizontal record's file, where it has several: its number or direction
+    horizontal_channel: str
+    # channel of the vertical record's file
+    vertical_channel: str
     # time between samples, s, where the record does not tell
     dt: float
     # g, m/s2 or cm/s2, where the record does not tell

@@ -17,7 +17,7 @@ _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
 def factor(units: Any) -> float:
     """What makes m/s^2 of values in these units."""
-    name = str(units).strip().lower().replace("^", "").replace("²", "2")
+    name = str(units).strip().lower().replace("**", "").replace("^", "").replace("²", "2")
     if name not in _UNITS:
         raise ValueError(f"units: {units} is not known; give g, m/s2 or cm/s2")
     return _UNITS[name]
@@ -78,15 +78,32 @@ def _is_file(record: Any) -> bool:
     return isinstance(record, (str, os.PathLike))
 
 
-def _samples(key: str, record: Any) -> tuple[np.ndarray, float | None, str]:
-    """The samples of an array, or of a trace with `data` and `stats` as obspy's, with their step and title."""
+def _step(delta: float) -> float:
+    """The step of a trace: where it was kept as a float of 32 bits, the decimal number that was meant."""
+    short = np.float32(delta)
+    return float(str(short)) if float(short) == delta else float(delta)
+
+
+def _component(key: str, record: Any) -> tuple[np.ndarray, float | None, str, tuple[str, str, float] | None]:
+    """The samples of an array, or of a trace with `data` and `stats` as obspy's, with their step, title and origin."""
     stats = getattr(record, "stats", None)
     if stats is None:
-        return _checked(key, record), None, key
+        return _checked(key, record), None, key, None
     if np.ma.is_masked(record.data):
         raise ValueError(f"{key}: the trace has gaps; fill them, as merge(fill_value=0) does, or cut it")
     title = getattr(record, "id", None) or key
-    return _checked(key, record.data), float(stats.delta), str(title)
+    codes = (str(getattr(stats, code, "") or "") for code in ("network", "station", "location"))
+    begin = getattr(stats, "starttime", None)
+    start = float(getattr(begin, "timestamp", "nan"))
+    station = ".".join(code for code in codes if code)
+    origin = (station, str(getattr(stats, "channel", "") or ""), start)
+    return _checked(key, record.data), _step(float(stats.delta)), str(title), origin
+
+
+def _own_units(records: list[Any]) -> str | None:
+    """The units that all traces have among their `stats`, as some readers put them there."""
+    found = {str(getattr(getattr(record, "stats", None), "units", None) or "") for record in records}
+    return found.pop() or None if len(found) == 1 else None
 
 
 def _traces(record: Any) -> list[Any] | None:
@@ -120,14 +137,6 @@ def _is_vertical(trace: Any) -> bool:
     return str(getattr(trace.stats, "channel", "")).upper().endswith("Z")
 
 
-def _together(horizontal: Any, vertical: Any, dt: float) -> None:
-    """Refuses traces that do not begin together."""
-    begin = [getattr(getattr(record, "stats", None), "starttime", None) for record in (horizontal, vertical)]
-    if begin[0] is not None and begin[1] is not None and abs(begin[1] - begin[0]) > 0.5 * dt:
-        apart = f"{abs(begin[1] - begin[0]):.4g} s"
-        raise ValueError(f"vertical: it begins {apart} away from the horizontal trace; trim both to the same time")
-
-
 def scene_file(scene: str | os.PathLike[str]) -> tuple[str, str]:
     """The text of a scene's file, and the folder from which files of records are looked for."""
     path = Path(scene)
@@ -142,36 +151,38 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     if not given:
         return keywords
     if all(_is_file(record) for record in given):
-        for record in given:
-            # A missing file is an OSError, as anywhere in Python.
-            os.stat(record)
+        for key in ("horizontal", "vertical"):
+            record = keywords.get(key)
+            if record is not None:
+                # A missing file is an OSError, as anywhere in Python.
+                os.stat(record)
+                keywords[key] = os.fsdecode(record)
         return keywords
     if horizontal is None or any(_is_file(record) for record in given):
         raise ValueError("horizontal: give both components as files, or both as arrays")
     dt, units = keywords.pop("dt", None), keywords.pop("units", None)
-    if units is None:
+    own = _own_units(given)
+    if units is None and own is None:
         raise ValueError("units: missing; give g, m/s2 or cm/s2 of the arrays")
-    scale = factor(units)
-    h, own, title = _samples("horizontal", horizontal)
-    own_steps = [own]
-    v, v_title = None, ""
-    if vertical is not None:
-        v, other, v_title = _samples("vertical", vertical)
-        own_steps.append(other)
+    scale = factor(own if units is None else units)
+    if own is not None and factor(own) != scale:
+        raise ValueError(f"units: the trace's are {own}, {units} is given; leave units out")
     if dt is not None and (not _is_number(dt) or np.ndim(dt) > 0 or np.ma.is_masked(dt)):
         raise ValueError("dt: give the time between samples, s")
-    steps = {float(step) for step in [*own_steps, dt] if step is not None}
-    if len(steps) != 1:
-        problem = "the components differ in it; resample one" if steps else "missing; give the time between samples, s"
-        raise ValueError(f"dt: {problem}")
-    _together(horizontal, vertical, next(iter(steps)))
-    _plausible(keywords, scale * float(np.abs(h).max(initial=0.0)), units)
-    keywords["motion"] = (
-        steps.pop(),
-        (scale * h).tolist(),
-        None if v is None else (scale * v).tolist(),
-        (title, v_title),
-    )
+    components: list[Any] = []
+    for key, record in (("horizontal", horizontal), ("vertical", vertical)):
+        if record is None:
+            components.append(None)
+            continue
+        samples, step, title, origin = _component(key, record)
+        if step is None and dt is None:
+            raise ValueError("dt: missing; give the time between samples, s")
+        if step is not None and dt is not None and abs(step - dt) > 1e-6 * step:
+            raise ValueError(f"dt: the trace's is {step} s, {dt} s is given; leave dt out")
+        if key == "horizontal":
+            _plausible(keywords, scale * float(np.abs(samples).max(initial=0.0)), own if units is None else units)
+        components.append((float(dt) if step is None else step, (scale * samples).tolist(), title, origin))
+    keywords["motion"] = (*components, bool(keywords.get("force")))
     del keywords["horizontal"]
     keywords.pop("vertical", None)
     return keywords

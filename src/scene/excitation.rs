@@ -49,11 +49,15 @@ impl Excitation {
 /// The record as written, but for its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RecordText {
-    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
+    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, BBP, one or two columns [default: a
     /// synthetic pair]
     pub horizontal: Option<PathBuf>,
     /// Vertical record, positive up
     pub vertical: Option<PathBuf>,
+    /// The channel of the horizontal record's file, where it has several: its number or its direction
+    pub horizontal_channel: Option<String>,
+    /// That of the vertical record's
+    pub vertical_channel: Option<String>,
     /// Time between samples, s, where a file does not tell
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
@@ -65,6 +69,10 @@ impl RecordText {
     pub fn first_key(&self) -> &'static str {
         match self {
             RecordText { horizontal: None, vertical: Some(_), .. } => "vertical",
+            RecordText { horizontal: None, horizontal_channel: Some(_), .. } => {
+                "horizontal_channel"
+            }
+            RecordText { horizontal: None, vertical_channel: Some(_), .. } => "vertical_channel",
             RecordText { horizontal: None, dt: Some(_), .. } => "dt",
             RecordText { horizontal: None, units: Some(_), .. } => "units",
             _ => "horizontal",
@@ -80,6 +88,8 @@ impl RecordText {
         Ok(RecordText {
             horizontal: Some(record.horizontal.find(folders)?),
             vertical: record.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
+            horizontal_channel: record.horizontal.channel.clone(),
+            vertical_channel: record.vertical.as_ref().and_then(|file| file.channel.clone()),
             dt: record.dt,
             units: record.units,
         })
@@ -124,25 +134,41 @@ pub fn check_record(
         positive("dt", dt)?;
     }
     let pga = numbers.get(Parameter::Pga);
-    let hints = RecordHints { dt: text.dt, units: text.units, scaled: pga.is_some() };
+    let hints = RecordHints {
+        dt: text.dt,
+        units: text.units,
+        scaled: pga.is_some(),
+        ..RecordHints::default()
+    };
     let read = |key, path: &Path, hints: &RecordHints| {
         let path = directory.join(path);
-        read::file(&path, hints)
+        let is_vertical = key == "vertical";
+        let channel = if is_vertical { &text.vertical_channel } else { &text.horizontal_channel };
+        let own =
+            RecordHints { vertical: Some(is_vertical), channel: channel.clone(), ..hints.clone() };
+        read::file(&path, &own)
             .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))
     };
+    if let (None, Some(_)) = (&text.vertical, &text.vertical_channel) {
+        return Err(SceneError::new(
+            "vertical_channel",
+            "there is no vertical record; give `vertical`",
+        ));
+    }
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
     };
     // Where one file tells its own step and units, and the other does not, what is given is meant for the other.
-    let own = RecordHints { dt: None, units: None, ..hints };
-    let tells = |path: &Path| read::file(&directory.join(path), &own).is_ok();
+    let own = RecordHints { dt: None, units: None, ..hints.clone() };
+    let tells = |key, path: &Path| read(key, path, &own).is_ok();
     let given = text.dt.is_some() || text.units.is_some();
     let pair = text.vertical.as_deref().filter(|_| given);
-    let (of_h, of_v) = match pair.map(|path| (tells(horizontal), tells(path))) {
-        Some((true, false)) => (&own, &hints),
-        Some((false, true)) => (&hints, &own),
-        _ => (&hints, &hints),
-    };
+    let (of_h, of_v) =
+        match pair.map(|path| (tells("horizontal", horizontal), tells("vertical", path))) {
+            Some((true, false)) => (&own, &hints),
+            Some((false, true)) => (&hints, &own),
+            _ => (&hints, &hints),
+        };
     let horizontal = read("horizontal", horizontal, of_h)?;
     let vertical = text.vertical.as_deref().map(|path| read("vertical", path, of_v)).transpose()?;
     Ok(scaled(joined::join(horizontal, vertical, &hints, force)?, numbers))

@@ -29,6 +29,8 @@ enum Word {
     Shape,
     Horizontal,
     Vertical,
+    HorizontalChannel,
+    VerticalChannel,
     Dt,
     Units,
     Overturn,
@@ -44,7 +46,14 @@ impl Word {
             Section::Block => &[Word::Object],
             Section::Base => &[Word::Isolation],
             Section::Pulse => &[Word::Shape],
-            Section::Record => &[Word::Horizontal, Word::Vertical, Word::Dt, Word::Units],
+            Section::Record => &[
+                Word::Horizontal,
+                Word::Vertical,
+                Word::HorizontalChannel,
+                Word::VerticalChannel,
+                Word::Dt,
+                Word::Units,
+            ],
             Section::Run => &[Word::Overturn, Word::Force, Word::X, Word::Y],
         }
     }
@@ -57,6 +66,8 @@ impl Word {
             Word::Shape => "shape",
             Word::Horizontal => "horizontal",
             Word::Vertical => "vertical",
+            Word::HorizontalChannel => "horizontal_channel",
+            Word::VerticalChannel => "vertical_channel",
             Word::Dt => "dt",
             Word::Units => "units",
             Word::Overturn => "overturn",
@@ -148,6 +159,12 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 Key::Word(Word::Vertical) => {
                     files(scene).vertical = Some(map.next_value::<PathText>()?.0);
                 }
+                Key::Word(Word::HorizontalChannel) => {
+                    files(scene).horizontal_channel = Some(map.next_value()?);
+                }
+                Key::Word(Word::VerticalChannel) => {
+                    files(scene).vertical_channel = Some(map.next_value()?);
+                }
                 Key::Word(Word::Dt) => files(scene).dt = Some(map.next_value()?),
                 Key::Word(Word::Units) => files(scene).units = Some(map.next_value()?),
                 Key::Word(Word::Force) => scene.force = map.next_value()?,
@@ -238,6 +255,8 @@ impl Serialize for Written<'_> {
                 Word::Shape => entry(&mut map, key, &scene.shape)?,
                 Word::Horizontal => entry(&mut map, key, &file(record.horizontal.clone()))?,
                 Word::Vertical => entry(&mut map, key, &file(record.vertical.clone()))?,
+                Word::HorizontalChannel => entry(&mut map, key, &record.horizontal_channel)?,
+                Word::VerticalChannel => entry(&mut map, key, &record.vertical_channel)?,
                 Word::Dt => entry(&mut map, key, &record.dt)?,
                 Word::Units => entry(&mut map, key, &record.units)?,
                 Word::Force => entry(&mut map, key, &scene.force.then_some(true))?,

@@ -43,7 +43,7 @@ pub fn judge(scene: &Scene) -> Outcome {
 
 /// The scene under a record of these samples, m/s^2, to its end.
 pub fn shaken(mut scene: Scene, dt: f64, samples: Vec<f64>) -> Scene {
-    let record = Record { title: "made".into(), dt, samples, notes: Vec::new() };
+    let record = Record { title: "made".into(), dt, samples, ..Record::default() };
     under(&mut scene, Pair::new(record, None).unwrap());
     scene
 }

@@ -10,13 +10,20 @@ use super::written::one_of;
 /// The record's files, and what they may not tell.
 #[derive(Debug, Clone, clap::Args)]
 pub struct RecordFlags {
-    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, one or two columns [default: a
+    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, BBP, one or two columns [default: a
     /// synthetic pair]
     #[arg(long, value_name = "FILE")]
     horizontal: Option<PathBuf>,
     /// Vertical record, positive up
     #[arg(long, value_name = "FILE")]
     vertical: Option<PathBuf>,
+    /// Channel of the horizontal record's file, where it has several: its number or its direction [default: the first
+    /// horizontal one]
+    #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
+    horizontal_channel: Option<String>,
+    /// Channel of the vertical record's file [default: the first vertical one]
+    #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
+    vertical_channel: Option<String>,
     /// Time between samples, s, where a file does not tell
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     dt: Option<f64>,
@@ -28,7 +35,8 @@ pub struct RecordFlags {
 impl RecordFlags {
     /// The record as the flags write it.
     pub fn text(&self) -> RecordText {
-        let RecordFlags { horizontal, vertical, dt, units } = self.clone();
-        RecordText { horizontal, vertical, dt, units }
+        let RecordFlags { horizontal, vertical, horizontal_channel, vertical_channel, dt, units } =
+            self.clone();
+        RecordText { horizontal, vertical, horizontal_channel, vertical_channel, dt, units }
     }
 }

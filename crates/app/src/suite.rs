@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 use topple::results::earlier::Kind;
-use topple::scene::path_text;
 use topple::scene::record::Provenance;
+use topple::scene::{path_text, shown};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::{Suite, SuiteError, table};
@@ -28,7 +28,7 @@ pub struct SuiteCommand {
     /// Directory for the results; made if need be
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
-    /// Refuse a suite in which anything is missing or ambiguous
+    /// Refuse a suite in which anything is missing, ambiguous or unused
     #[arg(long)]
     strict: bool,
     /// Print nothing but warnings and errors
@@ -46,8 +46,8 @@ struct Manifest<'a> {
     records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
-    /// Files that are no part of any line.
-    unused: &'a [String],
+    /// Files that are no part of any line, each with what it is.
+    unused: BTreeMap<&'a str, &'a str>,
 }
 
 /// Where a motion came from.
@@ -87,7 +87,7 @@ impl SuiteCommand {
                 })
                 .collect(),
             left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
-            unused: &suite.unused,
+            unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
         };
         out.finish(&manifest)?;
         tell(&suite, &say);
@@ -114,8 +114,7 @@ pub fn count(suite: &Suite, say: &Reporter) {
 /// Says what is in a suite.
 fn tell(suite: &Suite, say: &Reporter) {
     let motions: Vec<_> = suite.motions().collect();
-    let mut recordings: Vec<_> =
-        motions.iter().map(|(entry, _)| (&entry.event, &entry.station)).collect();
+    let mut recordings: Vec<_> = motions.iter().map(|(entry, _)| entry.recording()).collect();
     recordings.sort();
     recordings.dedup();
     let (motions, recordings) =
@@ -141,11 +140,13 @@ fn tell(suite: &Suite, say: &Reporter) {
         say.line("", format!("and {} more, in the table", left_out.len() - SHOWN));
     }
     if !suite.unused.is_empty() {
-        let (count, first) = (suite.unused.len(), &suite.unused[0]);
-        say.line(
-            "unused",
-            format!("{} whose names tell no component, the first {first}", counted(count, "file")),
-        );
+        say.line("unused", counted(suite.unused.len(), "file"));
+    }
+    for unused in suite.unused.iter().take(SHOWN) {
+        say.line("", format!("{}: {}", shown::shown(&unused.file), unused.why));
+    }
+    if suite.unused.len() > SHOWN {
+        say.line("", format!("and {} more, in run.json", suite.unused.len() - SHOWN));
     }
 }
 

@@ -27,7 +27,7 @@ pub struct SuiteFlags {
     /// A folder, a zip or a list of records, as of topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
     suite: PathBuf,
-    /// Refuse a suite in which anything is missing or ambiguous
+    /// Refuse a suite in which anything is missing, ambiguous or unused
     #[arg(long, help_heading = "Suite")]
     strict: bool,
     /// Take each motion twice, its horizontal component in both directions

@@ -157,7 +157,17 @@ mod tests {
     fn every_choice_of_a_scene_is_offered() {
         let offered: Vec<String> =
             words().iter().map(|word| word["key"].as_str().unwrap().to_string()).collect();
-        let not_offered = ["horizontal", "vertical", "dt", "units", "force", "x", "y"];
+        let not_offered = [
+            "horizontal",
+            "vertical",
+            "horizontal_channel",
+            "vertical_channel",
+            "dt",
+            "units",
+            "force",
+            "x",
+            "y",
+        ];
         for section in Section::ALL {
             for key in keys::words(section).iter().filter(|key| !not_offered.contains(key)) {
                 assert!(offered.iter().any(|own| own == key), "{key}");

@@ -84,7 +84,7 @@ fn flags(session: &Session, given: &SceneBuilder) -> Vec<String> {
                     let place = session.records.written(&PathBuf::from(text));
                     flag(key, &place.to_string_lossy());
                 }
-                key => flag(key, &text),
+                key => flag(&key.replace('_', "-"), &text),
             }
         }
         for entry in PARAMETERS.iter().filter(|entry| entry.section == section) {

@@ -212,7 +212,7 @@ fn index() -> String {
 /// A scene as the exported page has it: its record is known by its name alone, with both components in it.
 fn exported(scene: &Flat) -> Flat {
     let mut scene = scene.clone();
-    for key in ["vertical", "dt", "units"] {
+    for key in ["vertical", "horizontal_channel", "vertical_channel", "dt", "units"] {
         scene.remove(key);
     }
     scene

@@ -19,7 +19,8 @@ use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded};
 /// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
 /// they are scaled to.
 type Key = (RecordTextKey, Option<u64>);
-type RecordTextKey = (Option<PathBuf>, Option<PathBuf>, Option<u64>, Option<String>);
+type RecordTextKey =
+    (Option<PathBuf>, Option<PathBuf>, [Option<String>; 2], Option<u64>, Option<String>);
 
 /// Motions that are kept read, and samples of all of them, 512 MiB with both components.
 const KEPT: (usize, usize) = (8, 1 << 25);
@@ -170,6 +171,7 @@ impl Records {
         let files = (
             text.horizontal.clone(),
             text.vertical.clone(),
+            [&text.horizontal_channel, &text.vertical_channel].map(Clone::clone),
             text.dt.map(f64::to_bits),
             text.units.map(|units| format!("{units:?}")),
         );

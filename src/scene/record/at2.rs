@@ -1,8 +1,9 @@
 //! PEER NGA .AT2, in the dialects of its three databases.
 
-use super::lines::{Lines, after, free, number};
-use super::{Raw, RecordError, Units};
-use crate::scene::shown::shown;
+use super::lines::Lines;
+use super::numbers::{after, free, number};
+use super::read::RecordHints;
+use super::{Raw, RecordError, Stated, Step};
 
 /// Lines among which the one with NPTS and DT is looked for.
 const HEADER: usize = 10;
@@ -12,12 +13,11 @@ pub(crate) fn matches(text: &str) -> bool {
     text.lines().take(HEADER).any(|line| line.to_ascii_uppercase().contains("NPTS"))
 }
 
-/// The units that a line in capitals states: `IN UNITS OF G`, `UNITS ARE (G)`.
+/// The units that a line in capitals states: `IN UNITS OF G`, `UNITS ARE (G)`, `ACCELERATION IN G`.
 fn stated_units(upper: &str) -> Option<&str> {
-    let rest =
-        ["UNITS OF ", "UNITS ARE "].iter().find_map(|words| Some(upper.split_once(words)?.1))?;
-    let word = rest.split([' ', ',', '\t']).find(|word| !word.is_empty())?;
-    Some(word.trim_matches(['(', ')', '.', ';']))
+    let words = ["UNITS OF ", "UNITS ARE ", "UNITS:", "UNITS=", "ACCELERATION IN "];
+    let rest = words.iter().find_map(|words| Some(upper.split_once(words)?.1))?;
+    rest.split([' ', ',', '\t']).find(|word| !word.is_empty())
 }
 
 /// `NPTS= 4000, DT= .01000 SEC`, in either order, or the older `4096  0.0100  NPTS, DT`.
@@ -33,11 +33,25 @@ fn count_and_step(line: &str) -> Option<(f64, f64)> {
     Some(if npts < dt { (a, b) } else { (b, a) })
 }
 
-pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
+/// Largest part of a step that may be lost with its digits: of 1/256 s, 0.0039 has lost 0.2 %.
+const LOST: f64 = 0.01;
+
+/// A step by the digits that the line has of it.
+fn step(line: &str, seconds: f64) -> Step {
+    let decimals = line
+        .split(|c: char| !(c.is_ascii_digit() || c == '.'))
+        .filter(|word| number(word) == Some(seconds))
+        .filter_map(|word| Some(word.split_once('.')?.1.len()))
+        .max();
+    let within = decimals.map_or(0.0, |decimals| 0.5 * 0.1_f64.powi(decimals.min(20) as i32));
+    Step { seconds, within: within.min(LOST * seconds.abs()).max(Step::exact(seconds).within) }
+}
+
+pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
     let mut units = None;
     let mut header: Vec<&str> = Vec::new();
-    let (count, dt) = loop {
+    let (line, (count, dt)) = loop {
         let number = lines.number();
         let line = lines.next("count of points")?;
         let upper = line.to_ascii_uppercase();
@@ -46,16 +60,15 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             return Err(RecordError::line(number, problem));
         }
         if let Some(stated) = stated_units(&upper) {
-            units = Some(Units::named(stated).ok_or_else(|| {
-                let problem =
-                    format!("units of {} are not read; convert the values to g", shown(stated));
-                RecordError::line(number, problem)
-            })?);
+            units = Some((number, stated.to_string()));
         }
         if upper.contains("NPTS") {
-            break count_and_step(line).ok_or_else(|| {
-                RecordError::line(number, "NPTS and DT should stand here with their values")
-            })?;
+            break (
+                line,
+                count_and_step(line).ok_or_else(|| {
+                    RecordError::line(number, "NPTS and DT should stand here with their values")
+                })?,
+            );
         }
         header.push(line.trim());
     };
@@ -63,12 +76,9 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
     if !(count >= 2.0 && count.fract() == 0.0) {
         return Err(RecordError::line(at, format!("NPTS {count} is no number of samples")));
     }
-    let values = lines.numbers(Some(count as usize), free)?;
-    let rest = lines.numbers(None, free).unwrap_or_default().len();
-    let notes = match rest {
-        0 => Vec::new(),
-        rest => vec![format!("{rest} samples after the {count} of its NPTS are left out")],
-    };
+    let (values, more) = lines.samples(count as usize, free)?;
     let title = header.get(1).or(header.first()).copied().unwrap_or_default();
-    Ok(Raw { title: title.into(), dt: Some(dt), units, values, notes })
+    let stated = Stated::of_title(title);
+    let step = Some(step(line, dt));
+    Ok(Raw { title: title.into(), stated, step, units, values, notes: more.into_iter().collect() })
 }

@@ -1,19 +1,61 @@
 //! Plain numbers: one column of values, or time and value, with blanks, tabs, commas or semicolons between. Beside
-//! semicolons a comma is a decimal one.
+//! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
+//! before them; after it several values may stand in a row.
 
-use super::lines::{MOST_SAMPLES, free, number};
-use super::{DIGITS, Raw, RecordError, Units, rounded};
+use super::lines::MOST_SAMPLES;
+use super::numbers::{free, number};
+use super::read::RecordHints;
+use super::times::{self, Times};
+use super::{Raw, RecordError, Stated, Step, Units};
 use crate::scene::shown::shown;
 
 /// Most lines of a heading.
 const HEADING: usize = 20;
-/// Largest part of a step by which a time may miss its place.
-const JITTER: f64 = 0.02;
+/// Fewest samples that a count is taken for one of.
+const FEWEST: f64 = 10.0;
 
-pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
+/// A first row that may be a count, or a count and a step.
+struct First {
+    at: usize,
+    text: String,
+    numbers: Vec<f64>,
+}
+
+impl First {
+    /// The count and the step that it may be.
+    fn as_count(&self) -> Option<(f64, Option<f64>)> {
+        let is_count = |count: f64| count >= FEWEST && count.fract() == 0.0;
+        let is_step = |step: f64| step > 0.0 && step < 1.0;
+        match self.numbers[..] {
+            [count] if is_count(count) => Some((count, None)),
+            [count, step] if is_count(count) && is_step(step) => Some((count, Some(step))),
+            [step, count] if is_count(count) && is_step(step) => Some((count, Some(step))),
+            _ => None,
+        }
+    }
+}
+
+/// The rows of a file.
+#[derive(Default)]
+struct Rows {
+    first: Option<First>,
+    /// All values after the first row, row by row, and the fewest and the most of a row.
+    values: Vec<f64>,
+    rows: usize,
+    narrowest: usize,
+    widest: usize,
+    /// The last row of as many values as none before it had, and its line.
+    odd: usize,
+    /// The first of each row after the first, where there are two: times, and the digits that they have.
+    times: Times,
+    /// A value after the first row is written with a point or an exponent.
+    points: bool,
+}
+
+pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> {
     let mut title = String::new();
-    let (mut times, mut values) = (Vec::new(), Vec::new());
-    let (mut columns, mut commas) = (0, false);
+    let mut rows = Rows::default();
+    let mut commas = false;
     let (mut units, mut empty) = (None, None);
     for (index, line) in text.lines().enumerate() {
         let at = index + 1;
@@ -29,7 +71,7 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         let Some(numbers) = numbers else {
             // Words before the first number are a heading, of one line or several.
             let is_row = fields.first().is_some_and(|first| number(first).is_some());
-            if values.is_empty()
+            if rows.first.is_none()
                 && ((title.is_empty() && units.is_none()) || !is_row)
                 && at <= HEADING
             {
@@ -39,7 +81,7 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
                 if title.is_empty() && of_columns.is_none() {
                     title = line.chars().take(80).collect();
                 }
-                units = units.or(of_columns);
+                units = units.or(of_columns.map(|words| (at, words)));
                 continue;
             }
             let hint = match line.contains(',') {
@@ -53,88 +95,190 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             empty.get_or_insert(at);
             continue;
         }
-        if let (Some(empty), false) = (empty, values.is_empty()) {
+        if let (Some(empty), true) = (empty, rows.first.is_some()) {
             let problem = "an empty row amid the samples; fill it in, or cut the record there";
             return Err(RecordError::line(empty, problem));
         }
-        if columns == 0 {
-            columns = numbers.len();
-        }
-        if numbers.len() != columns || columns > 2 {
-            let hint = match line.contains(',') {
-                true => "; if its commas are decimal ones, write points",
-                false => "",
-            };
-            let columns = numbers.len();
-            let problem = format!(
-                "{columns} columns here; one of values, or two of time and value, are read{hint}"
-            );
-            return Err(RecordError::line(at, problem));
-        }
-        if columns == 2 {
-            times.push(numbers[0]);
-        }
-        values.push(numbers[columns - 1]);
-        if values.len() > MOST_SAMPLES {
-            return Err(RecordError::line(at, format!("more than {MOST_SAMPLES} samples")));
-        }
+        rows.add(at, line, &fields, numbers)?;
     }
-    let dt = if columns == 2 { Some(even_step(&times)?) } else { None };
-    let notes = if commas { vec!["decimal commas".to_string()] } else { Vec::new() };
-    Ok(Raw { title, dt, units, values, notes })
+    let mut raw = rows.record(hints)?;
+    if commas {
+        raw.notes.push("decimal commas".to_string());
+    }
+    // Without a place and a component it is a heading of columns.
+    let stated = Stated::of_title(&title);
+    let stated = if stated.event.is_empty() { Stated::default() } else { stated };
+    Ok(Raw { title, units, stated, ..raw })
 }
 
-/// The units of an acceleration that a heading has in brackets: `time (s), acc (cm/s^2)`.
+/// What is wrong with a row of so many columns.
+fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
+    let hint = match line.contains(',') {
+        true => "; if its commas are decimal ones, write points",
+        false => "",
+    };
+    let what = if columns == 1 { "1 column" } else { &format!("{columns} columns") };
+    RecordError::line(
+        at,
+        format!("{what} here; one of values, or two of time and value, are read{hint}"),
+    )
+}
+
+impl Rows {
+    fn add(
+        &mut self,
+        at: usize,
+        line: &str,
+        fields: &[&str],
+        numbers: Vec<f64>,
+    ) -> Result<(), RecordError> {
+        let Some(first) = &self.first else {
+            if numbers.len() > 2 {
+                return Err(too_many(at, numbers.len(), line));
+            }
+            self.first = Some(First { at, text: line.chars().take(40).collect(), numbers });
+            return Ok(());
+        };
+        let columns = numbers.len();
+        // Only a count tells that values run on from row to row.
+        let counted = first.as_count().is_some();
+        if !counted && columns != first.numbers.len() {
+            return Err(too_many(at, columns, line));
+        }
+        if self.rows == 0 {
+            (self.narrowest, self.widest) = (columns, columns);
+        }
+        if columns != self.widest && columns != self.narrowest || columns > self.widest {
+            self.odd = at;
+        }
+        self.narrowest = self.narrowest.min(columns);
+        self.widest = self.widest.max(columns);
+        self.points |= fields.iter().any(|field| field.contains(['.', 'e', 'E', 'd', 'D']));
+        if columns == 2 {
+            self.times.add(fields[0], numbers[0]);
+        }
+        self.rows += 1;
+        // Of time and value the value is kept, unless the values may run on.
+        let from = if counted { 0 } else { columns - 1 };
+        self.values.extend(&numbers[from..]);
+        if self.values.len() > 2 * MOST_SAMPLES || self.rows > MOST_SAMPLES {
+            return Err(RecordError::line(at, format!("more than {MOST_SAMPLES} samples")));
+        }
+        Ok(())
+    }
+
+    /// The record in the rows: whether the first one is a count is told by the others.
+    fn record(self, hints: &RecordHints) -> Result<Raw, RecordError> {
+        let Rows { first, mut values, rows, narrowest, widest, odd, times, points } = self;
+        let Some(first) = first else { return Ok(Raw::default()) };
+        let two = narrowest == 2 && widest == 2;
+        if let Some((count, step)) = first.as_count() {
+            let exactly = |found: usize| found as f64 == count;
+            let note = |what: &str| {
+                vec![format!("line {}: '{}' is {what}, no sample", first.at, shown(&first.text))]
+            };
+            let what = if step.is_some() { "the count and the step" } else { "the count" };
+            if two && exactly(rows) {
+                let found = times::step(&times, hints.dt.or(step))?;
+                if step.is_none_or(|step| (step - found.seconds).abs() <= 0.01 * found.seconds) {
+                    let values = values.chunks(2).map(|row| row[1]).collect();
+                    return Ok(Raw {
+                        step: Some(found),
+                        values,
+                        notes: note(what),
+                        ..Raw::default()
+                    });
+                }
+            }
+            let backwards = two && times.first().is_some_and(|time| first.numbers[0] > time);
+            if exactly(values.len()) && (!two || backwards) {
+                let step = step.map(Step::exact);
+                return Ok(Raw { step, values, notes: note(what), ..Raw::default() });
+            }
+            // A count that is another: one column with a point in each value but this, or a row unlike the others.
+            let unlike = widest != first.numbers.len() || narrowest != widest;
+            let found = if two { rows } else { values.len() };
+            let peak = values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+            let near = (0.5..=2.0).contains(&(count / found.max(1) as f64));
+            let whole = !two && points && !first.text.contains(['.', 'e', 'E']);
+            if rows > 0 && (unlike || backwards || whole && (near || count > 3.0 * peak)) {
+                let problem = format!(
+                    "'{}' looks like {what} of the samples, and {found} follow; mend it, or take the line out",
+                    shown(&first.text)
+                );
+                return Err(RecordError::line(first.at, problem));
+            }
+        }
+        if widest > 2 || (rows > 0 && narrowest != widest) {
+            return Err(too_many(odd.max(first.at + 1), widest, ""));
+        }
+        if first.numbers.len() == 2 {
+            let mut all = Times::default();
+            all.add(free(&first.text).first().unwrap_or(&""), first.numbers[0]);
+            all.append(times);
+            let step = times::step(&all, hints.dt)?;
+            let mut samples = Vec::with_capacity(rows + 1);
+            samples.push(first.numbers[1]);
+            match values.len() == rows {
+                true => samples.append(&mut values),
+                false => samples.extend(values.chunks(2).map(|row| row[1])),
+            }
+            return Ok(Raw { step: Some(step), values: samples, ..Raw::default() });
+        }
+        values.insert(0, first.numbers[0]);
+        Ok(Raw { values, ..Raw::default() })
+    }
+}
+
+/// The words of the units of an acceleration that a heading has in brackets: `time (s), acc (cm/s^2)`.
 ///
 /// # Errors
-/// Units that are not read; a heading of velocities or displacements.
-fn units_in(heading: &str) -> Result<Option<Units>, String> {
+/// A heading of velocities or displacements.
+fn units_in(heading: &str) -> Result<Option<String>, String> {
     let lower = heading.to_lowercase();
     let names = |words: &[&str]| words.iter().any(|word| lower.contains(word));
     if names(&["veloc", "displac"]) && !names(&["acc"]) {
         return Err("this is no acceleration by its heading; give the file of accelerations".into());
     }
-    let inside = heading.split(['(', '[']).skip(1).filter_map(|rest| rest.split([')', ']']).next());
-    let mut found = None;
-    for text in inside {
-        let is_time =
-            matches!(text.trim().to_lowercase().as_str(), "s" | "sec" | "secs" | "seconds");
-        match Units::named(text) {
-            Some(units) => found = Some(units),
-            // Brackets may hold anything; what has a slash, or is said of an acceleration, are units.
-            None if !is_time && (text.contains('/') || names(&["acc"])) => {
-                return Err(format!(
-                    "units of '{}' are not read; convert the values to g, m/s2 or cm/s2",
-                    shown(text)
-                ));
-            }
-            None => {}
-        }
-    }
-    Ok(found)
+    let is_time = |text: &str| {
+        matches!(text.trim().to_lowercase().as_str(), "s" | "sec" | "secs" | "seconds" | "sec.")
+    };
+    // Brackets may hold anything.
+    let found = in_brackets(heading).into_iter().rev();
+    let mut found = found.filter(|text| !is_time(text) && Units::are_meant(text));
+    // Without brackets: `acceleration in g`, `units: cm/s2`.
+    let said = || {
+        let at = ["units:", "units=", "units ", " in "]
+            .iter()
+            .find_map(|word| Some(lower.rfind(word)? + word.len()))?;
+        let words = lower.get(at..)?.trim();
+        Units::are_meant(words).then(|| words.to_string())
+    };
+    Ok(found.next().map(String::from).or_else(said))
 }
 
-/// The step of evenly spaced times.
-fn even_step(times: &[f64]) -> Result<f64, RecordError> {
-    let (Some(first), Some(last)) = (times.first(), times.last()) else {
-        return Err(RecordError::whole("no samples"));
-    };
-    let step = rounded((last - first) / (times.len().max(2) - 1) as f64, DIGITS);
-    if !(step > 0.0) {
-        return Err(RecordError::whole(
-            "the times in the first column do not grow; if its commas are decimal ones, write points",
-        ));
-    }
-    for (index, time) in times.iter().enumerate() {
-        let place = first + step * index as f64;
-        if !((time - place).abs() <= JITTER * step) {
-            let problem = format!(
-                "sample {}: the time {time} is not where even steps of {step} s put it ({place}); \
-                 resample the record evenly",
-                index + 1
-            );
-            return Err(RecordError::whole(problem));
+/// What stands in the outermost brackets of a line.
+fn in_brackets(line: &str) -> Vec<&str> {
+    let (mut found, mut depth, mut from) = (Vec::new(), 0_usize, 0);
+    for (at, c) in line.char_indices() {
+        match c {
+            '(' | '[' => {
+                if depth == 0 {
+                    from = at + 1;
+                }
+                depth += 1;
+            }
+            ')' | ']' if depth > 0 => {
+                depth -= 1;
+                if depth == 0 {
+                    found.push(&line[from..at]);
+                }
+            }
+            _ => {}
         }
     }
-    Ok(step)
+    if depth > 0 {
+        found.push(&line[from..]);
+    }
+    found
 }

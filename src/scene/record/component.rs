@@ -1,45 +1,61 @@
-//! What a record's title says of its component: PEER's ends with it, after the last comma
-//! (`Northridge-01, 1/17/1994, Rinaldi Receiving Sta, UP`).
+//! Which component of a motion a record is: by the words that files have for it.
 
-/// A vertical component, by which way is positive.
+/// A component of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Vertical {
-    /// Up.
+pub enum Component {
+    /// Horizontal.
+    Horizontal,
+    /// Vertical, positive up.
     Up,
-    /// Down.
+    /// Vertical, positive down.
     Down,
+}
+
+impl Component {
+    /// The component that a word means: an azimuth (`228`, `90 Deg`), a bearing (`N17E`), a direction (`EW`, `U-D`).
+    pub fn named(word: &str) -> Option<Component> {
+        // What stands in brackets is no part of it: `090 (CUE)`.
+        let word = word.split('(').next().unwrap_or_default().to_uppercase();
+        let word: String = word.chars().filter(|c| !c.is_whitespace() && *c != '°').collect();
+        let word = ["DEGREES", "DEG.", "DEG"]
+            .iter()
+            .find_map(|degrees| word.strip_suffix(degrees))
+            .unwrap_or(&word);
+        let degrees =
+            |text: &str| text.parse::<f64>().is_ok_and(|degrees| (0.0..=360.0).contains(&degrees));
+        let bearing = word.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
+        match word {
+            "UP" | "UD" | "U-D" | "UPDO" | "U" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" | "Z"
+            | "UPWARD" => Some(Component::Up),
+            "DWN" | "DN" | "DOWN" | "DU" | "DOWNWARD" => Some(Component::Down),
+            "N" | "E" | "S" | "W" | "NS" | "EW" | "SN" | "WE" | "N-S" | "E-W" | "S-N" | "W-E"
+            | "L" | "T" | "L1" | "T1" | "H" | "H1" | "H2" | "LONG" | "TRAN" | "TRANS"
+            | "LONGITUDINAL" | "TRANSVERSE" | "HORIZONTAL" | "RADIAL" | "NORTH" | "SOUTH"
+            | "EAST" | "WEST" => Some(Component::Horizontal),
+            _ if degrees(word) || bearing.is_some_and(degrees) => Some(Component::Horizontal),
+            _ => None,
+        }
+    }
+
+    /// The component of a channel by SEED's code of three letters: `HNZ`, `HNE`, `BN1`.
+    pub(super) fn of_channel(code: &str) -> Option<Component> {
+        let last = code.trim().chars().last().filter(|_| code.trim().len() == 3)?;
+        match last.to_ascii_uppercase() {
+            'Z' | '3' => Some(Component::Up),
+            'N' | 'E' | '1' | '2' | 'X' | 'Y' | 'R' | 'T' => Some(Component::Horizontal),
+            _ => None,
+        }
+    }
+
+    /// True of one that is not horizontal.
+    pub fn is_vertical(self) -> bool {
+        self != Component::Horizontal
+    }
 }
 
 /// Where and when, and which component; none where the title has no comma.
 pub fn place(title: &str) -> Option<(&str, &str)> {
     title.rsplit_once(',').map(|(place, component)| (place.trim(), component.trim()))
-}
-
-/// True of a title that names a horizontal component: an azimuth in degrees, a bearing, or a direction.
-pub fn is_horizontal(title: &str) -> bool {
-    let Some((_, component)) = place(title) else { return false };
-    let component = component.to_uppercase();
-    let degrees =
-        |text: &str| text.parse::<f64>().is_ok_and(|degrees| (0.0..=360.0).contains(&degrees));
-    let bearing = component.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
-    degrees(&component)
-        || bearing.is_some_and(degrees)
-        || matches!(
-            component.as_str(),
-            "N" | "E"
-                | "S"
-                | "W"
-                | "NS"
-                | "EW"
-                | "N-S"
-                | "E-W"
-                | "L"
-                | "T"
-                | "L1"
-                | "T1"
-                | "H1"
-                | "H2"
-        )
 }
 
 /// The event, with its date, and the station of a place: `Northridge-01, 1/17/1994` and `Rinaldi Receiving Sta`.
@@ -50,43 +66,28 @@ pub fn event_and_station(place: &str) -> (&str, &str) {
     }
 }
 
-/// The vertical component that a title names; none for a horizontal one, and where it says nothing.
-pub fn vertical(title: &str) -> Option<Vertical> {
-    let (_, component) = place(title)?;
-    match component.to_uppercase().as_str() {
-        "UP" | "UD" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" => Some(Vertical::Up),
-        "DWN" | "DN" | "DOWN" => Some(Vertical::Down),
-        _ => None,
-    }
-}
-
-/// True where two titles name two stations or events.
-pub fn apart(one: &str, other: &str) -> bool {
-    match (place(one), place(other)) {
-        (Some((here, _)), Some((there, _))) => !here.eq_ignore_ascii_case(there),
-        _ => false,
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Vertical, apart, is_horizontal, vertical};
+    use super::Component;
 
     #[test]
-    fn titles_tell_components_and_stations() {
-        let rinaldi = |component: &str| format!("Northridge-01, 1/17/1994, Rinaldi, {component}");
-        assert_eq!(vertical(&rinaldi("UP")), Some(Vertical::Up));
-        assert_eq!(vertical(&rinaldi("DWN")), Some(Vertical::Down));
-        assert_eq!(vertical(&rinaldi("228")), None);
-        assert_eq!(vertical("El Centro UP"), None);
-        for component in ["228", "0", "N17E", "EW", "T1"] {
-            assert!(is_horizontal(&rinaldi(component)), "{component}");
+    fn words_tell_components() {
+        for word in ["UP", "ud", "U-D", "V", "Vert", "UPDO", "up "] {
+            assert_eq!(Component::named(word), Some(Component::Up), "{word}");
         }
-        for component in ["UP", "DWN", "400", "Rinaldi", ""] {
-            assert!(!is_horizontal(&rinaldi(component)), "{component}");
+        for word in ["DWN", "DN", "down"] {
+            assert_eq!(Component::named(word), Some(Component::Down), "{word}");
         }
-        assert!(!apart(&rinaldi("228"), &rinaldi("UP")));
-        assert!(apart(&rinaldi("228"), "Northridge-01, 1/17/1994, Sylmar, UP"));
-        assert!(!apart("El Centro", "Northridge-01, 1/17/1994, Sylmar, UP"));
+        for word in
+            ["228", "0", "360", "N17E", "S 45 W", "EW", "E-W", "T1", "90 Deg", "090 (CUE)", "N00E"]
+        {
+            assert_eq!(Component::named(word), Some(Component::Horizontal), "{word}");
+        }
+        for word in ["400", "Rinaldi", "", "acc", "N400E", "-20"] {
+            assert_eq!(Component::named(word), None, "{word}");
+        }
+        assert_eq!(Component::of_channel("HNZ"), Some(Component::Up));
+        assert_eq!(Component::of_channel("HNE"), Some(Component::Horizontal));
+        assert_eq!(Component::of_channel("Z"), None);
     }
 }

@@ -1,7 +1,11 @@
 //! ESM and ITACA ASCII (DYNA 1.2): 64 lines of `KEY: value`, then one value a line.
 
-use super::lines::{Lines, free, number};
-use super::{Raw, RecordError, Units};
+use super::component::Component;
+use super::lines::Lines;
+use super::numbers::{free, number};
+use super::read::RecordHints;
+use super::stated::{seconds, tidy};
+use super::{Raw, RecordError, Stated, Step};
 use crate::scene::shown::shown;
 
 /// Lines of the header.
@@ -12,10 +16,11 @@ pub(crate) fn matches(text: &str) -> bool {
     text.starts_with("EVENT_NAME:")
 }
 
-pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
+pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
-    let (mut name, mut station, mut stream) = ("", "", "");
-    let (mut dt, mut count, mut units) = (None, None, None);
+    let (mut name, mut event, mut network, mut station, mut stream) = ("", "", "", "", "");
+    let (mut location, mut start) = ("", None);
+    let (mut step, mut count, mut units) = (None, None, None);
     for _ in 0..HEADER {
         let at = lines.number();
         let line = lines.next("header of 64 lines")?;
@@ -23,20 +28,18 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
             return Err(RecordError::line(at, "a header's KEY: value belongs here"));
         };
         let value = value.trim();
-        match key {
+        match key.trim().to_ascii_uppercase().as_str() {
             "EVENT_NAME" => name = value,
+            "EVENT_ID" => event = value,
+            "NETWORK" => network = value,
             "STATION_CODE" => station = value,
+            "LOCATION" => location = value,
             "STREAM" => stream = value,
-            "SAMPLING_INTERVAL_S" => dt = number(value),
+            "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS" => start = seconds(value),
+            "SAMPLING_INTERVAL_S" => step = number(value).map(Step::exact),
             "NDATA" => count = value.parse::<usize>().ok(),
-            "UNITS" => {
-                units = Units::named(value);
-                if units.is_none() {
-                    let problem = format!("'{}' is no unit of acceleration", shown(value));
-                    return Err(RecordError::line(at, problem));
-                }
-            }
-            "DATA_TYPE" if value != "ACCELERATION" => {
+            "UNITS" => units = Some((at, value.to_string())),
+            "DATA_TYPE" if !value.eq_ignore_ascii_case("acceleration") => {
                 let problem = format!("{} is no acceleration; give the ACC file", shown(value));
                 return Err(RecordError::line(at, problem));
             }
@@ -44,7 +47,20 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
         }
     }
     let count = count.ok_or_else(|| RecordError::whole("the header has no NDATA"))?;
-    let values = lines.numbers(Some(count), free)?;
+    let (values, more) = lines.samples(count, free)?;
+    let place = [network, station, location].map(tidy);
+    let stated = Stated {
+        event: tidy(if event.is_empty() { name } else { event }),
+        station: place
+            .iter()
+            .filter(|part| !part.is_empty())
+            .cloned()
+            .collect::<Vec<_>>()
+            .join("."),
+        component: Component::of_channel(stream).or_else(|| Component::named(stream)),
+        start,
+        ..Stated::default()
+    };
     let title = format!("{name} {station} {stream}");
-    Ok(Raw { title, dt, units, values, notes: Vec::new() })
+    Ok(Raw { title, stated, step, units, values, notes: more.into_iter().collect() })
 }

@@ -1,8 +1,9 @@
 //! A horizontal and a vertical component of one place and time, which are brought together.
 
-use super::component::{self, Vertical};
+use super::component::Component;
+use super::lines::MOST_SAMPLES;
 use super::read::RecordHints;
-use super::{Pair, Provenance, Record, RecordFile, Units};
+use super::{DIGITS, Pair, Provenance, Record, RecordFile, Units, rounded};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};
 use crate::written::Written;
@@ -20,18 +21,30 @@ fn questioned(
     hints: &RecordHints,
 ) -> Option<SceneError> {
     let asked = |key, problem: String| Some(SceneError::new(key, format!("{problem}; {ACCEPTED}")));
-    let (h, v) = (&horizontal.title, vertical.map_or("", |record| &record.title));
-    if component::vertical(h).is_some() {
+    let is_vertical = |record: &Record| record.stated.component.map(Component::is_vertical);
+    let h = &horizontal.title;
+    if is_vertical(horizontal) == Some(true) {
         return asked("horizontal", format!("'{h}' is a vertical component"));
     }
-    if vertical.is_some_and(|vertical| vertical.samples == horizontal.samples) {
-        return asked("vertical", "the same motion as the horizontal one".into());
-    }
-    if component::is_horizontal(v) {
-        return asked("vertical", format!("'{v}' is a horizontal component"));
-    }
-    if component::apart(h, v) {
-        return asked("vertical", format!("'{v}' is of another place or time than '{h}'"));
+    if let Some(vertical) = vertical {
+        let v = &vertical.title;
+        if vertical.samples == horizontal.samples {
+            return asked("vertical", "the same motion as the horizontal one".into());
+        }
+        if is_vertical(vertical) == Some(false) {
+            return asked("vertical", format!("'{v}' is a horizontal component"));
+        }
+        if let Some(how) = vertical.stated.apart(&horizontal.stated) {
+            return asked(
+                "vertical",
+                format!("'{v}' is of another place or time than '{h}': {how}"),
+            );
+        }
+        let later = later(horizontal, vertical).abs();
+        if later > horizontal.duration().min(vertical.duration()) {
+            let later = rounded(later, 7);
+            return asked("vertical", format!("'{v}' begins {later} s away from '{h}'"));
+        }
     }
     if let Some(units) = hints.units
         && units != Units::G
@@ -57,8 +70,62 @@ fn questioned(
     None
 }
 
+/// By how much the vertical begins later than the horizontal, s, by what their files state; 0 where one states nothing.
+fn later(horizontal: &Record, vertical: &Record) -> f64 {
+    match (horizontal.stated.start, vertical.stated.start) {
+        (Some(h), Some(v)) => v - h,
+        _ => 0.0,
+    }
+}
+
+/// Puts zeros before the component that begins later, so many as there are whole steps between.
+fn align(horizontal: &mut Record, vertical: &mut Record) {
+    let later_by = later(horizontal, vertical);
+    let shorter = horizontal.duration().min(vertical.duration());
+    let shifted = if later_by > 0.0 { vertical } else { horizontal };
+    let steps = (later_by.abs() / shifted.dt).round();
+    // Where it is forced, a component of another time is laid beside the other from the beginning.
+    if steps < 1.0
+        || later_by.abs() > shorter
+        || steps + shifted.samples.len() as f64 > MOST_SAMPLES as f64
+    {
+        return;
+    }
+    let by = rounded(steps * shifted.dt, DIGITS);
+    shifted.samples.splice(0..0, std::iter::repeat_n(0.0, steps as usize));
+    shifted.stated.start = shifted.stated.start.map(|start| start - by);
+    shifted.notes.push(format!(
+        "begins {} s after the other component by its file: {by} s of zeros put before it",
+        rounded(later_by.abs(), 7)
+    ));
+}
+
+/// The motion of two components, as [`join`] makes it, of records that came from no file.
+///
+/// # Errors
+/// Those of [`join`].
+pub fn bring(
+    mut horizontal: Record,
+    mut vertical: Option<Record>,
+    hints: &RecordHints,
+    force: bool,
+) -> Result<Pair, SceneError> {
+    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), hints), force) {
+        return Err(fault);
+    }
+    if let Some(vertical) = &mut vertical {
+        if vertical.stated.component == Some(Component::Down) {
+            vertical.samples.iter_mut().for_each(|a| *a = -*a);
+            vertical.notes.push("positive down by its file: turned over".into());
+        }
+        align(&mut horizontal, vertical);
+    }
+    let key = if vertical.is_some() { "vertical" } else { "horizontal" };
+    Pair::new(horizontal, vertical).map_err(|error| SceneError::new(key, error.to_string()))
+}
+
 /// The motion of two components; `hints` is what was said of their files. A vertical that is positive down by its
-/// title is turned over. `force` accepts what is improbable.
+/// file is turned over, and a component that begins later is moved to its time. `force` accepts what is improbable.
 ///
 /// # Errors
 /// What makes the pair improbable: a vertical given as horizontal, two places, the same motion twice, units. Those of
@@ -69,19 +136,8 @@ pub fn join(
     hints: &RecordHints,
     force: bool,
 ) -> Result<Pair, SceneError> {
-    let (mut vertical, vertical_file) = vertical.unzip();
-    if let (Some(fault), false) = (questioned(&horizontal, vertical.as_ref(), hints), force) {
-        return Err(fault);
-    }
-    if let Some(vertical) = &mut vertical
-        && component::vertical(&vertical.title) == Some(Vertical::Down)
-    {
-        vertical.samples.iter_mut().for_each(|a| *a = -*a);
-        vertical.notes.push("positive down by its title: turned over".into());
-    }
-    let key = if vertical.is_some() { "vertical" } else { "horizontal" };
-    let pair = Pair::new(horizontal, vertical);
-    let mut pair = pair.map_err(|error| SceneError::new(key, error.to_string()))?;
+    let (vertical, vertical_file) = vertical.unzip();
+    let mut pair = bring(horizontal, vertical, hints, force)?;
     let (horizontal, vertical) = (horizontal_file, vertical_file);
     let (dt, units) = (hints.dt, hints.units);
     pair.provenance = Some(Box::new(Provenance { horizontal, vertical, dt, units }));

@@ -1,7 +1,11 @@
 //! K-NET and KiK-net ASCII: counts of a digitizer with their scale factor.
 
-use super::lines::{Lines, free, number};
-use super::{Raw, RecordError, Units};
+use super::component::Component;
+use super::lines::Lines;
+use super::numbers::{free, number};
+use super::read::RecordHints;
+use super::stated::seconds;
+use super::{Raw, RecordError, Stated, Step};
 
 /// Width of a header's name.
 const NAME: usize = 18;
@@ -13,18 +17,36 @@ pub(crate) fn matches(text: &str) -> bool {
     text.lines().next().is_some_and(|line| line.starts_with("Origin Time"))
 }
 
-pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
+/// The component by a header's direction, and the depth: KiK-net numbers those of its borehole by 1 to 3 and those of
+/// the surface by 4 to 6, each N-S, E-W, U-D.
+fn direction(word: &str) -> (Option<Component>, &'static str) {
+    match word {
+        "1" | "2" => (Some(Component::Horizontal), " borehole"),
+        "3" => (Some(Component::Up), " borehole"),
+        "4" | "5" => (Some(Component::Horizontal), " surface"),
+        "6" => (Some(Component::Up), " surface"),
+        _ => (Component::named(word), ""),
+    }
+}
+
+pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
-    let (mut station, mut direction, mut rate, mut scale) =
-        (String::new(), String::new(), None, None);
+    let (mut origin, mut station, mut way, mut start) = ("", "", "", None);
+    let (mut rate, mut duration, mut scale) = (None, None, None);
     for _ in 0..HEADER {
         let at = lines.number();
         let line = lines.next("header of 17 lines")?;
         let value = line.get(NAME..).unwrap_or_default().trim();
-        if line.starts_with("Station Code") {
-            station = value.into();
+        if line.starts_with("Origin Time") {
+            origin = value;
+        } else if line.starts_with("Station Code") {
+            station = value;
+        } else if line.starts_with("Record Time") {
+            start = seconds(value);
+        } else if line.starts_with("Duration Time") {
+            duration = number(value);
         } else if line.starts_with("Dir.") {
-            direction = value.into();
+            way = value;
         } else if line.starts_with("Sampling Freq") {
             rate = number(value.trim_end_matches("Hz"));
         } else if line.starts_with("Scale Factor") {
@@ -40,16 +62,30 @@ pub(crate) fn read(text: &str) -> Result<Raw, RecordError> {
     let scale = scale.ok_or_else(|| missing("Scale Factor"))?;
     let rate = rate.filter(|r| *r > 0.0).ok_or_else(|| missing("Sampling Freq(Hz)"))?;
     let mut values = lines.numbers(None, free)?;
+    let mut notes = vec!["the mean of the counts is removed".to_string()];
+    let wanted = duration.map_or(0.0, |duration| (duration * rate).round());
+    if wanted > 0.0 && wanted != values.len() as f64 {
+        let few = if (values.len() as f64) < wanted { "; it may be cut off" } else { "" };
+        notes.push(format!("{} samples where its header has {wanted}{few}", values.len()));
+    }
     // Counts stand on the digitizer's offset; the header's maximum is taken after its removal.
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     for value in &mut values {
         *value = (*value - mean) * scale;
     }
+    let (component, depth) = direction(way);
     Ok(Raw {
-        title: format!("K-NET {station} {direction}"),
-        dt: Some(1.0 / rate),
-        units: Some(Units::CentimetresPerSecondSquared),
+        title: format!("K-NET {station} {way}"),
+        stated: Stated {
+            event: origin.into(),
+            station: format!("{station}{depth}"),
+            component,
+            start,
+            ..Stated::default()
+        },
+        step: Some(Step::exact(1.0 / rate)),
+        units: Some((0, "gal".into())),
         values,
-        notes: vec!["the mean of the counts is removed".into()],
+        notes,
     })
 }

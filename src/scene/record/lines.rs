@@ -1,8 +1,9 @@
-//! Lines of a file and the numbers in them.
+//! Lines of a file, and the samples in them.
 
 use std::iter::Peekable;
 
 use super::RecordError;
+use super::numbers::number;
 
 /// Most samples that a record may have: 28 hours at 100 Hz.
 pub(crate) const MOST_SAMPLES: usize = 10_000_000;
@@ -15,7 +16,12 @@ pub(crate) struct Lines<'a> {
 
 impl<'a> Lines<'a> {
     pub fn of(text: &'a str) -> Lines<'a> {
-        Lines { lines: text.lines().peekable(), next: 0 }
+        Lines::after(text, 0)
+    }
+
+    /// Those of a part of a file, with so many lines before it.
+    pub fn after(text: &'a str, before: usize) -> Lines<'a> {
+        Lines { lines: text.lines().peekable(), next: before }
     }
 
     /// Number of the line that `next` gives, from 1.
@@ -95,11 +101,20 @@ impl<'a> Lines<'a> {
             for field in cut(line) {
                 let value = number(field).ok_or_else(|| {
                     let shown: String = field.chars().take(20).collect();
-                    RecordError::line(self.number(), format!("'{shown}' is not a number"))
+                    let shown = shown.trim();
+                    let problem = match count {
+                        Some(count) if !values.is_empty() => format!(
+                            "'{shown}' is not a number; {} of {count} stand before it",
+                            values.len()
+                        ),
+                        _ => format!("'{shown}' is not a number"),
+                    };
+                    RecordError::line(self.number(), problem)
                 })?;
-                if values.len() < wanted {
+                // What follows in the line is for the caller.
+                if values.len() < wanted || count.is_some() {
                     values.push(value);
-                } else if count.is_none() {
+                } else {
                     let problem = format!("more than {MOST_SAMPLES} samples");
                     return Err(RecordError::line(self.number(), problem));
                 }
@@ -115,100 +130,53 @@ impl<'a> Lines<'a> {
             _ => Ok(values),
         }
     }
-}
 
-/// A finite number as FORTRAN writes it: no leading zero, a D for an exponent; with a long minus.
-pub(crate) fn number(field: &str) -> Option<f64> {
-    let field = field.trim();
-    let value = match field.parse::<f64>() {
-        Ok(value) => value,
-        // Long minus signs are a word processor's.
-        Err(_) => {
-            let plain = field.replace(['\u{2212}', '\u{2013}'], "-");
-            plain.replace(['D', 'd'], "E").parse().ok()?
-        }
-    };
-    value.is_finite().then_some(value)
-}
-
-/// The fields of a line between blanks and commas; also before a sign that no exponent owns, for
-/// a negative value may touch the one before it.
-pub(crate) fn free(line: &str) -> Vec<&str> {
-    let mut fields = Vec::new();
-    for word in line.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '"')) {
-        let mut from = 0;
-        let mut before = ' ';
-        for (at, c) in word.char_indices() {
-            let sign = c == '-' || c == '+';
-            if sign && at > from && !matches!(before, 'e' | 'E' | 'd' | 'D') {
-                fields.push(&word[from..at]);
-                from = at;
+    /// The `count` samples that a header states, and what has to be said of what follows them.
+    ///
+    /// # Errors
+    /// Those of [`numbers`](Lines::numbers).
+    pub fn samples(
+        &mut self,
+        count: usize,
+        cut: impl Fn(&'a str) -> Vec<&'a str>,
+    ) -> Result<(Vec<f64>, Option<String>), RecordError> {
+        let mut values = self.numbers(Some(count), &cut)?;
+        let on_the_line = values.len().saturating_sub(count);
+        values.truncate(count);
+        let mut more = on_the_line;
+        while let Some(line) = self.peek() {
+            let fields = cut(line);
+            if !fields.iter().all(|field| number(field).is_some()) {
+                break;
             }
-            before = c;
+            more += fields.len();
+            self.advance();
         }
-        if from < word.len() {
-            fields.push(&word[from..]);
-        }
+        let component = self.lines.clone().any(|line| line.to_ascii_uppercase().contains("NPTS"));
+        let note = match (more, component) {
+            (0, false) => None,
+            (0, true) => Some(format!(
+                "what follows the {count} samples is left out: another component, with a header of its own"
+            )),
+            (more, _) => Some(format!(
+                "{more} samples after the {count} that its header states are left out"
+            )),
+        };
+        Ok((values, note))
     }
-    fields
-}
-
-/// The fields of a line in columns of `width` characters; blank ones at the end do not count.
-pub(crate) fn fixed(line: &str, width: usize) -> Vec<&str> {
-    let line = line.trim_end();
-    let mut fields = Vec::new();
-    let mut from = 0;
-    while from < line.len() {
-        let mut to = (from + width.max(1)).min(line.len());
-        // A file of another encoding may hold longer characters; they are no numbers anyway.
-        while !line.is_char_boundary(to) {
-            to += 1;
-        }
-        fields.push(&line[from..to]);
-        from = to;
-    }
-    fields
-}
-
-/// The number after a key such as `NPTS=` (the equals sign may be missing) in a line.
-pub(crate) fn after(line: &str, key: &str) -> Option<f64> {
-    let upper = line.to_ascii_uppercase();
-    let at = upper.find(key)? + key.len();
-    let rest = line.get(at..)?.trim_start_matches([' ', '=', ':', '\t']);
-    let end = rest
-        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'E' | 'e')))
-        .unwrap_or(rest.len());
-    number(&rest[..end])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{after, fixed, free, number};
+    use super::Lines;
+    use crate::scene::record::numbers::free;
 
     #[test]
-    fn values_that_touch_are_told_apart() {
-        assert_eq!(free("  .5E-02-.25E+01 3-4"), [".5E-02", "-.25E+01", "3", "-4"]);
-        assert_eq!(free("0.01,-2;3\t4"), ["0.01", "-2", "3", "4"]);
-        assert_eq!(fixed(" 1.5057E+0-2.2223E+0", 10), [" 1.5057E+0", "-2.2223E+0"]);
-    }
-
-    #[test]
-    fn fortran_numbers_are_read() {
-        assert_eq!(number("  -.1181069E-02"), Some(-0.001181069));
-        assert_eq!(number("1.5D+2"), Some(150.0));
-        assert_eq!(number("1."), Some(1.0));
-        assert_eq!(free("\"0.5\",\"-0.25\""), ["0.5", "-0.25"]);
-        assert_eq!(number("\u{2013}0.5"), Some(-0.5));
-        assert_eq!(number("\u{2212}0.5"), Some(-0.5));
-        assert_eq!(number("NaN"), None);
-        assert_eq!(number("1e999"), None);
-    }
-
-    #[test]
-    fn keys_are_found_with_and_without_equals() {
-        assert_eq!(after("NPTS=  4000, DT= .01000 SEC", "NPTS"), Some(4000.0));
-        assert_eq!(after("NPTS=  4000, DT= .01000 SEC", "DT"), Some(0.01));
-        assert_eq!(after("dt=.005SEC", "DT"), Some(0.005));
-        assert_eq!(after("NPTS", "NPTS"), None);
+    fn what_follows_the_samples_is_said() {
+        let of = |text| Lines::of(text).samples(3, free).unwrap();
+        assert_eq!(of("1 2\n3\n"), (vec![1.0, 2.0, 3.0], None));
+        assert!(of("1 2\n3 4\n5\nEND\n").1.unwrap().starts_with("2 samples after the 3"));
+        assert!(of("1 2\n3\nA\nNPTS= 3\n1 2 3\n").1.unwrap().contains("another component"));
+        assert_eq!(of("1 2\n3\nEND\n").1, None);
     }
 }

@@ -1,32 +1,40 @@
 //! Ground-motion records.
 
 pub(crate) mod at2;
+pub(crate) mod bbp;
+mod channel;
 pub(crate) mod columns;
 pub mod component;
 pub(crate) mod cosmos;
 pub(crate) mod csmip;
 pub(crate) mod esm;
+pub(crate) mod geonet;
 pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
+pub(crate) mod numbers;
 pub(crate) mod pair;
+mod plain;
 pub(crate) mod provenance;
 pub mod read;
 pub(crate) mod smc;
+mod stated;
 pub mod synthetic;
-mod text;
+pub mod text;
+mod times;
+mod units;
 pub mod zips;
 
-use serde::{Deserialize, Serialize};
-
 use super::bounded;
-use crate::written::written;
 
+pub use component::Component;
 pub use pair::Pair;
 pub use provenance::{Provenance, RecordFile};
+pub use stated::Stated;
+pub use units::Units;
 
 /// An acceleration record, evenly sampled.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Record {
     /// What the file says that it is.
     pub title: String,
@@ -34,6 +42,8 @@ pub struct Record {
     pub dt: f64,
     /// Accelerations, m/s^2.
     pub samples: Vec<f64>,
+    /// What its file states of it.
+    pub stated: Stated,
     /// What the reader had to decide, in a sentence each.
     pub notes: Vec<String>,
 }
@@ -62,44 +72,6 @@ const DIGITS: usize = 13;
 pub fn rounded(number: f64, digits: usize) -> f64 {
     // What was written as a number is one.
     format!("{number:.*e}", digits.saturating_sub(1)).parse().unwrap_or(number)
-}
-
-written! {
-    /// Units of the numbers in a file.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-    pub enum Units {
-        /// Multiples of 9.81 m/s^2.
-        G = "g",
-        /// m/s^2.
-        MetresPerSecondSquared = "m/s2",
-        /// cm/s^2, gal.
-        CentimetresPerSecondSquared = "cm/s2" | "gal",
-    }
-}
-
-impl Units {
-    /// m/s^2 in one of them.
-    pub fn factor(self) -> f64 {
-        match self {
-            Units::G => super::GRAVITY,
-            Units::MetresPerSecondSquared => 1.0,
-            Units::CentimetresPerSecondSquared => 0.01,
-        }
-    }
-
-    /// The units that a header's words mean, if they are an acceleration's.
-    pub fn named(text: &str) -> Option<Units> {
-        let plain: String =
-            text.to_lowercase().chars().filter(|c| !c.is_whitespace() && *c != '^').collect();
-        match plain.as_str() {
-            "g" | "(g)" => Some(Units::G),
-            "m/s2" | "m/s/s" | "m/sec2" | "m/sec/sec" => Some(Units::MetresPerSecondSquared),
-            "cm/s2" | "cm/s/s" | "cm/sec2" | "cm/sec/sec" | "gal" => {
-                Some(Units::CentimetresPerSecondSquared)
-            }
-            _ => None,
-        }
-    }
 }
 
 /// Why bytes are no record.
@@ -134,14 +106,31 @@ impl RecordError {
     }
 }
 
-/// Samples as a file has them: in its units, before any check.
-#[derive(Debug, Clone, PartialEq)]
+/// Samples as a file has them, and what it states of them, before any of it is judged.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Raw {
     pub title: String,
-    /// Time between samples, s, where the file tells.
-    pub dt: Option<f64>,
-    /// Units, where the file tells.
-    pub units: Option<Units>,
+    pub stated: Stated,
+    /// Time between samples, where the file tells.
+    pub step: Option<Step>,
+    /// The words of its units with their line, where the file tells them.
+    pub units: Option<(usize, String)>,
     pub values: Vec<f64>,
     pub notes: Vec<String>,
+}
+
+/// A time between samples as a file states it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Step {
+    /// The time, s.
+    pub seconds: f64,
+    /// By how much it may be off, for want of digits.
+    pub within: f64,
+}
+
+impl Step {
+    /// One that is stated to all its digits.
+    pub fn exact(seconds: f64) -> Step {
+        Step { seconds, within: 1.0e-6 * seconds.abs() }
+    }
 }

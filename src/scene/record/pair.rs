@@ -6,7 +6,7 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::lines::MOST_SAMPLES;
-use super::{Provenance, Record, RecordError, time_of};
+use super::{DIGITS, Provenance, Record, RecordError, rounded, time_of};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -45,57 +45,66 @@ fn none<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Arc<[f64]>, D::Err
 }
 
 impl Pair {
-    /// Brings a horizontal and a vertical record together: the finer time step of both, by linear
-    /// interpolation; the longer duration, with zeros after the shorter one's end.
+    /// Brings a horizontal and a vertical record together: the longest time step of which both are whole multiples, so
+    /// that each keeps its samples, linear between them; the longer duration, with zeros after the shorter one's end.
     ///
     /// # Errors
-    /// A record of fewer than two samples, a sample or a time step that makes no sense, and more samples of the pair than
-    /// a record may have: those of a step that is far finer than the other's, for example.
+    /// A record of fewer than two samples, a sample or a time step that makes no sense, time steps without such a divisor,
+    /// and more samples of the pair than a record may have: those of a step that is far finer than the other's, for example.
     pub fn new(horizontal: Record, vertical: Option<Record>) -> Result<Pair, RecordError> {
-        let records = || [Some(&horizontal), vertical.as_ref()].into_iter().flatten();
-        for record in records() {
+        for record in [Some(&horizontal), vertical.as_ref()].into_iter().flatten() {
             check(record.dt, &record.samples)?;
         }
-        let dt = records().map(|record| record.dt).fold(f64::INFINITY, f64::min);
-        let duration = records().map(Record::duration).fold(0.0, f64::max);
-        let count = (duration / dt + ROUNDING).floor() + 1.0;
-        if !(count <= MOST_SAMPLES as f64) {
+        let Some(other) = &vertical else {
+            return Ok(Pair::brought(horizontal, vertical, Steps::ONE));
+        };
+        let lengths = [&horizontal, other].map(|record| record.samples.len());
+        let steps = Steps::of([horizontal.dt, other.dt], lengths).ok_or_else(|| {
+            let [h, v] = [horizontal.dt, other.dt].map(|dt| rounded(dt, DIGITS));
+            RecordError::Whole(format!(
+                "steps of {h} s and {v} s have no common divisor that is not far finer; resample one component to the \
+                 step of the other"
+            ))
+        })?;
+        let count = steps.count(lengths);
+        if count > MOST_SAMPLES as u128 {
+            let [h, v] = [horizontal.dt, other.dt];
             let problem = format!(
-                "{duration} s in steps of {dt} s, the finer of both components, are {count:.3e} samples, more than \
-                 {MOST_SAMPLES}; give components of the same step"
+                "steps of {h} s and {v} s together are {count} samples, more than {MOST_SAMPLES}; give components of the \
+                 same step"
             );
             return Err(RecordError::Whole(problem));
         }
-        Ok(Pair::brought(horizontal, vertical))
+        Ok(Pair::brought(horizontal, vertical, steps))
     }
 
     /// The same of records that are known to be some, and to have few samples together.
-    pub(super) fn brought(horizontal: Record, vertical: Option<Record>) -> Pair {
+    pub(super) fn brought(horizontal: Record, vertical: Option<Record>, steps: Steps) -> Pair {
         let mut notes: Vec<String> = Vec::new();
         notes.extend(horizontal.notes.iter().map(|note| format!("horizontal: {note}")));
         let mut title = horizontal.title.clone();
-        let mut dt = horizontal.dt;
-        let mut duration = horizontal.duration();
+        let mut lengths = [horizontal.samples.len(), 0];
         if let Some(vertical) = &vertical {
             notes.extend(vertical.notes.iter().map(|note| format!("vertical: {note}")));
             title = format!("{title} + {}", vertical.title);
-            dt = dt.min(vertical.dt);
-            duration = duration.max(vertical.duration());
+            lengths[1] = vertical.samples.len();
         }
-        let count = (duration / dt + ROUNDING).floor() as usize + 1;
-        let mut bring = |name: &str, record: &Record| -> Arc<[f64]> {
-            if record.dt != dt {
+        let dt = steps.step(horizontal.dt, vertical.as_ref().map(|record| record.dt));
+        let count = steps.count(lengths) as usize;
+        let mut bring = |name: &str, record: Record, parts: usize| -> Arc<[f64]> {
+            if parts != 1 {
                 notes.push(format!("{name} resampled from {} s to {dt} s", record.dt));
             }
-            if record.duration() < duration - 0.5 * dt {
-                let gap = duration - record.duration();
+            let gap = (count - 1 - (record.samples.len() - 1) * parts) as f64 * dt;
+            if gap > 0.5 * dt {
                 notes.push(format!("{name} padded with {gap:.3} s of zeros at its end"));
             }
-            (0..count).map(|k| interpolated(record, k as f64 * dt)).collect()
+            (0..count).map(|k| at(&record.samples, k, parts)).collect()
         };
-        let horizontal = bring("horizontal", &horizontal);
-        let vertical = match &vertical {
-            Some(vertical) => bring("vertical", vertical),
+        let [of_h, of_v] = steps.parts;
+        let horizontal = bring("horizontal", horizontal, of_h);
+        let vertical = match vertical {
+            Some(vertical) => bring("vertical", vertical, of_v),
             None => std::iter::repeat_n(0.0, count).collect(),
         };
         let mut pair = Pair {
@@ -166,9 +175,6 @@ impl Pair {
     }
 }
 
-/// Of a step, so that a length that is a whole number of steps stays one.
-const ROUNDING: f64 = 1.0e-3;
-
 /// Shortest time between samples, s: a thousandth of the finest that is recorded on a shaking table.
 pub(super) const SHORTEST_STEP: f64 = 1.0e-6;
 
@@ -189,17 +195,65 @@ fn check(dt: f64, samples: &[f64]) -> Result<(), RecordError> {
     }
 }
 
-/// A record at a time, linear between its samples and zero after its end.
-fn interpolated(record: &Record, t: f64) -> f64 {
-    let place = t / record.dt;
-    let nearest = place.round();
-    // Exactly on a sample, whatever the rounding of t.
-    if (place - nearest).abs() < 1.0e-6 {
-        return record.samples.get(nearest as usize).copied().unwrap_or(0.0);
+/// How many steps of a pair are one of each component.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Steps {
+    parts: [usize; 2],
+}
+
+/// Most parts that the finer of two steps is cut into: of 0.01 s and 1/128 s it is 25.
+const MOST_PARTS: usize = 64;
+/// Most of a step by which one component may have run away from the other at its end.
+const DRIFT: f64 = 0.02;
+
+impl Steps {
+    /// Those of one step.
+    pub const ONE: Steps = Steps { parts: [1, 1] };
+
+    /// Those of the longest step of which both are whole multiples, up to a drift that is none.
+    fn of(dt: [f64; 2], lengths: [usize; 2]) -> Option<Steps> {
+        let (fine, coarse) = if dt[0] <= dt[1] { (0, 1) } else { (1, 0) };
+        let ratio = dt[coarse] / dt[fine];
+        // As far as both go.
+        let gaps = (lengths[coarse] as f64).min(lengths[fine] as f64 / ratio).max(1.0);
+        let long_enough = |parts: &usize| dt[fine] / *parts as f64 >= SHORTEST_STEP;
+        let found = (1..=MOST_PARTS).take_while(long_enough).find(|parts| {
+            let whole = ratio * *parts as f64;
+            (whole - whole.round()).abs() * gaps <= DRIFT * *parts as f64
+        })?;
+        let mut parts = [found; 2];
+        parts[coarse] = (ratio * found as f64).round() as usize;
+        Some(Steps { parts })
     }
-    let before = place.floor() as usize;
-    match (record.samples.get(before), record.samples.get(before + 1)) {
-        (Some(a), Some(b)) => a + (b - a) * (place - place.floor()),
+
+    /// The step of a pair: that of a component in equal parts.
+    fn step(self, horizontal: f64, vertical: Option<f64>) -> f64 {
+        let [of_h, of_v] = self.parts;
+        match vertical {
+            // The finer one is cut into fewer parts.
+            Some(vertical) if of_v < of_h => part(vertical, of_v),
+            _ => part(horizontal, of_h),
+        }
+    }
+
+    /// Samples of a pair of components of such lengths.
+    fn count(self, lengths: [usize; 2]) -> u128 {
+        let of = |length: usize, parts: usize| length.saturating_sub(1) as u128 * parts as u128;
+        of(lengths[0], self.parts[0]).max(of(lengths[1], self.parts[1])) + 1
+    }
+}
+
+/// A part of a step, without the last digits of the division.
+fn part(step: f64, parts: usize) -> f64 {
+    if parts == 1 { step } else { rounded(step / parts as f64, DIGITS) }
+}
+
+/// The value of samples, each a number of parts after the one before it, at a part: linear between, zero after the end.
+fn at(samples: &[f64], part: usize, parts: usize) -> f64 {
+    let (before, within) = (part / parts, part % parts);
+    match (samples.get(before), samples.get(before + 1)) {
+        (Some(a), _) if within == 0 => *a,
+        (Some(a), Some(b)) => a + (b - a) * (within as f64 / parts as f64),
         _ => 0.0,
     }
 }

@@ -35,6 +35,9 @@ pub struct RecordFile {
     pub format: String,
     /// What it says that it is.
     pub title: String,
+    /// The channel that was asked for, of a file with several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub channel: Option<String>,
     /// Its units.
     pub units: Units,
     /// Time between its samples, s.

@@ -7,13 +7,14 @@ use std::sync::{Mutex, PoisonError};
 use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
-use super::{Raw, Record, RecordError, RecordFile, Units};
-use super::{at2, columns, cosmos, csmip, esm, knet, smc};
+use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
+use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, smc};
+use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
 
 /// What the user says of a record file, where the file itself does not say it.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct RecordHints {
     /// Time between samples, s.
     pub dt: Option<f64>,
@@ -21,6 +22,11 @@ pub struct RecordHints {
     pub units: Option<Units>,
     /// The record is scaled to a known peak, so that its own is not questioned.
     pub scaled: bool,
+    /// Which component is wanted of a file with several channels: true for the vertical one; the first where nothing is
+    /// said.
+    pub vertical: Option<bool>,
+    /// The channel that is wanted of such a file: its number, or its direction.
+    pub channel: Option<String>,
 }
 
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
@@ -63,6 +69,7 @@ pub fn of_bytes(
         sha256: sha256(bytes),
         format,
         title: record.title.clone(),
+        channel: record.stated.channel.clone(),
         units,
         dt: record.dt,
         samples: record.samples.len(),
@@ -80,16 +87,18 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
 }
 
 /// A format: its name, how a file of it is told, and how it is read.
-type Format = (&'static str, fn(&str) -> bool, fn(&str) -> Result<Raw, RecordError>);
+type Format = (&'static str, fn(&str) -> bool, fn(&str, &RecordHints) -> Result<Raw, RecordError>);
 
 /// The formats, in the order in which they are looked for: any text may be columns.
-const FORMATS: [Format; 7] = [
+const FORMATS: [Format; 9] = [
     ("K-NET", knet::matches, knet::read),
     ("ESM", esm::matches, esm::read),
     ("COSMOS", cosmos::matches, cosmos::read),
     ("SMC", smc::matches, smc::read),
+    ("GeoNet", geonet::matches, geonet::read),
     ("CSMIP", csmip::matches, csmip::read),
     ("PEER AT2", at2::matches, at2::read),
+    ("Broadband Platform", bbp::matches, bbp::read),
     ("columns", |_| true, columns::read),
 ];
 
@@ -121,25 +130,38 @@ fn of_text(
 ) -> Result<(Record, String, Units), RecordError> {
     let [.., columns] = &FORMATS;
     let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
-    let (record, units) = check(read(&text)?, hints)?;
+    let mut raw = read(&text, hints)?;
+    raw.stated.format = name;
+    if let (Some(asked), None) = (&hints.channel, &raw.stated.channel) {
+        let problem = format!("a file of {name} has one channel; leave '{}' out", shown(asked));
+        return Err(RecordError::whole(problem));
+    }
+    let (record, units) = check(raw, hints)?;
     // How a file is packed is nothing that its motion depends on.
     let format = note.map_or_else(|| name.to_string(), |note| format!("{name}, {note}"));
     Ok((record, format, units))
 }
 
+/// Judges what a file states, beside what the user says: the one place where that is decided, for all formats.
 fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
-    let Raw { title, dt, units, values, notes } = raw;
-    let title: String = printable(&title).chars().take(TITLE).collect();
+    let Raw { title, stated, step, units, values, mut notes } = raw;
+    let title = short(&title);
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }
-    let dt = match (dt, hints.dt) {
-        (Some(read), Some(given)) if (read - given).abs() > 1.0e-6 * read.abs() => {
+    let dt = match (step, hints.dt) {
+        (Some(Step { seconds, within }), Some(given)) if (seconds - given).abs() > within => {
             let problem =
-                format!("the file's step is {read} s, `dt` says {given} s; leave `dt` out");
+                format!("the file's step is {seconds} s, `dt` says {given} s; leave `dt` out");
             return Err(RecordError::whole(problem));
         }
-        (Some(read), _) => read,
+        (Some(Step { seconds, .. }), Some(given)) => {
+            if (seconds - given).abs() > 1.0e-9 * given {
+                notes.push(format!("the step is {given} s, as given; the file has {seconds} s"));
+            }
+            given
+        }
+        (Some(Step { seconds, .. }), None) => seconds,
         (None, Some(given)) => given,
         (None, None) => {
             return Err(RecordError::whole("the file does not tell its time step; give `dt`"));
@@ -153,6 +175,7 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         };
         return Err(RecordError::whole(format!("a time step of {dt} s is no record's{index}")));
     }
+    let units = units.map(|(line, words)| known_units(line, &words)).transpose()?;
     let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {
             let (read, given) = (read.key(), given.key());
@@ -167,7 +190,8 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         }
     };
     let samples: Vec<f64> = values.iter().map(|value| value * units.factor()).collect();
-    let record = Record { title, dt, samples, notes };
+    let stated = Stated { event: short(&stated.event), station: short(&stated.station), ..stated };
+    let record = Record { title, dt, samples, stated, notes };
     let peak = record.peak() / GRAVITY;
     if !(peak > 0.0 && peak.is_finite()) {
         return Err(RecordError::whole("every sample is zero; this is no record"));
@@ -181,4 +205,20 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         return Err(RecordError::whole(problem));
     }
     Ok((record, units))
+}
+
+/// A text of a file as titles have it.
+fn short(text: &str) -> String {
+    printable(text).chars().take(TITLE).collect()
+}
+
+/// The units that the words of a file mean; they stand in a line, or follow from the format.
+fn known_units(line: usize, words: &str) -> Result<Units, RecordError> {
+    Units::named(words).ok_or_else(|| {
+        let problem = format!(
+            "units of '{}' are not read; convert the values to g, m/s2 or cm/s2",
+            shown(words)
+        );
+        RecordError::line(line, problem)
+    })
 }

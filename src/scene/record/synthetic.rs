@@ -15,6 +15,7 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
+use super::pair::Steps;
 use super::{Pair, Record};
 use crate::scene::GRAVITY;
 
@@ -77,7 +78,7 @@ pub fn pair() -> Pair {
         }
         record
     };
-    Pair::brought(read(TITLES[0], &HORIZONTAL), Some(read(TITLES[1], &VERTICAL)))
+    Pair::brought(read(TITLES[0], &HORIZONTAL), Some(read(TITLES[1], &VERTICAL)), Steps::ONE)
 }
 
 /// A number of a file.
@@ -108,7 +109,7 @@ pub fn make(title: &str, parameters: &Parameters) -> Record {
         let taper = (((COUNT - 1 - k) as f64) * DT).min(1.0);
         samples.push(if k == 0 { 0.0 } else { out * taper });
     }
-    let mut record = Record { title: title.into(), dt: DT, samples, notes: Vec::new() };
+    let mut record = Record { title: title.into(), dt: DT, samples, ..Record::default() };
     let factor = peak / record.peak();
     for sample in &mut record.samples {
         *sample *= factor;

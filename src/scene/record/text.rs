@@ -6,7 +6,7 @@ use flate2::read::MultiGzDecoder;
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::{RecordError, zips};
+use super::{RecordError, plain, zips};
 use crate::scene::bounded;
 use crate::scene::shown::{self, shown};
 
@@ -84,6 +84,10 @@ fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> 
             names.push(name.into_owned());
         }
     }
+    if names.iter().any(|name| name == "xl/workbook.xml") {
+        let problem = "a spreadsheet (.xlsx); save its sheet as CSV and give that";
+        return Err(RecordError::whole(problem));
+    }
     let [name] = &names[..] else {
         let mut first: Vec<String> = names.iter().take(3).map(|name| shown(name)).collect();
         if names.len() > first.len() {
@@ -101,13 +105,12 @@ fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> 
     Ok((all(file, most, "zip")?, name.clone()))
 }
 
-/// Bytes as text.
-fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
-    let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
-        _ => String::from_utf8_lossy(bytes.strip_prefix(MARK).unwrap_or(bytes)).into_owned(),
-    };
+/// Bytes as text, its lines ended as here.
+///
+/// # Errors
+/// What it is, where it is no text, and what to do.
+pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
+    let text = plain::of(bytes);
     let start: String = text.trim_start().chars().take(64).collect();
     let start = start.to_ascii_lowercase();
     if ["<!doctype html", "<html", "<?xml", "<head", "<body"]
@@ -121,6 +124,9 @@ fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     if bytes.starts_with(b"%PDF") {
         return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
     }
+    if let Some(problem) = plain::other_program(bytes) {
+        return Err(RecordError::whole(problem));
+    }
     if text.chars().take(1024).any(|c| c == '\0') {
         return Err(RecordError::whole("a binary file, not a record; give a file of numbers"));
     }
@@ -131,15 +137,6 @@ fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
         return Err(RecordError::line(before + 1, problem));
     }
     Ok(text)
-}
-
-/// What some programs put before a text in UTF-8.
-const MARK: &[u8] = "\u{feff}".as_bytes();
-
-fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
-    let (units, _) = bytes.as_chunks::<2>();
-    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
-    String::from_utf16_lossy(&units)
 }
 
 /// A text without control characters, which a terminal would obey and an SVG may not hold.
@@ -225,7 +222,37 @@ mod tests {
     }
 
     #[test]
+    fn lines_end_however_systems_end_them() {
+        for text in [
+            "1\r2\r3",
+            "1\r\n2\r\n3",
+            "1\r\r\n2\r\r\n3\r\r\n",
+            "1\n2\n3\n\x1a",
+            "1\n2\r\n3\r\n\x1a\x1a\0\0",
+            "\u{feff}\u{feff}1\n2\n3",
+        ] {
+            let (read, _) = of(text.as_bytes(), LARGEST).unwrap();
+            assert_eq!(read.lines().collect::<Vec<_>>(), ["1", "2", "3"], "{text:?}");
+        }
+        // Amid a text it ends nothing.
+        assert!(of(b"1\n\x1a2\n", LARGEST).unwrap().0.contains('\x1a'));
+        let wide: Vec<u8> =
+            "0.123456 0.234567\n0.3".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(of(&wide, LARGEST).unwrap().0, "0.123456 0.234567\n0.3");
+    }
+
+    #[test]
     fn what_is_no_record_is_named() {
+        let xlsx = zipped(&[("xl/workbook.xml", ""), ("xl/a.xml", "")]);
+        let mut sac = vec![0_u8; 700];
+        sac[4 * 76] = 6;
+        let mut seed = b"000001D XXX  HNE".to_vec();
+        seed.resize(512, 0);
+        for (bytes, said) in [(&xlsx, "save its sheet as CSV"), (&sac, "SAC"), (&seed, "miniSEED")]
+        {
+            let error = of(bytes, LARGEST).unwrap_err().to_string();
+            assert!(error.contains(said), "{error}");
+        }
         for (bytes, said) in [
             (&b"  <!DOCTYPE html><html>"[..], "a web page"),
             (b"<html><body>Login", "a web page"),

@@ -53,7 +53,7 @@ pub fn pair(dice: &mut Dice, least_push: f64) -> Pair {
         title: title.into(),
         dt,
         samples,
-        notes: Vec::new(),
+        ..Record::default()
     };
     let peak = short(least_push * dice.over(0.7, 8.0));
     let horizontal = record("random", component(dice, dt, count, peak));

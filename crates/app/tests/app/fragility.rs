@@ -173,7 +173,7 @@ fn a_scaled_motion_has_the_level() {
             title: "made".into(),
             dt: 0.02,
             samples: samples(peak, omega),
-            notes: Vec::new(),
+            ..Record::default()
         };
         Pair::new(record, None).unwrap()
     };

@@ -14,7 +14,7 @@ use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
 use crate::common::{record, refused};
 
 fn hints(dt: Option<f64>, units: Option<Units>) -> RecordHints {
-    RecordHints { dt, units, scaled: false }
+    RecordHints { dt, units, scaled: false, ..RecordHints::default() }
 }
 
 fn read(text: &str) -> Result<Record, RecordError> {
@@ -136,7 +136,7 @@ fn unequal_components_are_brought_together() {
         title: "x".into(),
         dt,
         samples: samples.to_vec(),
-        notes: Vec::new(),
+        ..Record::default()
     };
     let pair = Pair::new(record(0.02, &[0.0, 2.0, -4.0]), Some(record(0.01, &[1.0, 1.0]))).unwrap();
     assert_eq!((pair.dt, &*pair.horizontal), (0.01, &[0.0, 1.0, 2.0, -1.0, -4.0][..]));
@@ -155,7 +155,7 @@ fn a_step_far_finer_than_the_others_is_refused() {
         title: "x".into(),
         dt,
         samples: vec![1.0; count],
-        notes: Vec::new(),
+        ..Record::default()
     };
     let long = record(0.01, 4001);
     for dt in [9.9e-7, 1.0e-9, 1.0e-20, 1.0e-300, 5.0e-324] {
@@ -165,14 +165,16 @@ fn a_step_far_finer_than_the_others_is_refused() {
     }
     for dt in [1.0e-6, 3.9e-6] {
         let error = Pair::new(long.clone(), Some(record(dt, 7))).unwrap_err().to_string();
-        assert!(error.starts_with("40 s in steps of 0.00") && !error.contains('\n'), "{error}");
+        assert!(error.starts_with("steps of 0.01 s and 0.00") && !error.contains('\n'), "{error}");
         assert!(Pair::new(record(dt, 7), Some(long.clone())).is_err());
         // By itself it is a motion, if a short one.
         assert_eq!(Pair::new(record(dt, 7), None).unwrap().len(), 7);
     }
-    // The largest pair: 10,000,000 samples.
-    assert_eq!(Pair::new(long.clone(), Some(record(4.000_000_4e-6, 7))).unwrap().len(), 10_000_000);
-    assert!(Pair::new(long.clone(), Some(record(3.9e-6, 7))).is_err());
+    // The largest pair of 40 s: fewer than 10,000,000 samples.
+    assert_eq!(Pair::new(long.clone(), Some(record(0.01 / 2499.0, 7))).unwrap().len(), 9_996_001);
+    assert!(Pair::new(long.clone(), Some(record(0.01 / 2500.0, 7))).is_err());
+    // No pair has a step that no record may have.
+    assert!(Pair::new(record(1.0e-6, 9), Some(record(1.5e-6, 9))).is_err());
     for (dt, samples) in [
         (f64::NAN, vec![1.0; 3]),
         (0.0, vec![1.0; 3]),
@@ -195,7 +197,7 @@ fn a_command_under_a_step_far_too_fine_says_so_in_one_line() {
     let path = |name: &str| folder.path().join(name).display().to_string();
     std::fs::write(path("h.at2"), AT2.replace(".0100", "1E-6")).unwrap();
     let long =
-        Record { title: "long".into(), dt: 0.01, samples: vec![1.0; 4001], notes: Vec::new() };
+        Record { title: "long".into(), dt: 0.01, samples: vec![1.0; 4001], ..Record::default() };
     std::fs::write(path("v.at2"), synthetic::at2(&long)).unwrap();
     let (h, v) = (path("h.at2"), path("v.at2"));
     let line = refused(&[
@@ -212,7 +214,7 @@ fn a_command_under_a_step_far_too_fine_says_so_in_one_line() {
         &v,
         "--force",
     ]);
-    assert!(line.starts_with("topple: --vertical: 40 s in steps of 0.000001 s"), "{line}");
+    assert!(line.starts_with("topple: --vertical: steps of 0.000001 s and 0.01 s"), "{line}");
 }
 
 #[test]
@@ -360,7 +362,7 @@ proptest! {
     ) {
         prop_assume!(samples.iter().any(|a| a.abs() > 0.1));
         let dt = (dt * 1e4).round() / 1e4;
-        let record = Record { title: "x".into(), dt, samples, notes: Vec::new() };
+        let record = Record { title: "x".into(), dt, samples, ..Record::default() };
         let back = read(&synthetic::at2(&record)).unwrap();
         prop_assert_eq!(back.dt, dt);
         for (a, b) in record.samples.iter().zip(&back.samples) {

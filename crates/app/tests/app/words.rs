@@ -125,7 +125,7 @@ fn records_say_what_they_are() {
         (
             "PEER\nA\nACCELERATION IN UNITS OF FURLONGS\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
             &[],
-            "units of FURLONGS are not read",
+            "units of 'FURLONGS' are not read",
         ),
     ];
     for (text, more, said) in cases {
@@ -141,7 +141,10 @@ fn records_say_what_they_are() {
     let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n.3 .3\n";
     fs::write(&file, at2).unwrap();
     let said = printed(&[&seismic[..], &["--out", &out, "--verify", "none"]].concat());
-    assert!(said.contains("horizontal: 2 samples after the 3 of its NPTS are left out"), "{said}");
+    assert!(
+        said.contains("horizontal: 2 samples after the 3 that its header states are left out"),
+        "{said}"
+    );
 }
 
 /// Of a pair, what is given is meant for the file that does not tell it.

@@ -104,7 +104,7 @@ fn motions_that_are_none_are_refused() {
         assert_eq!(line(&refused).split(':').next(), Some("horizontal"));
     }
     let record =
-        |dt: f64| Record { title: "x".into(), dt, samples: vec![1.0; 4001], notes: Vec::new() };
+        |dt: f64| Record { title: "x".into(), dt, samples: vec![1.0; 4001], ..Record::default() };
     line(&Pair::new(record(0.01), Some(record(1e-9))).unwrap_err());
 }
 

@@ -13,6 +13,9 @@
 mod damage;
 mod made;
 mod memory;
+#[allow(dead_code)]
+#[path = "../app/motions.rs"]
+mod motions;
 mod readers;
 mod records;
 mod results;

@@ -17,6 +17,8 @@ mod formats;
 
 pub use formats::AT2;
 
+use crate::motions::Motion;
+
 /// The files of a zip by their names.
 pub fn zipped(files: &[(&str, &[u8])]) -> Vec<u8> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
@@ -42,7 +44,14 @@ pub fn files() -> Vec<Vec<u8>> {
         columns,
         "Time (s);Acc (cm/s^2)\n0;150\n0,01;-250\n0,02;300\n".into(),
     ];
-    let plain = texts.into_iter().map(String::into_bytes);
+    // As publishers write them, of several channels too.
+    let short = Motion::made(40, Some(90));
+    let mut written: Vec<String> = short.files().into_iter().map(|file| file.text).collect();
+    let up = Motion { azimuth: None, ..short.clone() };
+    written.push(short.broadband().text);
+    written.push(short.csmip().text + &up.csmip().text);
+    written.push(short.geonet().text + &up.geonet().text);
+    let plain = texts.into_iter().chain(written).map(String::into_bytes);
     let zip = zipped(&[("dir/a.at2", AT2.as_bytes())]);
     plain.chain([packed.finish().unwrap(), zip, wide]).collect()
 }
@@ -58,8 +67,8 @@ fn hints() -> [RecordHints; 3] {
     let units = Some(Units::MetresPerSecondSquared);
     [
         RecordHints::default(),
-        RecordHints { dt: Some(0.01), units, scaled: true },
-        RecordHints { dt: None, units, scaled: false },
+        RecordHints { dt: Some(0.01), units, scaled: true, ..RecordHints::default() },
+        RecordHints { dt: None, units, scaled: false, ..RecordHints::default() },
     ]
 }
 
@@ -86,7 +95,12 @@ pub fn pair(bytes: &[u8]) -> Result<(), String> {
     let found = hints()
         .into_iter()
         .find_map(|hints| read::of_bytes(Path::new("damaged"), bytes, &hints).ok());
-    let given = RecordHints { dt: Some(0.01), units: Some(Units::G), scaled: true };
+    let given = RecordHints {
+        dt: Some(0.01),
+        units: Some(Units::G),
+        scaled: true,
+        ..RecordHints::default()
+    };
     let other = read::of_bytes(Path::new("long"), long.as_bytes(), &given).unwrap();
     let damaged = found.unwrap();
     for (h, v) in [(&damaged, &other), (&other, &damaged)] {

@@ -134,7 +134,8 @@ impl ComponentText {
     /// The file's record; none where there is no such file.
     fn open(&self, directory: Option<&Path>) -> Result<Option<Record>, ReadError> {
         let Some(path) = self.path(directory) else { return Ok(None) };
-        let hints = RecordHints { dt: self.dt, units: self.units, scaled: false };
+        let hints =
+            RecordHints { dt: self.dt, units: self.units, scaled: false, ..RecordHints::default() };
         let (record, _) = read::file(&path, &hints)
             .map_err(|error| ReadError::new(path.display().to_string(), error.to_string()))?;
         Ok(Some(record))

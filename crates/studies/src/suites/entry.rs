@@ -19,6 +19,8 @@ pub struct Entry {
     pub horizontal: String,
     /// The vertical component's; none where there is none.
     pub vertical: Option<String>,
+    /// The channels of both files, where a list names one of several.
+    pub channels: [Option<String>; 2],
     /// True where a list says that there is no vertical component.
     pub horizontal_alone: bool,
     /// Time between samples, s, where a list tells it.
@@ -45,6 +47,16 @@ pub struct Motion {
 }
 
 impl Entry {
+    /// What its recording is known by: the earthquake and the station; where the station is not known, the file of the
+    /// vertical, which both horizontals share; else its own.
+    pub fn recording(&self) -> (&str, &str) {
+        match (self.station.as_str(), &self.vertical) {
+            ("", Some(vertical)) => ("", vertical),
+            ("", None) => ("", &self.horizontal),
+            (station, _) => (&self.event, station),
+        }
+    }
+
     /// One of a horizontal file, called by its name.
     pub fn of(horizontal: &str) -> Entry {
         let file = horizontal.rsplit('/').next().unwrap_or(horizontal);
@@ -59,6 +71,7 @@ impl Entry {
             station: String::new(),
             horizontal: horizontal.into(),
             vertical: None,
+            channels: [None, None],
             horizontal_alone: false,
             dt: None,
             units: None,

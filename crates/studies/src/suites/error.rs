@@ -63,6 +63,19 @@ pub enum SuiteError {
         /// Why it is none.
         reason: String,
     },
+    /// Files that are no part of any motion, which a strict reading refuses.
+    #[error(
+        "{count} files are not used, the first {file}: {why}; `strict` accepts none",
+        file = shown(file)
+    )]
+    Unused {
+        /// How many.
+        count: usize,
+        /// The first.
+        file: String,
+        /// Why.
+        why: String,
+    },
     /// Something is missing or ambiguous, which a strict reading refuses.
     #[error(
         "{count} of {all} motions are left out, the first {id}: {reason}; `strict` accepts none",

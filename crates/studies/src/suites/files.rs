@@ -29,6 +29,8 @@ pub struct Files {
     /// Open, where it is a zip.
     archive: Option<Mutex<ZipArchive<BufReader<File>>>>,
     names: Vec<String>,
+    /// Those of a zip that are written otherwise in it: Windows' programs have backslashes between.
+    written: HashMap<String, String>,
     /// The places among the names of those that have one last part, in small letters.
     alike: HashMap<String, Vec<usize>>,
     /// Bytes that were read.
@@ -72,14 +74,21 @@ impl Files {
         } else {
             path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
         };
-        let (mut names, mut archive) = (Vec::new(), None);
+        let (mut names, mut archive, mut written) = (Vec::new(), None, HashMap::new());
         if is_zip {
             let opened = open(place)?;
             for name in opened.file_names() {
                 let name = name.map_err(|error| unreadable(place, error.to_string()))?;
-                if !name.ends_with('/') && !name.starts_with("__MACOSX/") {
-                    names.push(name.into_owned());
+                let plain = name.replace('\\', "/");
+                // A Mac packs what it knows of a file beside it.
+                let hidden = bare(&plain).starts_with('.') || plain.starts_with("__MACOSX/");
+                if plain.ends_with('/') || hidden {
+                    continue;
                 }
+                if plain != *name {
+                    written.insert(plain.clone(), name.into_owned());
+                }
+                names.push(plain);
             }
             archive = Some(Mutex::new(opened));
         } else {
@@ -93,7 +102,7 @@ impl Files {
             alike.entry(bare(name)).or_default().push(number);
         }
         let (read, large) = (AtomicU64::new(0), Mutex::new(()));
-        Ok(Files { place: place.into(), archive, names, alike, read, large })
+        Ok(Files { place: place.into(), archive, names, written, alike, read, large })
     }
 
     /// All names, in alphabetical order.
@@ -101,16 +110,39 @@ impl Files {
         &self.names
     }
 
-    /// The name of a file that a list has under a name: the same path, or a file of that name in any folder,
-    /// whatever the case of its letters. None where there are several.
-    pub fn find(&self, listed: &str) -> Option<&str> {
-        let listed = listed.replace('\\', "/");
-        let alike = self.alike.get(&bare(&listed))?;
-        let mut alike = alike.iter().map(|number| self.names[*number].as_str());
-        if let Some(same) = alike.clone().find(|name| *name == listed) {
-            return Some(same);
+    /// The name of a file that a list has under a name: the same path, or of the files of that name in any folder, whatever
+    /// the case of its letters, the one whose folders are the list's.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn find(&self, listed: &str) -> Result<&str, String> {
+        let plain = listed.replace('\\', "/");
+        let plain = plain.trim_start_matches("./");
+        let none = || format!("{listed} is in the list and not among the files");
+        let alike = self.alike.get(&bare(plain)).ok_or_else(none)?;
+        let alike: Vec<&str> = alike.iter().map(|number| self.names[*number].as_str()).collect();
+        if let Some(same) = alike.iter().find(|name| **name == plain) {
+            return Ok(same);
         }
-        alike.next().filter(|_| alike.next().is_none())
+        // Folders that they have in common, from the file on.
+        let common = |name: &str| {
+            let parts = name.rsplit('/').zip(plain.rsplit('/'));
+            parts.take_while(|(one, other)| one.eq_ignore_ascii_case(other)).count()
+        };
+        let most = alike.iter().map(|name| common(name)).max().unwrap_or(0);
+        let mut nearest = alike.iter().filter(|name| common(name) == most);
+        match (nearest.next(), nearest.next()) {
+            (Some(one), None) => Ok(one),
+            (Some(one), Some(other)) => {
+                Err(format!("{listed} may be {one} or {other}; give its folder in the list"))
+            }
+            _ => Err(none()),
+        }
+    }
+
+    /// True where there is a file of such a name in some folder.
+    pub fn has(&self, listed: &str) -> bool {
+        self.alike.contains_key(&bare(&listed.replace('\\', "/")))
     }
 
     /// Where a file lies; of a zip's, the name is below the zip's own.
@@ -127,6 +159,7 @@ impl Files {
             Some(archive) => {
                 // An archive is as it was, whoever panicked: each file is looked for by its place.
                 let mut archive = archive.lock().unwrap_or_else(PoisonError::into_inner);
+                let name = self.written.get(name).map_or(name, String::as_str);
                 let file = archive.by_name(name).map_err(|error| error.to_string())?;
                 self.all(file)
             }

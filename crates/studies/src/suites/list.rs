@@ -1,19 +1,30 @@
 //! A list of one's own: a CSV with the columns `id,horizontal,vertical,dt,units,scale,weight`, of which `horizontal`
-//! alone must be there.
+//! alone must be there, and others that it may have.
 
 use std::collections::BTreeSet;
 
 use serde::Deserialize;
-use serde::de::value::{self, StrDeserializer};
 
+use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use topple::scene::record::Units;
 use topple::scene::record::zips::MOST_FILES;
 
 /// The columns that a list may have.
-const COLUMNS: [&str; 9] =
-    ["id", "event", "station", "horizontal", "vertical", "dt", "units", "scale", "weight"];
+const COLUMNS: [&str; 11] = [
+    "id",
+    "event",
+    "station",
+    "horizontal",
+    "vertical",
+    "horizontal_channel",
+    "vertical_channel",
+    "dt",
+    "units",
+    "scale",
+    "weight",
+];
 
 /// A row of the list, its numbers as they are written.
 #[derive(Deserialize)]
@@ -23,6 +34,8 @@ struct Row {
     station: Option<String>,
     horizontal: String,
     vertical: Option<String>,
+    horizontal_channel: Option<String>,
+    vertical_channel: Option<String>,
     dt: Option<String>,
     units: Option<String>,
     scale: Option<String>,
@@ -32,11 +45,11 @@ struct Row {
 /// The number of a column in a line; none where nothing is written.
 fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, String> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
-    match text.parse::<f64>() {
-        Ok(number) if number > MOST_FACTOR => {
+    match delimited::number(text) {
+        Some(number) if number > MOST_FACTOR => {
             Err(format!("line {at}: {column} {text} is above {MOST_FACTOR:e}"))
         }
-        Ok(number) if number > 0.0 => Ok(Some(number)),
+        Some(number) if number > 0.0 => Ok(Some(number)),
         _ => Err(format!("line {at}: {column} {text} must be a positive number")),
     }
 }
@@ -44,9 +57,9 @@ fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, 
 /// The units of a line; none where nothing is written.
 fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
-    match Units::deserialize(StrDeserializer::<value::Error>::new(text)) {
-        Ok(units) => Ok(Some(units)),
-        Err(_) => Err(format!("line {at}: units {text} are not known; give g, m/s2, cm/s2 or gal")),
+    match Units::named(text) {
+        Some(units) => Ok(Some(units)),
+        None => Err(format!("line {at}: units {text} are not known; give g, m/s2, cm/s2 or gal")),
     }
 }
 
@@ -61,26 +74,44 @@ pub(super) fn within(at: usize, entries: usize) -> Result<(), String> {
     }
 }
 
+/// The columns of a heading, in small letters.
+fn headings(text: &str) -> Vec<String> {
+    let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let names = heading.split(delimited::separator(heading));
+    names.map(|name| name.trim().trim_matches('"').trim().to_lowercase()).collect()
+}
+
 /// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite.
 pub fn matches(text: &str) -> bool {
-    let heading = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
-    let has = |wanted| heading.split(',').any(|name| name.trim() == wanted);
+    let names = headings(&delimited::plain(text));
+    let has = |wanted| names.iter().any(|name| name == wanted);
     has("horizontal") && !has("arias")
+}
+
+/// True of a table that `topple suite` has made.
+pub fn is_measures(text: &str) -> bool {
+    let names = headings(text);
+    ["horizontal", "arias", "d5_95"].iter().all(|own| names.iter().any(|name| name == own))
 }
 
 /// The entries of a list; its files lie beside it, or below.
 pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
-    let text = text.trim_start_matches('\u{feff}');
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let headings = reader.headers().map_err(|error| error.to_string())?;
-    if !headings.iter().any(|heading| heading == "horizontal") {
+    let text = &*delimited::plain(text);
+    let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .delimiter(delimited::separator(heading) as u8)
+        .from_reader(text.as_bytes());
+    let names = reader.headers().map_err(|error| error.to_string())?;
+    let names: csv::StringRecord = names.iter().map(|name| name.trim().to_lowercase()).collect();
+    if !names.iter().any(|heading| heading == "horizontal") {
         return Err(
             "line 1: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, or \
              the list of a download from PEER"
                 .into(),
         );
     }
-    if let Some(other) = headings.iter().find(|heading| !COLUMNS.contains(heading)) {
+    if let Some(other) = names.iter().find(|heading| !COLUMNS.contains(heading)) {
         return Err(format!(
             "line 1: no column is called '{other}'; there are {}",
             COLUMNS.join(",")
@@ -90,7 +121,8 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let written = text.lines().enumerate().filter(|(_, line)| !line.is_empty());
     let lines: Vec<usize> = written.map(|(number, _)| number + 1).collect();
     let (mut entries, mut ids) = (Vec::<Entry>::new(), BTreeSet::new());
-    for (number, row) in reader.deserialize::<Row>().enumerate() {
+    let rows = reader.records().map(|row| row.and_then(|row| row.deserialize::<Row>(Some(&names))));
+    for (number, row) in rows.enumerate() {
         let at = lines.get(number + 1).copied().unwrap_or(number + 2);
         within(at, entries.len())?;
         let row = row.map_err(|error| match error.kind() {
@@ -104,11 +136,8 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
             return Err(format!("line {at}: no horizontal file; give one"));
         }
         let there = files.find(&row.horizontal);
-        let mut entry = Entry::of(there.unwrap_or(&row.horizontal));
-        if there.is_none() {
-            entry.missing =
-                Some(format!("{} is in the list and not among the files", row.horizontal));
-        }
+        let mut entry = Entry::of(there.as_deref().unwrap_or(&row.horizontal));
+        entry.missing = there.err();
         match row.vertical.as_deref().filter(|name| !name.is_empty()) {
             None => {
                 entry.horizontal_alone = true;
@@ -117,10 +146,10 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
                     .push("no vertical in the list: the ground does not move vertically".into());
             }
             Some(up) => {
-                entry.vertical = files.find(up).map(String::from);
-                if entry.vertical.is_none() && entry.missing.is_none() {
-                    entry.missing = Some(format!("its vertical {up} is not among the files"));
-                }
+                let found = files.find(up).map(String::from);
+                entry.missing =
+                    entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
+                entry.vertical = found.ok();
             }
         }
         entry.dt = positive(at, "dt", row.dt.as_deref())?;
@@ -133,11 +162,14 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
             entry.notes.push(format!("weight {}", entry.weight));
         }
         entry.units = units(at, row.units.as_deref())?;
+        entry.channels = [row.horizontal_channel, row.vertical_channel]
+            .map(|channel| channel.filter(|channel| !channel.is_empty()));
+        // Files of one name in two folders get ids of their own.
         if let Some(id) = row.id.filter(|id| !id.is_empty()) {
+            if !ids.insert(id.clone()) {
+                return Err(format!("line {at}: the id {id} stands twice; give each its own"));
+            }
             entry.id = id;
-        }
-        if !ids.insert(entry.id.clone()) {
-            return Err(format!("line {at}: the id {} stands twice; give each its own", entry.id));
         }
         entry.event = row.event.unwrap_or_default();
         entry.station = row.station.unwrap_or_default();

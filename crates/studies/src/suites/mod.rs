@@ -6,6 +6,7 @@
 //! ```
 
 pub mod columns;
+mod delimited;
 pub(crate) mod entry;
 pub mod envelope;
 pub(crate) mod error;
@@ -26,6 +27,7 @@ pub mod spectrum;
 pub mod swept;
 pub mod swept_motion;
 pub mod table;
+mod unused;
 pub mod verified;
 pub mod wanted;
 
@@ -33,3 +35,4 @@ pub use entry::{Entry, Motion};
 pub use error::SuiteError;
 pub use read::Suite;
 pub use request::SuiteRequest;
+pub use unused::Unused;

@@ -19,13 +19,15 @@ pub struct Named {
 }
 
 /// Endings of PEER's verticals; longer ones first.
-const VERTICAL: [&str; 12] =
-    ["-VER", "--V", "-UP", "-UD", "-V1", "DWN", "VER", "-DN", "-V", "UP", "UD", "V1"];
+const VERTICAL: [&str; 14] =
+    ["-VER", "--V", "-UP", "-UD", "-V1", "DWN", "VER", "-DN", "-V", "-Z", "UP", "UD", "V1", "DN"];
 /// Endings of its horizontals that are no azimuth.
-const HORIZONTAL: [&str; 16] = [
-    "--L", "--T", "--N", "--E", "--1", "--2", "-L1", "-T1", "-NS", "-EW", "-N", "-E", "-L", "-T",
-    "L1", "T1",
+const HORIZONTAL: [&str; 22] = [
+    "--L", "--T", "--N", "--E", "--1", "--2", "-L1", "-T1", "-H1", "-H2", "-NS", "-EW", "-N", "-E",
+    "-S", "-W", "-L", "-T", "L1", "T1", "NS", "EW",
 ];
+/// Those that a letter tells where the record has a number: `RSN8166_DUZCE_PRPCS`.
+const LETTERS: [&str; 4] = ["N", "S", "E", "W"];
 
 /// What a file's name says; none where it follows no pattern that is known.
 pub fn read(name: &str) -> Option<Named> {
@@ -79,20 +81,22 @@ fn channel(file: &str) -> Option<(String, Component)> {
 fn peer(stem: &str) -> Option<(String, Component)> {
     let upper = stem.to_uppercase();
     let cut = |ending: &str| upper.strip_suffix(ending).filter(|rest| !rest.is_empty());
-    let vertical = VERTICAL.iter().find_map(|ending| cut(ending));
-    let (rest, component) = match vertical {
-        Some(rest) => (rest, Component::Vertical),
-        None => (
-            azimuth(&upper).or_else(|| HORIZONTAL.iter().find_map(|ending| cut(ending)))?,
-            Component::Horizontal,
-        ),
-    };
     // The number of a record says it all.
     let number = upper.split('_').next().filter(|first| {
         first.strip_prefix("RSN").is_some_and(|rest| {
             !rest.is_empty() && rest.bytes().all(|digit| digit.is_ascii_digit())
         })
     });
+    let letters = if number.is_some() { &LETTERS[..] } else { &[] };
+    let vertical = VERTICAL.iter().find_map(|ending| cut(ending));
+    let (rest, component) = match vertical {
+        Some(rest) => (rest, Component::Vertical),
+        None => (
+            azimuth(&upper)
+                .or_else(|| HORIZONTAL.iter().chain(letters).find_map(|ending| cut(ending)))?,
+            Component::Horizontal,
+        ),
+    };
     let group = number.map_or_else(|| rest.trim_end_matches('-').to_string(), String::from);
     Some((group, component))
 }
@@ -129,6 +133,13 @@ mod tests {
             ("RSN1633_MANJIL_ABBAR--V.AT2", "/RSN1633", Vertical),
             ("RSN6915_DARFIELD_HVSCS26W.AT2", "/RSN6915", Horizontal),
             ("RSN6915_DARFIELD_HVSCUP.AT2", "/RSN6915", Vertical),
+            ("RSN8161_DUZCE_CHY002-W.AT2", "/RSN8161", Horizontal),
+            ("RSN8161_DUZCE_CHY002-V.AT2", "/RSN8161", Vertical),
+            ("RSN8162_DUZCE_ABCH02NS.AT2", "/RSN8162", Horizontal),
+            ("RSN8162_DUZCE_ABCH02UD.AT2", "/RSN8162", Vertical),
+            ("RSN8166_DUZCE_PRPCS.AT2", "/RSN8166", Horizontal),
+            ("RSN8166_DUZCE_PRPCUP.AT2", "/RSN8166", Vertical),
+            ("RSN8167_DUZCE_45M01DN.AT2", "/RSN8167", Vertical),
             ("TAZ000.AT2", "/TAZ", Horizontal),
             ("TAZ-UP.AT2", "/TAZ", Vertical),
             (
@@ -149,7 +160,9 @@ mod tests {
             let named = read(name).unwrap_or_else(|| panic!("{name}"));
             assert_eq!((named.group.as_str(), named.component), (group, component), "{name}");
         }
-        for name in ["readme.txt", "_SearchResults.csv", "RSN_X.AT2", "UP.AT2", "a.VT2", "b"] {
+        for name in
+            ["readme.txt", "_SearchResults.csv", "RSN_X.AT2", "UP.AT2", "a.VT2", "b", "PRPCS.AT2"]
+        {
             assert_eq!(read(name), None, "{name}");
         }
     }

@@ -1,6 +1,7 @@
 //! The list that comes with a download from PEER's NGA-West2 database, `_SearchResults.csv`: as it is, or as a
 //! spreadsheet saves it again (quotes within quotes, commas to the last column).
 
+use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use super::list::within;
@@ -10,8 +11,12 @@ const HEADING: &str = "Result ID";
 
 /// True of a list of PEER's.
 pub fn matches(text: &str) -> bool {
-    text.lines().any(|line| line.trim_start().starts_with(HEADING))
-        && text.contains("Horizontal-1 Acc. Filename")
+    text.lines().any(is_heading) && text.contains("Horizontal-1 Acc. Filename")
+}
+
+/// True of the heading of its table.
+fn is_heading(line: &str) -> bool {
+    line.trim_start().trim_start_matches('"').starts_with(HEADING)
 }
 
 /// A field without the blanks and the quotes around it; nothing where there are dashes alone.
@@ -21,7 +26,7 @@ fn plain(field: &str) -> &str {
 }
 
 /// A line without the blanks around its commas: a quote begins a field only where it comes first.
-fn tight(line: &str) -> String {
+fn tight(line: &str, separator: char) -> String {
     let tight = |(number, field): (usize, &str)| {
         let bare = field.trim_matches(' ');
         // Within quotes a comma and a blank are letters of a name: one blank stays.
@@ -31,15 +36,22 @@ fn tight(line: &str) -> String {
             if field.ends_with(' ') && !bare.is_empty() && !bare.ends_with('"') { " " } else { "" };
         format!("{before}{bare}{after}")
     };
-    line.trim().split(',').enumerate().map(tight).collect::<Vec<_>>().join(",")
+    let fields: Vec<String> = line.trim().split(separator).enumerate().map(tight).collect();
+    fields.join(separator.encode_utf8(&mut [0; 4]))
 }
 
 /// The entries of a list: of each of its records both horizontals, with the vertical.
 pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
-    let lines = text.lines().skip_while(|line| !line.trim_start().starts_with(HEADING));
-    let table: String = lines.map(|line| format!("{}\n", tight(line))).collect();
-    let mut reader =
-        csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(table.as_bytes());
+    let text = &*delimited::plain(text);
+    let separator =
+        delimited::separator(text.lines().find(|line| is_heading(line)).unwrap_or_default());
+    let lines = text.lines().skip_while(|line| !is_heading(line));
+    let table: String = lines.map(|line| format!("{}\n", tight(line, separator))).collect();
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .delimiter(separator as u8)
+        .from_reader(table.as_bytes());
     let headings = reader.headers().map_err(|error| error.to_string())?.clone();
     let column = |name: &str| {
         let place = headings.iter().position(|heading| plain(heading) == name);
@@ -61,8 +73,14 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         if field(number).parse::<u64>().is_err() {
             break;
         }
-        let factor = field(scale).parse::<f64>().ok().filter(|factor| *factor > 0.0);
         let at = row.position().map_or(0, |place| place.line() as usize);
+        let factor =
+            match field(scale) {
+                "" => None,
+                text => Some(delimited::number(text).filter(|factor| *factor > 0.0).ok_or_else(
+                    || format!("its table has a scale factor of '{text}'; give a positive number"),
+                )?),
+            };
         if let Some(factor) = factor.filter(|factor| *factor > MOST_FACTOR) {
             return Err(format!(
                 "its table has a scale factor of {factor:e}, above {MOST_FACTOR:e}"
@@ -71,19 +89,17 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         within(at, entries.len())?;
         for listed in horizontals.map(field).into_iter().filter(|name| !name.is_empty()) {
             let there = files.find(listed);
-            let mut entry = Entry::of(there.unwrap_or(listed));
+            let mut entry = Entry::of(there.as_deref().unwrap_or(listed));
             let year = field(year);
             entry.event = [field(event), year].join(if year.is_empty() { "" } else { ", " });
             entry.station = field(station).into();
-            if there.is_none() {
-                entry.missing = Some(format!("{listed} is in the list and not among the files"));
-            }
+            entry.missing = there.err();
             let up = field(vertical);
             if !up.is_empty() {
-                entry.vertical = files.find(up).map(String::from);
-                if entry.vertical.is_none() && entry.missing.is_none() {
-                    entry.missing = Some(format!("its vertical {up} is not among the files"));
-                }
+                let found = files.find(up).map(String::from);
+                entry.missing =
+                    entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
+                entry.vertical = found.ok();
             }
             if let Some(factor) = factor.filter(|factor| *factor != 1.0) {
                 entry.scale = factor;
@@ -111,7 +127,7 @@ mod tests {
             (r#" 1 , , "A  B" "#, r#"1 , ,"A  B""#),
             ("", ""),
         ] {
-            assert_eq!(tight(loose), wanted);
+            assert_eq!(tight(loose, ','), wanted);
         }
     }
 
@@ -119,7 +135,7 @@ mod tests {
     #[test]
     fn a_line_of_a_million_blanks_takes_no_minute() {
         let began = Instant::now();
-        assert_eq!(tight(&format!("1,{}2", " ".repeat(4_000_000))), "1, 2");
+        assert_eq!(tight(&format!("1,{}2", " ".repeat(4_000_000)), ','), "1, 2");
         assert!(began.elapsed().as_secs() < 60, "{:?}", began.elapsed());
     }
 }

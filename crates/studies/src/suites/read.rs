@@ -1,6 +1,7 @@
 //! From a folder, a zip or a list to the motions of a suite.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -10,11 +11,12 @@ use super::entry::{Entry, Motion};
 use super::files::Files;
 use super::measures::Measures;
 use super::names::{self, Component};
+use super::unused::{self, Unused};
 use super::{SuiteError, list, peer};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::zips::MOST_FILES;
-use topple::scene::record::{Record, RecordFile, component, joined};
+use topple::scene::record::{Pair, Record, RecordFile, joined, text};
 use topple::scene::{bounded, shown};
 
 /// Largest list that is read, bytes.
@@ -28,12 +30,12 @@ pub struct Suite {
     /// All lines in order: each with its motion, or with why there is none.
     pub rows: Vec<(Entry, Result<Motion, String>)>,
     /// Files that are no part of any line.
-    pub unused: Vec<String>,
+    pub unused: Vec<Unused>,
 }
 
 impl Suite {
     /// Reads a suite: a folder or a zip, with PEER's list or by the names of its files, or a list beside its files.
-    /// `strict` refuses what is missing or ambiguous; else it is a line without a motion.
+    /// `strict` refuses what is missing, ambiguous or unused; else it is a line without a motion, or a file that is told.
     ///
     /// # Errors
     /// Those of [`SuiteError`]: nothing can be read, a list makes no sense, nothing is there.
@@ -69,18 +71,23 @@ impl Suite {
             return Err(SuiteError::Strict { count, all: suite.rows.len(), id, reason });
         }
         drop(left_out);
+        if let (Some(Unused { file, why }), true) = (suite.unused.first().cloned(), strict) {
+            return Err(SuiteError::Unused { count: suite.unused.len(), file, why });
+        }
         Ok(suite)
     }
 
     /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
     /// the others are scaled otherwise, or read with another time step or in other units.
     fn leave_out_copies(&mut self) {
-        let mut known: BTreeMap<(String, Option<String>, [u64; 3]), String> = BTreeMap::new();
+        let mut known: BTreeMap<(String, Option<String>, [u64; 4]), String> = BTreeMap::new();
         for (entry, motion) in &mut self.rows {
             let Ok(Motion { pair, measures }) = motion else { continue };
             let Some(files) = &pair.provenance else { continue };
             let vertical = files.vertical.as_ref().map(|file| file.sha256.clone());
-            let read_as = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            let [scale, dt, pga] = [entry.scale, pair.dt, measures.pga_h].map(f64::to_bits);
+            // Of one file there may be several channels.
+            let read_as = [scale, dt, pga, checksum(pair)];
             let key = (files.horizontal.sha256.clone(), vertical, read_as);
             if let Some(first) = known.get(&key) {
                 *motion = Err(format!("the same motion as {}", shown::shown(first)));
@@ -103,13 +110,23 @@ impl Suite {
     }
 }
 
+/// A number that two motions do not share unless their samples are the same.
+fn checksum(pair: &Pair) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for sample in pair.horizontal.iter().chain(pair.vertical.iter()) {
+        hasher.write_u64(sample.to_bits());
+    }
+    hasher.finish()
+}
+
 /// The lines of a suite, and files that none of them has.
-fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), SuiteError> {
+fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), SuiteError> {
     let refused = |path: &Path, problem: String| SuiteError::List {
         path: path.into(),
         problem: shown::line(&problem),
     };
-    let is_list = path.is_file() && ending(&path.to_string_lossy(), "csv");
+    let is_list = path.is_file()
+        && ["csv", "tsv", "txt"].iter().any(|own| ending(&path.to_string_lossy(), own));
     if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
         let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
         return Err(refused(path, problem.to_string()));
@@ -119,13 +136,14 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
     if is_list {
         let bytes = bounded::read(path, LARGEST_LIST)
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
-        let text = String::from_utf8_lossy(&bytes);
+        let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
         return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
     }
-    for name in files.names().iter().filter(|name| ending(name, "csv")) {
+    for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
         let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
-        let text = String::from_utf8_lossy(&bytes);
+        // What is no text is no list.
+        let Ok(text) = text::decoded(&bytes) else { continue };
         let read = match (peer::matches(&text), list::matches(&text)) {
             (true, _) => peer::read(&text, files),
             (_, true) => list::read(&text, files),
@@ -155,6 +173,8 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<String>), Suit
         }
     }
     listed.extend(named);
+    let unused = unused::explained(unused, files, !lists.is_empty())
+        .map_err(|(name, problem)| refused(&files.path(&name), problem))?;
     Ok((listed, unused))
 }
 
@@ -235,22 +255,23 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     if entry.vertical.is_none() && !entry.horizontal_alone {
         return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
     }
-    let hints = RecordHints { dt: entry.dt, units: entry.units, scaled: false };
-    let record = |name: &str| -> Result<(Record, RecordFile), String> {
+    let hints =
+        RecordHints { dt: entry.dt, units: entry.units, scaled: false, ..RecordHints::default() };
+    let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
+        let channel = entry.channels[usize::from(vertical)].clone();
+        let hints = RecordHints { vertical: Some(vertical), channel, ..hints.clone() };
         read::of_bytes(&files.path(name), &bytes, &hints)
             .map_err(|error| format!("{name}: {error}"))
     };
-    let horizontal = record(&entry.horizontal)?;
-    let vertical = entry.vertical.as_deref().map(record).transpose()?;
-    if let Some((place, _)) = component::place(&horizontal.0.title) {
-        let (event, station) = component::event_and_station(place);
-        if entry.event.is_empty() {
-            entry.event = event.into();
-        }
-        if entry.station.is_empty() {
-            entry.station = station.into();
-        }
+    let horizontal = record(&entry.horizontal, false)?;
+    let vertical = entry.vertical.as_deref().map(|name| record(name, true)).transpose()?;
+    let stated = &horizontal.0.stated;
+    if entry.event.is_empty() {
+        entry.event.clone_from(&stated.event);
+    }
+    if entry.station.is_empty() {
+        entry.station.clone_from(&stated.station);
     }
     let pair = joined::join(horizontal, vertical, &hints, false);
     // Here nothing is forced: a list says what is meant.

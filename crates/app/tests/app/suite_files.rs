@@ -1,0 +1,251 @@
+//! Suites as people have them: lists of every program, names of every publisher, and what is said of the rest.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use assert_cmd::Command;
+use tempfile::TempDir;
+use topple_studies::suites::{Suite, SuiteError};
+
+use crate::motions::Motion;
+
+/// Puts a motion's file into a folder; the amplitudes differ by the name, so that none is a copy.
+fn put(folder: &Path, name: &str, azimuth: Option<u32>) {
+    let salt = name.bytes().map(f64::from).sum::<f64>() / 1.0e4;
+    let mut motion = Motion::made(200, azimuth);
+    motion.samples.iter_mut().for_each(|a| *a *= 1.0 - 0.2 * salt.fract());
+    let place = folder.join(name);
+    fs::create_dir_all(place.parent().unwrap()).unwrap();
+    fs::write(place, motion.at2().text).unwrap();
+}
+
+/// The largest horizontal acceleration of a file.
+fn peak(folder: &Path, name: &str) -> f64 {
+    let bytes = fs::read(folder.join(name)).unwrap();
+    topple::scene::record::read::bytes(&bytes, &Default::default()).unwrap().peak()
+}
+
+fn records() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    put(folder.path(), "A090.AT2", Some(90));
+    put(folder.path(), "A-UP.AT2", None);
+    folder
+}
+
+/// A list is read whatever a program makes of it: its factor and its weight are never lost.
+#[test]
+fn lists_are_read_as_programs_save_them() {
+    let wide = |text: &str, mark: &str| -> Vec<u8> {
+        format!("{mark}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect()
+    };
+    let commas = "id,horizontal,vertical,scale,weight\none,A090.AT2,A-UP.AT2,2.5,3\n";
+    for bytes in [
+        commas.as_bytes().to_vec(),
+        b"id;horizontal;vertical;scale;weight\r\none;A090.AT2;A-UP.AT2;2,5;3\r\n".to_vec(),
+        b"sep=;\r\nid;horizontal;vertical;scale;weight\r\none;A090.AT2;A-UP.AT2;2,5;3\r\n".to_vec(),
+        commas.replace(',', "\t").into_bytes(),
+        commas.replace('\n', "\r").into_bytes(),
+        wide(commas, "\u{feff}"),
+        wide(commas, ""),
+        format!("\u{feff}{}", commas.replace("id,hor", "ID,Hor").replace("scale", "SCALE")).into_bytes(),
+        b"\"id\",\"horizontal\",\"vertical\",\"scale\",\"weight\"\n\"one\",\"A090.AT2\",\"A-UP.AT2\",\"2.5\",\"3\"\n".to_vec(),
+        b"\"id,horizontal,vertical,scale,weight\"\n\"one,A090.AT2,A-UP.AT2,2.5,3\"\n".to_vec(),
+        format!("\n{commas}\x1a").into_bytes(),
+        commas.replace("A090", ".\\\\A090").replace("\\\\", "\\").into_bytes(),
+    ] {
+        let folder = records();
+        let list = folder.path().join("list.csv");
+        fs::write(&list, &bytes).unwrap();
+        for path in [folder.path(), &list] {
+            let suite = Suite::read(path, true).unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&bytes)));
+            let rows: Vec<_> = suite.motions().collect();
+            assert_eq!((rows.len(), rows[0].0.id.as_str(), rows[0].0.weight), (1, "one", 3.0));
+            let wanted = 2.5 * peak(folder.path(), "A090.AT2");
+            assert_relative_eq!(rows[0].1.measures.pga_h, wanted, max_relative = 1e-12);
+        }
+    }
+}
+
+const PEERS: &str = "PEER Ground Motion Database\n\n -- Summary --\n\
+    Result ID;Spectral Ordinate;Record Sequence Number;Scale Factor;Earthquake Name;Year;Station Name;Horizontal-1 Acc. \
+    Filename;Horizontal-2 Acc. Filename;Vertical Acc. Filename\n\
+    1;SRSS;11801;1,4457;A Quake-02;2003;Some Array #9;RSN11801_Q_ABC002-N.AT2;RSN11801_Q_ABC002-W.AT2;RSN11801_Q_ABC002-V.AT2\n";
+
+#[test]
+fn a_zip_of_windows_has_a_list_with_semicolons() {
+    let folder = TempDir::new().unwrap();
+    let names = ["RSN11801_Q_ABC002-N.AT2", "RSN11801_Q_ABC002-W.AT2", "RSN11801_Q_ABC002-V.AT2"];
+    for (name, azimuth) in names.into_iter().zip([Some(0), Some(270), None]) {
+        put(folder.path(), name, azimuth);
+    }
+    fs::write(folder.path().join("_SearchResults.csv"), PEERS).unwrap();
+    let path = folder.path().join("win.zip");
+    let mut archive = zip::ZipWriter::new(fs::File::create(&path).unwrap());
+    for name in names.into_iter().chain(["_SearchResults.csv"]) {
+        let options = zip::write::SimpleFileOptions::default();
+        archive.start_file(format!("PEER\\{name}"), options).unwrap();
+        archive.write_all(&fs::read(folder.path().join(name)).unwrap()).unwrap();
+    }
+    archive.finish().unwrap();
+    fs::create_dir(folder.path().join("sub")).unwrap();
+    for place in [path.clone(), folder.path().join("_SearchResults.csv")] {
+        let suite = Suite::read(&place, true).unwrap();
+        let peaks: Vec<f64> = suite.motions().map(|(_, motion)| motion.measures.pga_h).collect();
+        assert_eq!(peaks.len(), 2);
+        for (found, name) in peaks.iter().zip(names) {
+            assert_relative_eq!(*found, 1.4457 * peak(folder.path(), name), max_relative = 1e-12);
+        }
+    }
+    // A factor that is no number is not passed over.
+    let broken = PEERS.replace("1,4457", "1,4x");
+    fs::write(folder.path().join("_SearchResults.csv"), broken).unwrap();
+    let error = Suite::read(&folder.path().join("_SearchResults.csv"), false).unwrap_err();
+    assert!(error.to_string().contains("a scale factor of '1,4x'"), "{error}");
+}
+
+#[test]
+fn names_alike_in_two_folders_are_two_motions() {
+    let folder = TempDir::new().unwrap();
+    for place in ["one", "two"] {
+        put(folder.path(), &format!("{place}/H1.AT2"), Some(90));
+        put(folder.path(), &format!("{place}/V.AT2"), None);
+    }
+    let list = folder.path().join("list.csv");
+    let read = |text: &str| {
+        fs::write(&list, format!("horizontal,vertical\n{text}")).unwrap();
+        Suite::read(&list, false).unwrap()
+    };
+    let suite = read("one/H1.AT2,one/V.AT2\ntwo/H1.AT2,two/V.AT2\n");
+    let ids: Vec<&str> = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
+    assert_eq!(ids, ["one/H1.AT2", "two/H1.AT2"]);
+    // The folders of a list that lay elsewhere, and none.
+    assert_eq!(read("C:\\data\\TWO\\h1.at2,D:/two/V.AT2\n").motions().count(), 1);
+    let suite = read("H1.AT2,one/V.AT2\ntwo/H1.AT2,two/V.AT2\n");
+    let (_, why) = suite.left_out().next().unwrap();
+    assert_eq!(why, "H1.AT2 may be one/H1.AT2 or two/H1.AT2; give its folder in the list");
+}
+
+#[test]
+fn a_list_names_channels_of_one_file() {
+    let folder = TempDir::new().unwrap();
+    let motions =
+        [Motion::made(300, Some(90)), Motion::made(290, None), Motion::made(280, Some(0))];
+    let text: String = (1..)
+        .zip(&motions)
+        .map(|(k, motion)| motion.csmip().text.replace("CHAN  1", &format!("CHAN  {k}")))
+        .collect();
+    fs::write(folder.path().join("three.v2"), text).unwrap();
+    let list = "id,horizontal,vertical,horizontal_channel\na,three.v2,three.v2,90\nb,three.v2,three.v2,3\nc,three.v2,three.v2,\n";
+    fs::write(folder.path().join("list.csv"), list).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let found: Vec<_> =
+        suite.motions().map(|(entry, motion)| (entry.id.as_str(), motion.pair.len())).collect();
+    assert_eq!(found, [("a", 300), ("b", 290)]);
+    assert_eq!(suite.left_out().next().unwrap().1, "the same motion as a");
+}
+
+fn told(path: &Path, more: &[&str]) -> (i32, String) {
+    let out = TempDir::new().unwrap();
+    let run = Command::cargo_bin("topple")
+        .unwrap()
+        .arg("suite")
+        .arg(path)
+        .args(more)
+        .arg("--out")
+        .arg(out.path().join("made"))
+        .output()
+        .unwrap();
+    let said = [run.stdout, run.stderr].concat();
+    (run.status.code().unwrap(), String::from_utf8(said).unwrap())
+}
+
+#[test]
+fn recordings_are_counted_by_their_stations() {
+    let folder = TempDir::new().unwrap();
+    for station in ["AAA", "BBB", "CCC"] {
+        for (ending, azimuth) in [("EW", Some(90)), ("NS", Some(0)), ("UD", None)] {
+            let mut motion = Motion { station, ..Motion::made(200, azimuth) };
+            let salt = f64::from(station.as_bytes()[0])
+                + ending.len() as f64
+                + f64::from(ending.as_bytes()[0]);
+            motion.samples.iter_mut().for_each(|a| *a *= 1.0 - salt / 1.0e3);
+            let text =
+                motion.knet().text.replace("E-W", if ending == "NS" { "N-S" } else { "E-W" });
+            fs::write(folder.path().join(format!("{station}0102030405.{ending}")), text).unwrap();
+        }
+    }
+    let (code, said) = told(folder.path(), &["--strict"]);
+    assert!(code == 0 && said.contains("6 motions of 3 recordings"), "{said}");
+    // Without a station the verticals tell them apart.
+    let bare = TempDir::new().unwrap();
+    let mut list = String::from("horizontal,vertical,dt,units\n");
+    for (k, place) in ["a", "b"].into_iter().enumerate() {
+        for (name, azimuth) in [("h1", Some(90)), ("h2", Some(0)), ("v", None)] {
+            let mut motion = Motion::made(200, azimuth);
+            motion
+                .samples
+                .iter_mut()
+                .for_each(|a| *a *= 1.0 - 0.1 * k as f64 - 0.01 * name.len() as f64);
+            if name == "h2" {
+                motion.samples.reverse();
+            }
+            if name == "v" {
+                motion.samples.rotate_left(20);
+            }
+            fs::write(bare.path().join(format!("{place}{name}.txt")), motion.column().text)
+                .unwrap();
+        }
+        list += &format!(
+            "{place}h1.txt,{place}v.txt,0.01,m/s2\n{place}h2.txt,{place}v.txt,0.01,m/s²\n"
+        );
+    }
+    fs::write(bare.path().join("list.csv"), list).unwrap();
+    let (code, said) = told(bare.path(), &["--strict"]);
+    assert!(code == 0 && said.contains("4 motions of 2 recordings"), "{said}");
+}
+
+/// Unlike files in one folder: each is told with what it is, and strictly none may be left.
+#[test]
+fn every_file_that_is_not_used_is_told() {
+    let folder = records();
+    let at = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
+    at("notes.txt", b"mine");
+    at("mine.v2", Motion::made(200, Some(90)).csmip().text.as_bytes());
+    at("A090.VT2", b"velocity");
+    at("page.html", b"<html><body>Login");
+    at("table.xlsx", b"PK");
+    let (code, said) = told(folder.path(), &[]);
+    assert_eq!(code, 0, "{said}");
+    for part in [
+        "1 motion of 1 recording",
+        "5 files",
+        "mine.v2: a record (CSMIP) whose name tells no component; name it in a list",
+        "notes.txt: its name tells no component",
+        "A090.VT2: velocities or displacements of PEER",
+        "page.html: a web page",
+        "table.xlsx: a spreadsheet; if it is the list, save its sheet as CSV",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    match Suite::read(folder.path(), true) {
+        Err(SuiteError::Unused { count: 5, .. }) => {}
+        other => panic!("{other:?}"),
+    }
+    let (code, said) = told(folder.path(), &["--strict"]);
+    assert!(
+        code == 2
+            && said.contains("5 files are not used, the first A090.VT2")
+            && said.lines().count() == 1,
+        "{said}"
+    );
+    // What can only be a list is understood or refused.
+    at("list.csv", b"file_h;file_v\nA090.AT2;A-UP.AT2\n");
+    let (code, said) = told(folder.path(), &[]);
+    assert!(code == 2 && said.contains("list.csv: it names A090.AT2, as a list does"), "{said}");
+    fs::remove_file(folder.path().join("list.csv")).unwrap();
+    at("_SearchResults.xlsx", b"PK");
+    let (code, said) = told(folder.path(), &[]);
+    assert!(code == 2 && said.contains("_SearchResults.xlsx: a list in a spreadsheet"), "{said}");
+}

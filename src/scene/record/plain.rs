@@ -1,0 +1,89 @@
+//! Bytes of a text file in whatever encoding, with whatever line ends; and files of other programs by their first bytes.
+
+/// The bytes as text, its lines ended as they are here.
+pub(super) fn of(bytes: &[u8]) -> String {
+    let text = match bytes {
+        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
+        _ if is_wide(bytes, 1) => utf16(bytes, u16::from_le_bytes),
+        _ if is_wide(bytes, 0) => utf16(bytes, u16::from_be_bytes),
+        _ => String::from_utf8_lossy(bytes).into_owned(),
+    };
+    lines_of_here(text)
+}
+
+/// Letters by which a text in UTF-16 without a mark is told.
+const WIDE: usize = 32;
+
+/// True of a text in UTF-16 without a mark: every other byte of its beginning is a zero, from `zero` on.
+fn is_wide(bytes: &[u8], zero: usize) -> bool {
+    bytes.len() >= WIDE
+        && bytes[..WIDE].iter().enumerate().all(|(at, byte)| (*byte == 0) == (at % 2 == zero))
+}
+
+/// A text without the marks that programs put before it, and what ends a file of DOS; its lines end as they do here.
+fn lines_of_here(text: String) -> String {
+    let begun = text.trim_start_matches('\u{feff}');
+    let plain = begun.trim_end_matches(['\u{1a}', '\0', ' ', '\t', '\r', '\n']);
+    // A line's end stays where nothing follows it.
+    let plain = if begun.len() > plain.len() && begun[plain.len()..].contains(['\u{1a}', '\0']) {
+        plain
+    } else {
+        begun
+    };
+    let lone = plain.as_bytes().windows(2).any(|pair| pair[0] == b'\r' && pair[1] != b'\n');
+    if !lone {
+        return if plain.len() == text.len() { text } else { plain.to_string() };
+    }
+    // Any number of returns before a line feed end one line.
+    let mut lines = String::with_capacity(plain.len());
+    let mut returns = 0;
+    for c in plain.chars() {
+        match c {
+            '\r' => returns += 1,
+            '\n' => {
+                lines.push('\n');
+                returns = 0;
+            }
+            c => {
+                lines.extend(std::iter::repeat_n('\n', returns));
+                lines.push(c);
+                returns = 0;
+            }
+        }
+    }
+    lines
+}
+
+fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
+    let (units, _) = bytes.as_chunks::<2>();
+    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
+    String::from_utf16_lossy(&units)
+}
+
+/// What to do with a file of another program, known by its first bytes.
+pub(super) fn other_program(bytes: &[u8]) -> Option<&'static str> {
+    // The old format of Excel is an OLE file.
+    if bytes.starts_with(&[0xd0, 0xcf, 0x11, 0xe0]) {
+        return Some("a spreadsheet (.xls); save its sheet as CSV and give that");
+    }
+    // A record of miniSEED: a number of six digits, a kind, and a blank (SEED 2.4); or MS and the version 3.
+    let is_seed = bytes.len() >= 48
+        && bytes[..6].iter().all(u8::is_ascii_digit)
+        && matches!(bytes[6], b'D' | b'R' | b'Q' | b'M')
+        && bytes[7] == b' ';
+    if is_seed || bytes.starts_with(b"MS\x03") {
+        return Some(
+            "miniSEED; read it by obspy and give the stream to the Python package, or write its samples as text",
+        );
+    }
+    // SAC has the version of its header, 6 or 7, at word 76, and undefined words of -12345.
+    let word = |at: usize| <[u8; 4]>::try_from(bytes.get(at..at + 4)?).ok();
+    let version = word(4 * 76).map(|word| (i32::from_le_bytes(word), i32::from_be_bytes(word)));
+    if bytes.len() > 632 && matches!(version, Some((6 | 7, _) | (_, 6 | 7))) && bytes.contains(&0) {
+        return Some(
+            "SAC; read it by obspy and give the stream to the Python package, or write its samples as text",
+        );
+    }
+    None
+}

@@ -1,0 +1,145 @@
+//! Units of accelerations, however files spell them.
+
+use serde::{Deserialize, Serialize};
+
+use crate::scene::GRAVITY;
+use crate::written::written;
+
+written! {
+    /// Units of the numbers in a file.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Units {
+        /// Multiples of 9.81 m/s^2.
+        G = "g",
+        /// m/s^2.
+        MetresPerSecondSquared = "m/s2",
+        /// cm/s^2, gal.
+        CentimetresPerSecondSquared = "cm/s2" | "gal",
+    }
+}
+
+/// Words of one meaning: what stands first is written as what stands second. Longer words come first.
+const SPELLINGS: [(&str, &str); 20] = [
+    ("centimetres", "cm"),
+    ("centimeters", "cm"),
+    ("centimetre", "cm"),
+    ("centimeter", "cm"),
+    ("metres", "m"),
+    ("meters", "m"),
+    ("metre", "m"),
+    ("meter", "m"),
+    ("squared", "2"),
+    ("square", "2"),
+    ("seconds", "s"),
+    ("second", "s"),
+    ("secs", "s"),
+    ("sec", "s"),
+    ("per", "/"),
+    ("²", "2"),
+    ("⁻", "-"),
+    ("\u{2212}", "-"),
+    ("s*s", "s2"),
+    ("mt/", "m/"),
+];
+
+impl Units {
+    /// m/s^2 in one of them.
+    pub fn factor(self) -> f64 {
+        match self {
+            Units::G => GRAVITY,
+            Units::MetresPerSecondSquared => 1.0,
+            Units::CentimetresPerSecondSquared => 0.01,
+        }
+    }
+
+    /// The units that a file's words mean, if they are known ones of an acceleration: `cm/sec2.`, `m.s-2`, `g's`.
+    pub fn named(text: &str) -> Option<Units> {
+        match plain(text).as_str() {
+            "g" | "gs" | "g's" | "gravity" => Some(Units::G),
+            "m/s2" | "m/s/s" | "ms-2" | "m/ss" | "mps2" => Some(Units::MetresPerSecondSquared),
+            "cm/s2" | "cm/s/s" | "cms-2" | "cm/ss" | "cmps2" | "gal" | "gals" => {
+                Some(Units::CentimetresPerSecondSquared)
+            }
+            _ => None,
+        }
+    }
+
+    /// True of words that are units of something, known or not: what has brackets need not be.
+    pub fn are_meant(text: &str) -> bool {
+        let plain = plain(text);
+        let is_word = |words: &[&str]| words.contains(&plain.as_str());
+        Units::named(text).is_some()
+            || plain.ends_with("/s")
+            || plain.ends_with("s2")
+            || plain.ends_with("s-2")
+            || is_word(&["mg", "%g", "mgal", "milli-g", "millig", "counts", "count", "v", "mv"])
+    }
+}
+
+/// Words without what differs from writer to writer: case, blanks, brackets, signs of powers and products.
+fn plain(text: &str) -> String {
+    let mut plain: String = text
+        .to_lowercase()
+        .chars()
+        .filter(|c| {
+            !c.is_whitespace() && !matches!(c, '^' | '.' | '·' | '(' | ')' | '[' | ']' | '_')
+        })
+        .collect();
+    for (spelling, word) in SPELLINGS {
+        if plain.contains(spelling) {
+            plain = plain.replace(spelling, word);
+        }
+    }
+    plain.replace("**", "").replace('*', "").trim_matches([',', ';', ':']).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Units;
+
+    #[test]
+    fn units_are_known_however_they_are_written() {
+        for (units, spellings) in [
+            (Units::G, &["g", "G.", "(g)", "g's", "Gs", " g "][..]),
+            (
+                Units::MetresPerSecondSquared,
+                &[
+                    "m/s^2",
+                    "m/s²",
+                    "m/s**2",
+                    "m.s-2",
+                    "m·s⁻²",
+                    "m/(s^2)",
+                    "m/sec/sec",
+                    "m/s*s",
+                    "meters/second2",
+                ],
+            ),
+            (
+                Units::CentimetresPerSecondSquared,
+                &[
+                    "cm/sec2.",
+                    "CM/SEC**2",
+                    "gal",
+                    "Gals",
+                    "cm/s/s",
+                    "cm/sec/sec",
+                    "cm s^-2",
+                    "centimetres per second squared",
+                ],
+            ),
+        ] {
+            for spelling in spellings {
+                assert_eq!(Units::named(spelling), Some(units), "{spelling}");
+                assert!(Units::are_meant(spelling), "{spelling}");
+            }
+        }
+        for other in ["mg", "counts", "ft/s2", "cm/s", "%g", "in/s/s", "mm/s^2"] {
+            assert_eq!(Units::named(other), None, "{other}");
+            assert!(Units::are_meant(other), "{other}");
+        }
+        for words in ["corrected", "horizontal", "NS", "228", "s", "filtered", "Osaka/Japan"] {
+            assert!(!Units::are_meant(words), "{words}");
+        }
+    }
+}
