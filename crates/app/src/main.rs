@@ -17,6 +17,7 @@ mod explore;
 mod figures;
 mod finish;
 mod fragility;
+mod fragility_rates;
 mod fragility_words;
 mod history;
 mod history_table;

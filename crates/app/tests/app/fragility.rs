@@ -389,7 +389,7 @@ fn a_hazard_curve_that_begins_late_says_what_it_may_miss() {
         let run = topple(&[&common[..], &BASE, &asked, &site].concat()).success();
         assert!(said(&run).contains("more above the curve's end, "), "{}", said(&run));
         let head = fs::read_to_string(out.join("rates.csv")).unwrap();
-        assert!(head.lines().next().unwrap().ends_with(",below_target,missing_below"), "{head}");
+        assert!(head.lines().next().unwrap().contains(",below_target,missing_below,"), "{head}");
         (rows(&out.join("fits.csv")), rows(&out.join("rates.csv")))
     };
     let (fits, whole) = rates("whole", &[1.0e-4, 1.0, 1.0e3]);
