@@ -43,7 +43,7 @@ pub struct FragilityCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten)]
-    motions: SuiteFlags,
+    pub motions: SuiteFlags,
     /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
     /// relative to the block
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
@@ -103,7 +103,7 @@ pub struct FragilityCommand {
     samples: u32,
     /// Hazard curve: a CSV of levels and annual rates of exceedance, or a site's curve as OpenQuake exports it
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-    hazard: Option<PathBuf>,
+    pub hazard: Option<PathBuf>,
     /// Units of the hazard curve's levels, where they are accelerations [default: those of its header, else m/s2]
     #[arg(long, value_name = "UNITS", help_heading = "Fragility", requires = "hazard", value_parser = one_of::<Units>())]
     hazard_units: Option<Units>,
@@ -121,7 +121,7 @@ pub struct FragilityCommand {
     #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = export)]
     export: Vec<Export>,
     #[command(flatten, next_help_heading = "Computing")]
-    options: RunOptions,
+    pub options: RunOptions,
 }
 
 fn estimator(text: &str) -> Result<Estimator, String> {

@@ -6,6 +6,7 @@ mod adapters;
 mod bench;
 mod beside;
 mod chart;
+mod command_line;
 mod completions;
 mod disk;
 mod earlier_run;

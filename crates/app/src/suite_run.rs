@@ -13,6 +13,7 @@ use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Suite, SuiteRequest, saved};
 
+use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
@@ -45,6 +46,9 @@ pub struct SuiteFlags {
     /// Print the expected time, and run a sample only
     #[arg(long)]
     dry_run: bool,
+    /// The command line of the run that this one repeats.
+    #[arg(skip)]
+    repeats: Option<CommandLine>,
 }
 
 /// Numbers of run.json that every command with a suite has.
@@ -54,6 +58,8 @@ pub struct SuiteManifest<'a> {
     scene: &'a Scene,
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a Path,
+    /// What repeats the run.
+    command: CommandLine,
     motions: Vec<&'a str>,
     #[serde(flatten)]
     method: Method,
@@ -90,6 +96,18 @@ impl SuiteFlags {
         run.method = options.method();
         run.verify = Verify::settings(self.verify);
         Ok(request)
+    }
+
+    /// The suite's path.
+    pub fn suite(&self) -> &Path {
+        &self.suite
+    }
+
+    /// Makes them those of a repetition, as a whole and from the start.
+    pub fn repeat(&mut self, suite: PathBuf, line: CommandLine) {
+        self.suite = suite;
+        self.repeats = Some(line);
+        (self.resume, self.tile, self.dry_run) = (false, None, false);
     }
 
     /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
@@ -172,6 +190,7 @@ impl SuiteFlags {
         SuiteManifest {
             scene: &swept.scene,
             suite: &self.suite,
+            command: self.repeats.clone().unwrap_or_else(CommandLine::own),
             motions,
             method: options.method(),
             cells: swept.grid.len(),
