@@ -9,9 +9,10 @@ use topple_studies::fragility::{Gap, RateEstimate};
 
 use super::words::{self, Reporter};
 
-/// A rate in words.
+/// A rate in words: three digits, of a small one with its power of ten.
 fn digits(rate: f64) -> String {
-    rounded(rate, 3).to_string()
+    let rounded = rounded(rate, 3);
+    if rounded > 0.0 && rounded < 1.0e-3 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// A share in words.
@@ -26,7 +27,7 @@ pub fn lines(of: &StateStudy, fit: &Estimate, unit: &str, target: Option<f64>) -
     match rate.rate {
         Some(value) => {
             let within = between(rate.low, rate.high);
-            let fifty = rounded(in_50_years(value), 3);
+            let fifty = digits(in_50_years(value));
             let [above, below] = [rate.missing_above, rate.missing_below].map(digits);
             lines.push(format!(
                 "annual rate {}{within}, in 50 years {fifty}; up to {above} more above the curve's end, {below} below its start",

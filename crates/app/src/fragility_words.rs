@@ -21,8 +21,11 @@ const TOLD: usize = 1;
 /// Says which hazard curve was read.
 pub fn hazard(path: &Path, hazard: &HazardText, im: Intensity, say: &Reporter) {
     let [low, high] = hazard.curve.ends().map(|level| rounded(level, 4));
-    let read =
-        if hazard.unit == im.unit() { String::new() } else { format!(", read in {}", hazard.unit) };
+    let read = if [im.unit(), "m/s2"].contains(&hazard.unit) {
+        String::new()
+    } else {
+        format!(", read in {}", hazard.unit)
+    };
     say.line("hazard", format!("{}, {low} to {high}{}{read}", path.display(), unit(im)));
 }
 

@@ -1,6 +1,5 @@
 //! Fragilities for other programs: OpenQuake's NRML 0.5 and pelicun's table of damage parameters.
 
-use std::cmp::Ordering;
 use std::io::{self, Write};
 
 use super::fit::Lognormal;
@@ -96,24 +95,20 @@ impl Export {
 /// Limit states of which each implies those before it, with a name: that of rocking, and where they are asked for those of the base's
 /// strokes. All of them end with overturning.
 fn chains(states: &[LimitState]) -> Vec<(&'static str, Vec<LimitState>)> {
-    let with = |own: fn(&LimitState) -> bool| {
-        let mut chain: Vec<LimitState> = states.iter().copied().filter(own).collect();
-        chain.sort_by(|a, b| match implies(*a, *b) {
-            true => Ordering::Greater,
-            false if implies(*b, *a) => Ordering::Less,
-            false => Ordering::Equal,
-        });
-        (!chain.is_empty()).then(|| {
-            chain.push(LimitState::Overturning);
-            chain
-        })
+    let is_of = |kind: &str, state: &LimitState| match state {
+        LimitState::Overturning => false,
+        LimitState::Uplift | LimitState::Zeta(_) => kind == "rocking",
+        LimitState::U(_) => kind == "max_u",
+        LimitState::V(_) => kind == "stroke_v",
     };
-    let kinds: [(_, fn(&LimitState) -> bool); 3] = [
-        ("rocking", |state| matches!(state, LimitState::Uplift | LimitState::Zeta(_))),
-        ("max_u", |state| matches!(state, LimitState::U(_))),
-        ("stroke_v", |state| matches!(state, LimitState::V(_))),
-    ];
-    kinds.into_iter().filter_map(|(name, own)| Some((name, with(own)?))).collect()
+    let chain = |kind: &'static str| {
+        let mut chain: Vec<LimitState> =
+            states.iter().copied().filter(|state| is_of(kind, state)).collect();
+        chain.sort_by(|a, b| implies(*a, *b).cmp(&implies(*b, *a)));
+        chain.push(LimitState::Overturning);
+        (chain.len() > 1).then_some((kind, chain))
+    };
+    ["rocking", "max_u", "stroke_v"].into_iter().filter_map(chain).collect()
 }
 
 /// The curves of some limit states of a cell by the first estimator, a step as a steep curve; none unless each has one.

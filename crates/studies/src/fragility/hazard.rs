@@ -97,7 +97,8 @@ impl HazardCurve {
 
     /// The same of the levels between two logarithms alone.
     pub fn rate_between(&self, fragility: &Lognormal, low: f64, high: f64) -> f64 {
-        self.segments(low, high).map(|(from, to)| segment(from, to, fragility)).sum()
+        // Of no segment the sum is -0.
+        self.segments(low, high).map(|(from, to)| segment(from, to, fragility)).sum::<f64>() + 0.0
     }
 
     /// True where its first level is not above a level.
@@ -134,9 +135,25 @@ impl HazardCurve {
 
     /// The part of a curve's rate that comes from above the lowest of others: the integral of the difference where it is positive.
     pub fn excess(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
+        self.with_others(fragility, others, |own, lowest| (own - lowest).max(0.0))
+    }
+
+    /// The rate of a curve that is held below others.
+    pub fn held_below(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
+        self.with_others(fragility, others, f64::min)
+    }
+
+    /// The integral of what a curve's probability and the lowest of others make together; it does not change with the level
+    /// where none of them does.
+    fn with_others(
+        &self,
+        fragility: &Lognormal,
+        others: &[Lognormal],
+        together: impl Fn(f64, f64) -> f64,
+    ) -> f64 {
         let all: Vec<Lognormal> = others.iter().chain([fragility]).copied().collect();
-        // Where a curve begins and ends to change, and where it meets the first.
-        let mut breaks: Vec<f64> = Vec::new();
+        // Where a curve begins and ends to change, and where it meets the first; the ends of the hazard.
+        let mut breaks = vec![f64::MIN, f64::MAX];
         for curve in &all {
             let (middle, reach) = (curve.theta.ln(), REACH * curve.beta);
             breaks.extend([middle - reach, middle, middle + reach]);
@@ -147,21 +164,21 @@ impl HazardCurve {
         }
         breaks.retain(|y| y.is_finite());
         breaks.sort_by(f64::total_cmp);
-        let above = |y: f64| {
+        let probability = |y: f64| {
             let x = y.exp();
             let lowest = others.iter().map(|curve| curve.probability(x)).fold(1.0, f64::min);
-            (fragility.probability(x) - lowest).max(0.0)
+            together(fragility.probability(x), lowest)
         };
         let between = |ends: &[f64]| {
-            let middle = 0.5 * (ends[0] + ends[1]);
+            let middle = 0.5 * ends[0] + 0.5 * ends[1];
             let changes = |curve: &&Lognormal| {
                 (middle - curve.theta.ln()).abs() < REACH * curve.beta && curve.beta > 0.0
             };
             let beta = all.iter().filter(changes).map(|curve| curve.beta).fold(f64::MAX, f64::min);
-            let of = |(from, to)| integral(from, to, beta, &above);
+            let of = |(from, to)| integral(from, to, beta, &probability);
             self.segments(ends[0], ends[1]).map(of).sum::<f64>()
         };
-        breaks.windows(2).map(between).sum()
+        breaks.windows(2).map(between).sum::<f64>() + 0.0
     }
 
     /// Its segments between two logarithms of levels.

@@ -76,7 +76,7 @@ pub(super) fn ordered(
         let (own, rate) = (fits[inner].curve()?, fits[inner].rate?.rate?);
         let outer = pairs(states).filter(|(one, _)| *one == inner);
         let others: Vec<Lognormal> = outer.filter_map(|(_, outer)| fits[outer].curve()).collect();
-        Some(if others.is_empty() { rate } else { (rate - hazard.excess(&own, &others)).max(0.0) })
+        Some(if others.is_empty() { rate } else { hazard.held_below(&own, &others) })
     };
     (0..states.len()).map(of).collect()
 }

@@ -88,7 +88,7 @@ impl Groups {
         });
         if let (Resample::Event, Some(without)) = (by, without) {
             let problem = format!(
-                "the event of {} is not known; give `recording`, or a list with the column event",
+                "the event of {} is not known; give recording, or a list with the column event",
                 without.id
             );
             return Err(SceneError::new("resample", problem));

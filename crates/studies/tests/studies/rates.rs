@@ -176,6 +176,8 @@ fn curves_of_ordered_limit_states_that_cross_are_found() {
     let rate = wide.rate.unwrap().rate.unwrap();
     near(one.share.unwrap(), (part(&a) - part(&b)) / rate, 1.0e-6);
     assert!(one.share.unwrap() > 0.1, "{one:?}");
+    let held = hazard().held_below(&a, &[b]);
+    near(held, rate - part(&a) + part(&b), 1.0e-6);
     // Curves in order, or of states that do not include each other, are not told.
     assert!(crossings(&states[..2], &[&narrow, &fit(1.0, 0.2)], Some(&hazard())).is_empty());
     assert!(crossings(&states[4..], &[&wide, &narrow], Some(&hazard())).is_empty());
