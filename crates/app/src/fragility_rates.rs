@@ -12,7 +12,7 @@ use super::words::{self, Reporter};
 /// A rate in words: three digits, of a small one with its power of ten.
 fn digits(rate: f64) -> String {
     let rounded = rounded(rate, 3);
-    if rounded > 0.0 && rounded < 1.0e-3 { format!("{rounded:e}") } else { rounded.to_string() }
+    if rounded > 0.0 && rounded < 1.0e-4 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// A share in words.
@@ -158,7 +158,7 @@ pub fn warn_of_crossings(study: &Study, unit: &str) {
             let counts = share.zip(ordered).map_or(String::new(), |(share, ordered)| {
                 let ordered = digits(ordered);
                 format!(
-                    "; {} of its annual rate comes from there, without it {ordered} are left",
+                    "; {} of its annual rate comes from there, held below it is {ordered} (rate_ordered)",
                     percent(share)
                 )
             });

@@ -441,6 +441,28 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let last_band =
         lines.iter().rposition(|line| line.contains("#f3d9d9") || line.contains("#d6e2f5"));
     assert!(last_band.unwrap() < first, "a band lies above a mark");
+    // The curve is dashed up to the lowest level at which a motion fails, and whole from there on.
+    let ends = |line: &str| -> [f64; 2] {
+        let path = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
+        let x = |point: &str| point.split([' ', ',']).next().unwrap().parse().unwrap();
+        let points: Vec<f64> = path.split(['M', 'L']).skip(1).map(x).collect();
+        [points[0], points[points.len() - 1]]
+    };
+    let red = lines.iter().find(|line| line.contains("stroke-dasharray")).unwrap();
+    let colour = red.split("stroke=\"").nth(1).unwrap().split('"').next().unwrap();
+    let curve = |dashed: bool| {
+        let is_it = |line: &&&str| {
+            line.starts_with("<path")
+                && line.contains(colour)
+                && line.contains("dasharray") == dashed
+        };
+        ends(lines.iter().find(is_it).unwrap())
+    };
+    let standing = discs.iter().rfind(|disc| attribute(disc, "cy") == attribute(discs[0], "cy"));
+    let failing = discs.iter().find(|disc| attribute(disc, "cy") < attribute(discs[0], "cy"));
+    let [standing, failing] = [standing, failing].map(|disc| attribute(disc.unwrap(), "cx"));
+    let ([_, dashed], [whole, _]) = (curve(true), curve(false));
+    assert!(standing < dashed && (dashed - failing).abs() < 0.05 && (whole - failing).abs() < 0.05);
     let mut by_level: BTreeMap<String, [f64; 2]> = BTreeMap::new();
     for row in rows(&out.join("runs.csv")) {
         let of = MOTIONS.iter().position(|(name, ..)| *name == row["record"]).unwrap();

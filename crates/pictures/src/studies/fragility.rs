@@ -90,8 +90,12 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
                     line.iter().copied().filter(|(x, _)| within(*x)).collect()
                 };
                 let beyond = dashed(colour, CURVE, BEYOND);
-                canvas.line(part(&|x| x <= from), beyond);
-                canvas.line(part(&|x| x >= to), beyond);
+                if ends[0] > low {
+                    canvas.line(part(&|x| x <= from), beyond);
+                }
+                if ends[1] < high {
+                    canvas.line(part(&|x| x >= to), beyond);
+                }
                 canvas.line(part(&|x| (from..=to).contains(&x)), stroke(colour, CURVE));
             }
             entries.push(entry(

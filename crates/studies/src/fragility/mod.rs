@@ -17,6 +17,7 @@ pub mod export;
 pub mod fit;
 pub mod hazard;
 mod hazard_error;
+mod hazard_integrals;
 pub mod hazard_text;
 pub mod ida;
 pub(crate) mod interval;

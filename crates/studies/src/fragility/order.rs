@@ -1,5 +1,7 @@
 //! Limit states of which one implies another: the curve of the first cannot be above that of the second.
 
+use std::ops::Range;
+
 use super::estimate::Estimate;
 use super::fit::Lognormal;
 use super::hazard::HazardCurve;
@@ -22,8 +24,10 @@ pub struct Crossing {
     pub share: Option<f64>,
 }
 
-/// Probability at which a crossing counts, and share of a rate.
-const COUNTS: [f64; 2] = [1.0e-3, 0.01];
+/// Probabilities between which a crossing counts without a hazard curve.
+const PROBABILITIES: Range<f64> = 1.0e-3..0.99;
+/// Share of a rate from which on it counts.
+const SHARE: f64 = 0.01;
 
 /// True where a block that exceeds one limit state exceeds another one, too: overturning exceeds all; a rocking index above
 /// zero has lifted; a larger limit of a quantity includes the smaller.
@@ -56,8 +60,8 @@ pub fn crossings(
             (rate > 0.0).then(|| hazard.excess(&one, &[other]) / rate)
         });
         let counts = match share {
-            Some(share) => share > COUNTS[1],
-            None => probability > COUNTS[0] && probability < 1.0 - COUNTS[0],
+            Some(share) => share > SHARE,
+            None => PROBABILITIES.contains(&probability),
         };
         if counts {
             found.push(Crossing { inner, outer, level, probability, below, share });

@@ -96,7 +96,8 @@ impl RateEstimate {
             low: Some(from(all_fail).unwrap_or(0.0)),
             high: from(all_stand.filter(counted)),
             missing_above: hazard.rate(&Lognormal { theta: f64::MAX, beta: 0.0 }).missing_above,
-            missing_below: 0.0,
+            // Where some stand up to a level, weaker motions do, too.
+            missing_below: if all_stand.is_some() { 0.0 } else { f64::INFINITY },
             without_failures: None,
             above_levels: None,
             ordered: None,

@@ -112,6 +112,7 @@ fn where_no_curve_is_known_the_rate_has_bounds() {
     let all = known(&[0.5; 20]).rate.unwrap();
     near(all.low.unwrap(), 1.0e-3 - 1.0e-7, 1.0e-9);
     assert_eq!((all.rate, all.high, all.is_below(1.0)), (None, None, Some(false)));
+    assert_eq!((all.missing_below, none.missing_below), (f64::INFINITY, 0.0));
     // A gap with levels on both sides is a step in its middle, within the bounds of its ends.
     let gap = known(&[1.5; 20]).rate.unwrap();
     near(gap.rate.unwrap(), 1.0e-3 / 2.0 - 1.0e-7, 1.0e-9);
