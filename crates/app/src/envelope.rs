@@ -109,7 +109,7 @@ impl EnvelopeCommand {
         let best = envelope.best();
         let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, motions, options),
+            suite: self.motions.manifest(swept, motions, (&suite, options)),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,

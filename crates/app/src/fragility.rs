@@ -254,7 +254,7 @@ impl FragilityCommand {
         }
         let records = study.records().collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, records, options),
+            suite: self.motions.manifest(swept, records, (&suite, options)),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.settings.states,

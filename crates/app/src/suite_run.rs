@@ -1,5 +1,6 @@
 //! What commands have that sweep a scene under a suite: their flags, and the way from them to the sweep.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -61,6 +62,8 @@ pub struct SuiteManifest<'a> {
     /// What repeats the run.
     command: CommandLine,
     motions: Vec<&'a str>,
+    /// Why lines of the suite have no motion, by their ids.
+    left_out: BTreeMap<&'a str, &'a str>,
     #[serde(flatten)]
     method: Method,
     cells: usize,
@@ -184,7 +187,7 @@ impl SuiteFlags {
         &'a self,
         swept: &'a SuiteSweep,
         motions: Vec<&'a str>,
-        options: &RunOptions,
+        (suite, options): (&'a Suite, &RunOptions),
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         SuiteManifest {
@@ -192,6 +195,7 @@ impl SuiteFlags {
             suite: &self.suite,
             command: self.repeats.clone().unwrap_or_else(CommandLine::own),
             motions,
+            left_out: suite::left_out(suite),
             method: options.method(),
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,

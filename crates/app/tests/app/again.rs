@@ -273,7 +273,8 @@ fn runs_under_a_suite_are_repeated_from_their_directory() {
     let put = |folder: &Path| {
         fs::create_dir_all(folder).unwrap();
         record(folder, 0.6);
-        fs::write(folder.join("list.csv"), "id,horizontal,units\none,mine.txt,g\n").unwrap();
+        fs::write(folder.join("list.csv"), "id,horizontal,units\none,mine.txt,g\ntwo,none.txt,g\n")
+            .unwrap();
         fs::write(folder.join("site.csv"), "pga [g],rate\n0.1,1e-2\n3,1e-5\n").unwrap();
     };
     put(&at("work"));
@@ -303,6 +304,9 @@ fn runs_under_a_suite_are_repeated_from_their_directory() {
             run(&["run", &results.join(given).display().to_string()], &at("again"));
             same("again");
         }
+        // What of the suite is left out is said.
+        let left_out = &json(&results)["left_out"];
+        assert_eq!(left_out["two"], "none.txt is in the list and not among the files");
         // What is repeated can be repeated.
         run(&["run", &at("again").display().to_string()], &at("third"));
         same("third");
