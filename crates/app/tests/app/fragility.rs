@@ -42,7 +42,7 @@ pub fn refusal(run: &Assert) -> String {
 }
 
 /// Samples of a motion of six seconds, of a peak about as large.
-fn samples(peak: f64, omega: f64) -> Vec<f64> {
+pub fn samples(peak: f64, omega: f64) -> Vec<f64> {
     let sample = |k: u32| {
         let t = 0.02 * f64::from(k);
         let envelope = (t / 1.5) * (1.0 - t / 1.5).exp();

@@ -26,6 +26,7 @@ mod pictures;
 mod records;
 mod refined;
 mod repair;
+mod resampled;
 mod shards;
 mod suites;
 mod uncertain;
