@@ -1,23 +1,26 @@
 //! Suites of records: their table, envelopes and fragilities, each as the tables of the command.
 
+use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
 
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::results::about;
 use topple::scene::bounded;
+use topple::scene::record::Units;
 use topple::work::threads::Threads;
-use topple::{Saving, SceneError, StoreError, SweepError, Values};
-use topple_studies::fragility::hazard;
+use topple::{Saving, SceneError, StoreError, SweepError, Values, Written};
 use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple_studies::fragility::tables as fragility_tables;
+use topple_studies::fragility::{Resample, hazard, hazard_text};
 use topple_studies::suites::columns::{ColumnUnit, TableColumn};
 use topple_studies::suites::{envelope as envelope_tables, saved, table};
 use topple_studies::{
-    Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve, Intensity,
-    Limits, Suite, SuiteJob, SuiteRequest, SuiteSweep,
+    Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, Intensity, Limits, Suite,
+    SuiteJob, SuiteRequest, SuiteSweep,
 };
 
 use crate::axes::{axes, coordinates};
@@ -43,7 +46,7 @@ pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, S
 const ENVELOPE: [&str; 6] =
     ["suite", "strict", "both_directions", "standing", "limit_u", "limit_v"];
 /// Those of a fragility.
-const FRAGILITY: [&str; 16] = [
+const FRAGILITY: [&str; 18] = [
     "suite",
     "strict",
     "both_directions",
@@ -54,11 +57,13 @@ const FRAGILITY: [&str; 16] = [
     "levels",
     "units",
     "estimator",
+    "resample",
     "bootstrap",
     "seed",
     "vary",
     "samples",
     "hazard",
+    "hazard_units",
     "target",
 ];
 
@@ -124,6 +129,11 @@ pub fn fragility<'py>(
         let known = known.ok_or_else(|| of_keyword("estimator", format!("{name} is not known")))?;
         request.estimators.push(known);
     }
+    if let Some(name) = given::<String>(keywords, "resample", "a text")? {
+        let known = Resample::named(&name);
+        let known = known.ok_or_else(|| of_keyword("resample", format!("{name} is not known")))?;
+        request.resample = Some(known);
+    }
     request.vary = varied(keywords)?;
     request.bootstrap = number(keywords, "bootstrap", "a number of sets")?;
     request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
@@ -133,22 +143,32 @@ pub fn fragility<'py>(
         ("samples", "vary", "how many points of vary"),
         ("target", "hazard", "a rate of hazard's"),
         ("units", "levels", "what levels are in"),
+        ("hazard_units", "hazard", "what the levels of hazard are in"),
     ];
     for (key, other, says) in needed {
         if value_of(keywords, key)?.is_some() && value_of(keywords, other)?.is_none() {
             return Err(of_keyword(key, format!("it says {says}; give {other}, too")));
         }
     }
-    let hazard = match given::<PathBuf>(keywords, "hazard", "a path")? {
-        Some(path) => {
-            let named = |error: io::Error| {
-                io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
-            };
-            let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
-            Some(HazardCurve::parse(&text).map_err(|error| of_keyword("hazard", error))?)
+    if let Some(path) = given::<PathBuf>(keywords, "hazard", "a path")? {
+        let named = |error: io::Error| {
+            io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
+        };
+        let units = given::<String>(keywords, "hazard_units", "a text")?;
+        let units = units.map(|name| {
+            Units::of_key(&name).ok_or_else(|| {
+                of_keyword("hazard_units", format!("{name} is not known; give g or m/s2"))
+            })
+        });
+        let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
+        let read = hazard_text::read(&text, request.im, units.transpose()?);
+        let read = read.map_err(|error| of_keyword("hazard", error))?;
+        if read.assumed {
+            let problem = "hazard: nothing tells the unit of its levels, m/s2 is taken; give hazard_units, g or m/s2";
+            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(problem)?, 1)?;
         }
-        None => None,
-    };
+        request.hazard = Some(read.curve);
+    }
     request.check().map_err(of_scene)?;
     let run = |watch: &watch::Watch| -> Result<Option<FragilityStudy>, SweepError> {
         let FragilityJob { sweep, settings } = request.open(&suite)?;
@@ -177,12 +197,14 @@ pub fn fragility<'py>(
             text(|w| fragility_tables::write_capacities(&study, w).map_err(of_table)),
         )?;
     }
-    if let Some(hazard) = &hazard {
-        let rates = |w: &mut Vec<u8>| fragility_tables::write_rates(&study, hazard, target, w);
+    if study.settings.hazard.is_some() {
+        let rates = |w: &mut Vec<u8>| fragility_tables::write_rates(&study, target, w);
         add("rates", text(|w| rates(w).map_err(of_table)))?;
     }
     let mut about = told(&study.sweep);
     about["im"] = json!(request.im);
+    about["resample"] = json!(study.settings.groups.by);
+    about["groups"] = json!(study.settings.groups.count);
     about["im_units"] = json!(request.im.unit());
     let all = [COUNTS.as_slice(), &FITS, &CAPACITIES, &SENSITIVITY, &RATES].concat();
     about["columns"] = described(&all, request.im.unit());

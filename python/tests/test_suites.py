@@ -164,9 +164,9 @@ def test_every_number_has_a_unit(records):
         assert all(None not in of.values() for of in told.values()), told
         assert told["fragility"]["level"] == told["fits"]["theta"] == unit
         assert told["rates"]["rate"] == told["rates"]["missing_below"] == "1/year"
-        # Only where theta is not known there is no bound.
-        rates, theta = study["rates"], study["fits"]["theta"]
-        assert rates["missing_below"].notnull().equals(theta.notnull())
+        # Where there is a rate, what may be missing has a bound.
+        known = study["rates"]["rate"].notnull()
+        assert study["rates"]["missing_below"].where(known).notnull().equals(known)
         assert ("capacities" in told) != ("points" in told)
     assert told["points"]["drawn_eccentricity"] == "1" and "sensitivity" in told
 
@@ -183,6 +183,21 @@ def test_a_hazard_curve_that_begins_late_is_below_no_target(records):
     more = 1e-4 * ((10.0 / fit["theta"].item()) ** np.log2(10.0) - 1.0)
     assert rate["rate"].item() == pytest.approx(9e-5) and rate["missing_below"].item() == pytest.approx(more)
     assert rate["rate"] + rate["missing_above"] < 2e-4 and rate["below_target"] == 0
+
+
+def test_a_hazard_curve_in_g_is_read_in_g(records):
+    (records / "site.csv").write_text("level,rate\n0.05,0.05\n2,0.0001\n")
+    scene = SCENE | {"t_h": 2.0, "t_v": 0.4, "backend": "cpu", "verify": 0}
+    asked = {"levels": "2:14:7", "estimator": "stripes", "bootstrap": 50, "hazard": records / "site.csv"}
+    with pytest.warns(UserWarning, match="nothing tells the unit of its levels, m/s2 is taken"):
+        assumed = topple.fragility(records / "list.csv", **scene, **asked)["rates"]["rate_empirical"]
+    in_g = topple.fragility(records / "list.csv", **scene, **asked, hazard_units="g", resample="motion")["rates"]
+    assert (in_g["rate_empirical"] > assumed).all()
+    with pytest.raises(ValueError, match="^hazard_units: .* give hazard, too"):
+        topple.fragility(records / "list.csv", **scene, levels="2:14:7", hazard_units="g")
+    for key, value in (("hazard_units", "ft"), ("resample", "day")):
+        with pytest.raises(ValueError, match=f"^{key}: {value} is not known"):
+            topple.fragility(records / "list.csv", **scene, **asked, **{key: value})
 
 
 def test_levels_in_g(records):

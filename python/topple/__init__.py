@@ -321,7 +321,11 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     vary : mapping, str or sequence of str, optional
         Numbers that are not known: ``{"eccentricity": "normal(0.1,0.02)"}`` or ``"eccentricity=normal(0.1,0.02)"``.
     hazard : path, optional
-        A CSV ``level,rate``.
+        A CSV of levels and annual rates of exceedance, or the curve of a site as OpenQuake exports it.
+    hazard_units : str, optional
+        Unit of its levels, where they are accelerations: g or m/s2.
+    resample : str, optional
+        What is drawn for the intervals: event, recording or motion.
     bootstrap, seed, samples, target, both_directions, strict : optional
         As of the command.
     out, resume, tile : optional

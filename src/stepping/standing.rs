@@ -35,8 +35,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let grounds = [ground_mid, ground_end];
         let stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
         let base = support(&set, &stepped.y, ground_end);
-        let (asked, side) = (set.variant.asked, self.corner.side);
-        self.extremes.update_motion(asked, moved, standing, side, &self.y, &stepped.y, h);
+        let (asked, stands) = (set.variant.asked, (standing, self.corner.side));
+        self.extremes.update_motion(asked, moved, stands, &self.y, &stepped.y, h);
         if L::FORCES {
             let end = Contact { shear: base.f_h, normal: base.f_v };
             self.log.feel(moved, [k1.contact(), stepped.mid, end]);

@@ -128,8 +128,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let plain = (looked & !(found | landed)) | again;
         self.search.again = self.search.again & !again;
         let moved = plain | switched | arrived;
-        let side = self.corner.side;
-        self.extremes.update_motion(variant.asked, moved, self.rocking, side, &self.y, &y1, h);
+        let rocks = (self.rocking, self.corner.side);
+        self.extremes.update_motion(variant.asked, moved, rocks, &self.y, &y1, h);
         if variant.asked.forces {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         }

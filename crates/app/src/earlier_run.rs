@@ -163,8 +163,8 @@ fn not_of_a_scene(kind: Kind) -> Option<&'static str> {
     match kind {
         Kind::Map | Kind::History | Kind::Probability => None,
         Kind::Suite => Some("a suite is no scene; read it again by topple suite"),
-        Kind::Envelope => Some("an envelope has many motions; run it again by topple envelope"),
-        Kind::Fragility => Some("a fragility has many motions; run it again by topple fragility"),
+        Kind::Envelope => Some("its run.json has no command; run it again by topple envelope"),
+        Kind::Fragility => Some("its run.json has no command; run it again by topple fragility"),
     }
 }
 

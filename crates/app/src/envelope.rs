@@ -27,7 +27,7 @@ pub struct EnvelopeCommand {
     #[command(flatten)]
     record: RecordNumbers,
     #[command(flatten)]
-    motions: SuiteFlags,
+    pub motions: SuiteFlags,
     /// Share of the motions under which the block must stand
     #[arg(
         long,
@@ -45,7 +45,7 @@ pub struct EnvelopeCommand {
     #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
     limit_v: Option<f64>,
     #[command(flatten, next_help_heading = "Computing")]
-    options: RunOptions,
+    pub options: RunOptions,
 }
 
 /// run.json of an envelope.
@@ -109,7 +109,7 @@ impl EnvelopeCommand {
         let best = envelope.best();
         let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, motions, options),
+            suite: self.motions.manifest(swept, motions, (&suite, options)),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,

@@ -107,7 +107,10 @@ Examples:
     topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log
   Its annual rate at a site, and the periods at which it is below 1 in 2500 years:
     topple fragility --object 1 --u-y 0.01 --t-h 0.5:5:30 --t-v 0.05:1:30 --suite records --im sa:1 \
---levels 0.5:20:20:log --hazard site.csv --target 0.0004";
+--levels 0.5:20:20:log --hazard site.csv --hazard-units g --target 0.0004
+  Its curves for OpenQuake and pelicun, intervals by recording:
+    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log \
+--resample recording --export nrml,pelicun";
 
 /// Of `topple merge`.
 pub const MERGE: &str = "\

@@ -5,15 +5,19 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
+use topple::scene::record::Units;
 use topple::scene::{Values, bounded, path_text};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;
 use topple_studies::fragility::hazard;
+use topple_studies::fragility::hazard_text;
 use topple_studies::fragility::limit_state::LimitState;
 use topple_studies::fragility::request::{MANY, SAMPLES};
 use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{Estimator, FragilityJob, FragilityRequest, HazardCurve, tables};
+use topple_studies::fragility::{
+    Estimator, Export, FragilityJob, FragilityRequest, HazardText, Resample, tables,
+};
 use topple_studies::suites::SuiteRequest;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::request::above_zero;
@@ -29,7 +33,8 @@ use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest};
 use super::words::Reporter;
-use super::{InputError, examples, suite};
+use super::written::one_of;
+use super::{InputError, examples, suite, words};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
@@ -38,7 +43,7 @@ pub struct FragilityCommand {
     #[command(flatten)]
     common: CommonFlags,
     #[command(flatten)]
-    motions: SuiteFlags,
+    pub motions: SuiteFlags,
     /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
     /// relative to the block
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
@@ -79,7 +84,11 @@ pub struct FragilityCommand {
     /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
     estimator: Vec<Estimator>,
-    /// Sets of records that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
+    /// What is drawn for the intervals: event, recording (both components of a station, both directions) or motion
+    /// [default: event where there are 10 and each motion's is known, else recording]
+    #[arg(long, value_name = "WHAT", help_heading = "Fragility", value_parser = resample)]
+    resample: Option<Resample>,
+    /// Sets that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
     #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
     /// Seed of what is drawn, up to 4294967295
@@ -92,9 +101,12 @@ pub struct FragilityCommand {
     /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
     #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
-    /// Hazard curve: a CSV level,rate with annual rates of exceedance
+    /// Hazard curve: a CSV of levels and annual rates of exceedance, or a site's curve as OpenQuake exports it
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-    hazard: Option<PathBuf>,
+    pub hazard: Option<PathBuf>,
+    /// Units of the hazard curve's levels, where they are accelerations [default: those of its header, else m/s2]
+    #[arg(long, value_name = "UNITS", help_heading = "Fragility", requires = "hazard", value_parser = one_of::<Units>())]
+    hazard_units: Option<Units>,
     /// Annual rate that is accepted, with what may be missing at both ends of the hazard curve; drawn on maps
     #[arg(
         long,
@@ -105,14 +117,31 @@ pub struct FragilityCommand {
         allow_negative_numbers = true
     )]
     target: Option<f64>,
+    /// Write the curves for other programs, too: nrml (OpenQuake, fragility.xml), pelicun (fragility_pelicun.csv)
+    #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = export)]
+    export: Vec<Export>,
     #[command(flatten, next_help_heading = "Computing")]
-    options: RunOptions,
+    pub options: RunOptions,
 }
 
 fn estimator(text: &str) -> Result<Estimator, String> {
     Estimator::named(text).ok_or_else(|| {
         let known: Vec<&str> = Estimator::ALL.iter().map(|known| known.name()).collect();
         format!("no estimator of this name; there are {}", known.join(", "))
+    })
+}
+
+fn export(text: &str) -> Result<Export, String> {
+    Export::named(text).ok_or_else(|| {
+        let known: Vec<&str> = Export::ALL.iter().map(|known| known.name()).collect();
+        format!("no format of this name; there are {}", known.join(", "))
+    })
+}
+
+fn resample(text: &str) -> Result<Resample, String> {
+    Resample::named(text).ok_or_else(|| {
+        let known: Vec<&str> = Resample::ALL.iter().map(|known| known.name()).collect();
+        format!("nothing is drawn by this name; there are {}", known.join(", "))
     })
 }
 
@@ -126,12 +155,17 @@ struct Manifest<'a> {
     levels: Option<Vec<f64>>,
     limit_states: &'a [LimitState],
     estimators: Vec<&'static str>,
+    /// What is drawn for the intervals, and of how many.
+    resample: Resample,
+    groups: usize,
     replicates: u32,
     seed: u32,
     vary: &'a [Varied],
     samples: Option<u32>,
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
+    /// The unit that the levels of the hazard curve were read in.
+    hazard_units: Option<&'static str>,
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
@@ -156,15 +190,22 @@ impl FragilityCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
         let place = Place::of(&options.out, Kind::Fragility)?;
-        let hazard = self.hazard.as_deref().map(read_hazard).transpose()?;
+        let hazard = self.hazard.as_deref().map(|path| self.read_hazard(path)).transpose()?;
         let text = self.common.text(Some("Fragility"), std::iter::empty());
-        let request = self.request(self.motions.request(&self.common, options, text)?);
+        let request = self.motions.request(&self.common, options, text)?;
+        let request = self.request(request, hazard.as_ref());
         let targets = self.target.as_slice();
-        let checked = request.check().and_then(|()| above_zero("target", targets));
+        let exports = self.export.iter();
+        let exported = || exports.clone().try_for_each(|export| export.check(self.im));
+        let checked =
+            request.check().and_then(|()| above_zero("target", targets)).and_then(|()| exported());
         checked.map_err(|error| flag_error(&error))?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
+        if let Some((path, hazard)) = self.hazard.as_deref().zip(hazard.as_ref()) {
+            told::hazard(path, hazard, self.im, &say);
+        }
         let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
         let Some(swept) = self.motions.run(sweep, settings.times, options, &say)? else {
@@ -178,13 +219,14 @@ impl FragilityCommand {
         screen.clear();
         let swept = &study.sweep;
         let mut out = place.open()?;
-        let figures = self.figures(&study, hazard.as_ref())?;
+        let figures = self.figures(&study)?;
         let varies = study.settings.unknown.is_some();
         let mut files = vec![COUNTS, FITS];
         files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
         let told_one_by_one = !varies && cells <= MANY;
         files.extend(told_one_by_one.then_some(RUNS));
         files.extend(hazard.as_ref().map(|_| RATES));
+        files.extend(self.exports().map(Export::file));
         let mut files: Vec<String> = files.into_iter().map(String::from).collect();
         let tables = files.len();
         let pictures = figures.iter().map(|(name, ..)| name);
@@ -201,30 +243,37 @@ impl FragilityCommand {
         if told_one_by_one {
             out.write(RUNS, |w| tables::write_runs(&study, w))?;
         }
-        if let Some(hazard) = &hazard {
-            out.write(RATES, |w| tables::write_rates(&study, hazard, self.target, w))?;
+        if hazard.is_some() {
+            out.write(RATES, |w| tables::write_rates(&study, self.target, w))?;
+        }
+        for export in self.exports() {
+            out.write(export.file(), |w| export.write(&study, self.im, w))?;
         }
         for (name, svg, png) in &figures {
             out.picture(name, svg, png)?;
         }
         let records = study.records().collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, records, options),
+            suite: self.motions.manifest(swept, records, (&suite, options)),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.settings.states,
             estimators: study.settings.estimators.iter().map(|one| one.name()).collect(),
+            resample: study.settings.groups.by,
+            groups: study.settings.groups.count,
             replicates: study.settings.bootstrap.replicates,
             seed: self.seed,
             vary: &self.vary,
             samples: varies.then_some(self.samples),
             hazard: self.hazard.as_deref(),
+            hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             verified: &swept.verified,
         };
         out.finish(&manifest)?;
-        told::tell(&study, hazard.as_ref(), self.target, &say);
+        told::tell(&study, self.im, self.target, &say);
+        self.exports().for_each(|export| told::exported(export, &study, &say));
         suite_run::tell_verified(swept, &say);
         study.sweep.discard_saved()?;
         for (name, ..) in &figures {
@@ -241,11 +290,35 @@ impl FragilityCommand {
         let tables =
             [COUNTS, FITS].iter().chain(of_study).chain(self.hazard.as_ref().map(|_| &RATES));
         let pictures = states.iter().flat_map(|state| picture_files(&picture_of(state)));
-        tables.map(|name| name.to_string()).chain(pictures).collect()
+        let exports = self.exports().map(|export| export.file().to_string());
+        tables.map(|name| name.to_string()).chain(exports).chain(pictures).collect()
+    }
+
+    /// The formats that are asked for, each once.
+    fn exports(&self) -> impl Iterator<Item = Export> {
+        Export::ALL.into_iter().filter(|export| self.export.contains(export))
+    }
+
+    /// Reads a hazard curve.
+    fn read_hazard(&self, path: &Path) -> Result<HazardText, InputError> {
+        let named =
+            |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
+        let bytes = bounded::read(path, hazard::LARGEST)
+            .map_err(|e| named(format!("{e}; give a file that can be read")))?;
+        let text = String::from_utf8_lossy(&bytes);
+        let read = hazard_text::read(&text, self.im, self.hazard_units);
+        let read = read.map_err(|error| named(error.to_string()))?;
+        if read.assumed {
+            words::warn(format!(
+                "--hazard: {}: nothing tells the unit of its levels, m/s2 is taken; give --hazard-units g or m/s2",
+                path.display()
+            ));
+        }
+        Ok(read)
     }
 
     /// What is asked of a suite's request.
-    fn request(&self, suite: SuiteRequest) -> FragilityRequest {
+    fn request(&self, suite: SuiteRequest, hazard: Option<&HazardText>) -> FragilityRequest {
         FragilityRequest {
             im: self.im,
             levels: self.levels.clone(),
@@ -253,6 +326,8 @@ impl FragilityCommand {
             limit_u: self.limit_u.clone(),
             limit_v: self.limit_v.clone(),
             estimators: self.estimator.clone(),
+            resample: self.resample,
+            hazard: hazard.map(|hazard| hazard.curve.clone()),
             bootstrap: self.bootstrap,
             seed: self.seed,
             vary: self.vary.clone(),
@@ -262,11 +337,7 @@ impl FragilityCommand {
     }
 
     /// The pictures of a study.
-    fn figures(
-        &self,
-        study: &Study,
-        hazard: Option<&HazardCurve>,
-    ) -> Result<Vec<Figure>, FigureError> {
+    fn figures(&self, study: &Study) -> Result<Vec<Figure>, FigureError> {
         let grid = &study.sweep.grid;
         let finish = |name: String, svg: String| -> Result<Figure, FigureError> {
             let png = render::png(&svg)?;
@@ -283,9 +354,9 @@ impl FragilityCommand {
         }
         let states = study.settings.states.iter().enumerate();
         let figure = |(number, state): (usize, &LimitState)| {
-            let rates: Option<Vec<Option<f64>>> = hazard.map(|hazard| {
+            let rates: Option<Vec<Option<f64>>> = study.settings.hazard.as_ref().map(|_| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
-                fit.map(|fit| tables::rate(fit, hazard).map(|rate| rate.at_most())).collect()
+                fit.map(|fit| fit.rate.as_ref()?.at_most()).collect()
             });
             let target = rates.as_deref().zip(self.target);
             finish(picture_of(state), picture::maps(study, number, self.im, target)?)
@@ -300,12 +371,4 @@ fn picture_of(state: &LimitState) -> String {
         LimitState::Overturning => PICTURE.to_string(),
         state => format!("{PICTURE}-{}", state.file()),
     }
-}
-
-/// Reads a hazard curve.
-fn read_hazard(path: &Path) -> Result<HazardCurve, InputError> {
-    let named = |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
-    let bytes = bounded::read(path, hazard::LARGEST)
-        .map_err(|e| named(format!("{e}; give a file that can be read")))?;
-    HazardCurve::parse(&String::from_utf8_lossy(&bytes)).map_err(|error| named(error.to_string()))
 }

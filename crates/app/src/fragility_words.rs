@@ -1,20 +1,42 @@
 //! What is said of a fragility.
 
+use std::path::Path;
+
 use topple::results::files::Directory;
 use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::Estimate;
-use topple_studies::fragility::hazard::in_50_years;
+use topple_studies::fragility::resample::{FEWEST_EVENTS, Groups};
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{HazardCurve, tables};
+use topple_studies::fragility::{Export, HazardText, Resample};
+use topple_studies::suites::intensity::Intensity;
 
+use super::fragility_rates as rates;
+use super::suite::counted;
 use super::words::Reporter;
 
 /// Most cells that are told one by one.
 const TOLD: usize = 1;
 
+/// Says which hazard curve was read.
+pub fn hazard(path: &Path, hazard: &HazardText, im: Intensity, say: &Reporter) {
+    let [low, high] = hazard.curve.ends().map(|level| rounded(level, 4));
+    let read = if [im.unit(), "m/s2"].contains(&hazard.unit) {
+        String::new()
+    } else {
+        format!(", read in {}", hazard.unit)
+    };
+    say.line("hazard", format!("{}, {low} to {high}{}{read}", path.display(), unit(im)));
+}
+
+/// The unit of a measure behind a number.
+fn unit(im: Intensity) -> String {
+    if im.unit() == "1" { String::new() } else { format!(" {}", im.unit()) }
+}
+
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
-pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, say: &Reporter) {
+pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
+    say.line("intervals", intervals(study));
     for (number, state) in study.settings.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {
@@ -32,36 +54,26 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
                 ),
             };
             say.line(&state.to_string(), text);
-            if let (Some(hazard), Some(target)) = (hazard, target) {
-                let below = fits
-                    .filter_map(|fit| tables::rate(fit, hazard))
-                    .filter(|rate| tables::is_below(rate, target))
-                    .count();
-                say.line("", format!("annual rate below {target} in {below} cells"));
-            }
+            rates::of_cells(fits, target, say);
             continue;
         }
-        let estimates = &study.cells[0].states[number].estimates;
-        for (k, (estimator, fit)) in study.settings.estimators.iter().zip(estimates).enumerate() {
+        let of = &study.cells[0].states[number];
+        for (k, (estimator, fit)) in study.settings.estimators.iter().zip(&of.estimates).enumerate()
+        {
             let name = if k == 0 { state.to_string() } else { String::new() };
             say.line(&name, format!("{:8} {}", estimator.name(), curve(fit)));
-            let sensitivity = study.cells[0].states[number].sensitivity.as_ref();
+            let sensitivity = of.sensitivity.as_ref();
             if let Some((records, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
                 let [records, numbers] = [records, numbers].map(|beta| rounded(beta, 3));
                 let text = format!("of beta the records {records}, what is not known {numbers}");
                 say.line("", format!("         {text}"));
             }
-            if let Some(rate) = hazard.and_then(|hazard| tables::rate(fit, hazard)) {
-                let fifty = rounded(in_50_years(rate.rate), 3);
-                let text = format!("annual rate {}, in 50 years {fifty}", rounded(rate.rate, 3));
-                let [above, below] =
-                    [rate.missing_above, rate.missing_below].map(|missing| rounded(missing, 3));
-                let missing =
-                    format!("up to {above} more above the curve's end, {below} below its start");
-                say.line("", format!("         {text}; {missing}"));
+            for line in rates::lines(of, fit, &unit(im), target) {
+                say.line("", format!("         {line}"));
             }
         }
     }
+    rates::warn_of_crossings(study, &unit(im));
     if let ([one], Some(unknown)) = (&study.cells[..], &study.settings.unknown) {
         let overturning = one.states[0].sensitivity.iter().flat_map(|of| &of.indices);
         for (k, (varied, index)) in unknown.varied.iter().zip(overturning).enumerate() {
@@ -99,6 +111,24 @@ pub fn tell(study: &Study, hazard: Option<&HazardCurve>, target: Option<f64>, sa
     }
 }
 
+/// What is drawn for the intervals, in words.
+fn intervals(study: &Study) -> String {
+    let Groups { by, count, events, .. } = &study.settings.groups;
+    let motions = counted(study.records().count(), "motion");
+    let drawn = match (by, events) {
+        (Resample::Motion, _) => return format!("of 95 %, by motion: {motions}"),
+        (by, _) => counted(*count, by.name()),
+    };
+    let few = match (by, events) {
+        (Resample::Recording, Some(events)) if *events < FEWEST_EVENTS => {
+            format!("; events are too few for intervals by event: {events}")
+        }
+        (Resample::Recording, None) => "; not every motion's event is known".to_string(),
+        _ => String::new(),
+    };
+    format!("of 95 %, by {by}: {motions} of {drawn}{few}")
+}
+
 /// A fit in words.
 fn curve(fit: &Estimate) -> String {
     let digits = |value: f64| rounded(value, 4).to_string();
@@ -126,6 +156,26 @@ fn curve(fit: &Estimate) -> String {
             )
         }
         (None, _) => format!("no curve{note}"),
+    }
+}
+
+/// Says what of a study is not in a file of another program.
+pub fn exported(export: Export, study: &Study, say: &Reporter) {
+    let (states, cells) = export.left_out(study);
+    let mut parts = Vec::new();
+    if !states.is_empty() {
+        let names: Vec<String> = states.iter().map(ToString::to_string).collect();
+        parts.push(format!(
+            "without {}, which no other limit state there includes",
+            names.join(", ")
+        ));
+    }
+    if cells > 0 {
+        let cells = counted(cells, "cell");
+        parts.push(format!("{cells} left out, where a limit state has no curve"));
+    }
+    if !parts.is_empty() {
+        say.line("export", format!("{}: {}", export.file(), parts.join("; ")));
     }
 }
 

@@ -313,6 +313,23 @@ impl MapOptions {
         self.of_a_map().into_iter().chain(more).collect()
     }
 
+    /// Of the flags that are given those that a repetition of a run under a suite has not.
+    pub fn not_of_a_repetition(&self) -> Vec<&'static str> {
+        let RunOptions { backend, adapter, precision, step, resolve, full_model, force, .. } =
+            &self.run;
+        let more = [
+            ("--backend", backend.is_some()),
+            ("--adapter", !adapter.is_empty()),
+            ("--precision", precision.is_some()),
+            ("--step", step.is_some()),
+            ("--resolve", *resolve),
+            ("--full-model", *full_model),
+            ("--force", *force),
+        ];
+        let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
+        self.not_of_a_history().into_iter().chain(more).collect()
+    }
+
     /// What the files are of.
     pub fn kind(&self) -> Kind {
         if self.uncertain.asked() { Kind::Probability } else { Kind::Map }

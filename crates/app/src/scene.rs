@@ -9,7 +9,7 @@ use topple::scene::builder::SceneBuilder;
 use super::earlier_run::{self, EarlierRun};
 use super::load::load;
 use super::options::MapOptions;
-use super::{InputError, examples, history, run, words};
+use super::{InputError, command_line, examples, history, run, words};
 
 /// The scene that `topple` alone runs.
 pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
@@ -18,7 +18,9 @@ pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
 ///
 /// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
 /// the same backend (cpu or reference), with the same precision, step and shortcuts, repaired, refined and smooth as then,
-/// with its sharpness and its files where no flag says otherwise. map.npz and map.zarr tell the scene alone.
+/// with its sharpness and its files where no flag says otherwise. map.npz and map.zarr tell the scene alone. An envelope or
+/// a fragility is repeated by its own command; its suite and its hazard curve are looked for where they lay, beside the
+/// results and here.
 #[derive(clap::Args)]
 #[command(after_help = examples::RUN)]
 pub struct RunCommand {
@@ -34,6 +36,9 @@ impl RunCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
+        if let Some(repeated) = command_line::at(&self.scene) {
+            return repeated.map_err(refused)?.run(&self.options);
+        }
         if let Some(earlier) = earlier_run::at(&self.scene) {
             let EarlierRun { kind, scene, method, backend, uncertainty, besides } =
                 earlier.map_err(refused)?;

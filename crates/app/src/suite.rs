@@ -86,7 +86,7 @@ impl SuiteCommand {
                     (entry.id.as_str(), Source { files, scale: entry.scale, weight: entry.weight })
                 })
                 .collect(),
-            left_out: suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect(),
+            left_out: left_out(&suite),
             unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
         };
         out.finish(&manifest)?;
@@ -95,6 +95,11 @@ impl SuiteCommand {
         say.line("table", format!("{} with run.json", out.file(files[0]).display()));
         Ok(())
     }
+}
+
+/// Why lines of a suite have no motion, by their ids.
+pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
+    suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect()
 }
 
 /// Says how many motions a suite has, and how many lines have none.

@@ -1,5 +1,6 @@
 //! What commands have that sweep a scene under a suite: their flags, and the way from them to the sweep.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -13,6 +14,7 @@ use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Suite, SuiteRequest, saved};
 
+use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
@@ -45,6 +47,9 @@ pub struct SuiteFlags {
     /// Print the expected time, and run a sample only
     #[arg(long)]
     dry_run: bool,
+    /// The command line of the run that this one repeats.
+    #[arg(skip)]
+    repeats: Option<CommandLine>,
 }
 
 /// Numbers of run.json that every command with a suite has.
@@ -54,7 +59,11 @@ pub struct SuiteManifest<'a> {
     scene: &'a Scene,
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a Path,
+    /// What repeats the run.
+    command: CommandLine,
     motions: Vec<&'a str>,
+    /// Why lines of the suite have no motion, by their ids.
+    left_out: BTreeMap<&'a str, &'a str>,
     #[serde(flatten)]
     method: Method,
     cells: usize,
@@ -90,6 +99,18 @@ impl SuiteFlags {
         run.method = options.method();
         run.verify = Verify::settings(self.verify);
         Ok(request)
+    }
+
+    /// The suite's path.
+    pub fn suite(&self) -> &Path {
+        &self.suite
+    }
+
+    /// Makes them those of a repetition, as a whole and from the start.
+    pub fn repeat(&mut self, suite: PathBuf, line: CommandLine) {
+        self.suite = suite;
+        self.repeats = Some(line);
+        (self.resume, self.tile, self.dry_run) = (false, None, false);
     }
 
     /// Refuses a directory in which something that no run wrote has the place of one of these files, where they are to be
@@ -166,13 +187,15 @@ impl SuiteFlags {
         &'a self,
         swept: &'a SuiteSweep,
         motions: Vec<&'a str>,
-        options: &RunOptions,
+        (suite, options): (&'a Suite, &RunOptions),
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         SuiteManifest {
             scene: &swept.scene,
             suite: &self.suite,
+            command: self.repeats.clone().unwrap_or_else(CommandLine::own),
             motions,
+            left_out: suite::left_out(suite),
             method: options.method(),
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,

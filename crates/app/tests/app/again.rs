@@ -264,6 +264,75 @@ fn a_repaired_map_and_a_resolved_one_run_again_as_such() {
     }
 }
 
+/// A fragility and an envelope are repeated from their directory: their relative paths are looked for where they were, and beside
+/// the results.
+#[test]
+fn runs_under_a_suite_are_repeated_from_their_directory() {
+    let place = TempDir::new().unwrap();
+    let at = |name: &str| place.path().join(name);
+    let put = |folder: &Path| {
+        fs::create_dir_all(folder).unwrap();
+        record(folder, 0.6);
+        fs::write(folder.join("list.csv"), "id,horizontal,units\none,mine.txt,g\ntwo,none.txt,g\n")
+            .unwrap();
+        fs::write(folder.join("site.csv"), "pga [g],rate\n0.1,1e-2\n3,1e-5\n").unwrap();
+    };
+    put(&at("work"));
+    let base = "--object 1 --u-y 0.01 --t-h 1.5,2 --t-v 0.5 --suite list.csv --verify none -q --precision f64 --force";
+    let fragility = "--levels 2:30:6:log --bootstrap 60 --seed 7 --limit-u 0.3 --hazard site.csv --target 1e-4 \
+        --resample recording --export pelicun --both-directions";
+    for (command, own, table, files) in [
+        (
+            "fragility",
+            fragility,
+            "fits.csv",
+            &["fits.csv", "rates.csv", "fragility_pelicun.csv"][..],
+        ),
+        ("envelope", "--standing 0.5 --limit-u 0.3", "envelope.csv", &["envelope.csv", "zeta.csv"]),
+    ] {
+        let line = format!("{command} {base} {own} --out {command}");
+        let mut first = Command::cargo_bin("topple").unwrap();
+        first.current_dir(at("work")).args(line.split_whitespace()).assert().success();
+        let results = at("work").join(command);
+        let same = |again: &str| {
+            for file in files {
+                let read = |out: &Path| fs::read(out.join(file)).unwrap();
+                assert!(read(&results) == read(&at(again)), "{again}: {file}");
+            }
+        };
+        for given in ["", "run.json", table] {
+            run(&["run", &results.join(given).display().to_string()], &at("again"));
+            same("again");
+        }
+        // What of the suite is left out is said.
+        let left_out = &json(&results)["left_out"];
+        assert_eq!(left_out["two"], "none.txt is in the list and not among the files");
+        // What is repeated can be repeated.
+        run(&["run", &at("again").display().to_string()], &at("third"));
+        same("third");
+        for name in ["again", "third"] {
+            fs::remove_dir_all(at(name)).unwrap();
+        }
+        let given = results.display().to_string();
+        for flag in [&["--precision", "f32"][..], &["--verify", "3"], &["--refine", "2"]] {
+            let line = refused(&[&["run", &given][..], flag].concat());
+            assert!(
+                line.contains(&format!("{}: a run under a suite is repeated as it was", flag[0])),
+                "{line}"
+            );
+        }
+    }
+    // The folder is somewhere else: what it needs lies beside the results.
+    fs::rename(at("work"), at("moved")).unwrap();
+    let moved = at("moved").join("fragility");
+    let line = refused(&["run", &moved.display().to_string()]);
+    assert!(line.contains("--hazard: site.csv is neither in "), "{line}");
+    put(&moved);
+    run(&["run", &moved.display().to_string()], &at("again"));
+    let read = |out: &Path| fs::read(out.join("rates.csv")).unwrap();
+    assert!(read(&moved) == read(&at("again")));
+}
+
 /// Results of every kind run again, or are refused with the command that does it.
 #[test]
 fn what_topple_run_does_not_run_again_names_its_command() {
@@ -283,12 +352,17 @@ fn what_topple_run_does_not_run_again_names_its_command() {
         &at("envelope"),
     );
     run(&["suite", &list], &at("suite"));
+    for name in ["fragility", "envelope"] {
+        let mut told = json(&at(name));
+        told.as_object_mut().unwrap().remove("command").unwrap();
+        fs::write(at(name).join("run.json"), told.to_string()).unwrap();
+    }
     for (name, file, says) in [
-        ("fragility", "fits.csv", "a fragility has many motions; run it again by topple fragility"),
+        ("fragility", "fits.csv", "its run.json has no command; run it again by topple fragility"),
         (
             "envelope",
             "envelope.csv",
-            "an envelope has many motions; run it again by topple envelope",
+            "its run.json has no command; run it again by topple envelope",
         ),
         ("suite", "suite.csv", "a suite is no scene; read it again by topple suite"),
     ] {

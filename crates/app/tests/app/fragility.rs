@@ -16,33 +16,33 @@ use topple_studies::fragility::levels;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::wanted::WantedMotion;
 
-type Row = BTreeMap<String, String>;
+pub type Row = BTreeMap<String, String>;
 
-fn rows(path: &Path) -> Vec<Row> {
+pub fn rows(path: &Path) -> Vec<Row> {
     csv::Reader::from_path(path).unwrap().deserialize().map(Result::unwrap).collect()
 }
 
-fn number(row: &Row, column: &str) -> f64 {
+pub fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column}: {row:?}"))
 }
 
-fn topple(arguments: &[&str]) -> Assert {
+pub fn topple(arguments: &[&str]) -> Assert {
     let fixed = ["--backend", "cpu", "--precision", "f64"];
     Command::cargo_bin("topple").unwrap().args(arguments).args(fixed).assert()
 }
 
-fn said(run: &Assert) -> String {
+pub fn said(run: &Assert) -> String {
     String::from_utf8(run.get_output().stdout.clone()).unwrap()
 }
 
-fn refusal(run: &Assert) -> String {
+pub fn refusal(run: &Assert) -> String {
     let line = String::from_utf8(run.get_output().stderr.clone()).unwrap();
     assert_eq!(line.lines().count(), 1, "{line}");
     line
 }
 
 /// Samples of a motion of six seconds, of a peak about as large.
-fn samples(peak: f64, omega: f64) -> Vec<f64> {
+pub fn samples(peak: f64, omega: f64) -> Vec<f64> {
     let sample = |k: u32| {
         let t = 0.02 * f64::from(k);
         let envelope = (t / 1.5) * (1.0 - t / 1.5).exp();
@@ -56,7 +56,7 @@ const MOTIONS: [(&str, f64, f64); 4] =
     [("a", 2.5, 4.0), ("b", 4.0, 3.0), ("c", 4.0, 7.0), ("d", 1.0, 5.0)];
 
 /// A folder with a list of the motions.
-fn suite() -> (TempDir, String) {
+pub fn suite() -> (TempDir, String) {
     let place = TempDir::new().unwrap();
     let mut list = "id,horizontal,vertical,dt,units\n".to_string();
     let put = |name: &str, samples: &[f64]| {
@@ -74,11 +74,11 @@ fn suite() -> (TempDir, String) {
     (place, path)
 }
 
-const BASE: [&str; 6] = ["--object", "1", "--eccentricity", "0.2", "--u-y", "0.01"];
+pub const BASE: [&str; 6] = ["--object", "1", "--eccentricity", "0.2", "--u-y", "0.01"];
 const GRID: [&str; 4] = ["--t-h", "0.8:3:3", "--t-v", "0.3:1:2"];
 
 /// A directory in a folder.
-fn within(place: &TempDir, name: &str) -> (PathBuf, String) {
+pub fn within(place: &TempDir, name: &str) -> (PathBuf, String) {
     let path = place.path().join(name);
     let text = path.display().to_string();
     (path, text)
@@ -389,7 +389,7 @@ fn a_hazard_curve_that_begins_late_says_what_it_may_miss() {
         let run = topple(&[&common[..], &BASE, &asked, &site].concat()).success();
         assert!(said(&run).contains("more above the curve's end, "), "{}", said(&run));
         let head = fs::read_to_string(out.join("rates.csv")).unwrap();
-        assert!(head.lines().next().unwrap().ends_with(",below_target,missing_below"), "{head}");
+        assert!(head.lines().next().unwrap().contains(",below_target,missing_below,"), "{head}");
         (rows(&out.join("fits.csv")), rows(&out.join("rates.csv")))
     };
     let (fits, whole) = rates("whole", &[1.0e-4, 1.0, 1.0e3]);
@@ -441,6 +441,28 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let last_band =
         lines.iter().rposition(|line| line.contains("#f3d9d9") || line.contains("#d6e2f5"));
     assert!(last_band.unwrap() < first, "a band lies above a mark");
+    // The curve is dashed up to the lowest level at which a motion fails, and whole from there on.
+    let ends = |line: &str| -> [f64; 2] {
+        let path = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
+        let x = |point: &str| point.split([' ', ',']).next().unwrap().parse().unwrap();
+        let points: Vec<f64> = path.split(['M', 'L']).skip(1).map(x).collect();
+        [points[0], points[points.len() - 1]]
+    };
+    let red = lines.iter().find(|line| line.contains("stroke-dasharray")).unwrap();
+    let colour = red.split("stroke=\"").nth(1).unwrap().split('"').next().unwrap();
+    let curve = |dashed: bool| {
+        let is_it = |line: &&&str| {
+            line.starts_with("<path")
+                && line.contains(colour)
+                && line.contains("dasharray") == dashed
+        };
+        ends(lines.iter().find(is_it).unwrap())
+    };
+    let standing = discs.iter().rfind(|disc| attribute(disc, "cy") == attribute(discs[0], "cy"));
+    let failing = discs.iter().find(|disc| attribute(disc, "cy") < attribute(discs[0], "cy"));
+    let [standing, failing] = [standing, failing].map(|disc| attribute(disc.unwrap(), "cx"));
+    let ([_, dashed], [whole, _]) = (curve(true), curve(false));
+    assert!(standing < dashed && (dashed - failing).abs() < 0.05 && (whole - failing).abs() < 0.05);
     let mut by_level: BTreeMap<String, [f64; 2]> = BTreeMap::new();
     for row in rows(&out.join("runs.csv")) {
         let of = MOTIONS.iter().position(|(name, ..)| *name == row["record"]).unwrap();
@@ -475,7 +497,7 @@ fn what_makes_no_sense_is_refused() {
     let (bad, hazard) = within(&place, "bad.csv");
     fs::write(&bad, "level,rate\n1,0.1\n2,0.2\n").unwrap();
     let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let cases: [(&[&str], &str); 17] = [
+    let cases: [(&[&str], &str); 21] = [
         (&["--alpha-y", "0.1", "--t-h", "1.5", "--t-v", "0.5"], "give --u-y or --yield-force"),
         (&["--u-y", "0.01", "--levels", "0:2:3"], "give levels above 0"),
         (&["--u-y", "0.01", "--levels", "1e9"], "give lower levels"),
@@ -485,6 +507,13 @@ fn what_makes_no_sense_is_refused() {
         (&["--u-y", "0.01", "--im", "pga*", "--eccentricity", "0:0.2:2"], "give pga or pgv"),
         (&["--u-y", "0.01", "--hazard", &hazard], "line 3"),
         (&["--u-y", "0.01", "--target", "0.1"], "--hazard"),
+        (&["--u-y", "0.01", "--hazard-units", "g"], "--hazard"),
+        (
+            &["--u-y", "0.01", "--resample", "event"],
+            "--resample: the event of a is not known; give recording",
+        ),
+        (&["--u-y", "0.01", "--resample", "day"], "there are event, recording, motion"),
+        (&["--u-y", "0.01", "--export", "json"], "there are nrml, pelicun"),
         (&["--u-y", "0.01", "--limit-u", "-1"], "must be a positive number"),
         (&["--u-y", "0.01", "--im", "sa:1e-9"], "0.01 to 100 s"),
         (&["--u-y", "0.01", "--bootstrap", "0"], "39"),

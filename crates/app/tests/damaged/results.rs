@@ -17,7 +17,8 @@ use topple::{
     BackendRequest, Column, Job, Outcome, Precision, RunSettings, Saving, Scene, SceneBuilder,
     Unwatched, VerifySettings, sweep,
 };
-use topple_studies::{HazardCurve, Lognormal};
+use topple_studies::fragility::hazard_text;
+use topple_studies::{Intensity, Lognormal};
 
 use crate::records::AT2;
 use crate::{earlier_run, scenes};
@@ -223,14 +224,16 @@ pub fn round(bytes: &[u8]) -> Result<(), String> {
 
 pub fn curves() -> Vec<Vec<u8>> {
     let curve = "level,rate\n0.1,0.5\n0.2,0.05\n1,1e-3\n4,1e-5\n";
-    [curve.to_string(), format!("\u{feff}{}", curve.replace('\n', "\r\n"))]
+    let site = "#,,\"generated_by='OpenQuake engine 3.15.0', investigation_time=50.0, imt='PGA'\"\n\
+        lon,lat,depth,poe-0.05,poe-0.1,poe-0.4\n0.0,0.0,-0.1,1.0,6.1E-01,3.3E-02\n";
+    [curve.to_string(), site.to_string(), format!("\u{feff}{}", curve.replace('\n', "\r\n"))]
         .map(String::into_bytes)
         .to_vec()
 }
 
 pub fn curve(bytes: &[u8]) -> Result<(), String> {
-    let curve = HazardCurve::parse(&String::from_utf8_lossy(bytes));
-    let curve = curve.map_err(|error| error.to_string())?;
+    let curve = hazard_text::read(&String::from_utf8_lossy(bytes), Intensity::Pga, None);
+    let curve = curve.map_err(|error| error.to_string())?.curve;
     for (theta, beta) in [(0.5, 0.4), (1.0, 1e-9), (1e-300, 5.0), (1e300, 0.0), (2.0, 300.0)] {
         let rate = curve.rate(&Lognormal { theta, beta }).rate;
         assert!(rate >= 0.0, "{theta} {beta}: {rate}");

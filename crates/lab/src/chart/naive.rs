@@ -65,7 +65,7 @@ fn step(set: &CellEquations<f64>, state: &mut State<f64>) -> u32 {
     let stepped = rk4(set, &corner, rocking, &y, &k1, h, [ground(0.5), ground(1.0)]);
     let k_end = rates(set, &corner, rocking, &stepped.y, ground(1.0));
     let mut extremes = state.extremes();
-    extremes.update_motion(Asked::ALL, true, true, corner.side, &y, &stepped.y, h);
+    extremes.update_motion(Asked::ALL, true, (true, corner.side), &y, &stepped.y, h);
     extremes.update_contact(true, k1.contact(), stepped.mid, k_end.contact());
     state.set_extremes(&extremes);
     state.motion = stepped.y;

@@ -1,6 +1,6 @@
 //! The pictures of a study: curves of one cell, medians along one axis, maps of theta and beta over two.
 
-use crate::drawing::canvas::{Canvas, Place, Point, stroke};
+use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, Entry, entry};
@@ -10,6 +10,7 @@ use topple::results::colour::BLACK;
 use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
+use topple_studies::fragility::HazardCurve;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::fit::Lognormal;
 use topple_studies::fragility::study::{StateStudy, Study};
@@ -20,6 +21,11 @@ const HEIGHT: f64 = 150.0;
 const MARKS: [Mark; 4] = [Mark::Disc, Mark::Triangle, Mark::Cross, Mark::Circle];
 /// Points of a curve.
 const POINTS: u32 = 200;
+/// Width of a curve, and its dashes beyond the data.
+const CURVE: f64 = 1.1;
+const BEYOND: (f64, f64) = (3.2, 2.0);
+/// How far the axis goes beyond the levels at most, where a hazard curve does: rates come from there, too.
+const FURTHER: f64 = 4.0;
 
 /// The title, what is fixed, and where the plot below begins.
 pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
@@ -34,7 +40,7 @@ pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
 }
 
 /// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
-/// estimator makes of them.
+/// estimator makes of them, dashed where no data are: below the lowest level at which a record fails, above the highest level.
 pub fn curves(study: &Study, intensity: Intensity) -> String {
     let title = format!("Fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, &title);
@@ -44,15 +50,21 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
     let (low, high) =
         levels.fold((f64::MAX, 0.0_f64), |(low, high), level| (low.min(*level), high.max(*level)));
     let (low, high) = if high > 1.05 * low { (low, high) } else { (0.8 * low, 1.25 * high) };
+    let (low, high) = match study.settings.hazard.as_ref().map(HazardCurve::ends) {
+        Some([first, last]) => (first.clamp(low / FURTHER, low), last.clamp(high, FURTHER * high)),
+        None => (low, high),
+    };
     let axis = Axis::log(low, high, intensity.label());
     let frame = Frame::new(place, axis, Axis::new(0.0, 1.0, "probability"));
     let mut entries: Vec<Entry> = Vec::new();
     let level = |k: u32| low * (high / low).powf(f64::from(k) / f64::from(POINTS));
-    let curve = |theta: f64, beta: f64| -> Vec<Point> {
+    let through = |theta: f64, beta: f64, others: [f64; 2]| -> Vec<Point> {
         let fragility = Lognormal { theta, beta };
-        let points = (0..=POINTS).map(level);
-        points.map(|x| frame.at((x.log10(), fragility.probability(x)))).collect()
+        let mut points: Vec<f64> = (0..=POINTS).map(level).chain(others).collect();
+        points.sort_by(f64::total_cmp);
+        points.into_iter().map(|x| frame.at((x.log10(), fragility.probability(x)))).collect()
     };
+    let curve = |theta: f64, beta: f64| through(theta, beta, [low, high]);
     let one = study.cells[0].states.iter().zip(&study.settings.states);
     canvas.clipped(place, |canvas| {
         for (k, (of, _)) in one.clone().enumerate() {
@@ -68,10 +80,26 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
             let (colour, _) = STATES[k % STATES.len()];
             let fit = &of.estimates[0];
             if let Some(theta) = fit.theta {
-                canvas.line(curve(theta, fit.beta.unwrap_or(0.0)), stroke(colour, 1.1));
+                let fails = of.stripes.iter().find(|stripe| stripe.z > 0.0);
+                let ends = fails
+                    .zip(of.stripes.last())
+                    .map_or([high; 2], |(from, to)| [from.level, to.level]);
+                let line = through(theta, fit.beta.unwrap_or(0.0), ends);
+                let [from, to] = ends.map(|level| frame.at((level.log10(), 0.0)).0);
+                let part = |within: &dyn Fn(f64) -> bool| -> Vec<Point> {
+                    line.iter().copied().filter(|(x, _)| within(*x)).collect()
+                };
+                let beyond = dashed(colour, CURVE, BEYOND);
+                if ends[0] > low {
+                    canvas.line(part(&|x| x <= from), beyond);
+                }
+                if ends[1] < high {
+                    canvas.line(part(&|x| x >= to), beyond);
+                }
+                canvas.line(part(&|x| (from..=to).contains(&x)), stroke(colour, CURVE));
             }
             entries.push(entry(
-                Swatch::Line(stroke(colour, 1.1)),
+                Swatch::Line(stroke(colour, CURVE)),
                 format!("{}: {}", state.words(), told(fit)),
             ));
         }
@@ -91,7 +119,9 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
         (true, false) => "Marks: shares of the motions. ",
         (true, true) => "Marks: shares of the motions by weight. ",
     };
-    entries.push(entry(Swatch::None, format!("{marks}Lines by {by}; bands: 95 % of θ.")));
+    let beyond =
+        "dashed below the lowest level at which a motion fails and above the highest level";
+    entries.push(entry(Swatch::None, format!("{marks}Lines by {by}, {beyond}; bands: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 1);
     canvas.finish(end + MARGIN)

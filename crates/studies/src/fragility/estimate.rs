@@ -4,10 +4,12 @@ use std::fmt;
 
 use super::cloud::Cloud;
 use super::fit::{Fit, Gap, Lognormal};
+use super::hazard::HazardCurve;
 use super::ida::Capacities;
 use super::interval;
 use super::profile;
-use super::runs::{Pool, RecordRuns, Run, Weighed, weighed};
+use super::rates::{self, RateEstimate};
+use super::runs::{Pool, RecordRuns, Run, Stripe, Weighed, weighed};
 use super::stripes;
 use crate::statistics::Bootstrap;
 
@@ -63,6 +65,10 @@ pub struct Estimate {
     pub without_fit: usize,
     /// What a reader of the numbers must know, if anything.
     pub note: Option<Note>,
+    /// The step that stands for separable data, where levels on both sides tell it.
+    pub step: Option<f64>,
+    /// The annual rate over a hazard curve, where there is one.
+    pub rate: Option<RateEstimate>,
 }
 
 /// Why a number is missing, or is to be read with care.
@@ -164,9 +170,15 @@ fn failed(run: &Run) -> bool {
     run.failed
 }
 
-/// The fragility of records by an estimator. Its interval comes from resampling the records; that of separable data from
-/// the profile likelihood of their stripes.
-pub fn estimate(estimator: Estimator, records: &[RecordRuns], bootstrap: &Bootstrap) -> Estimate {
+/// The fragility of records by an estimator, and its annual rate over a hazard curve. Its intervals come from resampling the
+/// groups of the records; those of separable data from the profile likelihood of their stripes, in which records of a group
+/// count together as one.
+pub fn estimate(
+    estimator: Estimator,
+    records: &[RecordRuns],
+    bootstrap: &Bootstrap,
+    hazard: Option<&HazardCurve>,
+) -> Estimate {
     let records = weighed(records);
     let mut levels = records.iter().flat_map(|record| &record.runs).map(|run| run.level);
     let first = levels.next();
@@ -176,11 +188,17 @@ pub fn estimate(estimator: Estimator, records: &[RecordRuns], bootstrap: &Bootst
         return Estimate { note: Some(Note::OneLevel), ..Estimate::NONE };
     }
     let prepared = Prepared::of(estimator, &records);
+    let stripes = || Pool::of_weighed(&records, failed).stripes(None);
+    let groups: Vec<usize> = records.iter().map(|record| record.group).collect();
     let note = match prepared.fit(None, None) {
         Fit::Fitted(curve) => {
-            return resampled(curve, bootstrap, records.len(), &prepared);
+            let rate = hazard.map(|hazard| RateEstimate::of_curve(&curve, &stripes(), hazard));
+            return resampled(curve, &groups, bootstrap, (hazard, rate), &prepared);
         }
-        Fit::Separable(gap) => return separable(gap, &Pool::of_weighed(&records, failed)),
+        Fit::Separable(gap) => {
+            let (_, count) = interval::dense(&groups);
+            return separable(gap, &stripes(), count as f64 / groups.len() as f64, hazard);
+        }
         Fit::NotIncreasing => Note::NotIncreasing,
         Fit::TooFewFailed => Note::TooFewFailed,
         Fit::TooFewDemands => Note::TooFewDemands,
@@ -191,13 +209,15 @@ pub fn estimate(estimator: Estimator, records: &[RecordRuns], bootstrap: &Bootst
 
 fn resampled(
     curve: Lognormal,
+    groups: &[usize],
     bootstrap: &Bootstrap,
-    records: usize,
+    (hazard, rate): (Option<&HazardCurve>, Option<RateEstimate>),
     prepared: &Prepared,
 ) -> Estimate {
     let refit = |times: &[u32]| prepared.fit(Some(times), Some(curve));
-    let interval = interval::bootstrap(records, bootstrap, curve, refit);
+    let interval = interval::bootstrap(groups, bootstrap, curve, hazard, refit);
     let note = Note::WithoutFit { count: interval.without_fit, of: bootstrap.replicates as usize };
+    let [low, high] = interval.rate;
     Estimate {
         theta: Some(curve.theta),
         theta_low: interval.theta[0],
@@ -208,11 +228,25 @@ fn resampled(
         separable: false,
         without_fit: interval.without_fit,
         note: (interval.without_fit > 0).then_some(note),
+        step: None,
+        rate: rate.map(|rate| RateEstimate { low, high, ..rate }),
     }
 }
 
-fn separable(gap: Gap, pool: &Pool) -> Estimate {
-    let bounds = profile::bounds(&pool.stripes(None));
+/// `independent` is the share of the records that count as independent of each other.
+fn separable(
+    gap: Gap,
+    stripes: &[Stripe],
+    independent: f64,
+    hazard: Option<&HazardCurve>,
+) -> Estimate {
+    let counted = |stripe: &Stripe| Stripe {
+        level: stripe.level,
+        n: independent * stripe.n,
+        z: independent * stripe.z,
+    };
+    let bounds = profile::bounds(&stripes.iter().map(counted).collect::<Vec<_>>());
+    let within = (bounds.theta, bounds.beta_high);
     Estimate {
         theta: gap.middle(),
         theta_low: bounds.theta[0],
@@ -221,11 +255,21 @@ fn separable(gap: Gap, pool: &Pool) -> Estimate {
         beta_high: bounds.beta_high,
         separable: true,
         note: Some(Note::Separable(gap)),
+        step: rates::step(gap, stripes),
+        rate: hazard.map(|hazard| RateEstimate::of_gap(gap, within, stripes, hazard)),
         ..Estimate::NONE
     }
 }
 
 impl Estimate {
+    /// The curve that rates are made of: in separable data a step, where levels on both sides tell it.
+    pub fn curve(&self) -> Option<Lognormal> {
+        match (self.theta.zip(self.beta), self.step) {
+            (Some((theta, beta)), _) => Some(Lognormal { theta, beta }),
+            (None, step) => step.map(|theta| Lognormal { theta, beta: 0.0 }),
+        }
+    }
+
     const NONE: Estimate = Estimate {
         theta: None,
         theta_low: None,
@@ -236,5 +280,7 @@ impl Estimate {
         separable: false,
         without_fit: 0,
         note: None,
+        step: None,
+        rate: None,
     };
 }

@@ -2,8 +2,8 @@
 
 use super::fit::Lognormal;
 use super::hazard_error::HazardError;
+use super::hazard_integrals::segment;
 use crate::statistics::normal;
-use topple::scene::shown::shown;
 
 /// Largest file of a hazard curve that is read, bytes.
 pub const LARGEST: u64 = 16 << 20;
@@ -12,7 +12,7 @@ pub const LARGEST: u64 = 16 << 20;
 #[derive(Debug, Clone, PartialEq)]
 pub struct HazardCurve {
     /// ln of the level and ln of the rate, by ascending level.
-    points: Vec<[f64; 2]>,
+    pub(super) points: Vec<[f64; 2]>,
 }
 
 /// The annual rate of failure over a hazard curve, and what the ends of the curve leave open.
@@ -40,37 +40,12 @@ pub fn in_50_years(rate: f64) -> f64 {
     -(-50.0 * rate).exp_m1()
 }
 
-/// Nodes and weights of Gauss and Legendre for four points on -1 to 1.
-const GAUSS: [[f64; 2]; 4] = [
-    [-0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
-    [-0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
-    [0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
-    [0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
-];
-/// Beyond this many beta above ln theta the probability is one to rounding; below, what is left of its product with the
-/// hazard is nothing to rounding.
-const REACH: f64 = 8.5;
-
 impl HazardCurve {
-    /// Reads a table `level,rate`: the header, then a line a point, with ascending levels and rates that do not rise.
-    pub fn parse(text: &str) -> Result<HazardCurve, HazardError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut lines = (1..).zip(text.lines());
-        let header = lines.next().map_or("", |(_, line)| line);
-        if columns(header) != ["level", "rate"] {
-            return Err(HazardError::Header { found: shown(header) });
-        }
-        let mut points: Vec<[f64; 2]> = Vec::new();
-        for (line, row) in lines.filter(|(_, row)| !row.trim().is_empty()) {
-            let row = columns(row);
-            if row.len() != 2 {
-                return Err(HazardError::Columns { line, columns: row.len() });
-            }
-            let number = |name: &'static str, text: &str| {
-                let number = text.parse().ok().filter(|n: &f64| *n > 0.0 && n.is_finite());
-                number.ok_or_else(|| HazardError::Number { line, name, text: shown(text) })
-            };
-            let point = [number("level", row[0])?.ln(), number("rate", row[1])?.ln()];
+    /// Of points, a level and its rate each, with the lines that they are in: ascending levels, rates that do not rise.
+    pub(super) fn of(table: &[(usize, [f64; 2])]) -> Result<HazardCurve, HazardError> {
+        let mut points: Vec<[f64; 2]> = Vec::with_capacity(table.len());
+        for (line, point) in table {
+            let (line, point) = (*line, point.map(f64::ln));
             match points.last() {
                 Some(before) if point[0] <= before[0] => return Err(HazardError::Order { line }),
                 Some(before) if point[1] > before[1] => return Err(HazardError::Rises { line }),
@@ -109,6 +84,16 @@ impl HazardCurve {
             missing_below: below(self.points[0], self.points[1], fragility),
         }
     }
+
+    /// True where its first level is not above a level.
+    pub fn begins_below(&self, level: f64) -> bool {
+        self.points[0][0] <= level.ln()
+    }
+
+    /// The levels of its ends.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.points[0], self.points[self.points.len() - 1]].map(|point| point[0].exp())
+    }
 }
 
 /// The integral of P(x) |d lambda(x)| below a point, the slope of the curve that between the point and the next: of a power
@@ -128,42 +113,15 @@ fn below(first: [f64; 2], next: [f64; 2], fragility: &Lognormal) -> f64 {
     ((first[1] + all).exp() - (first[1] + over).exp()).max(0.0)
 }
 
-/// The parts of a line.
-fn columns(line: &str) -> Vec<&str> {
-    line.split(',').map(str::trim).collect()
-}
-
-/// The integral between two points.
-fn segment(from: [f64; 2], to: [f64; 2], fragility: &Lognormal) -> f64 {
-    let k = (from[1] - to[1]) / (to[0] - from[0]);
-    let lambda = |y: f64| (from[1] - k * (y - from[0])).exp();
-    let middle = fragility.theta.ln();
-    let reach = REACH * fragility.beta;
-    // Downwards lambda grows by exp(k y), which moves the middle of the product down by k beta^2.
-    let low = (middle - reach - k * fragility.beta.powi(2)).clamp(from[0], to[0]);
-    let high = (middle + reach).clamp(from[0], to[0]);
-    // Above, all fail.
-    let above = lambda(high) - to[1].exp();
-    if !(high > low && k > 0.0) {
-        return above.max(0.0);
-    }
-    let pieces = ((high - low) / (0.5 * fragility.beta.min(1.0 / k))).ceil().max(1.0);
-    let half = 0.5 * (high - low) / pieces;
-    let mut changing = 0.0;
-    for piece in 0..pieces as u32 {
-        let centre = low + half * f64::from(2 * piece + 1);
-        for [node, weight] in GAUSS {
-            let y = centre + half * node;
-            let probability = normal::cdf((y - middle) / fragility.beta);
-            changing += half * weight * probability * k * lambda(y);
-        }
-    }
-    changing + above.max(0.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fragility::hazard_text;
+    use crate::suites::intensity::Intensity;
+
+    fn table(text: &str) -> HazardCurve {
+        hazard_text::read(text, Intensity::Pga, None).unwrap().curve
+    }
 
     fn curve(rate: impl Fn(f64) -> f64, from: f64, to: f64, count: u32) -> HazardCurve {
         let point = |k: u32| {
@@ -208,7 +166,7 @@ mod tests {
 
     #[test]
     fn a_step_takes_the_rates_above_it() {
-        let hazard = HazardCurve::parse("level,rate\n1,1e-2\n4,1e-4\n").unwrap();
+        let hazard = table("level,rate\n1,1e-2\n4,1e-4\n");
         let rate = |theta| hazard.rate(&Lognormal { theta, beta: 0.0 });
         let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1.0e-12;
         // In the middle of ln x the rate is the geometric mean.
@@ -245,7 +203,7 @@ mod tests {
             [(0.5, 0.05), (1.0, 0.02), (2.0, 6e-3), (4.0, 1.2e-3), (8.0, 1.5e-4), (16.0, 1e-5)];
         let of = |points: &[(f64, f64)]| {
             let rows: String = points.iter().map(|(x, rate)| format!("{x},{rate}\n")).collect();
-            HazardCurve::parse(&format!("level,rate\n{rows}")).unwrap()
+            table(&format!("level,rate\n{rows}"))
         };
         for theta in [0.1, 0.7, 3.0, 12.9, 100.0] {
             for beta in [0.0, 0.02, 0.4, 0.8, 1.6] {
@@ -262,19 +220,19 @@ mod tests {
     /// What is beyond the largest number is no bound, and below no target.
     #[test]
     fn a_curve_that_says_nothing_of_what_is_below_has_no_bound_there() {
-        let steep = HazardCurve::parse("level,rate\n1.4,1e-1\n1.4000001,1e-9\n").unwrap();
+        let steep = table("level,rate\n1.4,1e-1\n1.4000001,1e-9\n");
         let rate = steep.rate(&Lognormal { theta: 1.4, beta: 0.4 });
         assert_eq!((rate.missing_below, rate.at_most()), (f64::INFINITY, f64::INFINITY));
-        let flat = HazardCurve::parse("level,rate\n1,1e-3\n2,1e-3\n").unwrap();
+        let flat = table("level,rate\n1,1e-3\n2,1e-3\n");
         assert_eq!(flat.rate(&Lognormal { theta: 0.1, beta: 0.4 }).missing_below, 0.0);
     }
 
     #[test]
     fn flat_and_steep_curves_have_rates() {
-        let flat = HazardCurve::parse("level,rate\n1,1e-3\n2,1e-3\n").unwrap();
+        let flat = table("level,rate\n1,1e-3\n2,1e-3\n");
         let fragility = Lognormal { theta: 1.4, beta: 0.4 };
         assert_eq!(flat.rate(&fragility).rate, 0.0);
-        let steep = HazardCurve::parse("level,rate\n1.4,1e-1\n1.4000001,1e-9\n").unwrap();
+        let steep = table("level,rate\n1.4,1e-1\n1.4000001,1e-9\n");
         assert!((steep.rate(&fragility).rate / 0.05 - 1.0).abs() < 1.0e-5);
     }
 
@@ -283,26 +241,5 @@ mod tests {
         assert!((in_50_years(1.0 / 475.0) - 0.099_9).abs() < 1.0e-4);
         assert_eq!(in_50_years(0.0), 0.0);
         assert!((in_50_years(1.0e-14) / 5.0e-13 - 1.0).abs() < 1.0e-12);
-    }
-
-    #[test]
-    fn a_bad_table_is_refused_by_its_line() {
-        let error = |text: &str| HazardCurve::parse(text).unwrap_err().to_string();
-        let head = "level,rate\n0.1,0.01\n";
-        assert_eq!(error("x,rate\n"), "line 1: the header is `x,rate`; write `level,rate`");
-        assert_eq!(
-            error("0.1,0.01\n0.2,0.001"),
-            "line 1: the header is `0.1,0.01`; write `level,rate`"
-        );
-        assert!(error(&format!("{head}0.2\n")).starts_with("line 3: it has 1 columns"));
-        assert!(error(&format!("{head}\n0.2,a\n")).starts_with("line 4: rate `a` is no number"));
-        assert!(error(&format!("{head}-1,0.001\n")).starts_with("line 3: level `-1`"));
-        assert!(error(&format!("{head}0.2,0\n")).starts_with("line 3: rate `0`"));
-        assert!(error(&format!("{head}0.2,inf\n")).starts_with("line 3: rate `inf`"));
-        assert!(error(&format!("{head}0.1,0.001\n")).starts_with("line 3: the level"));
-        assert!(error(&format!("{head}0.2,0.02\n")).starts_with("line 3: the rate"));
-        assert_eq!(error(head), "the curve has 1 points; give two at least");
-        assert!(error("").starts_with("line 1: the header is ``"));
-        assert!(HazardCurve::parse("\u{feff}level, rate\r\n0.1, 0.01\r\n0.2, 0.01\r\n").is_ok());
     }
 }

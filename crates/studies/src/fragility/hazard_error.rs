@@ -4,14 +4,10 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HazardError {
-    /// It does not begin with the names of the columns.
-    #[error("line 1: the header is `{found}`; write `level,rate`")]
-    Header {
-        /// What is there.
-        found: String,
-    },
     /// A line that has not two columns.
-    #[error("line {line}: it has {columns} columns; write a level and a rate")]
+    #[error(
+        "line {line}: it has {columns} columns; write a level and a rate, or the header and the one site of OpenQuake"
+    )]
     Columns {
         /// Which line.
         line: usize,
@@ -43,6 +39,46 @@ pub enum HazardError {
     Rises {
         /// Which line.
         line: usize,
+    },
+    /// A unit of accelerations for a measure that is none.
+    #[error("{measure} is no acceleration; leave the units out")]
+    NoAcceleration {
+        /// The measure.
+        measure: String,
+    },
+    /// The text says another unit than the caller.
+    #[error("its levels are in {said}, not in {asked}; leave the units out")]
+    Contradicts {
+        /// What the text says.
+        said: &'static str,
+        /// What the caller says.
+        asked: &'static str,
+    },
+    /// A curve of OpenQuake whose probabilities are of no known time.
+    #[error("no `investigation_time` above the columns; give the file as OpenQuake exports it")]
+    NoTime,
+    /// A curve of OpenQuake of no known measure.
+    #[error("no `imt` above the columns; give the file as OpenQuake exports it")]
+    NoMeasure,
+    /// A curve of OpenQuake of another measure.
+    #[error("the curve is of {found}, not of {wanted}; give that of the measure")]
+    Measure {
+        /// What it is of.
+        found: String,
+        /// The measure of the fragility.
+        wanted: String,
+    },
+    /// OpenQuake has no such measure.
+    #[error("OpenQuake has no curves of {measure}; give a table of levels and rates")]
+    NotOfOpenQuake {
+        /// The measure of the fragility.
+        measure: String,
+    },
+    /// A file of OpenQuake with no site or with several.
+    #[error("it has {count} sites; leave the line of one site below the header")]
+    Sites {
+        /// How many.
+        count: usize,
     },
     /// Fewer than two points.
     #[error("the curve has {count} points; give two at least")]

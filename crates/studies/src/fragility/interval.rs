@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::fit::{Fit, Lognormal};
+use super::hazard::HazardCurve;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::{FEWEST, acceleration, ends};
 
@@ -16,48 +17,79 @@ pub struct Interval {
     pub theta: [Option<f64>; 2],
     /// Those of beta.
     pub beta: [Option<f64>; 2],
+    /// Those of the annual rate over a hazard curve.
+    pub rate: [Option<f64>; 2],
     /// Sets without a curve.
     pub without_fit: usize,
 }
 
-/// Draws sets of as many records with replacement, fits each, and takes the ends of theta and beta, corrected for
-/// bias and acceleration ([`ends`]); for the acceleration each record is left out once. The plain percentiles are too low for beta, which resampling makes smaller.
+/// Draws sets of as many groups of records with replacement, fits each, and takes the ends of theta, beta and the annual
+/// rate, corrected for bias and acceleration ([`ends`]); for the acceleration each group is left out once. The plain percentiles
+/// are too low for beta, which resampling makes smaller.
 ///
-/// Records are drawn, not runs: the runs of a record belong together. `refit` gets how often each record is drawn.
+/// Groups are drawn, not runs or records: the runs of a record belong together, and so do records of an event. `groups` has the
+/// group of each record; `refit` gets how often each record is drawn. One group alone tells no interval.
 ///
 /// A set without a curve says something where it is separable: a gap with two ends counts with its middle and with a beta
 /// of zero, which are the limits of the likelihood; a set in which none fails counts as theta without bound, one
 /// in which all fail as theta of zero, both without a beta. Left out, they would make the interval too narrow on that
 /// side. An interval that reaches such a theta is open there. The other sets without a curve do not count.
 pub fn bootstrap(
-    records: usize,
+    groups: &[usize],
     settings: &Bootstrap,
     estimate: Lognormal,
+    hazard: Option<&HazardCurve>,
     refit: impl Fn(&[u32]) -> Fit + Sync,
 ) -> Interval {
-    let draw = |replicate: u32| refit(&settings.multipliers(records, replicate));
-    let fits: Vec<Fit> =
+    let (of, count) = dense(groups);
+    let records = |times: &[u32]| of.iter().map(|group| times[*group]).collect::<Vec<_>>();
+    let draw = |replicate: u32| {
+        let fit = refit(&records(&settings.multipliers(count, replicate)));
+        Drawn::of(&fit, hazard)
+    };
+    let drawn: Vec<Drawn> =
         (0..settings.replicates).into_par_iter().with_min_len(AT_ONCE).map(draw).collect();
-    let (thetas, betas) = values(&fits);
-    let without_fit = fits.iter().filter(|fit| fit.curve().is_none()).count();
-    if thetas.len() < FEWEST as usize {
-        return Interval { theta: [None; 2], beta: [None; 2], without_fit };
+    let without_fit = drawn.iter().filter(|drawn| !drawn.fitted).count();
+    let open = Interval { theta: [None; 2], beta: [None; 2], rate: [None; 2], without_fit };
+    if count < 2 || drawn.iter().filter_map(|drawn| drawn.theta).count() < FEWEST as usize {
+        return open;
     }
     let without = |left_out: usize| {
-        refit(&(0..records).map(|record| u32::from(record != left_out)).collect::<Vec<_>>())
+        let times: Vec<u32> = (0..count).map(|group| u32::from(group != left_out)).collect();
+        Drawn::of(&refit(&records(&times)), hazard)
     };
-    let fits: Vec<Fit> = (0..records).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
-    let [theta_bends, beta_bends] =
-        <[_; 2]>::from(values(&fits)).map(|values| acceleration(&values));
-    let theta = ends(thetas, estimate.theta, theta_bends)
+    let left: Vec<Drawn> = (0..count).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
+    let interval = |value: fn(&Drawn) -> Option<f64>, estimate: f64| {
+        let values = |of: &[Drawn]| of.iter().filter_map(value).collect::<Vec<_>>();
+        ends(values(&drawn), estimate, acceleration(&values(&left)))
+    };
+    let theta = interval(|drawn| drawn.theta, estimate.theta)
         .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
-    Interval { theta, beta: ends(betas, estimate.beta, beta_bends), without_fit }
+    let rate = hazard
+        .map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(&estimate).rate));
+    Interval { theta, beta: interval(|drawn| drawn.beta, estimate.beta), rate, without_fit }
 }
 
-/// What fits say of theta and of beta.
-fn values(fits: &[Fit]) -> (Vec<f64>, Vec<f64>) {
-    let (mut thetas, mut betas) = (Vec::new(), Vec::new());
-    for fit in fits {
+/// Groups by numbers without gaps, and how many there are.
+pub(super) fn dense(groups: &[usize]) -> (Vec<usize>, usize) {
+    let mut known = groups.to_vec();
+    known.sort_unstable();
+    known.dedup();
+    let place = |group: &usize| known.partition_point(|other| other < group);
+    (groups.iter().map(place).collect(), known.len())
+}
+
+/// What a resampled set says.
+#[derive(Debug, Clone, Copy)]
+struct Drawn {
+    fitted: bool,
+    theta: Option<f64>,
+    beta: Option<f64>,
+    rate: Option<f64>,
+}
+
+impl Drawn {
+    fn of(fit: &Fit, hazard: Option<&HazardCurve>) -> Drawn {
         let (theta, beta) = match fit {
             Fit::Fitted(curve) => (Some(curve.theta), Some(curve.beta)),
             Fit::Separable(gap) => match (gap.stands, gap.fails) {
@@ -67,10 +99,13 @@ fn values(fits: &[Fit]) -> (Vec<f64>, Vec<f64>) {
             },
             _ => (None, None),
         };
-        thetas.extend(theta);
-        betas.extend(beta);
+        // A step at zero or without bound takes all of the hazard, or nothing.
+        let rate = hazard.zip(theta).map(|(hazard, theta)| {
+            let theta = theta.clamp(f64::MIN_POSITIVE, f64::MAX);
+            hazard.rate(&Lognormal { theta, beta: beta.unwrap_or(0.0) }).rate
+        });
+        Drawn { fitted: fit.curve().is_some(), theta, beta, rate }
     }
-    (thetas, betas)
 }
 
 #[cfg(test)]
@@ -86,7 +121,7 @@ mod tests {
             [0, 2] => second,
             _ => Fit::Fitted(curve),
         };
-        bootstrap(2, &Bootstrap { replicates: 400, seed: 4 }, curve, refit)
+        bootstrap(&[3, 7], &Bootstrap { replicates: 400, seed: 4 }, curve, None, refit)
     }
 
     #[test]
@@ -115,7 +150,8 @@ mod tests {
         let fit = |times: &[u32]| Fit::Fitted(Lognormal { theta: mean(times), beta: 1.0 });
         let estimate = Lognormal { theta: mean(&[1; 60]), beta: 1.0 };
         let settings = Bootstrap { replicates: 4000, seed: 1 };
-        let found = bootstrap(60, &settings, estimate, fit);
+        let groups: Vec<usize> = (0..60).collect();
+        let found = bootstrap(&groups, &settings, estimate, None, fit);
         let skewness = |n| values.iter().map(|v| (v - estimate.theta).powi(n)).sum::<f64>();
         let drawn = (0..4000).map(|k| mean(&settings.multipliers(60, k))).collect();
         let a = skewness(3) / (6.0 * skewness(2).powf(1.5));

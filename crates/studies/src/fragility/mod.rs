@@ -3,7 +3,8 @@
 //! ```text
 //! levels (of an intensity measure) -> a suite's sweep -> shaken (runs of a cell, a record each), limit_state
 //!   runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
-//!        -> records resampled -> intervals        hazard curve -> annual rate
+//!        -> events or recordings resampled -> intervals
+//!        hazard_text -> hazard curve -> annual rate, with what of it no data tell; order (curves that cross)
 //!        -> sensitivity (numbers that are not known)
 //!   -> study (all cells) -> tables, picture
 //! ```
@@ -12,17 +13,23 @@ pub(crate) mod binary;
 pub(crate) mod capacity;
 pub mod cloud;
 pub mod estimate;
+pub mod export;
 pub mod fit;
 pub mod hazard;
 mod hazard_error;
+mod hazard_integrals;
+pub mod hazard_text;
 pub mod ida;
 pub(crate) mod interval;
 pub mod levels;
 pub mod limit_state;
 pub(crate) mod link;
 pub(crate) mod newton;
+pub mod order;
 pub mod profile;
+pub mod rates;
 pub mod request;
+pub mod resample;
 pub mod runs;
 pub mod sensitivity;
 pub mod stripes;
@@ -33,8 +40,12 @@ pub mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};
 pub use estimate::{Estimate, Estimator, Note, estimate};
+pub use export::Export;
 pub use fit::{Fit, Gap, Lognormal};
 pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_error::HazardError;
+pub use hazard_text::HazardText;
+pub use rates::RateEstimate;
 pub use request::{FragilityJob, FragilityRequest};
+pub use resample::Resample;
 pub use runs::{RecordRuns, Run, Stripe};

@@ -1,8 +1,10 @@
 //! What is asked of a fragility: limit states, levels, estimators, and what is not known.
 
 use super::estimate::Estimator;
+use super::hazard::HazardCurve;
 use super::levels;
 use super::limit_state::LimitState;
+use super::resample::{Groups, Resample};
 use super::sensitivity::Unknown;
 use super::study::{Study, StudySettings};
 use crate::statistics::Bootstrap;
@@ -56,7 +58,11 @@ pub struct FragilityRequest {
     pub limit_v: Vec<f64>,
     /// Estimators; all that the levels allow where none is named.
     pub estimators: Vec<Estimator>,
-    /// Sets of records that are drawn for the intervals; 1000 of a few cells and 100 of many without it.
+    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    pub resample: Option<Resample>,
+    /// The hazard of the site over the measure, where annual rates are wanted.
+    pub hazard: Option<HazardCurve>,
+    /// Sets that are drawn for the intervals; 1000 of a few cells and 100 of many without it.
     pub bootstrap: Option<u32>,
     /// Seed of what is drawn: of the sets of records, and of the points of numbers that are not known.
     pub seed: u32,
@@ -100,6 +106,8 @@ impl FragilityRequest {
             limit_u: Vec::new(),
             limit_v: Vec::new(),
             estimators: Vec::new(),
+            resample: None,
+            hazard: None,
             bootstrap: None,
             seed: 1,
             vary: Vec::new(),
@@ -182,6 +190,8 @@ impl FragilityRequest {
         self.check()?;
         let mut motions = self.suite.motions(suite);
         self.check_runs(motions.len())?;
+        let directions = if self.suite.both_directions { 2 } else { 1 };
+        let groups = Groups::of(suite, directions, self.resample)?;
         let (mut own, mut unknown) = (Vec::new(), None);
         if let Some(first) = motions.first() {
             let scene = first.under(&self.suite.scene)?;
@@ -206,8 +216,18 @@ impl FragilityRequest {
         let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
-        let settings =
-            StudySettings { levels: own, times, drawn, unknown, states, estimators, bootstrap };
+        let hazard = self.hazard.clone();
+        let settings = StudySettings {
+            levels: own,
+            times,
+            drawn,
+            unknown,
+            states,
+            estimators,
+            bootstrap,
+            groups,
+            hazard,
+        };
         Ok(FragilityJob { sweep, settings })
     }
 

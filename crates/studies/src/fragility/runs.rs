@@ -19,6 +19,8 @@ pub struct Run {
 pub struct RecordRuns {
     /// How much the record counts, relative to others. A record of weight zero is left out.
     pub weight: f64,
+    /// Records of a group are drawn together: those of an event, or of a recording.
+    pub group: usize,
     /// By ascending level.
     pub runs: Vec<Run>,
 }
@@ -38,6 +40,7 @@ pub struct Stripe {
 #[derive(Debug, Clone)]
 pub(super) struct Weighed {
     pub weight: f64,
+    pub group: usize,
     pub runs: Vec<Run>,
 }
 
@@ -49,6 +52,7 @@ pub(super) fn weighed(records: &[RecordRuns]) -> Vec<Weighed> {
         .filter(|record| record.weight > 0.0 && record.weight.is_finite())
         .map(|record| Weighed {
             weight: record.weight,
+            group: record.group,
             runs: record.runs.iter().filter(level).copied().collect(),
         })
         .filter(|record| !record.runs.is_empty())

@@ -4,7 +4,11 @@ use rayon::prelude::*;
 
 use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
+use super::hazard::HazardCurve;
 use super::limit_state::LimitState;
+use super::order::{self, Crossing};
+use super::rates;
+use super::resample::Groups;
 use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::suite_runs::SuiteRuns;
@@ -30,6 +34,10 @@ pub struct StudySettings {
     pub estimators: Vec<Estimator>,
     /// How intervals are.
     pub bootstrap: Bootstrap,
+    /// Which records are drawn together.
+    pub groups: Groups,
+    /// The hazard of the site, where annual rates are wanted.
+    pub hazard: Option<HazardCurve>,
 }
 
 /// The cells of a grid under a suite, with what is estimated of each.
@@ -65,6 +73,8 @@ pub struct StateStudy {
     pub stripes: Vec<Stripe>,
     /// What each estimator says.
     pub estimates: Vec<Estimate>,
+    /// The annual rate by the shares of the runs alone, where there is a hazard curve.
+    pub empirical: Option<f64>,
     /// What is not known, where numbers vary.
     pub sensitivity: Option<Sensitivity>,
 }
@@ -77,7 +87,9 @@ impl Study {
         observer: &dyn Observer,
     ) -> Option<Study> {
         observer.begins(Phase::Fitting, sweep.grid.len() * settings.states.len());
-        let shaken = SuiteRuns { sweep: &sweep, levels: &settings.levels, times: settings.times };
+        let (levels, groups) = (&settings.levels, &settings.groups.of);
+        let shaken = SuiteRuns { sweep: &sweep, levels, times: settings.times, groups };
+        let hazard = settings.hazard.as_ref();
         let cell = |cell: usize| {
             let mut states = Vec::with_capacity(settings.states.len());
             for state in &settings.states {
@@ -85,20 +97,23 @@ impl Study {
                     return None;
                 }
                 let records = shaken.records(*state, cell, 0..settings.drawn);
-                let by =
-                    |estimator: &Estimator| estimate(*estimator, &records, &settings.bootstrap);
+                let bootstrap = &settings.bootstrap;
+                let by = |estimator: &Estimator| estimate(*estimator, &records, bootstrap, hazard);
                 let estimates = settings.estimators.iter().map(by).collect();
                 let unknown = settings.unknown.as_ref();
                 let sensitivity = unknown.map(|unknown| unknown.sensitivity(&shaken, *state, cell));
                 let stripes = Pool::of(&records, |run| run.failed).stripes(None);
+                let empirical = hazard.and_then(|hazard| rates::empirical(&stripes, hazard));
                 states.push(StateStudy {
                     counts: counts(&records),
                     stripes,
+                    empirical,
                     estimates,
                     sensitivity,
                 });
                 observer.advance(1);
             }
+            hold_below(&mut states, &settings);
             let overturning = shaken.records(LimitState::Overturning, cell, 0..settings.drawn);
             Some(CellStudy {
                 states,
@@ -112,6 +127,13 @@ impl Study {
         Some(Study { sweep, settings, cells })
     }
 
+    /// Where curves of ordered limit states cross in a cell, by the first estimator.
+    pub fn crossings(&self, cell: usize) -> Vec<Crossing> {
+        let fits: Vec<&Estimate> =
+            self.cells[cell].states.iter().map(|state| &state.estimates[0]).collect();
+        order::crossings(&self.settings.states, &fits, self.settings.hazard.as_ref())
+    }
+
     /// True where records count differently.
     pub fn is_weighted(&self) -> bool {
         self.sweep.motions.windows(2).any(|pair| pair[0].weight != pair[1].weight)
@@ -120,6 +142,20 @@ impl Study {
     /// The ids of the records.
     pub fn records(&self) -> impl Iterator<Item = &str> {
         self.sweep.motions.iter().step_by(self.settings.times).map(|motion| motion.id.as_str())
+    }
+}
+
+/// Gives the rates of a cell what they are where curves of ordered limit states do not cross.
+fn hold_below(states: &mut [StateStudy], settings: &StudySettings) {
+    let Some(hazard) = &settings.hazard else { return };
+    for estimator in 0..settings.estimators.len() {
+        let fits: Vec<&Estimate> = states.iter().map(|state| &state.estimates[estimator]).collect();
+        let ordered = order::ordered(&settings.states, &fits, hazard);
+        for (state, ordered) in states.iter_mut().zip(ordered) {
+            if let Some(rate) = &mut state.estimates[estimator].rate {
+                rate.ordered = ordered;
+            }
+        }
     }
 }
 

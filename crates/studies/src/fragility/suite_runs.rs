@@ -17,6 +17,8 @@ pub struct SuiteRuns<'a> {
     pub levels: &'a [Vec<f64>],
     /// Motions of each record: more than one where numbers vary. They follow each other.
     pub times: usize,
+    /// The group of each record.
+    pub groups: &'a [usize],
 }
 
 impl SuiteRuns<'_> {
@@ -25,7 +27,7 @@ impl SuiteRuns<'_> {
         let cells = self.sweep.grid.len();
         let motions = self.sweep.motions.chunks(self.times).map(|motions| &motions[range.clone()]);
         let levels = self.levels.chunks(self.times).map(|levels| &levels[range.clone()]);
-        let of_record = |(motions, levels): (&[SweptMotion], &[Vec<f64>])| {
+        let of_record = |((motions, levels), group): ((&[SweptMotion], &[Vec<f64>]), &usize)| {
             let runs = motions.iter().zip(levels).flat_map(|(motion, levels)| {
                 levels.iter().enumerate().filter_map(move |(k, level)| {
                     let index = k * cells + cell;
@@ -40,9 +42,9 @@ impl SuiteRuns<'_> {
             });
             let mut runs: Vec<Run> = runs.collect();
             runs.sort_by(|a, b| a.level.total_cmp(&b.level));
-            RecordRuns { weight: motions[0].weight, runs }
+            RecordRuns { weight: motions[0].weight, group: *group, runs }
         };
-        motions.zip(levels).map(of_record).collect()
+        motions.zip(levels).zip(self.groups).map(of_record).collect()
     }
 
     /// Runs of a cell of which nothing is known.

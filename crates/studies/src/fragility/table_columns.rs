@@ -64,7 +64,7 @@ pub const SENSITIVITY: [TableColumn; 8] = [
 pub const POINTS: [TableColumn; 3] = [STATE, THETA, BETA];
 
 /// Those of rates.csv.
-pub const RATES: [TableColumn; 7] = [
+pub const RATES: [TableColumn; 13] = [
     STATE,
     ESTIMATOR,
     number(
@@ -83,5 +83,23 @@ pub const RATES: [TableColumn; 7] = [
         "missing_below",
         "1/year",
         "largest rate of failures below the first level, the hazard curve no steeper there than between its first two",
+    ),
+    number("rate_low", "1/year", "low end of the 95 % interval of the rate"),
+    number(
+        "rate_high",
+        "1/year",
+        "high end of the 95 % interval of the rate; without a rate, where all motions above the last level without a failure fail",
+    ),
+    number("rate_empirical", "1/year", "rate by the shares of the motions alone, without a curve"),
+    number(
+        "share_without_failures",
+        "1",
+        "share of the rate that comes from levels below the lowest at which a motion fails",
+    ),
+    number("share_above_levels", "1", "share of the rate that comes from above the highest level"),
+    number(
+        "rate_ordered",
+        "1/year",
+        "rate of the curve held below the curves of the limit states that this one implies",
     ),
 ];

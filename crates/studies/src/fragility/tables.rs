@@ -5,9 +5,9 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::estimate::Estimate;
-use super::fit::Lognormal;
-use super::hazard::{AnnualRate, HazardCurve, in_50_years};
+use super::hazard::in_50_years;
 use super::limit_state::LimitState;
+use super::rates::RateEstimate;
 use super::study::{CellStudy, StateStudy, Study};
 use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
 use crate::suites::columns::{self, TableColumn};
@@ -179,39 +179,33 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
     table.end()
 }
 
-/// The annual rate at which a limit state is exceeded; none where its fragility is not known.
-pub fn rate(fit: &Estimate, hazard: &HazardCurve) -> Option<AnnualRate> {
-    // Of separable data the step in the middle of the gap is taken.
-    let beta = fit.beta.or(fit.separable.then_some(0.0))?;
-    Some(hazard.rate(&Lognormal { theta: fit.theta?, beta }))
-}
-
-/// True where a rate is below a target with all that may be missing at the ends of the curve.
-pub fn is_below(rate: &AnnualRate, target: f64) -> bool {
-    rate.at_most() <= target
-}
-
-/// Writes rates.csv: the annual rate of each limit state over a hazard curve, and its probability in 50 years.
+/// Writes rates.csv: the annual rate of each limit state over the study's hazard curve, and its probability in 50 years.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_rates(
-    study: &Study,
-    hazard: &HazardCurve,
-    target: Option<f64>,
-    writer: impl Write,
-) -> csv::Result<()> {
+pub fn write_rates(study: &Study, target: Option<f64>, writer: impl Write) -> csv::Result<()> {
     let mut table = Table::begin(study, writer, &RATES)?;
-    for (cell, state, name, fit) in estimates(study) {
-        let rate = rate(fit, hazard);
-        let numbers = [
-            rate.map(|rate| rate.rate),
-            rate.map(|rate| in_50_years(rate.rate)),
-            rate.map(|rate| rate.missing_above),
-        ];
-        let below = rate.zip(target).map(|(rate, target)| u8::from(is_below(&rate, target)));
-        let missing_below = known(rate.map(|rate| rate.missing_below));
-        table.row(cell, (state, name, numbers.map(known), below, missing_below))?;
+    for (cell, state, of) in states(study) {
+        for (estimator, fit) in study.settings.estimators.iter().zip(&of.estimates) {
+            let rate = fit.rate.as_ref();
+            let by = |part: fn(&RateEstimate) -> Option<f64>| known(rate.and_then(part));
+            let numbers = [
+                by(|rate| rate.rate),
+                by(|rate| rate.rate.map(in_50_years)),
+                by(|rate| Some(rate.missing_above)),
+            ];
+            let below = rate.zip(target).and_then(|(rate, target)| rate.is_below(target));
+            let data = [
+                by(|rate| Some(rate.missing_below)),
+                by(|rate| rate.low),
+                by(|rate| rate.high),
+                known(of.empirical),
+                by(|rate| rate.without_failures),
+                by(|rate| rate.above_levels),
+                by(|rate| rate.ordered),
+            ];
+            table.row(cell, (state, estimator.name(), numbers, below.map(u8::from), data))?;
+        }
     }
     table.end()
 }

@@ -39,10 +39,10 @@ fn sample(
     records: usize,
     levels: impl Iterator<Item = f64> + Clone,
 ) -> Vec<RecordRuns> {
-    let record = |_| {
+    let record = |group| {
         let capacity = truth.theta * (truth.beta * normal(random)).exp();
         let runs = levels.clone().map(|level| run(level, level >= capacity)).collect();
-        RecordRuns { weight: 1.0, runs }
+        RecordRuns { weight: 1.0, group, runs }
     };
     (0..records).map(record).collect()
 }
@@ -63,7 +63,7 @@ fn coverage(estimator: Estimator, truth: Lognormal, count: u32, within: [f64; 2]
     for seed in 0..400 {
         let records = sample(&mut random, truth, 40, levels(within[0], within[1], count));
         let bootstrap = Bootstrap { replicates: 399, seed };
-        let found = estimate(estimator, &records, &bootstrap);
+        let found = estimate(estimator, &records, &bootstrap, None);
         covered[0] += f64::from(u8::from(covers(found.theta_low, found.theta_high, truth.theta)));
         covered[1] += f64::from(u8::from(covers(found.beta_low, found.beta_high, truth.beta)));
     }
@@ -136,7 +136,9 @@ fn stand_again(record: &mut RecordRuns) {
 }
 
 fn records_of(runs: &[&[Run]]) -> Vec<RecordRuns> {
-    runs.iter().map(|runs| RecordRuns { weight: 1.0, runs: runs.to_vec() }).collect()
+    let record =
+        |(group, runs): (usize, &&[Run])| RecordRuns { weight: 1.0, group, runs: runs.to_vec() };
+    runs.iter().enumerate().map(record).collect()
 }
 
 #[test]
@@ -156,7 +158,7 @@ fn every_fit_without_a_curve_says_why() {
     let both = [run(1.0, false), run(2.0, true)];
     let (stands, fails) = ([run(1.0, false), run(2.0, false)], [run(1.0, true), run(2.0, true)]);
     let falling = [run(1.0, true), run(2.0, false)];
-    let of = |estimator, runs: &[&[Run]]| estimate(estimator, &records_of(runs), &BOOTSTRAP);
+    let of = |estimator, runs: &[&[Run]]| estimate(estimator, &records_of(runs), &BOOTSTRAP, None);
     let gap = |stands, fails| Some(Note::Separable(Gap { stands, fails }));
     for estimator in Estimator::ALL {
         let note = |runs: &[&[Run]]| of(estimator, runs).note;
@@ -307,11 +309,11 @@ fn equal_seeds_give_equal_intervals_on_any_number_of_threads() {
         let found = |seed, threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let bootstrap = Bootstrap { replicates: 200, seed };
-            pool.install(|| estimate(estimator, &records, &bootstrap))
+            pool.install(|| estimate(estimator, &records, &bootstrap, None))
         };
         assert_eq!(found(1, 1), found(1, 4));
         assert_ne!(found(1, 1).theta_low, found(2, 1).theta_low);
-        let few = estimate(estimator, &records, &Bootstrap { replicates: 10, seed: 1 });
+        let few = estimate(estimator, &records, &Bootstrap { replicates: 10, seed: 1 }, None);
         assert!(few.theta.is_some() && few.theta_low.is_none() && few.beta_high.is_none());
     }
 }
@@ -338,8 +340,11 @@ fn some_records() -> impl Strategy<Value = Vec<RecordRuns>> {
         }
     });
     let record = (0.1..3.0_f64, prop::collection::vec(run, 1..8))
-        .prop_map(|(weight, runs)| RecordRuns { weight, runs });
-    prop::collection::vec(record, 3..25)
+        .prop_map(|(weight, runs)| RecordRuns { weight, group: 0, runs });
+    prop::collection::vec(record, 3..25).prop_map(|mut records| {
+        records.iter_mut().enumerate().for_each(|(group, record)| record.group = group);
+        records
+    })
 }
 
 fn fits(records: &[RecordRuns]) -> [Fit; 3] {
@@ -441,10 +446,10 @@ proptest! {
         };
         let weight = |k: usize| [0.0, 1.0, 1e-300, 1e300][usize::from(weights[k])];
         let records: Vec<RecordRuns> = runs.iter().enumerate()
-            .map(|(k, runs)| RecordRuns { weight: weight(k), runs: runs.iter().map(run).collect() })
+            .map(|(k, runs)| RecordRuns { weight: weight(k), group: k, runs: runs.iter().map(run).collect() })
             .collect();
         for estimator in Estimator::ALL {
-            let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 });
+            let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 }, None);
             prop_assert!(sane(&found), "{estimator:?} {found:?}");
         }
     }
@@ -452,7 +457,7 @@ proptest! {
     #[test]
     fn no_ordinary_runs_break_an_estimate(records in some_records()) {
         for estimator in Estimator::ALL {
-            let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 });
+            let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 }, None);
             prop_assert!(sane(&found), "{estimator:?} {found:?}");
         }
     }

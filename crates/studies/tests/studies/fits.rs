@@ -6,7 +6,8 @@ use std::f64::consts::PI;
 use topple_studies::fragility::cloud::Cloud;
 use topple_studies::fragility::ida::Capacities;
 use topple_studies::fragility::runs::{Pool, Stripe};
-use topple_studies::fragility::{Capacity, Fit, HazardCurve, Lognormal, RecordRuns, Run, stripes};
+use topple_studies::fragility::{Capacity, Fit, Lognormal, RecordRuns, Run, hazard_text, stripes};
+use topple_studies::suites::intensity::Intensity;
 
 /// Rows of a table without its header.
 fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
@@ -24,7 +25,11 @@ fn sets() -> BTreeMap<&'static str, Vec<RecordRuns>> {
     for row in rows(include_str!("../data/fits_runs.csv")) {
         let records = sets.entry(row[0]).or_default();
         if before != (row[0], row[1]) {
-            records.push(RecordRuns { weight: number(row[2]), runs: Vec::new() });
+            records.push(RecordRuns {
+                weight: number(row[2]),
+                group: records.len(),
+                runs: Vec::new(),
+            });
             before = (row[0], row[1]);
         }
         let run = Run {
@@ -70,7 +75,9 @@ fn every_estimator_agrees_with_scipy() {
 
 #[test]
 fn annual_rates_agree_with_scipy() {
-    let curve = HazardCurve::parse(include_str!("../data/fits_curve.csv")).unwrap();
+    let curve = hazard_text::read(include_str!("../data/fits_curve.csv"), Intensity::Pga, None)
+        .unwrap()
+        .curve;
     for row in rows(include_str!("../data/fits_rates.csv")) {
         let [theta, beta, rate] = [0, 1, 2].map(|column| number(row[column]));
         let found = curve.rate(&Lognormal { theta, beta });

@@ -4,3 +4,4 @@
 
 mod estimators;
 mod fits;
+mod rates;

@@ -1,0 +1,148 @@
+//! Integrals over parts of a hazard curve: of a fragility, of shares, of curves that are held below others.
+
+use super::fit::Lognormal;
+use super::hazard::HazardCurve;
+use crate::statistics::normal;
+
+/// Nodes and weights of Gauss and Legendre for four points on -1 to 1.
+const GAUSS: [[f64; 2]; 4] = [
+    [-0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
+    [-0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
+    [0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
+    [0.861_136_311_594_052_6, 0.347_854_845_137_453_86],
+];
+/// Beyond this many beta above ln theta the probability is one to rounding; below, what is left of its product with the
+/// hazard is nothing to rounding.
+const REACH: f64 = 8.5;
+
+impl HazardCurve {
+    /// The rate of failure of the levels between two logarithms alone, as [`HazardCurve::rate`] of all.
+    pub fn rate_between(&self, fragility: &Lognormal, low: f64, high: f64) -> f64 {
+        // Of no segment the sum is -0.
+        self.segments(low, high).map(|(from, to)| segment(from, to, fragility)).sum::<f64>() + 0.0
+    }
+
+    /// The rate of a probability that is given at points, ln x and P each, and linear in ln x between them; zero below the
+    /// first, constant above the last. Of P = p + s (y - y_0) and lambda = lambda_0 exp(-k (y - y_0)) the integral of P |d lambda| is,
+    /// by parts, P_0 lambda_0 - P_1 lambda_1 + s (lambda_0 - lambda_1)/k.
+    pub fn rate_of_shares(&self, shares: &[[f64; 2]]) -> f64 {
+        let Some(last) = shares.last() else { return 0.0 };
+        let after = [[*last, [f64::INFINITY, last[1]]]];
+        let pairs = shares.windows(2).map(|pair| [pair[0], pair[1]]).chain(after);
+        let piece = |[from, to]: [[f64; 2]; 2]| {
+            let slope = (to[1] - from[1]) / (to[0] - from[0]);
+            let share = |y: f64| from[1] + slope * (y - from[0]);
+            let of = |(left, right): ([f64; 2], [f64; 2])| {
+                let [before, after] = [left, right].map(|point| point[1].exp());
+                let (k, apart) = (left[1] - right[1], right[0] - left[0]);
+                // The mean of lambda over the segment; where it is flat, lambda itself.
+                let mean = if k > 0.0 { before * -(-k).exp_m1() / k } else { before };
+                share(left[0]) * before - share(right[0]) * after + slope * mean * apart
+            };
+            self.segments(from[0], to[0]).map(of).sum::<f64>()
+        };
+        pairs.map(piece).sum::<f64>().max(0.0)
+    }
+
+    /// The part of a curve's rate that comes from above the lowest of others: the integral of the difference where it is positive.
+    pub fn excess(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
+        self.with_others(fragility, others, |own, lowest| (own - lowest).max(0.0))
+    }
+
+    /// The rate of a curve that is held below others.
+    pub fn held_below(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
+        self.with_others(fragility, others, f64::min)
+    }
+
+    /// The integral of what a curve's probability and the lowest of others make together; it does not change with the level
+    /// where none of them does.
+    fn with_others(
+        &self,
+        fragility: &Lognormal,
+        others: &[Lognormal],
+        together: impl Fn(f64, f64) -> f64,
+    ) -> f64 {
+        let all: Vec<Lognormal> = others.iter().chain([fragility]).copied().collect();
+        // Where a curve begins and ends to change, and where it meets the first; the ends of the hazard.
+        let mut breaks = vec![f64::MIN, f64::MAX];
+        for curve in &all {
+            let (middle, reach) = (curve.theta.ln(), REACH * curve.beta);
+            breaks.extend([middle - reach, middle, middle + reach]);
+            if curve.beta != fragility.beta {
+                let met = middle * fragility.beta - fragility.theta.ln() * curve.beta;
+                breaks.push(met / (fragility.beta - curve.beta));
+            }
+        }
+        breaks.retain(|y| y.is_finite());
+        breaks.sort_by(f64::total_cmp);
+        let probability = |y: f64| {
+            let x = y.exp();
+            let lowest = others.iter().map(|curve| curve.probability(x)).fold(1.0, f64::min);
+            together(fragility.probability(x), lowest)
+        };
+        let between = |ends: &[f64]| {
+            let middle = 0.5 * ends[0] + 0.5 * ends[1];
+            let changes = |curve: &&Lognormal| {
+                (middle - curve.theta.ln()).abs() < REACH * curve.beta && curve.beta > 0.0
+            };
+            let beta = all.iter().filter(changes).map(|curve| curve.beta).fold(f64::MAX, f64::min);
+            let of = |(from, to)| integral(from, to, beta, &probability);
+            self.segments(ends[0], ends[1]).map(of).sum::<f64>()
+        };
+        breaks.windows(2).map(between).sum::<f64>() + 0.0
+    }
+
+    /// Its segments between two logarithms of levels.
+    fn segments(&self, low: f64, high: f64) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
+        let clipped = move |ends: &[[f64; 2]]| {
+            let (from, to) = (ends[0], ends[1]);
+            let at = |y: f64| {
+                let share = (y - from[0]) / (to[0] - from[0]);
+                [y, from[1] + share * (to[1] - from[1])]
+            };
+            let left = if low > from[0] { at(low) } else { from };
+            let right = if high < to[0] { at(high) } else { to };
+            (left[0] < right[0]).then_some((left, right))
+        };
+        self.points.windows(2).filter_map(clipped)
+    }
+}
+
+/// The integral between two points.
+pub(super) fn segment(from: [f64; 2], to: [f64; 2], fragility: &Lognormal) -> f64 {
+    let k = (from[1] - to[1]) / (to[0] - from[0]);
+    let lambda = |y: f64| (from[1] - k * (y - from[0])).exp();
+    let middle = fragility.theta.ln();
+    let reach = REACH * fragility.beta;
+    // Downwards lambda grows by exp(k y), which moves the middle of the product down by k beta^2.
+    let low = (middle - reach - k * fragility.beta.powi(2)).clamp(from[0], to[0]);
+    let high = (middle + reach).clamp(from[0], to[0]);
+    // Above, all fail.
+    let above = lambda(high) - to[1].exp();
+    if !(high > low && k > 0.0) {
+        return above.max(0.0);
+    }
+    let at = |y: f64| [y, from[1] - k * (y - from[0])];
+    let probability = |y: f64| normal::cdf((y - middle) / fragility.beta);
+    let changing = integral(at(low), at(high), fragility.beta, &probability);
+    changing + above.max(0.0)
+}
+
+/// The integral of P(y) |d lambda(y)| between two points of a power law, in pieces no longer than half of `beta` and of 1/k.
+fn integral(from: [f64; 2], to: [f64; 2], beta: f64, probability: &dyn Fn(f64) -> f64) -> f64 {
+    let k = (from[1] - to[1]) / (to[0] - from[0]);
+    if !(k > 0.0) {
+        return 0.0;
+    }
+    let pieces = ((to[0] - from[0]) / (0.5 * beta.min(1.0 / k))).ceil().max(1.0);
+    let half = 0.5 * (to[0] - from[0]) / pieces;
+    let mut sum = 0.0;
+    for piece in 0..pieces as u32 {
+        let centre = from[0] + half * f64::from(2 * piece + 1);
+        for [node, weight] in GAUSS {
+            let y = centre + half * node;
+            sum += half * weight * probability(y) * k * (from[1] - k * (y - from[0])).exp();
+        }
+    }
+    sum
+}

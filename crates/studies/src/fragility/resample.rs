@@ -1,0 +1,133 @@
+//! What is drawn for the intervals: events, recordings or motions.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+use crate::suites::{Entry, Suite};
+use topple::scene::SceneError;
+
+/// What is drawn with replacement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Resample {
+    /// All motions of an earthquake together.
+    Event,
+    /// All motions of a station in an earthquake together: its components, in both directions.
+    Recording,
+    /// Each motion by itself, as if none had anything in common with another.
+    Motion,
+}
+
+impl Resample {
+    /// All of them.
+    pub const ALL: [Resample; 3] = [Resample::Event, Resample::Recording, Resample::Motion];
+
+    /// Its name in commands and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Resample::Event => "event",
+            Resample::Recording => "recording",
+            Resample::Motion => "motion",
+        }
+    }
+
+    /// The one of a name.
+    pub fn named(name: &str) -> Option<Resample> {
+        Resample::ALL.into_iter().find(|own| own.name() == name)
+    }
+}
+
+impl fmt::Display for Resample {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Serialize for Resample {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// Fewest events of which an interval is made unless events are asked for: of fewer, percentiles of resampled sets are too
+/// narrow themselves (Cameron, Gelbach & Miller 2008, Rev. Econ. Stat. 90(3), 414-427, for 5 to 30 groups).
+pub const FEWEST_EVENTS: usize = 10;
+
+/// Which motions are drawn together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Groups {
+    /// What is drawn.
+    pub by: Resample,
+    /// The group of each motion, by the motion's number.
+    pub of: Vec<usize>,
+    /// How many groups there are.
+    pub count: usize,
+    /// Events that are known, where each motion has one.
+    pub events: Option<usize>,
+}
+
+impl Groups {
+    /// Those of a suite's motions, each taken `directions` times in succession. Events are drawn where the event of each motion
+    /// is known and there are [`FEWEST_EVENTS`], else recordings, unless something is asked for.
+    ///
+    /// # Errors
+    /// The key `resample`: events are asked for, and that of a motion is not known.
+    pub fn of(
+        suite: &Suite,
+        directions: usize,
+        asked: Option<Resample>,
+    ) -> Result<Groups, SceneError> {
+        let entries: Vec<&Entry> = suite.motions().map(|(entry, _)| entry).collect();
+        let without = entries.iter().find(|entry| entry.event.is_empty());
+        let (events, count) = numbered(entries.iter().map(|entry| entry.event.as_str()));
+        let known = without.is_none().then_some(count);
+        let by = asked.unwrap_or(match known {
+            Some(count) if count >= FEWEST_EVENTS => Resample::Event,
+            _ => Resample::Recording,
+        });
+        if let (Resample::Event, Some(without)) = (by, without) {
+            let problem = format!(
+                "the event of {} is not known; give recording, or a list with the column event",
+                without.id
+            );
+            return Err(SceneError::new("resample", problem));
+        }
+        let motions = entries.len() * directions;
+        let (of, count) = match by {
+            Resample::Event => (events, count),
+            Resample::Recording => numbered(entries.iter().map(|entry| recording(entry))),
+            Resample::Motion => {
+                return Ok(Groups {
+                    by,
+                    of: (0..motions).collect(),
+                    count: motions,
+                    events: known,
+                });
+            }
+        };
+        let of = of.into_iter().flat_map(|group| vec![group; directions]).collect();
+        Ok(Groups { by, of, count, events: known })
+    }
+}
+
+/// What components of a station in an earthquake have in common: both names; where one of them is missing, the vertical
+/// component, which both horizontal ones have.
+fn recording(entry: &Entry) -> (&str, &str, &str) {
+    match (entry.event.as_str(), entry.station.as_str(), &entry.vertical) {
+        (event, station, _) if !event.is_empty() && !station.is_empty() => (event, station, ""),
+        (_, _, Some(vertical)) => ("", "", vertical),
+        (_, _, None) => ("", "", &entry.horizontal),
+    }
+}
+
+/// Numbers in the place of keys, in the order of their first place, and how many there are.
+fn numbered<K: std::hash::Hash + Eq>(keys: impl Iterator<Item = K>) -> (Vec<usize>, usize) {
+    let mut numbers = HashMap::new();
+    let number = |key| {
+        let next = numbers.len();
+        *numbers.entry(key).or_insert(next)
+    };
+    let of = keys.map(number).collect();
+    (of, numbers.len())
+}
