@@ -10,7 +10,7 @@ use topple::results::npz;
 use crate::common::{names, refused};
 
 const PULSE: &str = "pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --a-v 0.5 --omega 2:12:12 \
-                     --a-h 1:12:11 --backend cpu --verify 8";
+                     --a-h 1:12:11 --backend cpu --precision f64 --verify 8";
 const RECORD: &str = "seismic --object 1 --t-h 0.5:4:6 --t-v 0.3:2:5 --backend cpu --verify none";
 
 /// Runs a command into a directory; what it says.
@@ -40,7 +40,7 @@ fn same(one: &Path, other: &Path, name: &str) {
     for (one, other) in one.iter().zip(&other) {
         let numbers = [one, other].map(|text| text.parse::<f64>());
         match numbers {
-            [Ok(a), Ok(b)] => assert!((a - b).abs() <= 1e-4 * a.abs().max(b), "{name}: {a} {b}"),
+            [Ok(a), Ok(b)] => assert!((a - b).abs() <= 1e-6 * a.abs().max(b), "{name}: {a} {b}"),
             _ => assert_eq!(one, other, "{name}"),
         }
     }
