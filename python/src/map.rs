@@ -58,6 +58,7 @@ pub fn sweep<'py>(
     let request = Request::of(keywords, &own())?;
     let scene = request.check(recorded)?;
     request.settings.method.check_step(request.scene.force).map_err(of_scene)?;
+    request.settings.method.check_columns(&scene).map_err(of_scene)?;
     let settings = &request.settings;
     let refining = refining(keywords, settings)?;
     let sharpness = sharpness(keywords, settings)?;

@@ -47,7 +47,7 @@ impl ColumnSet {
         ColumnSet(set)
     }
 
-    /// Those of these names.
+    /// Those of these names; `all` alone is all of them.
     ///
     /// # Errors
     /// The key `columns`: no name, or one that no column has.
@@ -56,6 +56,11 @@ impl ColumnSet {
         if names.is_empty() {
             let problem = format!("names none; give some of {}", all());
             return Err(SceneError { key: "columns", problem });
+        }
+        if let [name] = names
+            && name.as_ref().trim() == "all"
+        {
+            return Ok(ColumnSet::ALL);
         }
         let column = |name: &N| {
             let name = name.as_ref().trim();
@@ -158,6 +163,7 @@ mod tests {
                 .starts_with("no column is called 'max_w'; they are outcome, ")
         );
         assert!(problem(&[]).starts_with("names none"));
+        assert!(ColumnSet::of_names(&["all"]).unwrap().is_all());
     }
 
     /// Every number of an outcome that is looked for belongs to a group, and each group is asked for by its columns alone.

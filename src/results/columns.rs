@@ -213,7 +213,7 @@ the columns below in this order, but for `t_simulated`. `map.npz` holds each as 
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
 axes f64. The array `proved`, which goes with `status`, is true for a cell that ended early: an energy bound shows that its results
 can no longer change (the impacts of a block that stays up are counted until then). `about` is a text in JSON: units, meanings, the
-names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)): no file has the others.
+names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)): no table and no map.npz has the others.
 
 ```python
 import json, numpy

@@ -11,7 +11,7 @@ use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::column_set::ColumnSet;
 use crate::results::shard::Shard;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Parameter, Scene, SceneError};
 
 /// How cells are computed: all that a map depends on beside its scene and its backend.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -65,6 +65,19 @@ impl Method {
                  accepts it"
             );
             return Err(SceneError::new("step", problem));
+        }
+        Ok(())
+    }
+
+    /// Refuses a friction coefficient beside columns that do not tell where it is too small.
+    ///
+    /// # Errors
+    /// The key `friction`.
+    pub fn check_columns(&self, scene: &Scene) -> Result<(), SceneError> {
+        if scene.numbers.has(Parameter::Friction) && !self.columns.asked().forces {
+            let problem = "marks cells by the friction that they ask for; add friction_demand to the columns, or \
+                           leave it out";
+            return Err(SceneError::new("friction", problem));
         }
         Ok(())
     }

@@ -91,7 +91,7 @@ pub struct MapOptions {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
-    /// Columns of the map, by their names in map.csv: a cell runs no longer than these need [default: all]
+    /// Columns of the map, by their names in map.csv: a cell runs no longer than these need [default: all, also a value]
     #[arg(long, value_name = "NAME,...")]
     pub columns: Option<ColumnSet>,
     /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
@@ -341,6 +341,9 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
+        let columns = self.columns.unwrap_or_default();
+        let method = Method { columns, ..self.run.method() };
+        method.check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
         if let Some(levels) = self.refine {

@@ -47,6 +47,16 @@ fn step(line: &str, seconds: f64) -> Step {
     Step { seconds, within: within.min(LOST * seconds.abs()).max(Step::exact(seconds).within) }
 }
 
+/// Times that are looked at.
+const TIMES: usize = 6;
+
+/// True where every other value is a time of this step: columns of times and accelerations below NPTS and DT.
+fn has_times(values: &[f64], dt: f64) -> bool {
+    let times: Vec<f64> = values.iter().step_by(2).take(TIMES).copied().collect();
+    let apart = |pair: &[f64]| (pair[1] - pair[0] - dt).abs() <= LOST * dt.abs();
+    times.len() == TIMES && times.windows(2).all(apart)
+}
+
 pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
     let mut units = None;
@@ -77,8 +87,31 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
         return Err(RecordError::line(at, format!("NPTS {count} is no number of samples")));
     }
     let (values, more) = lines.samples(count as usize, free)?;
+    if has_times(&values, dt) {
+        let problem = "times stand beside the samples below this line; write two columns alone, or a row with the count and \
+                       the step above them";
+        return Err(RecordError::line(at, problem));
+    }
     let title = header.get(1).or(header.first()).copied().unwrap_or_default();
     let stated = Stated::of_title(title);
     let step = Some(step(line, dt));
     Ok(Raw { title: title.into(), stated, step, units, values, notes: more.into_iter().collect() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// NPTS and DT above columns of times and accelerations are no AT2: half of the numbers would be times.
+    #[test]
+    fn times_are_no_accelerations() {
+        let rows = |of: &dyn Fn(usize) -> String| (0..40).map(of).collect::<String>();
+        let samples = |k: usize| (0.7 * k as f64).sin() / 10.0;
+        let columns = rows(&|k| format!("{:.3} {:.6}\n", 0.002 * k as f64, samples(k)));
+        let error = read(&format!("NPTS=40 DT=0.002\n{columns}"), &RecordHints::default());
+        assert!(error.unwrap_err().to_string().contains("times stand beside the samples"));
+        let plain = rows(&|k| format!("{:.6}\n", samples(k)));
+        let raw = read(&format!("NPTS=40 DT=0.002\n{plain}"), &RecordHints::default()).unwrap();
+        assert_eq!(raw.values.len(), 40);
+    }
 }

@@ -112,6 +112,8 @@ fn columns_that_are_none_are_refused_in_a_line() {
     let refused = |more: &[&str]| refused(&[&line, more].concat());
     assert!(refused(&["--columns", "zeta,max_w"]).contains("no column is called 'max_w'"));
     assert!(refused(&["--columns", ","]).contains("names none"));
+    let told = refused(&["--columns", "zeta", "--friction", "0.4"]);
+    assert!(told.contains("--friction") && told.contains("friction_demand"), "{told}");
     let told = refused(&["--columns", "zeta", "--vary", "t_h=normal(1.75,0.1)"]);
     assert!(told.contains("--columns"), "{told}");
 }
