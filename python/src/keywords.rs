@@ -12,7 +12,7 @@ use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
-use topple::scene::record::read::RecordHints;
+use topple::scene::record::RecordHints;
 use topple::scene::record::{Pair, Provenance, Record, Stated, joined, synthetic};
 use topple::sweep::settings::VerifySettings;
 use topple::work::threads::{Threads, too_many};

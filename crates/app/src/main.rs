@@ -39,6 +39,7 @@ mod pulse;
 mod ratios;
 mod record;
 mod refined;
+mod repetition;
 mod results_directory;
 mod run;
 mod save;

@@ -341,9 +341,7 @@ impl MapOptions {
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
-        let columns = self.columns.unwrap_or_default();
-        let method = Method { columns, ..self.run.method() };
-        method.check_columns(scene).map_err(|error| flag_error(&error))?;
+        self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
         if let Some(levels) = self.refine {
@@ -352,13 +350,18 @@ impl MapOptions {
         self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))
     }
 
+    /// How the cells of its map are computed.
+    pub fn method(&self) -> Method {
+        let columns = self.columns.unwrap_or_default();
+        Method { repair: self.repair, columns, ..self.run.method() }
+    }
+
     /// The settings of a scene's run.
     pub fn settings(&self, scene: &Scene) -> RunSettings {
         let mut settings = RunSettings::default();
         settings.backend = self.run.backend();
         settings.adapters.clone_from(&self.run.adapter);
-        let columns = self.columns.unwrap_or_default();
-        settings.method = Method { repair: self.repair, columns, ..self.run.method() };
+        settings.method = self.method();
         settings.saving = Some(Saving {
             resume: self.resume,
             every: self.keep_every,

@@ -128,8 +128,8 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         Kind::Probability => probability::names(),
         _ => {
             let (grid, refines) = (Grid::of(scene), options.refine.is_some());
-            let asked = options.columns.unwrap_or_default();
-            map_files::places((scene, &grid, asked), &options.files(&grid), refines)
+            let content = (scene, &grid, options.method().columns);
+            map_files::places(content, &options.files(&grid), refines)
         }
     };
     if options.tile.is_none() {

@@ -9,7 +9,7 @@ use topple::scene::builder::SceneBuilder;
 use super::earlier_run::{self, EarlierRun};
 use super::load::load;
 use super::options::MapOptions;
-use super::{InputError, command_line, examples, history, run, words};
+use super::{InputError, examples, history, repetition, run, words};
 
 /// The scene that `topple` alone runs.
 pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
@@ -36,7 +36,7 @@ impl RunCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let path = self.scene.display();
         let refused = |reason: String| InputError(format!("{path}: {reason}"));
-        if let Some(repeated) = command_line::at(&self.scene) {
+        if let Some(repeated) = repetition::at(&self.scene) {
             return repeated.map_err(refused)?.run(&self.options);
         }
         if let Some(earlier) = earlier_run::at(&self.scene) {

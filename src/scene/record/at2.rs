@@ -1,8 +1,8 @@
 //! PEER NGA .AT2, in the dialects of its three databases.
 
+use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{after, free, number};
-use super::read::RecordHints;
 use super::{Raw, RecordError, Stated, Step};
 
 /// Lines among which the one with NPTS and DT is looked for.

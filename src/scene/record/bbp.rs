@@ -2,9 +2,9 @@
 
 use super::channel::{Channel, choose};
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
 use super::numbers::{free, number};
-use super::read::RecordHints;
 use super::times::{self, Times};
 use super::{Raw, RecordError, Stated};
 

@@ -1,7 +1,7 @@
 //! Files of several channels: which one is taken.
 
 use super::component::Component;
-use super::read::RecordHints;
+use super::hints::RecordHints;
 use super::{RecordError, Stated};
 use crate::scene::shown::shown;
 

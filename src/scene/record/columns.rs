@@ -2,9 +2,9 @@
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
 //! before them; after it several values may stand in a row.
 
+use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
 use super::numbers::{free, number};
-use super::read::RecordHints;
 use super::times::{self, Times};
 use super::{Raw, RecordError, Stated, Step, Units};
 use crate::scene::shown::shown;

@@ -1,9 +1,9 @@
 //! ESM and ITACA ASCII (DYNA 1.2): 64 lines of `KEY: value`, then one value a line.
 
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{free, number};
-use super::read::RecordHints;
 use super::stated::{seconds, tidy};
 use super::{Raw, RecordError, Stated, Step};
 use crate::scene::shown::shown;

@@ -2,9 +2,9 @@
 
 use super::channel::{Channel, choose, parts};
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::fixed;
-use super::read::RecordHints;
 use super::stated::{seconds, tidy};
 use super::{Raw, RecordError, Stated, Step};
 

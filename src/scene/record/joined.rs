@@ -1,8 +1,8 @@
 //! A horizontal and a vertical component of one place and time, which are brought together.
 
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
-use super::read::RecordHints;
 use super::{DIGITS, Pair, Provenance, Record, RecordFile, Units, rounded};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};

@@ -1,9 +1,9 @@
 //! K-NET and KiK-net ASCII: counts of a digitizer with their scale factor.
 
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{free, number};
-use super::read::RecordHints;
 use super::stated::seconds;
 use super::{Raw, RecordError, Stated, Step};
 

@@ -9,6 +9,7 @@ pub(crate) mod cosmos;
 pub(crate) mod csmip;
 pub(crate) mod esm;
 pub(crate) mod geonet;
+mod hints;
 pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
@@ -28,6 +29,7 @@ pub mod zips;
 use super::bounded;
 
 pub use component::Component;
+pub use hints::RecordHints;
 pub use pair::Pair;
 pub use provenance::{Provenance, RecordFile};
 pub use stated::Stated;

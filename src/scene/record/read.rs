@@ -4,6 +4,7 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
+use super::hints::RecordHints;
 use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
@@ -12,22 +13,6 @@ use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
-
-/// What the user says of a record file, where the file itself does not say it.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct RecordHints {
-    /// Time between samples, s.
-    pub dt: Option<f64>,
-    /// Units of the values.
-    pub units: Option<Units>,
-    /// The record is scaled to a known peak, so that its own is not questioned.
-    pub scaled: bool,
-    /// Which component is wanted of a file with several channels: true for the vertical one; the first where nothing is
-    /// said.
-    pub vertical: Option<bool>,
-    /// The channel that is wanted of such a file: its number, or its direction.
-    pub channel: Option<String>,
-}
 
 /// Peaks that a record of a strong earthquake may have, in g. The largest on record is near 4.4.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1.0e-4..=5.0;

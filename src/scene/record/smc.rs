@@ -1,9 +1,9 @@
 //! USGS SMC: a type, text, integers, reals, comments, and values that touch.
 
 use super::component::Component;
+use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::fixed;
-use super::read::RecordHints;
 use super::stated::tidy;
 use super::{Raw, RecordError, Stated, Step};
 use crate::scene::shown::shown;

@@ -8,8 +8,8 @@ use formats::{AT2, CSMIP, KNET, cosmos, esm, smc};
 use proptest::prelude::*;
 use topple::scene::GRAVITY;
 use topple::scene::builder::SceneBuilder;
-use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::{Pair, Record, RecordError, Units, synthetic};
+use topple::scene::record::{RecordHints, read};
 
 use crate::common::{record, refused};
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use approx::assert_abs_diff_eq;
 use proptest::prelude::*;
-use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::{Component, Pair, Record, RecordFile, Units, joined};
+use topple::scene::record::{RecordHints, read};
 
 use crate::motions::{Motion, Written};
 

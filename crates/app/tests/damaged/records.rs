@@ -5,8 +5,8 @@ use std::path::Path;
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::{Record, Units, joined};
+use topple::scene::record::{RecordHints, read};
 use topple::scene::{Excitation, Parameter, SceneBuilder};
 use topple::sweep::settings::Method;
 use zip::ZipWriter;

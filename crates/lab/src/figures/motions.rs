@@ -11,9 +11,9 @@ use serde::Deserialize;
 use super::error::ReadError;
 use topple::scene::GRAVITY;
 use topple::scene::builder::located;
-use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::synthetic::{self, HORIZONTAL, Parameters, VERTICAL};
 use topple::scene::record::{Pair, Record, Units};
+use topple::scene::record::{RecordHints, read};
 
 /// A motion as written.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -2,7 +2,7 @@
 
 use super::fit::Lognormal;
 use super::hazard_error::HazardError;
-use super::hazard_integrals::segment;
+use super::hazard_segment::segment;
 use crate::statistics::normal;
 
 /// Largest file of a hazard curve that is read, bytes.

@@ -18,6 +18,7 @@ pub mod fit;
 pub mod hazard;
 mod hazard_error;
 mod hazard_integrals;
+mod hazard_segment;
 pub mod hazard_text;
 pub mod ida;
 pub(crate) mod interval;

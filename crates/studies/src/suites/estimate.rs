@@ -2,14 +2,12 @@
 
 use std::time::Instant;
 
-use super::gather::COLUMNS;
 use super::swept::SuiteJob;
 use super::wanted::WantedMotion;
 use topple::scene::{Parameter, Scene};
 use topple::sweep::error::SweepError;
 use topple::sweep::estimate::Estimate;
 use topple::sweep::run::sweep_on;
-use topple::sweep::settings::{Method, VerifySettings};
 use topple::work::observer::Observer;
 
 /// Motions of the sample.
@@ -48,16 +46,13 @@ impl SuiteJob {
     fn sample(&self, scene: &Scene, observer: &dyn Observer) -> Result<(usize, f64), SweepError> {
         let cells = self.grid.len();
         if cells > FEW {
-            let method = Method { columns: COLUMNS, ..self.settings.run.method };
+            let method = self.sweep_settings().method;
             let backend = &self.opened.backends[0];
             let took = Estimate::of(scene, &method, backend, cells, observer)?;
             return Ok((took.sampled, took.sampled as f64 / took.rate));
         }
-        let mut settings = self.settings.run.clone();
-        (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
-        settings.method.columns = COLUMNS;
         let began = Instant::now();
-        sweep_on(&self.opened, scene, &[], &settings, &Cancels(observer))?;
+        sweep_on(&self.opened, scene, &[], &self.sweep_settings(), &Cancels(observer))?;
         Ok((cells, began.elapsed().as_secs_f64()))
     }
 }

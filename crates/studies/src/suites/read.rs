@@ -14,9 +14,9 @@ use super::names::{self, Component};
 use super::unused::{self, Unused};
 use super::{SuiteError, list, peer};
 use topple::scene::parameters::ACCEPTED;
-use topple::scene::record::read::{self, RecordHints};
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Pair, Record, RecordFile, joined, text};
+use topple::scene::record::{RecordHints, read};
 use topple::scene::{bounded, shown};
 
 /// Largest list that is read, bytes.

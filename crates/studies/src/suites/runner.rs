@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::gather::{COLUMNS, gather};
+use super::gather::gather;
 use super::saved;
 use super::swept::SuiteJob;
 use super::swept_motion::SweptMotion;
@@ -18,7 +18,6 @@ use topple::backend::ready::Backend;
 use topple::scene::{Parameter, Scene, SceneError, Values};
 use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep_on;
-use topple::sweep::settings::{RunSettings, VerifySettings};
 use topple::sweep::verification;
 use topple::work::observer::Observer;
 use topple::work::threads::Threads;
@@ -195,9 +194,7 @@ impl<'a> Runner<'a> {
         sampled: usize,
         motion: &mut SweptMotion,
     ) -> Result<(), SweepError> {
-        let mut settings: RunSettings = self.job.settings.run.clone();
-        (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
-        settings.method.columns = COLUMNS;
+        let settings = self.job.sweep_settings();
         let mut axes = Vec::new();
         if factors != [1.0] {
             // The factor of a scene is on the file's values.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::gather::COLUMNS;
 use super::saved::SavedMotions;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
@@ -14,7 +15,7 @@ use topple::results::shard::Shard;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
-use topple::sweep::settings::RunSettings;
+use topple::sweep::settings::{RunSettings, VerifySettings};
 
 /// The cells of a grid under every motion of a suite.
 #[derive(Debug)]
@@ -64,6 +65,15 @@ pub struct SuiteJob {
 }
 
 impl SuiteJob {
+    /// How the cells of a motion are swept: nothing of a single sweep is verified or saved, and only what a motion keeps is
+    /// asked for.
+    pub(super) fn sweep_settings(&self) -> RunSettings {
+        let mut settings = self.settings.run.clone();
+        (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
+        settings.method.columns = COLUMNS;
+        settings
+    }
+
     /// Makes a scene, which has no excitation of its own, ready to run under motions.
     ///
     /// # Errors

@@ -1,0 +1,120 @@
+//! A run under a suite that is repeated by the command line in its run.json.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use serde::Deserialize;
+use topple::results::earlier::{Kind, RUN};
+use topple::scene::bounded;
+use topple::scene::path_text::PathText;
+
+use super::command_line::CommandLine;
+use super::envelope::EnvelopeCommand;
+use super::fragility::FragilityCommand;
+use super::options::MapOptions;
+use super::{Arguments, Command, InputError};
+
+/// Of run.json what repeats a run under a suite.
+#[derive(Deserialize)]
+struct Written {
+    kind: Kind,
+    command: Option<CommandLine>,
+}
+
+/// A run that is repeated: its command, and what its relative paths are looked for in.
+pub struct Repeated {
+    /// What is run.
+    pub command: Command,
+    /// The words that say so.
+    line: CommandLine,
+    /// Where the results lie.
+    folder: PathBuf,
+}
+
+/// The run of a directory of results under a suite, or of its run.json; none of other results.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
+    let ends_in =
+        |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    let file = match path.is_dir() {
+        true => path.join(RUN),
+        // A table has it beside itself.
+        false if ends_in("csv") => path.with_file_name(RUN),
+        false if ends_in("json") => path.to_path_buf(),
+        false => return None,
+    };
+    let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
+    let Written { kind, command } = serde_json::from_slice(&bytes).ok()?;
+    if !matches!(kind, Kind::Envelope | Kind::Fragility) {
+        return None;
+    }
+    let line = command?;
+    let words = line.arguments.iter().map(|PathText(word)| OsString::from(word));
+    let parsed = Arguments::try_parse_from([OsString::from("topple")].into_iter().chain(words));
+    let other = || Err(format!("its command is not one of {}; give a scene", kind.name()));
+    let command = match (parsed, kind) {
+        (Ok(Arguments { command: Some(command @ Command::Envelope(_)), .. }), Kind::Envelope)
+        | (Ok(Arguments { command: Some(command @ Command::Fragility(_)), .. }), Kind::Fragility) => {
+            command
+        }
+        _ => return Some(other()),
+    };
+    let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
+    Some(Ok(Repeated { command, line, folder }))
+}
+
+impl Repeated {
+    /// Runs it with the directory, the threads and the silence of `options`, which may have no other flag.
+    pub fn run(self, options: &MapOptions) -> anyhow::Result<()> {
+        if let Some(flag) = options.not_of_a_repetition().first() {
+            let problem = format!(
+                "{flag}: a run under a suite is repeated as it was; leave it out, or give the whole command"
+            );
+            return Err(InputError(problem).into());
+        }
+        let Repeated { mut command, line, folder } = self;
+        let (motions, run) = match &mut command {
+            Command::Envelope(EnvelopeCommand { motions, options, .. }) => (motions, options),
+            Command::Fragility(of) => {
+                let FragilityCommand { motions, options, hazard, .. } = &mut **of;
+                if let Some(hazard) = hazard {
+                    *hazard = found("--hazard", hazard, &line, &folder)?;
+                }
+                (motions, options)
+            }
+            _ => return Ok(()),
+        };
+        let suite = found("--suite", motions.suite(), &line, &folder)?;
+        motions.repeat(suite, line);
+        run.out.clone_from(&options.run.out);
+        run.quiet |= options.run.quiet;
+        run.threads = options.run.threads.or(run.threads);
+        match command {
+            Command::Envelope(command) => command.run(),
+            Command::Fragility(command) => command.run(),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A path of a run: where it was, beside the results, or in the working directory.
+fn found(
+    flag: &str,
+    path: &Path,
+    line: &CommandLine,
+    folder: &Path,
+) -> Result<PathBuf, InputError> {
+    let PathText(directory) = &line.directory;
+    let places = [directory.join(path), folder.join(path), path.to_path_buf()];
+    places.into_iter().find(|place| place.exists()).ok_or_else(|| {
+        let problem = format!(
+            "{flag}: {} is neither in {} nor beside the results; put it there",
+            path.display(),
+            directory.display()
+        );
+        InputError(problem)
+    })
+}

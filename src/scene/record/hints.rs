@@ -1,0 +1,19 @@
+//! What the user says of a record file.
+
+use super::Units;
+
+/// What the user says of a record file, where the file itself does not say it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RecordHints {
+    /// Time between samples, s.
+    pub dt: Option<f64>,
+    /// Units of the values.
+    pub units: Option<Units>,
+    /// The record is scaled to a known peak, so that its own is not questioned.
+    pub scaled: bool,
+    /// Which component is wanted of a file with several channels: true for the vertical one; the first where nothing is
+    /// said.
+    pub vertical: Option<bool>,
+    /// The channel that is wanted of such a file: its number, or its direction.
+    pub channel: Option<String>,
+}
