@@ -46,7 +46,7 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     let index = *standing.max_by_key(|index| outcomes[**index].impacts).unwrap();
     let model = plan.model::<R>(&plan.scene.case());
     let (cell, state) = plan.cell::<R>(&grid.case(index));
-    let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+    let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
     // Its first steps, and those from a second later on, when it rocks.
     let mut nobody = ();
     let mut later = Single::new(&set, &state, &mut nobody);

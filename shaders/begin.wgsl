@@ -57,12 +57,17 @@ fn make(place: Place) -> bool {
         numbers[v + 3u],
         numbers[drive + 4u],
         numbers[drive + 5u],
+        numbers[h + 6u],
+        numbers[h + 7u],
+        numbers[h + 8u],
+        numbers[h + 9u],
+        numbers[v + 4u],
         steps.steps_forced,
         steps.steps,
         steps.substeps,
         body,
     );
-    let finite = numbers[h + 6u] > 0.0 && numbers[v + 4u] > 0.0 && numbers[drive + 6u] > 0.0
+    let finite = numbers[h + 10u] > 0.0 && numbers[v + 5u] > 0.0 && numbers[drive + 6u] > 0.0
         && steps.finite > 0u;
     var state = at_rest(finite, numbers[drive + 3u]);
     if tile.shared_contact == 1u && state.status == RUNNING {

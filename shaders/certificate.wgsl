@@ -37,12 +37,36 @@ fn base_energy_v(cell: Cell, y: Motion) -> real {
     if !isolated_v {
         return zero;
     }
-    return y.dv * y.dv + cell.stiffness_v * y.v * y.v;
+    let square = y.v * y.v;
+    let linear = y.dv * y.dv + cell.stiffness_v * square;
+    if hardens {
+        return linear + 0.5 * cell.hardening_v * square * square;
+    }
+    return linear;
+}
+
+// The most of |X|, in full contact, for twice an energy over M_t that is left to it, by Cauchy's inequality.
+fn most_x(cell: Cell, root_h: real) -> real {
+    return cell.reach_h * root_h;
+}
+
+// The same of |Y - g|; `root_v` is the root of twice an energy over M_v.
+fn most_y(cell: Cell, root_v: real) -> real {
+    let swing = cell.reach_v * root_v;
+    if hardens {
+        let ratio = root_v / cell.stiffness_v;
+        return swing * (1.0 + cell.hardening_v * ratio * ratio);
+    }
+    return swing;
 }
 
 // True where energies that are left in the base reach no further than the largest |u| and |v|, or where nobody asks for
 // these.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
+    // The end stop is out of reach.
+    if stops && !(cell.post_yield * cell.stop_gap * cell.stop_gap >= left_h) {
+        return false;
+    }
     if !displacements {
         return true;
     }
@@ -80,8 +104,8 @@ fn is_final(cell: Cell, state: State) -> bool {
     var y_swing = zero;
     var stays = !rocking;
     if stays {
-        x_most = cell.reach_h * sqrt(left_h);
-        y_swing = cell.reach_v * sqrt(left_v);
+        x_most = most_x(cell, sqrt(left_h));
+        y_swing = most_y(cell, sqrt(left_v));
         stays = model.least_arm * (model.gravity - y_swing) > model.height * x_most;
     }
     var energy = zero;
@@ -109,8 +133,14 @@ fn is_final(cell: Cell, state: State) -> bool {
                 return false;
             }
         }
-        x_most = cell.reach_h * sqrt(left_h);
-        y_swing = cell.reach_v * sqrt(left_v);
+        x_most = most_x(cell, sqrt(left_h));
+        y_swing = most_y(cell, sqrt(left_v));
+    }
+    if accelerations {
+        // In full contact plate and block move alike.
+        if !(stays && more * min(state.acc_plate, state.acc_block) >= x_most) {
+            return false;
+        }
     }
     if !forces {
         return true;

@@ -65,6 +65,25 @@ fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing
     return Crossing(found, cubic_through(start, end), one);
 }
 
+// Where the base meets its end stop or leaves it in a span of `h` seconds: before a kink that is found there, or beside
+// none.
+fn stops_in(cell: Cell, kink: Crossing, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
+    let one: real = 1.0;
+    let end = end_stop_guard(cell, y1, k_end, h);
+    if !(end.value > 0.0) {
+        return kink;
+    }
+    let start = end_stop_guard(cell, y, k1, h);
+    // By the chords, as where two kinks are in a span; where nothing else is found its cubic begins at -1 and is flat.
+    let c = kink.cubic;
+    let kink_rise = c.c1 + c.c2 + c.c3;
+    let earlier = abs(start.value * kink_rise) >= abs(c.c0 * (end.value - start.value));
+    if is_any(kink.found) && earlier {
+        return kink;
+    }
+    return Crossing(SOUGHT_STOP, cubic_through(start, end), one);
+}
+
 // The first impact or overturning in a span of `h` seconds, while the block rocks.
 fn angles_in(corner: Corner, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
     let zero: real = 0.0;
@@ -125,11 +144,14 @@ fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     return Crossing(SOUGHT_UPLIFT, rise.cubic, rise.at);
 }
 
-// The first guard in a span of `h` seconds: a kink (unless the span ends at one), else a switch.
+// The first guard in a span of `h` seconds: a kink (unless the span ends at one) or the end stop (unless it ends there), else
+// a switch.
 fn crossing_in(
+    cell: Cell,
     corner: Corner,
     rocking: bool,
     kinked: bool,
+    stopped: bool,
     y: Motion,
     stepped: Stepped,
     k1: Rates,
@@ -137,8 +159,16 @@ fn crossing_in(
     h: real,
 ) -> Crossing {
     let y1 = stepped.y;
-    if kinks && !kinked {
-        let crossing = kinks_in(y, y1, k1, k_end, h);
+    if kinks {
+        let zero: real = 0.0;
+        let one: real = 1.0;
+        var crossing = Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
+        if !kinked {
+            crossing = kinks_in(y, y1, k1, k_end, h);
+        }
+        if stops && !stopped {
+            crossing = stops_in(cell, crossing, y, y1, k1, k_end, h);
+        }
         if is_any(crossing.found) {
             return crossing;
         }
@@ -153,6 +183,7 @@ fn crossing_in(
 // `h` seconds.
 fn sample_of(
     sought: Sought,
+    cell: Cell,
     corner: Corner,
     y: Motion,
     y1: Motion,
@@ -169,6 +200,9 @@ fn sample_of(
     }
     if is_kink(sought) {
         sample = kink_guard(sought == SOUGHT_KINK_Z, y, y1, k_end, h);
+    }
+    if stops && sought == SOUGHT_STOP {
+        sample = end_stop_guard(cell, y1, k_end, h);
     }
     return sample;
 }

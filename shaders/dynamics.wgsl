@@ -54,10 +54,24 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
         let w = y.dphi * y.dphi;
         let mu_p = model.mu_h * p;
         let mu_q = model.mu_v * q;
-        let push_h = base.f_h + model.mu_h * q * w;
+        var push_h = base.f_h + model.mu_h * q * w;
         let push_v = base.f_v + model.mu_v * p * w;
         let inertia = corner.inertia - mu_p * p - mu_q * q;
         ddphi = (p * push_h - q * push_v) / inertia;
+        if follows && !isolated_v {
+            // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
+            let zero: real = 0.0;
+            let slope = base.slope;
+            let weight = base.f_v;
+            let rest = push_h + slope * max(weight, zero);
+            let still = weight - mu_p * w;
+            let moment = p * (rest - slope * still) - q * push_v;
+            let pressed = moment / (inertia + slope * mu_p * q);
+            let pressure = still + model.mu_h * q * pressed;
+            let held = pressure > 0.0;
+            ddphi = select((p * rest - q * push_v) / inertia, pressed, held);
+            push_h = rest - slope * max(pressure, zero);
+        }
         x_base = push_h + mu_p * ddphi;
         y_base = push_v - mu_q * ddphi;
         shear = x_base - p * ddphi - q * w;

@@ -4,6 +4,10 @@
 // True where a block may come to rest at once; the excitation must be over, and the block have just had an impact.
 fn rests_early(cell: Cell, state: State) -> bool {
     let more: real = 1.0 + MARGIN;
+    if accelerations || hardens {
+        // The accelerations of the flights to come, and the rate of a spring that hardens, have no bound here.
+        return false;
+    }
     let y = state.motion;
     let corner = pivot(state.mode);
     // The flights, the first of which begins.
@@ -28,8 +32,8 @@ fn rests_early(cell: Cell, state: State) -> bool {
         return false;
     }
     // What holds the block, by Cauchy's inequality as in the certificate.
-    let x_most = cell.reach_h * root_h;
-    let y_swing = cell.reach_v * root_v;
+    let x_most = most_x(cell, root_h);
+    let y_swing = most_y(cell, root_v);
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;

@@ -5,6 +5,9 @@
 override angles: bool = true;
 override displacements: bool = true;
 override forces: bool = true;
+// The largest accelerations of plate and block; the largest force on the end stop, and how often it is met.
+override accelerations: bool = false;
+override stop_values: bool = false;
 
 // The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE = 4.0 / 27.0;
@@ -92,6 +95,50 @@ fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
         (*state).max_phi_left = angle;
     } else {
         (*state).max_phi_right = angle;
+    }
+}
+
+// The largest magnitude of a quantity: the larger of the one so far and that of the parabola through its values at a
+// span's start, middle and end.
+fn highest(so_far: real, start: real, mid: real, end: real) -> real {
+    let top = crest(abs(start), abs(mid), abs(end));
+    return max(so_far, max(max(abs(start), abs(mid)), max(abs(end), top)));
+}
+
+// The end stop's force over M_t, and its rate; zero where the base is not against it.
+struct StopEnd {
+    force: real,
+    rate: real,
+}
+
+fn stop_end(cell: Cell, y: Motion, k: Rates) -> StopEnd {
+    let zero: real = 0.0;
+    let on = abs(stop) > 0.0;
+    let force = stop_force(cell, stop, y);
+    let rate = stop * (cell.stop_stiffness * y.du + cell.stop_damping * k.ddu);
+    return StopEnd(select(zero, force, on), select(zero, rate, on));
+}
+
+// Updates the largest accelerations by those of plate and block at a span's start, middle and end.
+fn update_accelerations(
+    state: ptr<function, State>,
+    plate_start: real,
+    plate_mid: real,
+    plate_end: real,
+    start: Contact,
+    mid: Contact,
+    end: Contact,
+) {
+    (*state).acc_plate = highest((*state).acc_plate, plate_start, plate_mid, plate_end);
+    (*state).acc_block = highest((*state).acc_block, start.shear, mid.shear, end.shear);
+}
+
+// Updates the largest force on the end stop by that at the ends of a span of `h` seconds, and counts a base that has met it
+// there.
+fn update_stop(state: ptr<function, State>, start: StopEnd, end: StopEnd, h: real, meets: bool) {
+    (*state).stop_force = peak((*state).stop_force, start.force, start.rate, end.force, end.rate, h);
+    if meets {
+        (*state).stop_hits += 1.0;
     }
 }
 

@@ -23,6 +23,7 @@ const SOUGHT_IMPACT = 3u;
 const SOUGHT_OVERTURNING = 4u;
 const SOUGHT_KINK_U = 5u;
 const SOUGHT_KINK_Z = 6u;
+const SOUGHT_STOP = 7u;
 
 fn is_kink(sought: Sought) -> bool {
     return sought >= SOUGHT_KINK_U;
@@ -40,7 +41,7 @@ fn is_any(sought: Sought) -> bool {
 fn tolerance_of(sought: Sought) -> real {
     let event: real = EVENT_TOLERANCE;
     let kink: real = KINK_TOLERANCE;
-    return select(event, kink, is_kink(sought));
+    return select(event, kink, is_kink(sought) && sought != SOUGHT_STOP);
 }
 
 // A guard at a trial's end.
@@ -71,4 +72,26 @@ fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardS
     let positive = before > 0.0;
     let reached = select(value, -value, positive);
     return GuardSample(reached, select(slope, -slope, positive), zero, zero);
+}
+
+// The end stop: positive once the base is against a stop that it was not against where the span began, or has left the one
+// that it was against; its slope is over a span of `h` seconds.
+fn end_stop_guard(cell: Cell, y: Motion, k: Rates, h: real) -> GuardSample {
+    let zero: real = 0.0;
+    let side = side_of(y.u);
+    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    let force = stop_force(cell, side, y);
+    let value = min(pushed, force);
+    var slope = cell.stop_stiffness * side * y.du;
+    let damped = cell.stop_damping * side * k.ddu;
+    slope = select(slope, slope + damped, pushed > force);
+    let off = abs(stop) <= 0.0;
+    let damping = cell.stop_damping * abs(y.du);
+    let size = cell.stop_stiffness * (abs(y.u) + cell.stop_gap) + damping;
+    return GuardSample(
+        select(-value, value, off),
+        h * select(-slope, slope, off),
+        zero,
+        ROUNDING * size,
+    );
 }

@@ -7,27 +7,82 @@ override kinks: bool = true;
 override yields: bool = true;
 override bouc_wen_n: u32 = 2u;
 
+override follows: bool = false;
+override stops: bool = false;
+override hardens: bool = false;
+
+// 1/g, s^2/m.
+const INVERSE_GRAVITY = 0.10193679918450561;
+
+// The side on which the base is against its end stop, +1 or -1, zero where it is not; as it is where a span begins.
+var<private> stop: real;
+
 struct Support {
     f_h: real,
     f_v: real,
+    slope: real,
 }
 
 // The support's two accelerations, (10a) over M_t and (10b) over M_v.
 fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
+    let zero: real = 0.0;
+    var f_v = ground.v + model.gravity;
+    if isolated_v {
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
+        if hardens {
+            f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
+        }
+    }
     var f_h = ground.h;
+    var slope = zero;
     if isolated_h {
         var spring = cell.post_yield * y.u;
         if yields {
             spring = spring + cell.hysteretic * y.z;
         }
+        if follows {
+            slope = spring * INVERSE_GRAVITY;
+            spring = slope * max(pressure(f_v, ground), zero);
+        }
         f_h = -(spring + cell.damping_h * y.du);
+        if stops {
+            f_h = f_h - stop * stop_force(cell, stop, y);
+        }
     }
-    var f_v = ground.v + model.gravity;
-    if isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
-        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
-    }
-    return Support(f_h, f_v);
+    return Support(f_h, f_v, slope);
+}
+
+// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over M_t.
+fn pressure(f_v: real, ground: Ground) -> real {
+    let below = ground.v + model.gravity;
+    // M_v/M_t of the mass is above; where the vertical direction is locked f_v is that of the ground.
+    let above = model.mu_h * model.inverse_mu_v;
+    return below + above * (f_v - below);
+}
+
+// The force of the end stop over M_t against the base's displacement on a side, positive where it is compressed.
+fn stop_force(cell: Cell, side: real, y: Motion) -> real {
+    return cell.stop_damping * side * y.du + cell.stop_stiffness * (side * y.u - cell.stop_gap);
+}
+
+// The guard of the end stop: positive where the base is beyond the gap and the stop's force is a push.
+fn stop_guard(cell: Cell, y: Motion) -> real {
+    let side = side_of(y.u);
+    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    return min(pushed, stop_force(cell, side, y));
+}
+
+// +1 for a displacement above zero, -1 for others.
+fn side_of(u: real) -> real {
+    let one: real = 1.0;
+    return select(-one, one, u > 0.0);
+}
+
+// The side on which the base is against its end stop; zero where it is not.
+fn stop_side(cell: Cell, y: Motion) -> real {
+    let zero: real = 0.0;
+    return select(zero, side_of(y.u), stop_guard(cell, y) > 0.0);
 }
 
 // dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2.

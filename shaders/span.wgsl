@@ -3,6 +3,8 @@
 
 // The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 const YIELD_LIMIT = 2.0;
+// The longest span against an end stop, or on a spring that hardens, times the rate of the motion there.
+const STIFF_LIMIT = 0.1;
 // A span that is cut for an impact is longer by this share than the estimated time to the impact.
 const BEYOND = 5.0e-4;
 
@@ -25,7 +27,19 @@ fn begin_span(
     let zero: real = 0.0;
     let beyond: real = 1.0 + BEYOND;
     var span = Span(1.0 - start, false);
-    if kinks {
+    if stops || hardens {
+        // The rate of the fastest motion: against the stop, or on the spring where it is hardest.
+        var rate = cell.stop_rate * abs(stop);
+        if hardens {
+            rate = max(rate, sqrt(cell.stiffness_v + 3.0 * cell.hardening_v * y.v * y.v));
+        }
+        let limit: real = STIFF_LIMIT;
+        let turned = rate * step;
+        if turned * span.length > limit {
+            span = Span(limit / turned, true);
+        }
+    }
+    if kinks && yields {
         // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
         let limit: real = YIELD_LIMIT;
         let settling = real(bouc_wen_n) * abs(y.du) * cell.inverse_yield * step;

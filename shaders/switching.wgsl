@@ -24,7 +24,11 @@ fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: rea
     let rebounds = rebound >= cell.rest_speed && landing.eta_phi > 0.0;
     var rests = false;
     if !rebounds {
-        let base = support(cell, come_to_rest(leaving, y), ground_at(cell, forcing, fraction));
+        let resting = come_to_rest(leaving, y);
+        if stops {
+            stop = stop_side(cell, resting);
+        }
+        let base = support(cell, resting, ground_at(cell, forcing, fraction));
         let lifts = largest_uplift_moment(Contact(base.f_h, base.f_v)) > 0.0;
         rests = !(lifts && landing.eta_phi > 0.0);
     }

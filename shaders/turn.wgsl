@@ -48,7 +48,11 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     let seeking = is_any(sought);
     let again = sought == SOUGHT_AGAIN;
     let begun = !(seeking || again);
-    let k1 = rates(cell, corner, rocking, y, ground_at(cell, (*t).forcing, start));
+    if stops {
+        stop = stop_side(cell, y);
+    }
+    let ground = ground_at(cell, (*t).forcing, start);
+    let k1 = rates(cell, corner, rocking, y, ground);
 
     // The contact force at the start may already lift the block: such a cell only changes its phase.
     var lifts = false;
@@ -84,7 +88,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
 
     // The distance to the guard that is searched for; without a search, to the impact.
     let whole_h = (*t).span * step;
-    let end = sample_of(sought, corner, y, y1, k_end, whole_h);
+    let end = sample_of(sought, cell, corner, y, y1, k_end, whole_h);
     let reach = reach_of(search, end, whole_h * whole_h * k1.ddphi);
 
     // The result of the search.
@@ -111,7 +115,8 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var found = false;
     var landed = false;
     if looked {
-        let crossing = crossing_in(corner, rocking, kinked, y, stepped, k1, k_end, h);
+        let stopped = kinked && sought == SOUGHT_STOP;
+        let crossing = crossing_in(cell, corner, rocking, kinked, stopped, y, stepped, k1, k_end, h);
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         if crossing.found == SOUGHT_IMPACT && !kinked {
             let allowed: real = EVENT_TOLERANCE;
@@ -142,6 +147,21 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         update_motion(state, y, y1, h);
         if forces {
             update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
+        }
+        if accelerations {
+            update_accelerations(
+                state,
+                k1.ddu + ground.h,
+                stepped.mid_ddu + ground_mid.h,
+                k_end.ddu + ground_end.h,
+                contact_of(k1),
+                stepped.mid,
+                contact_of(k_end),
+            );
+        }
+        if stop_values {
+            let meets = abs(stop) <= 0.0 && abs(stop_side(cell, y1)) > 0.0;
+            update_stop(state, stop_end(cell, y, k1), stop_end(cell, y1, k_end), h, meets);
         }
         (*state).motion = y1;
         fraction = start + length;

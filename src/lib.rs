@@ -77,7 +77,7 @@ pub use scene::excitation::RecordText;
 pub use scene::grid::Axis;
 pub use scene::record::{Provenance, Record, RecordFile, Units, pair::Pair};
 pub use scene::{
-    Directions, Excitation, Grid, Numbers, Overturn, Parameter, Range, Scene, SceneBuilder,
+    Device, Directions, Excitation, Grid, Numbers, Overturn, Parameter, Pressure, Range, Scene, SceneBuilder,
     SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};

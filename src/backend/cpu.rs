@@ -84,7 +84,7 @@ fn each<R: Real, L: Log<R> + Send>(
     let all_cells = (0..cells.len()).into_par_iter().with_max_len(BLOCK).map(|number| {
         let (cell, state) = all.begin(number);
         let model = &all.bodies()[cell.body as usize];
-        let set = CellEquations { variant, model, cell: &cell, record: &record };
+        let set = CellEquations::of(variant, model, &cell, &record);
         let mut log = log();
         let state = single::run(&set, &state, &mut log);
         observer.advance(1);

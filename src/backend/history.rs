@@ -106,7 +106,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     let (cell, mut state) = plan.cell::<R>(case);
     let record = plan.record::<R>();
     let set =
-        CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+        CellEquations::of(plan.variant(), &model, &cell, &record);
     let deflection = plan.locked(case).deflection();
     let rows = RefCell::new(vec![row(0.0, deflection, &state)]);
     let mut switches = Switches { clock: &clock, deflection, rows: &rows };

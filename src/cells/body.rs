@@ -1,6 +1,7 @@
 //! A block on its base: what depends on the block, the masses and the restitution alone.
 
 use crate::scene::parameters::Section;
+use crate::scene::isolation::Stop;
 use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
 
 /// What a body depends on: the numbers of a scene's block, and the restitution.
@@ -62,6 +63,14 @@ impl Body {
             let (h2, b2) = (self.block.height * self.block.height, b * b);
             1.0 + self.mu_h * (h2 + b2) / self.swing_inertia(b)
         })
+    }
+
+    /// The most rate of a motion against an end stop, 1/s: that of its spring under the block that rocks, and that of its
+    /// damper.
+    pub(crate) fn stop_rate(&self, stop: &Stop) -> f64 {
+        let [left, right] = self.stiffening_h();
+        let stiffening = left.max(right);
+        (stop.stiffness * stiffening).sqrt().max(stop.damping * stiffening)
     }
 
     /// The same of omega_v.

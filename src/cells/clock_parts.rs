@@ -7,7 +7,12 @@ use super::body::{Body, body_parameters};
 use super::clock::{Clock, Resolution};
 use super::shortcuts::Shortcuts;
 use crate::scene::case::PEAK;
-use crate::scene::{Case, Excitation, Grid, Parameter, Shaking};
+use crate::scene::{Case, Directions, Excitation, Grid, Parameter, Shaking};
+use crate::stepping::span::STIFF_LIMIT;
+
+/// Spans against an end stop that a step may be cut into: half of the [switches](crate::stepping::guards::EVENT_BOUND) that
+/// it may hold.
+const SPANS_A_STEP: f64 = 64.0;
 
 /// The horizontal isolation's part.
 #[derive(Debug, Clone, Copy)]
@@ -42,9 +47,10 @@ pub(crate) struct Span {
 /// What [`SwingH`] depends on, with the [body](body_parameters); where u_y is given, its yield time follows from the
 /// ground's peak.
 pub(crate) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
-    let mut swing = vec![Parameter::TH, Parameter::Psi, Parameter::AlphaY, Parameter::BoucWenN];
+    let mut swing: Vec<Parameter> = Parameter::of_direction(Directions::Horizontal)
+        .filter(|own| ![Parameter::XiH, Parameter::StopGap].contains(own))
+        .collect();
     if grid.gives_strength() {
-        swing.extend([Parameter::UY, Parameter::YieldForce]);
         swing.extend(PEAK);
     }
     swing
@@ -79,13 +85,18 @@ impl ClockRule<'_> {
         let square = (TAU / law.t_h).powi(2);
         let [left, right] = body.stiffening_h();
         let squares = [(square * left).max(p2[0]), (square * right).max(p2[1])];
-        let longest = if self.shortcuts.integrate_z(law.psi) {
+        // So many spans against a stop are in a step.
+        let longest = case
+            .isolation
+            .stop
+            .map_or(f64::INFINITY, |stop| SPANS_A_STEP * STIFF_LIMIT / body.stop_rate(&stop));
+        let in_yield = if self.shortcuts.integrate_z(law.psi) {
             let yield_time = law.alpha_y * law.t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)
         } else {
             f64::INFINITY
         };
-        SwingH { squares, longest }
+        SwingH { squares, longest: longest.min(in_yield) }
     }
 
     /// The vertical part.

@@ -33,6 +33,14 @@ pub struct Horizontal<R> {
     pub yield_energy: R,
     /// See [`Cell::reach_h`].
     pub reach_h: R,
+    /// See [`Cell::stop_gap`].
+    pub stop_gap: R,
+    /// See [`Cell::stop_stiffness`].
+    pub stop_stiffness: R,
+    /// See [`Cell::stop_damping`].
+    pub stop_damping: R,
+    /// See [`Cell::stop_rate`].
+    pub stop_rate: R,
     /// 1 where all these numbers are finite, 0 where the number type does not hold one.
     pub finite: R,
 }
@@ -49,6 +57,8 @@ pub struct Vertical<R> {
     pub deflection: R,
     /// See [`Cell::reach_v`].
     pub reach_v: R,
+    /// See [`Cell::hardening_v`].
+    pub hardening_v: R,
     /// 1 where all these numbers are finite, 0 where the number type does not hold one.
     pub finite: R,
 }
@@ -95,8 +105,8 @@ pub struct Steps<R> {
     pub finite: u32,
 }
 
-pod!(Horizontal, reals: 7, words: 0);
-pod!(Vertical, reals: 5, words: 0);
+pod!(Horizontal, reals: 11, words: 0);
+pod!(Vertical, reals: 6, words: 0);
 pod!(Drive, reals: 7, words: 0);
 pod!(Steps, reals: 4, words: 4);
 
@@ -132,9 +142,17 @@ impl<R: Real> Horizontal<R> {
             let inverse = R::of(1.0 / base.u_y);
             group.inverse_yield = if inverse.to_f64().is_finite() { inverse } else { R::of(0.0) };
         }
+        if let Some(stop) = &case.isolation.stop {
+            group.stop_gap = R::of(stop.gap);
+            group.stop_stiffness = R::of(stop.stiffness);
+            group.stop_damping = R::of(stop.damping);
+            group.stop_rate = R::of(body.stop_rate(stop));
+        }
+        let stop = [group.stop_gap, group.stop_stiffness, group.stop_damping, group.stop_rate];
         let Horizontal { post_yield, hysteretic, damping_h, inverse_yield, .. } = group;
         let numbers = [post_yield, hysteretic, damping_h, inverse_yield];
-        group.finite = flag(finite(numbers) && finite([group.yield_energy, group.reach_h]));
+        group.finite = 
+            flag(finite(numbers) && finite([group.yield_energy, group.reach_h]) && finite(stop));
         group
     }
 }
@@ -155,9 +173,11 @@ impl<R: Real> Vertical<R> {
             group.deflection = R::of(base.deflection());
             group.reach_v =
                 R::of(omega_v * (1.0 + 4.0 * base.xi_v * base.xi_v / body.free_share_v()).sqrt());
+            let hardening = base.hardening.map_or(0.0, |v_c| omega_v * omega_v / (v_c * v_c));
+            group.hardening_v = R::of(hardening);
         }
-        let Vertical { stiffness_v, damping_v, deflection, reach_v, .. } = group;
-        group.finite = flag(finite([stiffness_v, damping_v, deflection, reach_v]));
+        let Vertical { stiffness_v, damping_v, deflection, reach_v, hardening_v, .. } = group;
+        group.finite = flag(finite([stiffness_v, damping_v, deflection, reach_v, hardening_v]));
         group
     }
 }
@@ -260,6 +280,11 @@ impl<R: Real> Groups<R> {
             reach_v: vertical.reach_v,
             envelope: drive.envelope,
             carrier: drive.carrier,
+            stop_gap: horizontal.stop_gap,
+            stop_stiffness: horizontal.stop_stiffness,
+            stop_damping: horizontal.stop_damping,
+            stop_rate: horizontal.stop_rate,
+            hardening_v: vertical.hardening_v,
             steps_forced: steps.steps_forced,
             steps: steps.steps,
             substeps: steps.substeps,

@@ -1,5 +1,6 @@
 //! The cells of a list in parts that each run one model.
 
+use super::body::body_parameters;
 use super::plan::Plan;
 use crate::results::block::Block;
 use crate::scene::{Grid, Parameter};
@@ -23,7 +24,14 @@ impl Part {
     /// those whose base does not, those of one exponent n, and those whose vertical isolation is rigid for
     /// the record, with that direction locked. The cells may be in any order.
     pub fn of(plan: &Plan, grid: &Grid, cells: &[usize]) -> Vec<Part> {
-        let deciding = [Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
+        let stiffness = [Parameter::TH, Parameter::K1, Parameter::UY, Parameter::YieldForce];
+        let mut deciding = vec![Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
+        deciding.extend([Parameter::K2, Parameter::Mu]);
+        if plan.scene.numbers.has(Parameter::K2) {
+            // psi is a quotient.
+            deciding.extend(stiffness);
+            deciding.extend(body_parameters());
+        }
         let Some(first) = cells.first() else { return Vec::new() };
         if !grid.sweeps(&deciding) && !plan.locks_vertical(&grid.case(*first)) {
             return vec![Part {
@@ -38,7 +46,9 @@ impl Part {
             let case = grid.case(cell);
             let vertical_locked = plan.locks_vertical(&case);
             let mut laws = plan.laws_of(&case);
-            laws.moves[1] &= !vertical_locked;
+            if vertical_locked {
+                laws = laws.without_vertical();
+            }
             if let Some(part) = parts.iter_mut().find(|part| part.plan.laws == laws) {
                 part.cells.push(cell);
                 part.places.push(place);

@@ -75,7 +75,7 @@ impl Plan {
 
     /// The plan of a scene, not yet checked for the number of its steps.
     fn unchecked(scene: &Scene, resolution: Resolution) -> Plan {
-        let laws = Laws { moves: [false; 2], yields: false, bouc_wen_n: 2 };
+        let laws = Laws::GROUND;
         let (copy, shortcuts, motion_cache) = (scene.clone(), Shortcuts::ALL, Arc::default());
         let bodies = Grid::of(scene).sweeps(&body_parameters());
         let most = scene.numbers.get(Parameter::Cycles).map_or(1.0, |values| values.ends().1);
@@ -137,6 +137,7 @@ impl Plan {
         let mut case = *case;
         if !self.scene.isolation.moves_h() {
             case.isolation.horizontal = None;
+            case.isolation.stop = None;
         }
         if !self.scene.isolation.moves_v() {
             case.isolation.vertical = None;
@@ -162,8 +163,7 @@ impl Plan {
     pub(crate) fn without_horizontal(&self) -> Plan {
         let mut plan = self.clone();
         plan.scene.isolation = plan.scene.isolation.without_horizontal();
-        plan.laws.moves[0] = false;
-        plan.laws.yields = false;
+        plan.laws = plan.laws.without_horizontal();
         plan
     }
 
@@ -171,7 +171,7 @@ impl Plan {
     pub(crate) fn without_vertical(&self) -> Plan {
         let mut plan = self.clone();
         plan.scene.isolation = plan.scene.isolation.without_vertical();
-        plan.laws.moves[1] = false;
+        plan.laws = plan.laws.without_vertical();
         plan
     }
 
@@ -195,7 +195,7 @@ impl Plan {
 
     /// The variant of the model that the scene needs; of a part, the one that all its cells need.
     pub fn variant(&self) -> Variant {
-        let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n } = self.laws;
+        let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n, follows, stops, hardens } = self.laws;
         let (recorded, pulse) = match self.scene.excitation {
             Excitation::Record(_) => (true, Shape::OneSine),
             Excitation::Pulse(shape) => (false, shape),
@@ -206,13 +206,23 @@ impl Plan {
             cycles: self.cycles,
             isolated_h,
             isolated_v,
-            kinks: self.resolution.kinks && yields,
+            kinks: self.resolution.kinks && (yields || stops),
             yields,
-            certificate: self.shortcuts.certificate,
-            asked: self.asked,
+            // Nothing is proved of a base that is not passive.
+            certificate: self.shortcuts.certificate && !follows,
+            asked: Asked { stops: self.asked.stops && stops, ..self.asked },
             bodies: self.bodies,
             bouc_wen_n,
+            follows,
+            stops,
+            hardens,
         }
+    }
+
+    /// True where motions in full contact may be shared: what they leave out of a cell's largest and least values is looked
+    /// for by no one, and their bounds hold.
+    pub(crate) fn shares_contact(&self) -> bool {
+        self.laws.shares_contact() && !self.asked.accelerations
     }
 
     /// What the clocks of its cells follow from.

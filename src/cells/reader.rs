@@ -18,19 +18,23 @@ pub struct Reader {
     critical: [f64; 2],
     /// The static deflection, m.
     deflection: f64,
+    /// M_t, kg.
+    carried: f64,
     /// What was looked for.
     asked: Asked,
 }
 
 impl Reader {
     /// The parameters that it depends on, with those of the [body](super::body::body_parameters).
-    pub const LAW: [Parameter; 3] = [Parameter::TMax, Parameter::Tilt, Parameter::TV];
+    pub const LAW: [Parameter; 4] =
+        [Parameter::TMax, Parameter::Tilt, Parameter::TV, Parameter::StaticDeflection];
 
     /// That of a cell of a plan which looks for what is asked.
     pub fn of(case: &Case, asked: Asked) -> Reader {
         let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
         let deflection = case.deflection();
-        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection, asked }
+        let carried = case.block.mass + case.isolation.plate_h + case.isolation.plate_v;
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection, carried, asked }
     }
 
     /// The outcome of a cell of this clock whose last state is `state`; what was not looked for is not a number.
@@ -58,7 +62,7 @@ impl Reader {
         let max_v = (least_v - self.deflection).abs().max((most_v - self.deflection).abs());
         let reached = clock.time(state.step, state.end_fraction.to_f64());
         let ended = matches!(state.status, FINISHED | PROVED);
-        let Asked { angles, displacements, forces } = self.asked;
+        let Asked { angles, displacements, forces, accelerations, stops } = self.asked;
         let known = |looked_for: bool, value: f64| if looked_for { value } else { f64::NAN };
         Outcome {
             class,
@@ -78,6 +82,11 @@ impl Reader {
             min_contact: known(forces, state.min_contact.to_f64()),
             friction: known(forces, state.friction.to_f64()),
             status,
+            acc_plate: known(accelerations, state.acc_plate.to_f64()),
+            acc_block: known(accelerations, state.acc_block.to_f64()),
+            stop_force: known(stops, R::of(self.carried * state.stop_force.to_f64()).to_f64()),
+            // A whole number, far below 2^32.
+            stop_hits: state.stop_hits.to_f64() as u32,
         }
     }
 }

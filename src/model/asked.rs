@@ -10,9 +10,14 @@ pub struct Asked {
     pub displacements: bool,
     /// The least contact force and the friction asked for.
     pub forces: bool,
+    /// The largest horizontal accelerations of the upper plate and of the centre of mass.
+    pub accelerations: bool,
+    /// The largest force on the end stop, and how often the base meets it.
+    pub stops: bool,
 }
 
 impl Asked {
-    /// All of them.
-    pub const ALL: Asked = Asked { angles: true, displacements: true, forces: true };
+    /// Those of the columns that a map has by default.
+    pub const ALL: Asked =
+        Asked { angles: true, displacements: true, forces: true, accelerations: false, stops: false };
 }

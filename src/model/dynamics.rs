@@ -94,10 +94,22 @@ pub fn rates<R: Number>(
         let Lever { p, q } = lever_at(set, corner, y.phi);
         let w = y.dphi * y.dphi;
         let (mu_p, mu_q) = (model.mu_h * p, model.mu_v * q);
-        let push_h = (model.mu_h * q).mul_add(w, base.f_h);
+        let mut push_h = (model.mu_h * q).mul_add(w, base.f_h);
         let push_v = (model.mu_v * p).mul_add(w, base.f_v);
         let inertia = (-mu_p).mul_add(p, (-mu_q).mul_add(q, corner.inertia));
-        let turn = p.mul_add(push_h, -(q * push_v)) / inertia;
+        let mut turn = p.mul_add(push_h, -(q * push_v)) / inertia;
+        if variant.follows && !variant.isolated_v {
+            // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
+            let (slope, weight) = (base.slope, base.f_v);
+            let rest = slope.mul_add(weight.max(zero), push_h);
+            let still = (-mu_p).mul_add(w, weight);
+            let moment = p.mul_add((-slope).mul_add(still, rest), -(q * push_v));
+            let pressed = moment / (slope * mu_p).mul_add(q, inertia);
+            let pressure = (model.mu_h * q).mul_add(pressed, still);
+            let held = pressure.gt(zero);
+            turn = R::select(held, pressed, p.mul_add(rest, -(q * push_v)) / inertia);
+            push_h = (-slope).mul_add(pressure.max(zero), rest);
+        }
         ddphi = R::select(rocking, turn, zero);
         x_base = R::select(rocking, mu_p.mul_add(turn, push_h), x_base);
         y_base = R::select(rocking, (-mu_q).mul_add(turn, push_v), y_base);

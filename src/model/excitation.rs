@@ -49,6 +49,16 @@ pub struct Cell<R> {
     pub envelope: R,
     /// Where the carrier of a modulated pulse begins, periods.
     pub carrier: R,
+    /// d, the displacement at which the base meets its end stop, m.
+    pub stop_gap: R,
+    /// omega_s^2 of the stop, 1/s^2.
+    pub stop_stiffness: R,
+    /// 2 xi_s omega_s, 1/s.
+    pub stop_damping: R,
+    /// Rate of the fastest motion against the stop, 1/s.
+    pub stop_rate: R,
+    /// omega_v^2/v_c^2 of a vertical spring that hardens, 1/(m s)^2.
+    pub hardening_v: R,
     /// Number of forced steps.
     pub steps_forced: u32,
     /// Number of steps in all.
@@ -59,11 +69,11 @@ pub struct Cell<R> {
     pub body: u32,
 }
 
-pod!(Cell, reals: 18, words: 4);
+pod!(Cell, reals: 23, words: 4);
 reals!(
-    Cell, 18, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
+    Cell, 23, post_yield hysteretic damping_h inverse_yield stiffness_v damping_v amplitude_h
     amplitude_v phase_step step_forced step_free rest_speed yield_energy deflection reach_h reach_v
-    envelope carrier;
+    envelope carrier stop_gap stop_stiffness stop_damping stop_rate hardening_v;
     steps_forced steps substeps body
 );
 

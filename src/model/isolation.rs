@@ -7,6 +7,7 @@ use super::excitation::Ground;
 use super::motion::Motion;
 use super::number::Number;
 use super::pulse::Shape;
+use crate::scene::GRAVITY;
 
 /// The parts of the model that the scene switches on for all its cells. In the shader these are
 /// `override` constants, so that a pipeline holds only the branches it takes.
@@ -22,7 +23,7 @@ pub struct Variant {
     pub isolated_h: bool,
     /// The base moves vertically.
     pub isolated_v: bool,
-    /// Steps are cut at the kinks of the Bouc-Wen law.
+    /// Steps are cut at the kinks of the base's laws.
     pub kinks: bool,
     /// The base yields: z is a state.
     pub yields: bool,
@@ -34,6 +35,12 @@ pub struct Variant {
     pub bodies: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
+    /// The base slides on a pendulum whose force follows what presses on it.
+    pub follows: bool,
+    /// The base has an end stop.
+    pub stops: bool,
+    /// The vertical spring hardens.
+    pub hardens: bool,
 }
 
 impl Variant {
@@ -50,6 +57,9 @@ impl Variant {
         asked: Asked::ALL,
         bodies: false,
         bouc_wen_n: 2,
+        follows: false,
+        stops: false,
+        hardens: false,
     };
 }
 
@@ -60,26 +70,81 @@ pub struct Support<R> {
     pub f_h: R,
     /// f_v = F_v/M_v, (10b), m/s^2; where the direction is locked, the ground's acceleration and g.
     pub f_v: R,
+    /// The force of a pendulum over the one that presses on it: u/R + mu z. Zero of another base.
+    pub slope: R,
 }
 
 /// The support's two accelerations.
 #[inline(always)]
 pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
-    let cell = set.cell;
+    let (variant, cell, model) = (set.variant, set.cell, set.model);
+    let zero = y.u.like(0.0);
+    let mut f_v = ground.v + model.gravity;
+    if variant.isolated_v {
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
+        if variant.hardens {
+            f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
+        }
+    }
     let mut f_h = ground.h;
-    if set.variant.isolated_h {
+    let mut slope = zero;
+    if variant.isolated_h {
         let mut spring = cell.post_yield * y.u;
-        if set.variant.yields {
+        if variant.yields {
             spring = cell.hysteretic.mul_add(y.z, spring);
         }
+        if variant.follows {
+            slope = spring * y.u.like(1.0 / GRAVITY);
+            spring = slope * pressure(set, f_v, ground).max(zero);
+        }
         f_h = -cell.damping_h.mul_add(y.du, spring);
+        if variant.stops {
+            f_h = f_h - set.stop * stop_force(set, set.stop, y);
+        }
     }
-    let mut f_v = ground.v + set.model.gravity;
-    if set.variant.isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
-        f_v = set.model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
-    }
-    Support { f_h, f_v }
+    Support { f_h, f_v, slope }
+}
+
+/// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over
+/// M_t, m/s^2: the plate m_h moves with the ground, what is above stands on the vertical spring.
+#[inline(always)]
+pub fn pressure<R: Number>(set: &CellEquations<R>, f_v: R, ground: Ground<R>) -> R {
+    let model = set.model;
+    let below = ground.v + model.gravity;
+    // M_v/M_t of the mass is above; where the vertical direction is locked f_v is that of the ground.
+    let above = model.mu_h * model.inverse_mu_v;
+    above.mul_add(f_v - below, below)
+}
+
+/// The force of the end stop over M_t against the base's displacement on a side, +1 or -1, m/s^2: positive where it is
+/// compressed.
+#[inline(always)]
+pub fn stop_force<R: Number>(set: &CellEquations<R>, side: R, y: &Motion<R>) -> R {
+    let cell = set.cell;
+    cell.stop_stiffness.mul_add(side * y.u - cell.stop_gap, cell.stop_damping * side * y.du)
+}
+
+/// The guard of the end stop: positive where the base is beyond the gap and the stop's force is a push, m/s^2.
+#[inline(always)]
+pub fn stop_guard<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
+    let side = side_of(y.u);
+    let pushed = set.cell.stop_stiffness * (side * y.u - set.cell.stop_gap);
+    pushed.min(stop_force(set, side, y))
+}
+
+/// +1 for a displacement above zero, -1 for others.
+#[inline(always)]
+pub fn side_of<R: Number>(u: R) -> R {
+    let (zero, one) = (u.like(0.0), u.like(1.0));
+    R::select(u.gt(zero), one, -one)
+}
+
+/// The side on which the base is against its end stop, +1 or -1; zero where it is not.
+#[inline(always)]
+pub fn stop_side<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
+    let zero = y.u.like(0.0);
+    R::select(stop_guard(set, y).gt(zero), side_of(y.u), zero)
 }
 
 /// dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2: elastic while u and z go against each

@@ -26,6 +26,7 @@ pub(crate) mod vector;
 use block::Model;
 use excitation::{Cell, Ground};
 use isolation::Variant;
+use number::Number;
 
 /// The data of one cell's equations; globals and arguments in the shaders.
 #[derive(Debug, Clone, Copy)]
@@ -38,4 +39,20 @@ pub struct CellEquations<'a, R> {
     pub cell: &'a Cell<R>,
     /// Samples of the record; two at least where there is one.
     pub record: &'a [Ground<R>],
+    /// The side on which the base is against its end stop, +1 or -1, zero where it is not; as it is where a span begins,
+    /// so that the stop's force is smooth along it.
+    pub stop: R,
+}
+
+impl<'a, R: Number> CellEquations<'a, R> {
+    /// Those of a cell whose base is not against its end stop.
+    #[inline(always)]
+    pub fn of(
+        variant: Variant,
+        model: &'a Model<R>,
+        cell: &'a Cell<R>,
+        record: &'a [Ground<R>],
+    ) -> CellEquations<'a, R> {
+        CellEquations { variant, model, cell, record, stop: cell.post_yield.like(0.0) }
+    }
 }

@@ -46,7 +46,7 @@ pub struct Smooth {
 impl Smooth {
     /// A tolerance as a share of the range that each number has on a map.
     pub fn new(tolerance: f64, asked: Asked) -> Smooth {
-        let Asked { angles, displacements, forces } = asked;
+        let Asked { angles, displacements, forces, .. } = asked;
         let asked = [angles, forces, displacements, displacements];
         Smooth { tolerances: [tolerance; COUNT], asked, numbers: HashMap::new() }
     }

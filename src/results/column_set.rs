@@ -21,8 +21,11 @@ impl Default for ColumnSet {
 }
 
 impl ColumnSet {
-    /// All of them.
-    pub const ALL: ColumnSet = ColumnSet((1 << Column::ALL.len()) - 1);
+    /// Those that a map has by default.
+    pub const ALL: ColumnSet = ColumnSet((1 << Column::BY_DEFAULT) - 1);
+
+    /// Every one there is.
+    pub(crate) const EVERY: ColumnSet = ColumnSet((1 << Column::ALL.len()) - 1);
 
     /// What tells whether a cell has run, and what pictures and counts are made of: a sweep holds these whatever is asked
     /// for, since each cell has them anyway.
@@ -47,7 +50,7 @@ impl ColumnSet {
         ColumnSet(set)
     }
 
-    /// Those of these names; `all` alone is all of them.
+    /// Those of these names; `all` are those that a map has by default.
     ///
     /// # Errors
     /// The key `columns`: no name, or one that no column has.
@@ -57,20 +60,17 @@ impl ColumnSet {
             let problem = format!("names none; give some of {}", all());
             return Err(SceneError { key: "columns", problem });
         }
-        if let [name] = names
-            && name.as_ref().trim() == "all"
-        {
-            return Ok(ColumnSet::ALL);
-        }
-        let column = |name: &N| {
+        names.iter().try_fold(ColumnSet(0), |set, name| {
             let name = name.as_ref().trim();
+            if name == "all" {
+                return Ok(ColumnSet(set.0 | ColumnSet::ALL.0));
+            }
             let known = TABLE.iter().find(|entry| entry.name == name);
-            known.map(|entry| entry.column).ok_or_else(|| {
+            known.map(|entry| ColumnSet(set.0 | 1 << entry.column as u32)).ok_or_else(|| {
                 let problem = format!("no column is called '{name}'; they are {}", all());
                 SceneError { key: "columns", problem }
             })
-        };
-        Ok(ColumnSet::of(&names.iter().map(column).collect::<Result<Vec<Column>, _>>()?))
+        })
     }
 
     /// True where a column is among them.
@@ -78,7 +78,7 @@ impl ColumnSet {
         self.0 >> column as u32 & 1 == 1
     }
 
-    /// True where all columns are.
+    /// True where they are those that a map has by default.
     pub fn is_all(&self) -> bool {
         *self == ColumnSet::ALL
     }
@@ -95,7 +95,8 @@ impl ColumnSet {
 
     /// Those of map.csv: the time simulated only where it was asked for by its name.
     pub fn of_table(self) -> impl Iterator<Item = &'static Entry> {
-        self.entries().filter(move |entry| !self.is_all() || entry.column != Column::TSimulated)
+        let whole = self.0 & ColumnSet::ALL.0 == ColumnSet::ALL.0;
+        self.entries().filter(move |entry| !whole || entry.column != Column::TSimulated)
     }
 
     /// Those that are on disk while a sweep runs, and in its map.zarr.
@@ -111,6 +112,8 @@ impl ColumnSet {
             angles: any(&[Column::Zeta, Column::MaxPhiLeft, Column::MaxPhiRight]),
             displacements: any(&[Column::MaxU, Column::MaxV, Column::StrokeV]),
             forces: any(&[Column::MinContact, Column::Friction]),
+            accelerations: any(&[Column::AccPlate, Column::AccBlock]),
+            stops: any(&[Column::StopForce, Column::StopHits]),
         }
     }
 }
@@ -164,6 +167,9 @@ mod tests {
         );
         assert!(problem(&[]).starts_with("names none"));
         assert!(ColumnSet::of_names(&["all"]).unwrap().is_all());
+        let more = ColumnSet::of_names(&["all", "acc_plate"]).unwrap();
+        assert!(more.has(Column::Zeta) && more.has(Column::AccPlate) && !more.has(Column::AccBlock));
+        assert!(more.of_table().all(|entry| entry.column != Column::TSimulated));
     }
 
     /// Every number of an outcome that is looked for belongs to a group, and each group is asked for by its columns alone.
@@ -172,21 +178,27 @@ mod tests {
         assert_eq!(ColumnSet::ALL.asked(), Asked::ALL);
         let of = |names: &str| {
             let set = ColumnSet::of_names(&names.split(',').collect::<Vec<_>>()).unwrap();
-            let Asked { angles, displacements, forces } = set.asked();
-            [angles, displacements, forces]
+            let Asked { angles, displacements, forces, accelerations, stops } = set.asked();
+            [angles, displacements, forces, accelerations, stops]
         };
         for names in ["zeta", "max_phi_left", "max_phi_right"] {
-            assert_eq!(of(names), [true, false, false]);
+            assert_eq!(of(names), [true, false, false, false, false]);
         }
         for names in ["max_u", "max_v", "stroke_v"] {
-            assert_eq!(of(names), [false, true, false]);
+            assert_eq!(of(names), [false, true, false, false, false]);
         }
         for names in ["min_contact", "friction_demand"] {
-            assert_eq!(of(names), [false, false, true]);
+            assert_eq!(of(names), [false, false, true, false, false]);
+        }
+        for names in ["acc_plate", "acc_block"] {
+            assert_eq!(of(names), [false, false, false, true, false]);
+        }
+        for names in ["stop_force", "stop_hits"] {
+            assert_eq!(of(names), [false, false, false, false, true]);
         }
         let others = "outcome,impacts,uplifts,t_end,t_uplift,status,t_simulated";
-        assert_eq!(of(others), [false; 3]);
-        assert_eq!(TABLE.len(), 8 + others.split(',').count());
+        assert_eq!(of(others), [false; 5]);
+        assert_eq!(TABLE.len(), 12 + others.split(',').count());
     }
 
     #[test]

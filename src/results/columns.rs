@@ -195,9 +195,24 @@ columns! {
     TSimulated = t_simulated: f64, "t_simulated", "s",
         "time up to which the cell was simulated: t_end, or the earlier time at which an energy bound proved that its \
          results can no longer change";
+    /// The acceleration of the plate, m/s^2.
+    AccPlate = acc_plate: f64, "acc_plate", "m/s²",
+        "largest absolute horizontal acceleration of the upper plate; only where it is asked for";
+    /// The acceleration of the centre of mass, m/s^2.
+    AccBlock = acc_block: f64, "acc_block", "m/s²",
+        "largest absolute horizontal acceleration of the block's centre of mass; only where it is asked for";
+    /// The force on the end stop, N.
+    StopForce = stop_force: f64, "stop_force", "N",
+        "largest force on the end stop; only where it is asked for";
+    /// How often the base met its end stop.
+    StopHits = stop_hits: u32, "stop_hits", "",
+        "how often the base met its end stop; only where it is asked for";
 }
 
 impl Column {
+    /// How many of the table a map has where nothing else is asked for: the first.
+    pub const BY_DEFAULT: usize = Column::TSimulated as usize + 1;
+
     /// What is known of it.
     pub fn entry(self) -> &'static Entry {
         &TABLE[self as usize]

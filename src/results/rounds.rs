@@ -65,7 +65,7 @@ impl Rounds {
         };
         let sizes = (cells.len(), cells.len());
         let block =
-            chunk::decode_all(sizes, (self.precision, ColumnSet::ALL), &mut arrays).ok()??;
+            chunk::decode_all(sizes, (self.precision, ColumnSet::EVERY), &mut arrays).ok()??;
         self.next += 1;
         Some(block.to_outcomes())
     }
@@ -78,7 +78,7 @@ impl Rounds {
         let mut block = Block::pending(cells.len(), self.precision);
         block.put(0, outcomes);
         let mut bytes = bytes_of(cells);
-        for (array, column) in zarr::columns(ColumnSet::ALL) {
+        for (array, column) in zarr::columns(ColumnSet::EVERY) {
             bytes.extend(chunk::encode(array, column, &block, cells.len()));
         }
         let name = self.name();

@@ -7,7 +7,7 @@ use super::excitation::{self, Excitation, RecordText};
 use super::numbers::Numbers;
 use super::parameters::Parameter;
 use super::record::Pair;
-use super::{Directions, Overturn, Scene, SceneError, Values};
+use super::{Directions, Overturn, Pressure, Scene, SceneError, Values};
 use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;
 
@@ -24,6 +24,8 @@ pub struct SceneBuilder {
     pub object: Option<u32>,
     /// Directions in which the base moves.
     pub isolation: Option<Directions>,
+    /// What presses on a friction pendulum.
+    pub pressure: Option<Pressure>,
     /// When a block counts as overturned.
     pub overturn: Option<Overturn>,
     /// What the pulse looks like, where there is one.
@@ -81,6 +83,7 @@ impl SceneBuilder {
             // Its numbers are among the scene's.
             object: None,
             isolation: Some(scene.isolation),
+            pressure: scene.pressure,
             overturn: Some(scene.overturn),
             shape,
             record,
@@ -169,9 +172,11 @@ impl SceneBuilder {
         };
         numbers.set_missing(Parameter::TMax, shortest);
         numbers.set_missing(Parameter::Tilt, 0.0);
+        let pressure = self.check_pressure(&numbers)?;
         let scene = Scene {
             title: self.title.clone().unwrap_or_else(|| default_title.into()),
             isolation: directions,
+            pressure,
             overturn: self.overturn.unwrap_or(Overturn::CriticalAngle),
             excitation,
             numbers,
@@ -180,6 +185,22 @@ impl SceneBuilder {
         };
         check::scene(&scene)?;
         Ok(scene)
+    }
+}
+
+impl SceneBuilder {
+    /// What presses on the base's friction pendulum, where it is one.
+    fn check_pressure(&self, numbers: &Numbers) -> Result<Option<Pressure>, SceneError> {
+        if numbers.has(Parameter::Radius) {
+            return Ok(Some(self.pressure.unwrap_or(Pressure::Follows)));
+        }
+        match self.pressure {
+            Some(_) => {
+                let problem = "is of a friction pendulum; give `radius` and `mu`, or leave it out";
+                Err(SceneError::new("pressure", problem))
+            }
+            None => Ok(None),
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::device::Pressure;
 use super::numbers::Point;
 use super::parameters::Parameter;
 use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
@@ -12,6 +13,8 @@ use crate::model::pulse::Shape;
 pub struct Choices {
     /// The directions in which the base moves.
     pub isolation: Directions,
+    /// What presses on a friction pendulum, where the base is one.
+    pub pressure: Option<Pressure>,
     /// When the block counts as overturned.
     pub overturn: Overturn,
     /// What the pulse looks like, where one shakes the base.
@@ -141,7 +144,13 @@ impl Choices {
                 (Shape::default(), Some(peaks))
             }
         };
-        Choices { isolation: scene.isolation, overturn: scene.overturn, pulse, record }
+        Choices {
+            isolation: scene.isolation,
+            pressure: scene.pressure,
+            overturn: scene.overturn,
+            pulse,
+            record,
+        }
     }
 
     /// What shakes a cell of these numbers.
@@ -176,7 +185,12 @@ impl Choices {
         let block = Block::of(point);
         Case {
             block,
-            isolation: Isolation::of(self.isolation, point, &block, shaking.peak_h()),
+            isolation: Isolation::of(
+                (self.isolation, self.pressure),
+                point,
+                &block,
+                shaking.peak_h(),
+            ),
             shaking,
             t_max: point.get(Parameter::TMax).unwrap_or(0.0),
             tilt: point.get(Parameter::Tilt).unwrap_or(0.0),
@@ -189,7 +203,7 @@ impl Choices {
 }
 
 impl Case {
-    /// g/omega_v^2, by which the base hangs below its unloaded spring, m; zero where it is locked.
+    /// By how much the base hangs below its unloaded spring, m; zero where it is locked.
     pub fn deflection(&self) -> f64 {
         self.isolation.vertical.map_or(0.0, |law| law.deflection())
     }

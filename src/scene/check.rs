@@ -2,6 +2,7 @@
 
 use super::applies::Choice;
 use super::case::ROUNDING;
+use super::device::{self, OF_MASS, together};
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
@@ -42,6 +43,9 @@ pub(super) fn numbers(numbers: &Numbers, force: bool) -> Result<(), SceneError> 
     for row in ALTERNATIVES {
         let mut given = row.iter().filter(|parameter| numbers.has(**parameter));
         if let (Some(first), Some(second)) = (given.next(), given.next()) {
+            if given.next().is_none() && together(*first, *second, numbers) {
+                continue;
+            }
             let problem = format!("`{}` says it too; give one of them", first.key());
             return Err(SceneError::new(second.key(), problem));
         }
@@ -110,8 +114,10 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
         let problem = "replaces the law of impact only where `isolation` is none";
         return Err(SceneError::new("restitution", problem));
     }
-    if numbers.has(Parameter::YieldForce) && !numbers.has(Parameter::Mass) {
-        return Err(SceneError::new("mass", "missing; a `yield_force` means nothing without it"));
+    let of_mass = OF_MASS.into_iter().find(|own| numbers.has(*own));
+    if let Some(own) = of_mass.filter(|_| !numbers.has(Parameter::Mass)) {
+        let problem = format!("missing; `{}` means nothing without it", own.key());
+        return Err(SceneError::new("mass", problem));
     }
     let duration = match &scene.excitation {
         Excitation::Pulse(_) => 0.0,
@@ -129,6 +135,9 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
         if !(e.abs() < b) {
             let problem = format!("{e} m lies outside the base, whose half is {b} m");
             return Err(SceneError::new("offset", problem));
+        }
+        if let Some(law) = &case.isolation.horizontal {
+            device::check(law, numbers)?;
         }
         let (factor, most) = (case.restitution_factor, case.most_restitution_factor());
         if factor > most * (1.0 + ROUNDING) {

@@ -239,7 +239,7 @@ impl Grid {
             self.fixed.get(parameter).is_some()
                 || self.axes.iter().any(|axis| axis.parameter == parameter)
         };
-        given(Parameter::UY) || given(Parameter::YieldForce)
+        [Parameter::UY, Parameter::YieldForce, Parameter::Qd].into_iter().any(given)
     }
 
     /// True where some cell's block begins tilted.

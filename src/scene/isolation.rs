@@ -2,16 +2,15 @@
 
 use std::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
 use super::applies::Choice;
+use super::device::{self, Pressure};
 use super::directions::Directions;
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
 use super::{Block, GRAVITY, SceneError};
 
 /// The base: what isolates it in each direction, and the masses of its plates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Isolation {
     /// m_h, kg.
     pub plate_h: f64,
@@ -19,12 +18,14 @@ pub struct Isolation {
     pub plate_v: f64,
     /// Bouc-Wen, (10a) and (11); `None` where the direction is locked.
     pub horizontal: Option<BoucWen>,
+    /// The end stop of the horizontal direction, where it has one.
+    pub stop: Option<Stop>,
     /// Kelvin-Voigt, (10b); `None` where the direction is locked.
     pub vertical: Option<KelvinVoigt>,
 }
 
 /// Hysteretic horizontal isolation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoucWen {
     /// T_h of (19), s.
     pub t_h: f64,
@@ -38,15 +39,32 @@ pub struct BoucWen {
     pub alpha_y: f64,
     /// n of (11).
     pub n: u32,
+    /// What presses on a friction pendulum; none of another device.
+    pub pressure: Option<Pressure>,
+}
+
+/// A stop that is compressed beyond a gap, and never pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stop {
+    /// d, m.
+    pub gap: f64,
+    /// omega_s^2 = k_s/M_t, 1/s^2.
+    pub stiffness: f64,
+    /// 2 xi_s omega_s, 1/s.
+    pub damping: f64,
 }
 
 /// Viscoelastic vertical isolation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KelvinVoigt {
     /// T_v of (20), s.
     pub t_v: f64,
     /// xi_v, damping ratio.
     pub xi_v: f64,
+    /// v_c, where the spring hardens: its force from the static position is omega_v^2 v' (1 + (v'/v_c)^2), m.
+    pub hardening: Option<f64>,
+    /// The static deflection, where it is given, m.
+    pub static_deflection: Option<f64>,
 }
 
 impl Directions {
@@ -60,10 +78,10 @@ impl Directions {
 }
 
 impl KelvinVoigt {
-    /// The static deflection g/omega_v^2, m.
+    /// The static deflection, m: where none is given that of a linear spring, g/omega_v^2.
     pub fn deflection(&self) -> f64 {
         let omega_v = TAU / self.t_v;
-        GRAVITY / (omega_v * omega_v)
+        self.static_deflection.unwrap_or(GRAVITY / (omega_v * omega_v))
     }
 }
 
@@ -79,52 +97,36 @@ impl Isolation {
     }
 
     /// The base of these numbers under a block, for the ground's horizontal peak, m/s^2.
-    pub(super) fn of(directions: Directions, point: &Point, block: &Block, peak: f64) -> Isolation {
+    pub(super) fn of(
+        (directions, pressure): (Directions, Option<Pressure>),
+        point: &Point,
+        block: &Block,
+        peak: f64,
+    ) -> Isolation {
         let of = |parameter| point.get(parameter).unwrap_or(0.0);
         let (plate_h, plate_v) = (of(Parameter::PlateH), of(Parameter::PlateV));
-        let horizontal = directions.moves_h().then(|| {
-            let t_h = of(Parameter::TH);
-            let omega_h = TAU / t_h;
-            let square = omega_h * omega_h;
-            let mass = block.mass + plate_h + plate_v;
-            // (21): u_y = alpha_y PGA_h / omega_h^2.
-            let (u_y, alpha_y) = match (point.get(Parameter::UY), point.get(Parameter::YieldForce))
-            {
-                (Some(u_y), _) => (u_y, u_y * square / peak),
-                (None, Some(force)) => (force / (mass * square), force / (mass * peak)),
-                (None, None) => {
-                    let alpha_y = of(Parameter::AlphaY);
-                    (alpha_y * peak / square, alpha_y)
-                }
-            };
-            // A checked exponent is a whole number below 2^32.
-            let n = of(Parameter::BoucWenN) as u32;
-            BoucWen { t_h, psi: of(Parameter::Psi), xi_h: of(Parameter::XiH), u_y, alpha_y, n }
+        let mass = block.mass + plate_h + plate_v;
+        let horizontal = directions.moves_h().then(|| device::law(point, mass, peak, pressure));
+        let stop = point.get(Parameter::StopGap).filter(|_| directions.moves_h()).map(|gap| {
+            let stiffness = of(Parameter::StopStiffness) / mass;
+            Stop { gap, stiffness, damping: 2.0 * of(Parameter::StopXi) * stiffness.sqrt() }
         });
-        let vertical = directions
-            .moves_v()
-            .then(|| KelvinVoigt { t_v: of(Parameter::TV), xi_v: of(Parameter::XiV) });
-        Isolation { plate_h, plate_v, horizontal, vertical }
+        let vertical = directions.moves_v().then(|| KelvinVoigt {
+            t_v: of(Parameter::TV),
+            xi_v: of(Parameter::XiV),
+            hardening: point.get(Parameter::VHardening),
+            static_deflection: point.get(Parameter::StaticDeflection),
+        });
+        Isolation { plate_h, plate_v, horizontal, stop, vertical }
     }
 }
 
 /// Least period that is still taken for an isolation, s.
 pub const LEAST_PERIOD: f64 = 1.0e-4;
 
-fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
-    let key = parameter.key();
-    let Some(values) = numbers.get(parameter) else {
-        let problem = "missing; give it in seconds, or lock its direction by `isolation`";
-        return Err(SceneError::new(key, problem));
-    };
-    let (least, _) = values.ends();
-    if least > 0.0 && least < LEAST_PERIOD {
-        let problem = format!(
-            "{least} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
-        );
-        return Err(SceneError::new(key, problem));
-    }
-    Ok(())
+/// What is said of a shorter one.
+pub(super) fn too_short(period: f64) -> String {
+    format!("{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction")
 }
 
 /// Adds to the numbers what a base has where nothing else is said.
@@ -132,7 +134,7 @@ fn period(parameter: Parameter, numbers: &Numbers) -> Result<(), SceneError> {
 /// # Errors
 /// A period that is missing, and what means nothing where a direction is locked.
 pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<(), SceneError> {
-    use Parameter::{AlphaY, BoucWenN, Psi, TH, TV, UY, XiH, XiV, YieldForce};
+    use Parameter::{TV, XiV};
     let unused =
         |numbers: &Numbers, direction: Directions, word: &str| match Parameter::of_direction(
             direction,
@@ -147,18 +149,19 @@ pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<
             None => Ok(()),
         };
     if directions.moves_h() {
-        period(TH, numbers)?;
-        numbers.set_missing(Psi, 0.25);
-        numbers.set_missing(XiH, 0.05);
-        if !numbers.has(UY) && !numbers.has(YieldForce) {
-            numbers.set_missing(AlphaY, 0.1);
-        }
-        numbers.set_missing(BoucWenN, 2.0);
+        device::complete(numbers)?;
     } else {
         unused(numbers, Directions::Horizontal, "horizontal")?;
     }
     if directions.moves_v() {
-        period(TV, numbers)?;
+        let Some(values) = numbers.get(TV) else {
+            let problem = "missing; give it in seconds, or lock its direction by `isolation`";
+            return Err(SceneError::new(TV.key(), problem));
+        };
+        let (least, _) = values.ends();
+        if least > 0.0 && least < LEAST_PERIOD {
+            return Err(SceneError::new(TV.key(), too_short(least)));
+        }
         numbers.set_missing(XiV, 0.1);
     } else {
         unused(numbers, Directions::Vertical, "vertical")?;

@@ -26,6 +26,7 @@ enum Key {
 enum Word {
     Object,
     Isolation,
+    Pressure,
     Shape,
     Horizontal,
     Vertical,
@@ -44,7 +45,7 @@ impl Word {
     fn of_section(section: Section) -> &'static [Word] {
         match section {
             Section::Block => &[Word::Object],
-            Section::Base => &[Word::Isolation],
+            Section::Base => &[Word::Isolation, Word::Pressure],
             Section::Pulse => &[Word::Shape],
             Section::Record => &[
                 Word::Horizontal,
@@ -63,6 +64,7 @@ impl Word {
         match self {
             Word::Object => "object",
             Word::Isolation => "isolation",
+            Word::Pressure => "pressure",
             Word::Shape => "shape",
             Word::Horizontal => "horizontal",
             Word::Vertical => "vertical",
@@ -151,6 +153,7 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 }
                 Key::Word(Word::Object) => scene.object = Some(map.next_value()?),
                 Key::Word(Word::Isolation) => scene.isolation = Some(map.next_value()?),
+                Key::Word(Word::Pressure) => scene.pressure = Some(map.next_value()?),
                 Key::Word(Word::Overturn) => scene.overturn = Some(map.next_value()?),
                 Key::Word(Word::Shape) => scene.shape = Some(map.next_value()?),
                 Key::Word(Word::Horizontal) => {
@@ -220,7 +223,7 @@ impl Written<'_> {
         let Written(scene, section) = *self;
         let words = match section {
             Section::Block => scene.object.is_some(),
-            Section::Base => scene.isolation.is_some(),
+            Section::Base => scene.isolation.is_some() || scene.pressure.is_some(),
             Section::Pulse => scene.shape.is_some(),
             Section::Record => scene.record.is_some(),
             Section::Run => {
@@ -251,6 +254,7 @@ impl Serialize for Written<'_> {
             match word {
                 Word::Object => entry(&mut map, key, &scene.object)?,
                 Word::Isolation => entry(&mut map, key, &scene.isolation)?,
+                Word::Pressure => entry(&mut map, key, &scene.pressure)?,
                 Word::Overturn => entry(&mut map, key, &scene.overturn)?,
                 Word::Shape => entry(&mut map, key, &scene.shape)?,
                 Word::Horizontal => entry(&mut map, key, &file(record.horizontal.clone()))?,
@@ -309,6 +313,7 @@ mod tests {
                 let value = match word {
                     "object" => "2",
                     "isolation" => "\"vertical\"",
+                    "pressure" => "\"constant\"",
                     "shape" => "\"ricker\"",
                     "dt" => "0.01",
                     "units" => "\"g\"",

@@ -11,6 +11,7 @@ pub mod builder;
 pub(crate) mod case;
 mod check;
 pub mod description;
+pub mod device;
 pub mod directions;
 pub mod excitation;
 pub mod grid;
@@ -34,6 +35,7 @@ use applies::{Choice, ShakenBy};
 pub use block::Block;
 pub use builder::SceneBuilder;
 pub use case::{Case, Choices, Pulse, Shaking};
+pub use device::{Device, Pressure};
 pub use directions::Directions;
 pub use excitation::Excitation;
 pub use grid::Grid;
@@ -67,6 +69,9 @@ pub struct Scene {
     pub title: String,
     /// The directions in which the base moves.
     pub isolation: Directions,
+    /// What presses on a friction pendulum, where the base is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure: Option<Pressure>,
     /// When the block counts as overturned.
     pub overturn: Overturn,
     /// What shakes the base.
@@ -140,6 +145,9 @@ impl Scene {
     /// The same with directions locked: what of the base has no say then is taken out.
     pub fn isolated(mut self, isolation: Directions) -> Scene {
         self.isolation = isolation;
+        if !isolation.moves_h() {
+            self.pressure = None;
+        }
         for parameter in isolation.locked() {
             self.numbers.remove(parameter);
         }

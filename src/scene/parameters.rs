@@ -51,6 +51,26 @@ pub enum Parameter {
     YieldForce,
     /// n.
     BoucWenN,
+    /// k_1.
+    K1,
+    /// k_2.
+    K2,
+    /// Q_d.
+    Qd,
+    /// Radius of a friction pendulum.
+    Radius,
+    /// Its friction coefficient.
+    Mu,
+    /// d.
+    StopGap,
+    /// k_s.
+    StopStiffness,
+    /// xi_s.
+    StopXi,
+    /// v_c.
+    VHardening,
+    /// The base's static deflection.
+    StaticDeflection,
     /// Omega.
     Omega,
     /// A_h.
@@ -373,6 +393,36 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
     entry(P::BoucWenN, ("bouc_wen_n", "n", ""), Base, Whole(1, 100),
         "exponent of the Bouc-Wen law",
         "2", "(11)").moving(MOVES_H),
+    entry(P::K1, ("k1", "k_1", "N/m"), Base, Positive,
+        "stiffness of a bilinear device before it yields, in place of t_h",
+        "", "(10a), (19)").moving(MOVES_H),
+    entry(P::K2, ("k2", "k_2", "N/m"), Base, NotNegative,
+        "stiffness of a bilinear device after it has yielded, in place of psi; at most the one before",
+        "", "(10a)").moving(MOVES_H),
+    entry(P::Qd, ("qd", "Q_d", "N"), Base, Positive,
+        "force of a bilinear device at zero displacement, in place of alpha_y; its yield displacement is Q_d/(k_1 - k_2)",
+        "", "(10a), (11)").moving(MOVES_H),
+    entry(P::Radius, ("radius", "R_d", "m"), Base, Positive,
+        "radius of a friction pendulum, with mu in place of t_h and psi",
+        "", "docs/theory.md").plausible(0.05, 50.0, "metres are meant, not millimetres").moving(MOVES_H),
+    entry(P::Mu, ("mu", "μ_d", ""), Base, Within(0.0, 2.0),
+        "friction coefficient of a friction pendulum; u_y is the displacement before it slides, 0.0005 m unless given",
+        "", "docs/theory.md").plausible(0.0, 0.5, "a coefficient is meant, not percent").moving(MOVES_H),
+    entry(P::StopGap, ("stop_gap", "d", "m"), Base, Positive,
+        "horizontal displacement at which the base meets its end stop; with stop_stiffness",
+        "none", "docs/theory.md").plausible(1.0e-4, 10.0, "metres are meant, not millimetres").moving(MOVES_H),
+    entry(P::StopStiffness, ("stop_stiffness", "k_s", "N/m"), Base, Positive,
+        "stiffness of the end stop",
+        "", "docs/theory.md").moving(MOVES_H),
+    entry(P::StopXi, ("stop_xi", "ξ_s", ""), Base, Within(0.0, 10.0),
+        "damping ratio of the end stop, which never pulls",
+        "0", "docs/theory.md").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H),
+    entry(P::VHardening, ("v_hardening", "v_c", "m"), Base, Positive,
+        "displacement from the static position at which the vertical spring's force is twice that of its initial stiffness: it hardens by the cube",
+        "none", "docs/theory.md").plausible(1.0e-5, 10.0, "metres are meant, not millimetres").moving(MOVES_V),
+    entry(P::StaticDeflection, ("static_deflection", "v_0", "m"), Base, NotNegative,
+        "static deflection of the vertical isolation, for the column max_v; the motion does not depend on it",
+        "g/ω_v²", "(20)").plausible(0.0, 10.0, "metres are meant, not millimetres").moving(MOVES_V),
     entry(P::Omega, ("omega", "Ω", "rad/s"), Pulse, Positive,
         "circular frequency of the pulse: its period is 2π/Ω",
         "", "(22)").always(),
@@ -415,9 +465,11 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
 ];
 
 /// Parameters that say the same: a scene has one of each row at most.
-pub const ALTERNATIVES: [&[Parameter]; 4] = [
+pub const ALTERNATIVES: [&[Parameter]; 6] = [
     &[P::Eccentricity, P::Offset],
-    &[P::AlphaY, P::UY, P::YieldForce],
+    &[P::TH, P::K1, P::Radius],
+    &[P::Psi, P::K2, P::Mu],
+    &[P::AlphaY, P::UY, P::YieldForce, P::Qd],
     &[P::Scale, P::Pga],
     &[P::Restitution, P::RestitutionFactor],
 ];
@@ -535,14 +587,15 @@ mod tests {
 
     #[test]
     fn a_choice_excludes_the_numbers_that_mean_nothing_beside_it() {
-        let across = "t_h psi xi_h alpha_y u_y yield_force bouc_wen_n";
+        let across = "t_h psi xi_h alpha_y u_y yield_force bouc_wen_n k1 k2 qd radius mu stop_gap stop_stiffness stop_xi";
+        let up = "t_v xi_v v_hardening static_deflection";
         for (choice, keys) in [
             (Choice::Block(BlockBy::Numbers), ""),
             (Choice::Block(BlockBy::Object), "half_width height slenderness size mass inertia"),
             (Choice::Isolation(Directions::Dual), "restitution"),
-            (Choice::Isolation(Directions::Horizontal), "t_v xi_v restitution"),
+            (Choice::Isolation(Directions::Horizontal), &format!("{up} restitution")),
             (Choice::Isolation(Directions::Vertical), &format!("{across} restitution")),
-            (Choice::Isolation(Directions::None), &format!("{across} t_v xi_v")),
+            (Choice::Isolation(Directions::None), &format!("{across} {up}")),
             (Choice::Excitation(ShakenBy::Pulse), "scale pga"),
             (Choice::Excitation(ShakenBy::Record), "omega a_h a_v cycles gamma phase"),
             (Choice::Shape(Shape::OneCosine), "gamma phase"),

@@ -15,6 +15,12 @@
 //! ```
 //!
 //! with H <= P <= R, 0 <= Q <= b and w <= 2 E/D for an energy E over M.
+//!
+//! An end stop only pushes and takes energy, so that the system stays passive; its force is in none of these bounds,
+//! which are looked at once what energy is left cannot reach it. A vertical spring that hardens stores
+//! omega_v^2 v^2 (1 + (v/v_c)^2/2)/2 over M_v, which bounds |v| as the linear spring does; its force is at most
+//! 1 + (v/v_c)^2 times the linear one's. A pendulum whose force follows the pressure is not passive: its cells run to
+//! their end. The accelerations of a block that rocks have no bound here.
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
@@ -62,7 +68,29 @@ pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
     if !set.variant.isolated_v {
         return y.u.like(0.0);
     }
-    y.dv * y.dv + set.cell.stiffness_v * y.v * y.v
+    let square = y.v * y.v;
+    let linear = y.dv * y.dv + set.cell.stiffness_v * square;
+    if set.variant.hardens {
+        return linear + y.v.like(0.5) * set.cell.hardening_v * square * square;
+    }
+    linear
+}
+
+/// The most of |X|, in full contact, for twice an energy over M_t that is left to it, by Cauchy's inequality.
+#[inline(always)]
+pub(super) fn most_x<N: Number>(set: &CellEquations<N>, root_h: N) -> N {
+    set.cell.reach_h * root_h
+}
+
+/// The same of |Y - g|; `root_v` is the root of twice an energy over M_v.
+#[inline(always)]
+pub(super) fn most_y<N: Number>(set: &CellEquations<N>, root_v: N) -> N {
+    let swing = set.cell.reach_v * root_v;
+    if set.variant.hardens {
+        let ratio = root_v / set.cell.stiffness_v;
+        return swing * (set.cell.hardening_v * ratio).mul_add(ratio, root_v.like(1.0));
+    }
+    swing
 }
 
 /// The lanes of `tried` in which energies that are left in the base reach no further than the largest |u| and |v|, or in
@@ -80,6 +108,10 @@ pub(super) fn within<V: Vector>(
     let (variant, cell) = (set.variant, set.cell);
     let two = left_h.like(2.0);
     let mut within = tried;
+    if variant.stops {
+        // The end stop is out of reach.
+        within = within & (cell.post_yield * cell.stop_gap * cell.stop_gap).ge(left_h);
+    }
     if !variant.asked.displacements {
         return within;
     }
@@ -110,7 +142,7 @@ pub fn is_final<V: Vector>(
     y: &Motion<V>,
     extremes: &Extremes<V>,
 ) -> V::Mask {
-    let (variant, model, cell) = (set.variant, set.model, set.cell);
+    let (variant, model) = (set.variant, set.model);
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
     let more = y.u.like(1.0 + MARGIN);
     let (base_h, base_v) = (base_energy_h(set, y), base_energy_v(set, y));
@@ -127,8 +159,8 @@ pub fn is_final<V: Vector>(
     let mut y_swing = zero;
     let mut stays = !rocking;
     if V::any(last & !rocking) {
-        x_most = cell.reach_h * left_h.sqrt();
-        y_swing = cell.reach_v * left_v.sqrt();
+        x_most = most_x(set, left_h.sqrt());
+        y_swing = most_y(set, left_v.sqrt());
         let pressed = model.least_arm * (model.gravity - y_swing);
         stays = stays & pressed.gt(model.height * x_most);
     }
@@ -155,8 +187,13 @@ pub fn is_final<V: Vector>(
             let bound_right = model.gravity * least_rise(set, &model.right, extremes.max_phi_right);
             last = last & (stays | (bound_left.ge(energy) & bound_right.ge(energy)));
         }
-        x_most = cell.reach_h * left_h.sqrt();
-        y_swing = cell.reach_v * left_v.sqrt();
+        x_most = most_x(set, left_h.sqrt());
+        y_swing = most_y(set, left_v.sqrt());
+    }
+    if variant.asked.accelerations {
+        // In full contact plate and block move alike.
+        let least = more * extremes.acc_plate.min(extremes.acc_block);
+        last = last & stays & least.ge(x_most);
     }
     if !variant.asked.forces {
         return last;

@@ -8,7 +8,7 @@ use crate::model::real::{Real, Vector};
 
 use super::cubic::Cubic;
 use super::extremes::end_slopes;
-use super::guards::{GuardSample, Sought, angle_guard, crosses, kink_guard};
+use super::guards::{GuardSample, Sought, angle_guard, crosses, end_stop_guard, kink_guard};
 use super::lanes::Lanes;
 use super::log::Listener;
 use super::rk4::{Stepped, hermite};
@@ -102,6 +102,37 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         crossing.cubic = Cubic::select(kinks, &Cubic::through(start, end), &crossing.cubic);
     }
 
+    /// Where the base meets its end stop or leaves it in the spans of `looked` lanes: before a kink that is found there,
+    /// or beside none.
+    #[inline(always)]
+    pub(super) fn stops(
+        &self,
+        crossing: &mut Crossing<V>,
+        looked: V::Mask,
+        y1: &Motion<V>,
+        k1: &Rates<V>,
+        k_end: &Rates<V>,
+        h: V,
+    ) {
+        let set = self.equations();
+        let (zero, rounding) = (h.like(0.0), h.like(V::Element::ROUNDING.to_f64()));
+        let end = end_stop_guard(&set, y1, k_end, h, rounding);
+        let passes = looked & end.value.gt(zero);
+        if !V::any(passes) {
+            return;
+        }
+        let start = end_stop_guard(&set, &self.y, k1, h, rounding);
+        // By the chords, as where two kinks are in a span; where nothing else is found its cubic begins at -1 and is flat.
+        let kink = crossing.cubic;
+        let kink_rise = kink.c1 + kink.c2 + kink.c3;
+        let earlier = (start.value * kink_rise).abs().ge((kink.c0 * (end.value - start.value)).abs());
+        let first = passes & !(crossing.found.kink() & earlier);
+        crossing.found.kink_u = crossing.found.kink_u & !first;
+        crossing.found.kink_z = crossing.found.kink_z & !first;
+        crossing.found.stop = first;
+        crossing.cubic = Cubic::select(first, &Cubic::through(start, end), &crossing.cubic);
+    }
+
     /// The first impact or overturning in the spans of `looked` lanes, whose block rocks.
     #[inline(always)]
     pub(super) fn angles(
@@ -188,12 +219,12 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     }
 
     /// The first guard in the spans of `looked` lanes, each of `h` seconds: a kink (but in `kinked`
-    /// lanes, whose span ends at one), else a switch.
+    /// lanes, whose span ends at one) or the end stop (but in `stopped` lanes), else a switch.
     #[inline(always)]
     pub(super) fn crossing(
         &self,
         looked: V::Mask,
-        kinked: V::Mask,
+        (kinked, stopped): (V::Mask, V::Mask),
         stepped: &Stepped<V>,
         k1: &Rates<V>,
         k_end: &Rates<V>,
@@ -207,6 +238,9 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         };
         if self.shared.variant.kinks {
             self.kinks(&mut crossing, looked & !kinked, &stepped.y, k1, k_end, h);
+            if self.shared.variant.stops {
+                self.stops(&mut crossing, looked & !stopped, &stepped.y, k1, k_end, h);
+            }
         }
         let looked = looked & !crossing.found.kink();
         let rocking = looked & self.rocking;
@@ -239,6 +273,13 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let kink = kink_guard(sought.kink_z, &self.y, y1, k_end, h);
         sample.value = V::select(sought.kink(), kink.value, sample.value);
         sample.slope = V::select(sought.kink(), kink.slope, sample.slope);
+        if self.shared.variant.stops {
+            let rounding = h.like(V::Element::ROUNDING.to_f64());
+            let stop = end_stop_guard(&set, y1, k_end, h, rounding);
+            sample.value = V::select(sought.stop, stop.value, sample.value);
+            sample.slope = V::select(sought.stop, stop.slope, sample.slope);
+            sample.rounding = V::select(sought.stop, stop.rounding, sample.rounding);
+        }
         sample
     }
 }

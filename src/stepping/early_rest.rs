@@ -29,7 +29,7 @@ use crate::model::number::Number;
 use crate::model::real::Vector;
 
 use super::certificate::{
-    MARGIN, base_energy_h, base_energy_v, forces_are_final, least_rise, within,
+    MARGIN, base_energy_h, base_energy_v, forces_are_final, least_rise, most_x, most_y, within,
 };
 use super::extremes::Extremes;
 
@@ -43,6 +43,10 @@ pub fn rests_early<V: Vector>(
     extremes: &Extremes<V>,
 ) -> V::Mask {
     let (model, cell) = (set.model, set.cell);
+    if set.variant.asked.accelerations || set.variant.hardens {
+        // The accelerations of the flights to come, and the rate of a spring that hardens, have no bound here.
+        return y.u.like(0.0).mask(0);
+    }
     let (zero, half, two) = (y.u.like(0.0), y.u.like(0.5), y.u.like(2.0));
     let more = y.u.like(1.0 + MARGIN);
     // The flights, the first of which begins.
@@ -66,8 +70,8 @@ pub fn rests_early<V: Vector>(
     let root_v = base_v.sqrt() + (two * model.mu_v * flight).sqrt();
     rests = within(set, extremes, rests, root_h * root_h, root_v * root_v);
     // What holds the block, by Cauchy's inequality as in the certificate.
-    let x_most = cell.reach_h * root_h;
-    let y_swing = cell.reach_v * root_v;
+    let x_most = most_x(set, root_h);
+    let y_swing = most_y(set, root_v);
     let least_y = model.gravity - y_swing;
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;

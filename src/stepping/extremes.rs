@@ -1,7 +1,9 @@
 //! The largest and least values of each lane's cell so far. Twin of `shaders/extremes.wgsl`.
 
 use crate::model::asked::Asked;
-use crate::model::dynamics::Contact;
+use crate::model::CellEquations;
+use crate::model::dynamics::{Contact, Rates};
+use crate::model::isolation::stop_force;
 use crate::model::layout::reals;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
@@ -26,9 +28,20 @@ pub struct Extremes<R> {
     pub min_contact: R,
     /// Largest |horizontal| / normal contact force while the latter is positive.
     pub friction: R,
+    /// Largest horizontal acceleration of the upper plate, m/s^2.
+    pub acc_plate: R,
+    /// Largest horizontal acceleration of the centre of mass, m/s^2.
+    pub acc_block: R,
+    /// Largest force of the end stop over M_t, m/s^2.
+    pub stop_force: R,
+    /// How often the base met its end stop.
+    pub stop_hits: R,
 }
 
-reals!(Extremes, 7, max_phi_left max_phi_right max_u least_v most_v min_contact friction);
+reals!(
+    Extremes, 11, max_phi_left max_phi_right max_u least_v most_v min_contact friction acc_plate acc_block stop_force
+    stop_hits
+);
 
 /// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
 const SLOPE_SHARE: f64 = 4.0 / 27.0;
@@ -106,6 +119,35 @@ pub fn bend<N: Number>(start: N, mid: N, end: N) -> N {
     mid.like(0.125) * (start - mid.like(2.0) * mid + end).abs()
 }
 
+/// The largest magnitude of a quantity in some lanes: the larger of the one so far and that of the parabola through its
+/// values at a span's start, middle and end.
+#[inline(always)]
+fn highest<N: Number>(lanes: N::Mask, so_far: N, [start, mid, end]: [N; 3]) -> N {
+    let (start, mid, end) = (start.abs(), mid.abs(), end.abs());
+    let most = start.max(mid).max(end).max(crest(start, mid, end));
+    N::select(lanes, so_far.max(most), so_far)
+}
+
+/// The end stop's force over M_t at one end of a span, m/s^2, and its rate there; zero where the base is not against it.
+#[inline(always)]
+fn stop_end<N: Number>(set: &CellEquations<N>, y: &Motion<N>, k: &Rates<N>) -> [N; 2] {
+    let (zero, cell, side) = (y.u.like(0.0), set.cell, set.stop);
+    let on = side.abs().gt(zero);
+    let force = stop_force(set, side, y);
+    let rate = side * cell.stop_damping.mul_add(k.ddu, cell.stop_stiffness * y.du);
+    [N::select(on, force, zero), N::select(on, rate, zero)]
+}
+
+/// The same at both ends.
+#[inline(always)]
+pub fn stop_ends<N: Number>(
+    set: &CellEquations<N>,
+    (y0, k0): (&Motion<N>, &Rates<N>),
+    (y1, k1): (&Motion<N>, &Rates<N>),
+) -> [[N; 2]; 2] {
+    [stop_end(set, y0, k0), stop_end(set, y1, k1)]
+}
+
 #[inline(always)]
 fn share<N: Number>(shear: N, normal: N) -> N {
     let zero = shear.like(0.0);
@@ -139,6 +181,23 @@ impl<N: Number> Extremes<N> {
         let angle = peak(rocks, so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
         self.max_phi_left = N::select(left, angle, self.max_phi_left);
         self.max_phi_right = N::select(left, self.max_phi_right, angle);
+    }
+
+    /// Updates the largest accelerations of some lanes by those of plate and block at a span's start, middle and end.
+    #[inline(always)]
+    pub fn update_accelerations(&mut self, lanes: N::Mask, plate: [N; 3], block: [N; 3]) {
+        self.acc_plate = highest(lanes, self.acc_plate, plate);
+        self.acc_block = highest(lanes, self.acc_block, block);
+    }
+
+    /// Updates the largest force on the end stop of some lanes by that at the ends of a span of `h` seconds, and counts
+    /// those that have met it there.
+    #[inline(always)]
+    pub fn update_stop(&mut self, lanes: N::Mask, ends: [[N; 2]; 2], h: N, meets: N::Mask) {
+        let [[force0, rate0], [force1, rate1]] = ends;
+        let (zero, one) = (h.like(0.0), h.like(1.0));
+        self.stop_force = peak(lanes, self.stop_force, force0, rate0, force1, rate1, h);
+        self.stop_hits = self.stop_hits + N::select(lanes & meets, one, zero);
     }
 
     /// Updates the extremes of some lanes by the contact forces at a span's start, middle and end, and by

@@ -9,12 +9,15 @@
 //! | overturning | s phi - phi_c | s h phi' | `EVENT_TOLERANCE` | the cell ends |
 //! | kink of u' | u', its sign at the start reversed | h u'' | `KINK_TOLERANCE` | the step is cut: the law (11) is smooth on either side |
 //! | kink of z | z, its sign at the start reversed | h z' | `KINK_TOLERANCE` | the same |
+//! | end stop | its guard, the smaller of the spring's push and the whole force, or that reversed | h times its rate | `EVENT_TOLERANCE`, or twice its rounding | the step is cut: the base meets its stop, or leaves it |
 //!
 //! Two more cuts need no search: the limit of stability of (11), and the impact estimated from the rates
 //! ([`span`](super::span)). A step ends at the end of its forcing segment by construction
 //! ([`forcing`](super::forcing)).
 
+use crate::model::CellEquations;
 use crate::model::dynamics::Rates;
+use crate::model::isolation::{side_of, stop_force};
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
@@ -51,6 +54,8 @@ pub struct Sought<V: Vector> {
     pub kink_u: V::Mask,
     /// A change of sign of z.
     pub kink_z: V::Mask,
+    /// The base meets its end stop, or leaves it.
+    pub stop: V::Mask,
 }
 
 impl<V: Vector> Sought<V> {
@@ -58,12 +63,18 @@ impl<V: Vector> Sought<V> {
     #[inline(always)]
     pub fn nothing(zero: V) -> Sought<V> {
         let none = zero.mask(0);
-        Sought { uplift: none, impact: none, overturning: none, kink_u: none, kink_z: none }
+        Sought { uplift: none, impact: none, overturning: none, kink_u: none, kink_z: none, stop: none }
     }
 
     /// Lanes that search for a kink.
     #[inline(always)]
     pub fn kink(&self) -> V::Mask {
+        self.smooth_kink() | self.stop
+    }
+
+    /// Lanes that search for a kink across which no force jumps.
+    #[inline(always)]
+    fn smooth_kink(&self) -> V::Mask {
         self.kink_u | self.kink_z
     }
 
@@ -84,7 +95,7 @@ impl<V: Vector> Sought<V> {
     pub fn tolerance(&self, zero: V) -> V {
         let event = zero.like(V::Element::EVENT_TOLERANCE.to_f64());
         let kink = zero.like(V::Element::KINK_TOLERANCE.to_f64());
-        V::select(self.kink(), kink, event)
+        V::select(self.smooth_kink(), kink, event)
     }
 
     /// Adds the searches of another set; no lane is in both.
@@ -95,6 +106,7 @@ impl<V: Vector> Sought<V> {
         self.overturning = self.overturning | other.overturning;
         self.kink_u = self.kink_u | other.kink_u;
         self.kink_z = self.kink_z | other.kink_z;
+        self.stop = self.stop | other.stop;
     }
 
     /// Ends the searches of some lanes.
@@ -105,6 +117,7 @@ impl<V: Vector> Sought<V> {
         self.overturning = self.overturning & !lanes;
         self.kink_u = self.kink_u & !lanes;
         self.kink_z = self.kink_z & !lanes;
+        self.stop = self.stop & !lanes;
     }
 }
 
@@ -164,5 +177,34 @@ pub fn kink_guard<N: Number>(
         slope: N::select(positive, -slope, slope),
         bend: zero,
         rounding: zero,
+    }
+}
+
+/// The end stop: positive once the base is against a stop that it was not against where the span began, or has left the
+/// one that it was against. The guard's value is an acceleration; its slope is over a span of `h` seconds.
+#[inline(always)]
+pub fn end_stop_guard<N: Number>(
+    set: &CellEquations<N>,
+    y: &Motion<N>,
+    k: &Rates<N>,
+    h: N,
+    rounding: N,
+) -> GuardSample<N> {
+    let (zero, cell) = (h.like(0.0), set.cell);
+    let side = side_of(y.u);
+    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    let force = stop_force(set, side, y);
+    let value = pushed.min(force);
+    let mut slope = cell.stop_stiffness * side * y.du;
+    let damped = cell.stop_damping * side * k.ddu;
+    slope = N::select(pushed.gt(force), slope + damped, slope);
+    let off = zero.ge(set.stop.abs());
+    let damping = cell.stop_damping * y.du.abs();
+    let size = cell.stop_stiffness.mul_add(y.u.abs() + cell.stop_gap, damping);
+    GuardSample {
+        value: N::select(off, value, -value),
+        slope: h * N::select(off, slope, -slope),
+        bend: zero,
+        rounding: rounding * size,
     }
 }

@@ -14,6 +14,7 @@ use crate::model::dynamics::{Contact, Rates, rates};
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::{Variant, support};
 use crate::model::motion::Motion;
+use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
 
 /// A cell that a lane is on.
@@ -76,7 +77,7 @@ pub struct Shared<'a, R> {
     pub record: &'a [Ground<R>],
 }
 
-impl<'a, R> Shared<'a, R> {
+impl<'a, R: Number> Shared<'a, R> {
     /// A cell's equations.
     #[inline(always)]
     pub(super) fn equations<'b>(&self, cell: &'b Cell<R>) -> CellEquations<'b, R>
@@ -84,7 +85,7 @@ impl<'a, R> Shared<'a, R> {
         'a: 'b,
     {
         let model = &self.models[cell.body as usize];
-        CellEquations { variant: self.variant, model, cell, record: self.record }
+        CellEquations::of(self.variant, model, cell, self.record)
     }
 }
 
@@ -106,6 +107,8 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     pub(super) forcing: Forcing<V>,
     /// The motion where the span begins.
     pub(super) y: Motion<V>,
+    /// The side on which the base is against its end stop where the span begins.
+    pub(super) stop: V,
     /// Fraction of the step already done.
     pub(super) start: V,
     /// Fraction of the step that is looked at.
@@ -160,6 +163,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             lifted: none,
             forcing: Forcing::new(zero),
             y: Motion::<f32>::zeroed().map(|_| zero),
+            stop: zero,
             start: zero,
             span: zero.like(1.0),
             cut: none,
@@ -283,7 +287,13 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
     #[inline(always)]
     pub(super) fn equations(&self) -> CellEquations<'_, V> {
         let variant = self.shared.variant;
-        CellEquations { variant, model: &self.model, cell: &self.cell, record: &[] }
+        CellEquations {
+            variant,
+            model: &self.model,
+            cell: &self.cell,
+            record: &[],
+            stop: self.stop,
+        }
     }
 
     /// Lanes under no excitation any more.

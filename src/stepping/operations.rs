@@ -149,7 +149,7 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
     model.left.inertia = Counted(9.0);
     let corner = model.left;
     let cell = Cell::<f64>::zeroed().map(|_| one);
-    let set = CellEquations { variant, model: &model, cell: &cell, record: &[] };
+    let set = CellEquations::of(variant, &model, &cell, &[]);
     let y = Motion { u: one, du: one, v: one, dv: one, z: one, phi: one, dphi: one };
     let ground = Ground { h: one, v: one };
     COUNT.set(Operations::default());

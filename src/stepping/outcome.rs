@@ -97,7 +97,7 @@ impl Status {
 }
 
 /// The result of one cell. SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize)]
 pub struct Outcome {
     /// What became of the block.
     pub class: Class,
@@ -133,6 +133,29 @@ pub struct Outcome {
     pub friction: f64,
     /// How the integration ended.
     pub status: Status,
+    /// Largest absolute horizontal acceleration of the upper plate, m/s^2.
+    pub acc_plate: f64,
+    /// Largest absolute horizontal acceleration of the centre of mass, m/s^2.
+    pub acc_block: f64,
+    /// Largest force on the end stop, N.
+    pub stop_force: f64,
+    /// How often the base met its end stop.
+    pub stop_hits: u32,
+}
+
+/// By value; what is not known, and so not a number, is equal to itself.
+impl PartialEq for Outcome {
+    fn eq(&self, other: &Outcome) -> bool {
+        let counts = |of: &Outcome| (of.class, of.impacts, of.uplifts, of.t_uplift, of.status, of.stop_hits);
+        let numbers = |of: &Outcome| {
+            let angles = [of.zeta, of.max_phi_left, of.max_phi_right];
+            let motions = [of.t_end, of.t_simulated, of.max_u, of.max_v, of.stroke_v];
+            let forces = [of.min_contact, of.friction, of.acc_plate, of.acc_block, of.stop_force];
+            angles.into_iter().chain(motions).chain(forces)
+        };
+        let same = |(one, other): (f64, f64)| one == other || (one.is_nan() && other.is_nan());
+        counts(self) == counts(other) && numbers(self).zip(numbers(other)).all(same)
+    }
 }
 
 /// Impacts before overturning from on which they are not told apart.
@@ -173,5 +196,9 @@ impl Outcome {
         min_contact: 0.0,
         friction: 0.0,
         status: Status::Undecided,
+        acc_plate: 0.0,
+        acc_block: 0.0,
+        stop_force: 0.0,
+        stop_hits: 0,
     };
 }

@@ -10,6 +10,9 @@ use super::log::Listener;
 /// The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
 
+/// The longest span against an end stop, or on a spring that hardens, times the rate of the motion there: 63 of a period.
+pub const STIFF_LIMIT: f64 = 0.1;
+
 /// A span that is cut for an impact is longer by this share than the estimated time to the impact, so
 /// that the impact is inside it: the estimate's error is mostly less.
 pub const BEYOND: f64 = 5.0e-4;
@@ -25,12 +28,29 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let rest = one - self.start;
         self.span = V::select(whole, rest, self.span);
         self.cut = self.cut & !whole;
-        if self.shared.variant.kinks {
+        let variant = self.shared.variant;
+        if variant.stops || variant.hardens {
+            // The rate of the fastest motion: against the stop, or on the spring where it is hardest.
+            let mut rate = self.cell.stop_rate * self.stop.abs();
+            if variant.hardens {
+                let three = one.like(3.0);
+                let tangent = three * self.cell.hardening_v * self.y.v * self.y.v;
+                rate = rate.max((self.cell.stiffness_v + tangent).sqrt());
+            }
+            let turned = rate * step;
+            let limit = one.like(STIFF_LIMIT);
+            let long = whole & (turned * rest).gt(limit);
+            if V::any(long) {
+                self.span = V::select(long, limit / turned, self.span);
+                self.cut = self.cut | long;
+            }
+        }
+        if variant.kinks && variant.yields {
             // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
             let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
             let settling = n * self.y.du.abs() * self.cell.inverse_yield * step;
             let limit = one.like(YIELD_LIMIT);
-            let long = whole & (settling * rest).gt(limit);
+            let long = whole & (settling * self.span).gt(limit);
             if V::any(long) {
                 self.span = V::select(long, limit / settling, self.span);
                 self.cut = self.cut | long;

@@ -45,6 +45,14 @@ pub struct State<R> {
     pub min_contact: R,
     /// Largest |horizontal| / normal contact force while the latter is positive.
     pub friction: R,
+    /// Largest horizontal acceleration of the upper plate, m/s^2.
+    pub acc_plate: R,
+    /// Largest horizontal acceleration of the centre of mass, m/s^2.
+    pub acc_block: R,
+    /// Largest force of the end stop over M_t, m/s^2.
+    pub stop_force: R,
+    /// How often the base met its end stop.
+    pub stop_hits: R,
     /// Fraction of the step `uplift_step` at which the block first lifted.
     pub uplift_fraction: R,
     /// Fraction of the step `step` at which the cell ended, if it did not reach its last step.
@@ -63,7 +71,7 @@ pub struct State<R> {
     pub status: u32,
 }
 
-pod!(State, reals: 16, words: 6);
+pod!(State, reals: 20, words: 6);
 
 impl<R: Real> State<R> {
     /// The largest and least values so far.
@@ -76,6 +84,10 @@ impl<R: Real> State<R> {
             most_v: self.most_v,
             min_contact: self.min_contact,
             friction: self.friction,
+            acc_plate: self.acc_plate,
+            acc_block: self.acc_block,
+            stop_force: self.stop_force,
+            stop_hits: self.stop_hits,
         }
     }
 
@@ -89,6 +101,10 @@ impl<R: Real> State<R> {
         self.most_v = extremes.most_v;
         self.min_contact = extremes.min_contact;
         self.friction = extremes.friction;
+        self.acc_plate = extremes.acc_plate;
+        self.acc_block = extremes.acc_block;
+        self.stop_force = extremes.stop_force;
+        self.stop_hits = extremes.stop_hits;
     }
 }
 

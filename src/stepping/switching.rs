@@ -2,10 +2,11 @@
 //! Impacts are computed for all lanes at once; the others, which are rare, one lane at a time. Twin of
 //! `shaders/switching.wgsl`.
 
+use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, ROCKING_LEFT, ROCKING_RIGHT, pivot};
 use crate::model::dynamics::{Contact, largest_uplift_moment};
 use crate::model::impact::{change_corner, come_to_rest};
-use crate::model::isolation::support;
+use crate::model::isolation::{stop_side, support};
 use crate::model::real::{Real, Vector};
 
 use super::certificate;
@@ -119,6 +120,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let other = if state.mode == ROCKING_RIGHT { ROCKING_LEFT } else { ROCKING_RIGHT };
         let landing = pivot(set.model, other);
         let resting = come_to_rest(&set, &leaving, &state.motion);
+        let set = CellEquations { stop: stop_side(&set, &resting), ..set };
         let base = support(&set, &resting, ground);
         let contact = Contact { shear: base.f_h, normal: base.f_v };
         let lifts = largest_uplift_moment(&set, contact) > zero;

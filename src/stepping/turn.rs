@@ -6,11 +6,12 @@
 //! changes them, and needs no code of its own for that.
 
 use crate::model::dynamics::{rates, uplift_moment};
-use crate::model::isolation::support;
+use crate::model::isolation::{stop_side, support};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 
 use super::certificate::STEPS_A_TRY;
+use super::extremes::stop_ends;
 use super::guards::{EVENT_BOUND, GuardSample};
 use super::lanes::Lanes;
 use super::log::Listener;
@@ -38,6 +39,9 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let again = self.search.again;
         let begun = zero.mask(self.running) & !(seeking | again);
         let ground = self.forcing.ground(variant, &self.cell, self.start);
+        if variant.stops {
+            self.stop = stop_side(&self.equations(), &self.y);
+        }
         let set = self.equations();
         let k1 = rates(&set, &self.corner, self.rocking, &self.y, ground);
 
@@ -85,6 +89,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         // The result of the searches.
         let mut looked = whole;
         let mut kinked = none;
+        let mut stopped = none;
         let mut arrived = none;
         let mut switched = none;
         let mut overturned = none;
@@ -93,6 +98,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             let sought = self.search.sought;
             let found = self.search.narrow(end, &reach);
             kinked = found.lanes & sought.kink();
+            stopped = found.lanes & sought.stop;
             arrived = found.lanes & sought.uplift;
             switched = found.lanes & sought.angle();
             overturned = found.lanes & sought.overturning;
@@ -102,7 +108,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.cut = self.cut | kinked | arrived;
             looked = looked | kinked;
         }
-        let mut crossing = self.crossing(looked, kinked, &stepped, &k1, &k_end, h);
+        let mut crossing = self.crossing(looked, (kinked, stopped), &stepped, &k1, &k_end, h);
         // A span that was cut for an impact, and ends just beyond it, ends at the impact.
         let mut landed = none;
         if V::any(crossing.found.impact) {
@@ -132,6 +138,17 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.extremes.update_motion(variant.asked, moved, rocks, &self.y, &y1, h);
         if variant.asked.forces {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
+        }
+        if variant.asked.accelerations {
+            let plate = [k1.ddu + ground.h, stepped.mid_ddu + ground_mid.h, k_end.ddu + ground_end.h];
+            let block = [k1.shear, stepped.mid.shear, k_end.shear];
+            self.extremes.update_accelerations(moved, plate, block);
+        }
+        if variant.asked.stops {
+            let set = self.equations();
+            let ends = stop_ends(&set, (&self.y, &k1), (&y1, &k_end));
+            let meets = zero.ge(self.stop.abs()) & stop_side(&set, &y1).abs().gt(zero);
+            self.extremes.update_stop(moved, ends, h, meets);
         }
         if L::FORCES {
             self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);

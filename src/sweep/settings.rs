@@ -79,6 +79,11 @@ impl Method {
                            leave it out";
             return Err(SceneError::new("friction", problem));
         }
+        if self.columns.asked().stops && !scene.numbers.has(Parameter::StopGap) {
+            let problem = "the base has no end stop; give `stop_gap` and `stop_stiffness`, or leave stop_force and stop_hits \
+                           out";
+            return Err(SceneError::new("columns", problem));
+        }
         Ok(())
     }
 

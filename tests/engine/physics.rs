@@ -148,7 +148,7 @@ fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     cell.steps_forced = 0;
     state.mode = ROCKING_LEFT;
     state.motion.phi = phi0;
-    let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+    let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
     let mut log = Impacts(Vec::new(), cell.step_free);
     single::run(&set, &state, &mut log);
     log.0
@@ -227,7 +227,7 @@ proptest! {
         let point = Grid::of(&scene).case(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
-        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
         for (pole, leaving, landing) in
             [(Pole::Left, model.left, model.right), (Pole::Right, model.right, model.left)]
         {
@@ -266,7 +266,7 @@ proptest! {
         let point = Grid::of(&scene).case(0);
         let system = System::new(&scene, &point);
         let (cell, _) = plan.cell::<f64>(&point);
-        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
         for (pole, corner) in [(Pole::Left, model.left), (Pole::Right, model.right)] {
             let mut y = before(pole, velocity);
             y[PHI] = pole.sign() * phi;

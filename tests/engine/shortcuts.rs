@@ -164,7 +164,7 @@ fn the_certificate_changes_no_outcome_after_a_record() {
 /// As in suites: contact forces are not asked for.
 const WITHOUT_FORCES: Asked = Asked { forces: false, ..Asked::ALL };
 /// Nothing but what became of the block.
-const OUTCOME: Asked = Asked { angles: false, displacements: false, forces: false };
+const OUTCOME: Asked = Asked { angles: false, displacements: false, forces: false, ..Asked::ALL };
 
 /// A cell that the certificate ends, or whose block it brings to rest, would indeed have made nothing more of itself: its
 /// run with the certificate, and without. How many cells are proved, and how many of them have come to rest.
@@ -176,7 +176,7 @@ fn nothing_grows(name: &str, scene: &Scene, asked: Asked) -> [usize; 2] {
     for index in all(&grid) {
         let (cell, state) = plan.cell::<f64>(&grid.case(index));
         let mut set =
-            CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+            CellEquations::of(plan.variant(), &model, &cell, &[]);
         let then = single::run(&set, &state, &mut ());
         if then.status != PROVED {
             continue;
@@ -434,7 +434,7 @@ proptest! {
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
         let model = plan.model::<f64>(&plan.scene.case());
         let (cell, mut state) = plan.cell::<f64>(&point);
-        let set = CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &[] };
+        let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
         let pole = if left { Pole::Left } else { Pole::Right };
         let ([u, du], [lift, dv], z) = base;
         state.mode = if left { ROCKING_LEFT } else { ROCKING_RIGHT };

@@ -16,7 +16,7 @@ use topple::results::earlier::Kind;
 use topple::results::shard::Shard;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::parameters::PARAMETERS;
-use topple::scene::{Directions, Grid, Overturn, Parameter, Scene, SceneError, Values};
+use topple::scene::{Directions, Grid, Overturn, Parameter, Pressure, Scene, SceneError, Values};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 use topple::work::threads::too_many;
 
@@ -391,6 +391,9 @@ pub struct CommonFlags {
     /// Directions in which the base moves; a locked one needs no period [default: dual]
     #[arg(long, value_name = "DIRECTIONS", help_heading = "Base", value_parser = one_of::<Directions>())]
     isolation: Option<Directions>,
+    /// What presses on a friction pendulum [default: follows]
+    #[arg(long, value_name = "FORCE", help_heading = "Base", value_parser = one_of::<Pressure>())]
+    pressure: Option<Pressure>,
     #[command(flatten)]
     base: BaseNumbers,
     #[command(flatten)]
@@ -421,6 +424,7 @@ impl CommonFlags {
             title: title.map(String::from),
             object: self.object,
             isolation: self.isolation,
+            pressure: self.pressure,
             overturn: self.overturn,
             shape: None,
             record: None,

@@ -142,7 +142,7 @@ impl<R: Real> FullContactMotions<R> {
         let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
         let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
         let pays = grid.len() > motions && amplitude != Some(0.0);
-        let shares = plan.shortcuts.full_contact && !grid.tilts() && pays;
+        let shares = plan.shortcuts.full_contact && plan.shares_contact() && !grid.tilts() && pays;
         let fitting = || {
             let mut most = [steps_after(plan, of.still), 0].into_iter();
             most.find(|after| fit::<R>(plan, grid, &all, *after))

@@ -47,7 +47,7 @@ pub(crate) fn full_contact<R: Real>(
     // A motion that goes on after the excitation has a sample a step.
     let mut tried = cell.steps_forced.saturating_add(STEPS_A_TRY);
     while variant.certificate && tried as usize <= sample && tried < cell.steps {
-        let set = CellEquations { variant, model, cell, record: &[] };
+        let set = CellEquations::of(variant, model, cell, &[]);
         move_to(motions, scale, tried as usize, state);
         // As if the contact forces passed no extreme: they take longer to be known.
         (state.friction, state.min_contact) = (R::of(MOST), R::of(-MOST));

@@ -27,6 +27,16 @@ pub struct Extremes {
     /// Largest |shear| over normal force, while the latter is positive. Where the normal force
     /// passes zero it has no bound, and this is the largest that was sampled.
     pub friction: f64,
+    /// Largest |horizontal acceleration| of the plate, m/s^2.
+    pub plate: f64,
+    /// Largest |horizontal acceleration| of the centre of mass, m/s^2.
+    pub block: f64,
+    /// Largest force on the end stop, N.
+    pub stop_force: f64,
+    /// How often the base met it.
+    pub stop_hits: u32,
+    /// The base was against it.
+    against: bool,
 }
 
 /// |shear| over the normal force, while there is one.
@@ -75,6 +85,11 @@ impl Extremes {
             rest,
             normal: crate::scene::GRAVITY,
             friction: 0.0,
+            plate: 0.0,
+            block: 0.0,
+            stop_force: 0.0,
+            stop_hits: 0,
+            against: false,
         }
     }
 
@@ -94,6 +109,25 @@ impl Extremes {
             *largest = within((PHI, 0.0), *largest, &cubic, redo);
         }
         self.update_contact(trial, &cubic);
+        self.update_stop(trial, &cubic);
+    }
+
+    /// The force on the end stop at a step's ends, and where it is largest between them.
+    fn update_stop(&mut self, trial: &Trial, cubic: &Cubic) {
+        let on = trial.system.against != 0.0;
+        self.stop_hits += u32::from(on && !self.against);
+        self.against = on;
+        if !on {
+            return;
+        }
+        let force = |y: &State| trial.system.stop_push(y).abs();
+        let sampled = SAMPLED.map(|x| force(&cubic.at(x)));
+        self.stop_force = self.stop_force.max(sampled[0]).max(sampled[SAMPLES - 1]);
+        self.stop_force = (1..SAMPLES - 1)
+            .filter_map(|middle| crest(&sampled, middle))
+            .filter(|crest| crest.most > self.stop_force)
+            .map(|crest| climb(crest.at, |x| force(&trial.step(x * cubic.h).0)).1)
+            .fold(self.stop_force, f64::max);
     }
 
     fn update_motion(&mut self, phase: Phase, y: &State) {
@@ -113,6 +147,10 @@ impl Extremes {
             let accelerations = rate.fixed_rows::<3>(DU).into_owned();
             system.contact_of(phase, t + x * cubic.h, drive, y, &accelerations)
         };
+        let plate = |x: f64, y: &State| {
+            let at = t + x * cubic.h;
+            system.plate_of(at, drive, system.accelerations(phase, at, drive, y)[0]).abs()
+        };
         let first = at_end(0.0, cubic.y0, cubic.d0);
         let middle = contact(0.5, &cubic.at(0.5));
         let last = at_end(1.0, cubic.y1, cubic.d1);
@@ -120,9 +158,24 @@ impl Extremes {
             self.normal = self.normal.min(end.0);
             self.friction = self.friction.max(ratio(end));
         }
+        let plates = [
+            system.plate_of(t, drive, cubic.d0[DU]).abs(),
+            plate(0.5, &cubic.at(0.5)),
+            system.plate_of(t + cubic.h, drive, cubic.d1[DU]).abs(),
+        ];
+        let shears = [first, middle, last].map(|(_, shear)| shear.abs());
+        self.plate = self.plate.max(plates[0]).max(plates[2]);
+        self.block = self.block.max(shears[0]).max(shears[2]);
         let normals = [first, middle, last].map(|(normal, _)| -normal);
         let ratios = [first, middle, last].map(ratio);
-        if !may_pass(normals, -self.normal) && !may_pass(ratios, self.friction) {
+        if ![
+            may_pass(normals, -self.normal),
+            may_pass(ratios, self.friction),
+            may_pass(plates, self.plate),
+            may_pass(shears, self.block),
+        ]
+        .contains(&true)
+        {
             return;
         }
         let between = |x: f64| contact(x, &cubic.at(x));
@@ -138,6 +191,18 @@ impl Extremes {
                 && high.most > self.friction
             {
                 self.friction = self.friction.max(climb(high.at, |x| ratio(exact(x))).1);
+            }
+            if let Some(high) = crest(&sampled.map(|(_, shear)| shear.abs()), middle)
+                && high.most > self.block
+            {
+                self.block = self.block.max(climb(high.at, |x| exact(x).1.abs()).1);
+            }
+            let plates = SAMPLED.map(|x| plate(x, &cubic.at(x)));
+            if let Some(high) = crest(&plates, middle)
+                && high.most > self.plate
+            {
+                let exact = |x: f64| plate(x, &trial.step(x * cubic.h).0);
+                self.plate = self.plate.max(climb(high.at, exact).1);
             }
         }
     }

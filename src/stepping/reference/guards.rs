@@ -18,13 +18,15 @@ pub enum Guard {
     Velocity,
     /// z changed sign.
     Hysteretic,
+    /// The base met its end stop, or left it.
+    Stop,
 }
 
 impl Guard {
     /// True where both of a pair of crossings within a step count; between two kinks that close
     /// the step's error is small, or the step is refused.
     fn switches(self) -> bool {
-        matches!(self, Guard::Uplift | Guard::Impact | Guard::Overturn)
+        matches!(self, Guard::Uplift | Guard::Impact | Guard::Overturn | Guard::Stop)
     }
 }
 
@@ -39,12 +41,16 @@ fn value(trial: &Trial, guard: Guard, after: f64, y: &State) -> f64 {
             side * y[PHI] - angle
         }
         Guard::Velocity => -trial.y[DU].signum() * y[DU],
+        Guard::Stop => {
+            let beyond = trial.system.beyond_stop(y);
+            if trial.system.against == 0.0 { beyond } else { -beyond }
+        }
         Guard::Hysteretic => -trial.y[Z].signum() * y[Z],
     }
 }
 
 /// The guards that can happen in a step.
-fn guards(trial: &Trial) -> [Option<Guard>; 5] {
+fn guards(trial: &Trial) -> [Option<Guard>; 6] {
     let rocking = trial.phase.is_some();
     let yields = trial.system.yields();
     [
@@ -53,6 +59,7 @@ fn guards(trial: &Trial) -> [Option<Guard>; 5] {
         rocking.then_some(Guard::Overturn),
         (yields && trial.y[DU] != 0.0).then_some(Guard::Velocity),
         (yields && trial.y[Z] != 0.0).then_some(Guard::Hysteretic),
+        trial.system.stop.is_some().then_some(Guard::Stop),
     ]
 }
 

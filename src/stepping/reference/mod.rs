@@ -6,6 +6,7 @@
 //! extremes of motion and contact forces between the ends of steps too ([`extremes`]).
 
 pub(crate) mod cubic;
+mod device;
 pub(crate) mod extremes;
 pub(crate) mod guards;
 mod momenta;
@@ -120,7 +121,7 @@ fn integrate(
 
 /// A run of one cell.
 struct Cell<'a> {
-    system: &'a System,
+    system: System,
     settings: &'a Settings,
     observer: &'a mut dyn FnMut(&Instant),
     go_on: &'a dyn Fn() -> bool,
@@ -140,14 +141,14 @@ struct Cell<'a> {
 
 impl<'a> Cell<'a> {
     fn new(
-        system: &'a System,
+        system: &System,
         settings: &'a Settings,
         case: &Case,
         observer: &'a mut dyn FnMut(&Instant),
         go_on: &'a dyn Fn() -> bool,
     ) -> Cell<'a> {
         Cell {
-            system,
+            system: system.clone(),
             settings,
             observer,
             go_on,
@@ -172,6 +173,7 @@ impl<'a> Cell<'a> {
                 self.ended = true;
                 break;
             }
+            self.system.against = self.system.side_of_stop(&y);
             if self.phase.is_none()
                 && let Some(pole) = self.lifts_now(t, drive, &y)
             {
@@ -179,7 +181,7 @@ impl<'a> Cell<'a> {
             }
             let rate = self.system.derivative(self.phase, t, drive, &y);
             let trial = Trial {
-                system: self.system,
+                system: &self.system,
                 tolerance: self.settings.tolerance,
                 phase: self.phase,
                 drive,
@@ -245,6 +247,7 @@ impl<'a> Cell<'a> {
         self.impacts += 1;
         let landed = self.system.impact(pole, y);
         let settled = self.system.settle(pole, y);
+        self.system.against = self.system.side_of_stop(&settled);
         let no_rebound = landed[DPHI] * y[DPHI] <= 0.0;
         let slow = landed[DPHI].abs() < self.settings.rest_speed;
         if no_rebound || (slow && self.lifts_now(t, drive, &settled).is_none()) {
@@ -281,6 +284,10 @@ impl<'a> Cell<'a> {
             min_contact: normal,
             friction,
             status: self.status,
+            acc_plate: self.extremes.plate,
+            acc_block: self.extremes.block,
+            stop_force: self.extremes.stop_force,
+            stop_hits: self.extremes.stop_hits,
         }
     }
 }

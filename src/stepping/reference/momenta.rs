@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
-use super::system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, V, Z};
+use super::system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, Z};
 use crate::scene::GRAVITY;
 
 impl System {
@@ -88,10 +88,11 @@ impl System {
             + 0.5 * self.plate_v * (y[DU] * y[DU] + y[DV] * y[DV])
             + 0.5 * m * centre.norm_squared()
             + 0.5 * self.inertia * y[DPHI] * y[DPHI];
-        let gravity = GRAVITY * ((m + self.plate_v) * y[V] + m * rise);
+        let gravity = GRAVITY * m * rise;
         let stored = 0.5 * self.psi * self.k_h * y[U] * y[U]
             + 0.5 * (1.0 - self.psi) * self.k_h * self.u_y * self.u_y * y[Z] * y[Z]
-            + 0.5 * self.k_v * y[V] * y[V];
+            + self.stored_v(y)
+            + self.stored_stop(y);
         kinetic + gravity + stored
     }
 }

@@ -8,7 +8,9 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
 
+use super::device::EndStop;
 use super::pulse::Pulse;
+use crate::scene::device::Pressure;
 use crate::scene::record::Pair;
 use crate::scene::{Case, Excitation, GRAVITY, Overturn, Scene, Shaking};
 
@@ -86,6 +88,15 @@ pub struct System {
     pub(super) k_v: f64,
     pub(super) c_v: f64,
     pub(super) psi: f64,
+    /// What presses on the base's slider is not its weight alone.
+    pub(super) pressed: bool,
+    pub(super) stop: Option<EndStop>,
+    /// The side on which the base is against its stop in the step that is looked at.
+    pub(super) against: f64,
+    /// v_c of a spring that hardens, m.
+    pub(super) hardening: Option<f64>,
+    /// By which the base hangs at rest, where no linear spring decides it, m.
+    pub(super) deflection: Option<f64>,
     pub(super) u_y: f64,
     pub(super) n: i32,
     pub(super) moves_h: bool,
@@ -125,6 +136,14 @@ impl System {
             k_v: 0.0,
             c_v: 0.0,
             psi: 1.0,
+            pressed: base.horizontal.is_some_and(|law| law.pressure == Some(Pressure::Follows)),
+            stop: None,
+            against: 0.0,
+            hardening: base.vertical.and_then(|law| law.hardening),
+            deflection: base.vertical.and_then(|law| match law.hardening {
+                Some(_) => Some(law.deflection()),
+                None => law.static_deflection,
+            }),
             u_y: 0.0,
             n: 2,
             moves_h: base.horizontal.is_some(),
@@ -148,6 +167,10 @@ impl System {
             system.psi = law.psi;
             system.u_y = law.u_y;
             system.n = law.n as i32;
+        }
+        if let (Some(stop), true) = (&base.stop, system.moves_h) {
+            let (stiffness, damping) = (total_h * stop.stiffness, total_h * stop.damping);
+            system.stop = Some(EndStop { gap: stop.gap, stiffness, damping });
         }
         if let Some(law) = &base.vertical {
             let omega_v = TAU / law.t_v;
@@ -195,7 +218,8 @@ impl System {
     pub fn at_rest(&self) -> State {
         let mut y = State::zeros();
         if self.moves_v {
-            y[V] = -(self.mass + self.plate_v) * GRAVITY / self.k_v;
+            let linear = (self.mass + self.plate_v) * GRAVITY / self.k_v;
+            y[V] = -self.deflection.unwrap_or(linear);
         }
         y[PHI] = self.tilt;
         y
@@ -235,12 +259,12 @@ impl System {
         }
     }
 
-    /// F_h and F_v of (10), N.
+    /// F_h and F_v of (10), N, with the end stop; of a slider that is pressed by more than its weight the rest alone.
     fn forces(&self, y: &State) -> (f64, f64) {
         let hysteretic = self.k_h * self.u_y * (1.0 - self.psi) * y[Z];
-        let f_h = -(self.psi * self.k_h * y[U] + hysteretic + self.c_h * y[DU]);
-        let f_v = -(self.k_v * y[V] + self.c_v * y[DV]);
-        (f_h, f_v)
+        let spring = if self.pressed { 0.0 } else { self.psi * self.k_h * y[U] + hysteretic };
+        let f_h = self.stop_push(y) - (spring + self.c_h * y[DU]);
+        (f_h, if self.moves_v { self.spring_v(y) } else { 0.0 })
     }
 
     /// Accelerations of u, v and phi.
@@ -250,8 +274,13 @@ impl System {
         let total_h = self.mass + self.plate_h + self.plate_v;
         let total_v = self.mass + self.plate_v;
         let m = self.mass;
+        // What presses on the slider without the block's rotation: the plate m_h and what stands on it.
+        let above = if self.moves_v { f_v } else { total_v * (GRAVITY + vg) };
+        let pressure = self.plate_h * (GRAVITY + vg) + above;
+        let slope = if self.pressed { self.slope(y) } else { 0.0 };
         let mut right = Vector3::new(f_h - total_h * ug, f_v - total_v * (vg + GRAVITY), 0.0);
         let Some(pole) = phase else {
+            right[0] -= slope * pressure.max(0.0);
             // (5): each direction for itself.
             let free = |moves: bool, force: f64, mass: f64| if moves { force / mass } else { 0.0 };
             return Vector3::new(
@@ -281,9 +310,42 @@ impl System {
                 right[row] = 0.0;
             }
         }
+        if self.pressed && self.moves_v {
+            right[0] -= slope * pressure.max(0.0);
+        } else if self.pressed {
+            return self.slide(slope, pressure, pole, y, (matrix, right));
+        }
         // Singular only for a block without inertia, which a scene cannot have; the caller sees
         // a state that is not a number and stops.
         matrix.try_inverse().map_or(Vector3::repeat(f64::NAN), |inverse| inverse * right)
+    }
+
+    /// The accelerations where the vertical direction is locked and the rotation, too, presses on the slider: by
+    /// M (Q phi'' - P phi'^2) more than the `pressure` of a block at rest. Nothing slides where that lifts the base.
+    fn slide(
+        &self,
+        slope: f64,
+        pressure: f64,
+        pole: Pole,
+        y: &State,
+        (matrix, right): (Matrix3<f64>, Vector3<f64>),
+    ) -> Vector3<f64> {
+        let (sin, cos) = y[PHI].sin_cos();
+        let r = pole.sign() * self.arm(pole);
+        let height = self.height * cos + r * sin;
+        let lever = r * cos - self.height * sin;
+        let still = pressure - self.mass * height * y[DPHI] * y[DPHI];
+        let solve = |matrix: Matrix3<f64>, right: Vector3<f64>| {
+            matrix.try_inverse().map_or(Vector3::repeat(f64::NAN), |inverse| inverse * right)
+        };
+        let (mut pressed, mut push) = (matrix, right);
+        pressed[(0, 2)] += slope * self.mass * lever;
+        push[0] -= slope * still;
+        let accelerations = solve(pressed, push);
+        if still + self.mass * lever * accelerations[2] > 0.0 {
+            return accelerations;
+        }
+        solve(matrix, right)
     }
 
     /// Time derivative of a state; (11) for z.
@@ -318,6 +380,11 @@ impl System {
         let moment = |pole: Pole| pole.sign() * x - self.arm(pole) / self.height * normal;
         let (left, right) = (moment(Pole::Left), moment(Pole::Right));
         if left >= right { (left, Pole::Left) } else { (right, Pole::Right) }
+    }
+
+    /// The horizontal acceleration of the upper plate from that of u, m/s^2.
+    pub fn plate_of(&self, t: f64, drive: Drive, ddu: f64) -> f64 {
+        self.ground(t, drive).0 + ddu
     }
 
     /// Normal and horizontal force between block and base over M, m/s^2.

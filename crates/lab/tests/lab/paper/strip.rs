@@ -100,7 +100,7 @@ fn a_start_in_free_fall_paints_no_strip() {
                 // v = 0: the spring unloaded.
                 state.motion.v = point.deflection();
                 let variant = plan.variant();
-                let set = CellEquations { variant, model: &model, cell: &cell, record: &record };
+                let set = CellEquations::of(variant, &model, &cell, &record);
                 let state = single::run(&set, &state, &mut ());
                 plan.outcome(&point, &state)
             })

@@ -70,7 +70,7 @@ fn altered<R: Real>(
     let (mut cell, mut state) = plan.cell::<R>(&point);
     alter(&mut cell, &mut state);
     let set =
-        CellEquations { variant: plan.variant(), model: &model, cell: &cell, record: &record };
+        CellEquations::of(plan.variant(), &model, &cell, &record);
     let state = single::run(&set, &state, log);
     plan.outcome(&point, &state)
 }
