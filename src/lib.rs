@@ -77,8 +77,8 @@ pub use scene::excitation::RecordText;
 pub use scene::grid::Axis;
 pub use scene::record::{Provenance, Record, RecordFile, Units, pair::Pair};
 pub use scene::{
-    Device, Directions, Excitation, Grid, Numbers, Overturn, Parameter, Pressure, Range, Scene, SceneBuilder,
-    SceneError, Values,
+    Device, Directions, Excitation, Grid, Numbers, Overturn, Parameter, Pressure, Range, Scene,
+    SceneBuilder, SceneError, Values,
 };
 pub use stepping::outcome::{Class, Outcome, Status};
 pub use sweep::error::SweepError;

@@ -26,6 +26,7 @@ WORDS = {
     "vertical_channel": ("str", "channel of the vertical record's file"),
     "dt": ("float", "time between samples, s, where the record does not tell"),
     "units": ("str", "g, m/s2 or cm/s2, where the record does not tell"),
+    "pressure": ("str", "what presses on a friction pendulum: follows or constant"),
     "overturn": ("str", "critical-angle or quarter-turn"),
     "force": ("bool", "accept numbers that are not plausible"),
     "x": ("str", "key of the first axis, which runs fastest"),

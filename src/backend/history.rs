@@ -105,8 +105,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     let clock = plan.clock(case);
     let (cell, mut state) = plan.cell::<R>(case);
     let record = plan.record::<R>();
-    let set =
-        CellEquations::of(plan.variant(), &model, &cell, &record);
+    let set = CellEquations::of(plan.variant(), &model, &cell, &record);
     let deflection = plan.locked(case).deflection();
     let rows = RefCell::new(vec![row(0.0, deflection, &state)]);
     let mut switches = Switches { clock: &clock, deflection, rows: &rows };

@@ -1,7 +1,7 @@
 //! A block on its base: what depends on the block, the masses and the restitution alone.
 
-use crate::scene::parameters::Section;
 use crate::scene::isolation::Stop;
+use crate::scene::parameters::Section;
 use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
 
 /// What a body depends on: the numbers of a scene's block, and the restitution.

@@ -1,6 +1,8 @@
 //! How finely a motion is stepped, and the lengths and numbers of a cell's steps.
 
 use crate::model::precision::Precision;
+use crate::stepping::guards::EVENT_BOUND;
+use crate::stepping::span::STIFF_LIMIT;
 
 /// Largest step by default, s: the chart's choice (docs/chart.md).
 pub const DEFAULT_STEP: f64 = 1.0 / 128.0;
@@ -18,6 +20,10 @@ pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
 /// Steps that a period of a pulse holds at least: so many that the contact forces between its steps, which come from
 /// the stages of RK4 and err by the step's cube, are right to a thousandth of the weight.
 pub const STEPS_A_PULSE: f64 = 64.0;
+
+/// The longest step times the rate of the fastest motion against an end stop: the spans there are half of the switches
+/// that a step may hold.
+pub const STEP_AT_STOP: f64 = 0.5 * EVENT_BOUND as f64 * STIFF_LIMIT;
 
 /// How finely a motion is stepped.
 #[derive(Debug, Clone, Copy, PartialEq)]

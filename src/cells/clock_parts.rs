@@ -4,15 +4,10 @@
 use std::f64::consts::TAU;
 
 use super::body::{Body, body_parameters};
-use super::clock::{Clock, Resolution};
+use super::clock::{Clock, Resolution, STEP_AT_STOP};
 use super::shortcuts::Shortcuts;
 use crate::scene::case::PEAK;
 use crate::scene::{Case, Directions, Excitation, Grid, Parameter, Shaking};
-use crate::stepping::span::STIFF_LIMIT;
-
-/// Spans against an end stop that a step may be cut into: half of the [switches](crate::stepping::guards::EVENT_BOUND) that
-/// it may hold.
-const SPANS_A_STEP: f64 = 64.0;
 
 /// The horizontal isolation's part.
 #[derive(Debug, Clone, Copy)]
@@ -85,11 +80,8 @@ impl ClockRule<'_> {
         let square = (TAU / law.t_h).powi(2);
         let [left, right] = body.stiffening_h();
         let squares = [(square * left).max(p2[0]), (square * right).max(p2[1])];
-        // So many spans against a stop are in a step.
-        let longest = case
-            .isolation
-            .stop
-            .map_or(f64::INFINITY, |stop| SPANS_A_STEP * STIFF_LIMIT / body.stop_rate(&stop));
+        let longest =
+            case.isolation.stop.map_or(f64::INFINITY, |stop| STEP_AT_STOP / body.stop_rate(&stop));
         let in_yield = if self.shortcuts.integrate_z(law.psi) {
             let yield_time = law.alpha_y * law.t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)

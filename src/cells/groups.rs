@@ -151,7 +151,7 @@ impl<R: Real> Horizontal<R> {
         let stop = [group.stop_gap, group.stop_stiffness, group.stop_damping, group.stop_rate];
         let Horizontal { post_yield, hysteretic, damping_h, inverse_yield, .. } = group;
         let numbers = [post_yield, hysteretic, damping_h, inverse_yield];
-        group.finite = 
+        group.finite =
             flag(finite(numbers) && finite([group.yield_energy, group.reach_h]) && finite(stop));
         group
     }

@@ -195,7 +195,8 @@ impl Plan {
 
     /// The variant of the model that the scene needs; of a part, the one that all its cells need.
     pub fn variant(&self) -> Variant {
-        let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n, follows, stops, hardens } = self.laws;
+        let Laws { moves: [isolated_h, isolated_v], yields, bouc_wen_n, follows, stops, hardens } =
+            self.laws;
         let (recorded, pulse) = match self.scene.excitation {
             Excitation::Record(_) => (true, Shape::OneSine),
             Excitation::Pulse(shape) => (false, shape),
@@ -221,7 +222,7 @@ impl Plan {
 
     /// True where motions in full contact may be shared: what they leave out of a cell's largest and least values is looked
     /// for by no one, and their bounds hold.
-    pub(crate) fn shares_contact(&self) -> bool {
+    pub fn shares_contact(&self) -> bool {
         self.laws.shares_contact() && !self.asked.accelerations
     }
 

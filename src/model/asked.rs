@@ -18,6 +18,11 @@ pub struct Asked {
 
 impl Asked {
     /// Those of the columns that a map has by default.
-    pub const ALL: Asked =
-        Asked { angles: true, displacements: true, forces: true, accelerations: false, stops: false };
+    pub const ALL: Asked = Asked {
+        angles: true,
+        displacements: true,
+        forces: true,
+        accelerations: false,
+        stops: false,
+    };
 }

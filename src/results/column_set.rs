@@ -168,7 +168,9 @@ mod tests {
         assert!(problem(&[]).starts_with("names none"));
         assert!(ColumnSet::of_names(&["all"]).unwrap().is_all());
         let more = ColumnSet::of_names(&["all", "acc_plate"]).unwrap();
-        assert!(more.has(Column::Zeta) && more.has(Column::AccPlate) && !more.has(Column::AccBlock));
+        assert!(
+            more.has(Column::Zeta) && more.has(Column::AccPlate) && !more.has(Column::AccBlock)
+        );
         assert!(more.of_table().all(|entry| entry.column != Column::TSimulated));
     }
 

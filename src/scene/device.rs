@@ -45,7 +45,8 @@ impl Device {
         if has(Radius) || has(Mu) {
             return Device::Pendulum;
         }
-        let loop_given = [K1, K2, Qd].into_iter().any(has) || (has(UY) && has(YieldForce) && !has(TH));
+        let loop_given =
+            [K1, K2, Qd].into_iter().any(has) || (has(UY) && has(YieldForce) && !has(TH));
         if loop_given { Device::Bilinear } else { Device::Paper }
     }
 }
@@ -110,7 +111,8 @@ pub(super) fn law(point: &Point, mass: f64, peak: f64, pressure: Option<Pressure
 /// What is missing of a device, and what another kind of device has.
 pub(super) fn complete(numbers: &mut Numbers) -> Result<Device, SceneError> {
     use Parameter::{
-        AlphaY, BoucWenN, K1, K2, Mu, Psi, Qd, Radius, StopGap, StopStiffness, StopXi, TH, UY, XiH, YieldForce,
+        AlphaY, BoucWenN, K1, K2, Mu, Psi, Qd, Radius, StopGap, StopStiffness, StopXi, TH, UY, XiH,
+        YieldForce,
     };
     let device = Device::of(numbers);
     let missing = |parameter: Parameter, problem: &str| {
@@ -127,14 +129,22 @@ pub(super) fn complete(numbers: &mut Numbers) -> Result<Device, SceneError> {
             return missing(K1, "give the stiffness of the device before it yields, in N/m");
         }
         Device::Bilinear if !has(numbers, &[K2, Psi]) => {
-            return missing(K2, "give the stiffness of the device after it has yielded, in N/m, or `psi`");
+            return missing(
+                K2,
+                "give the stiffness of the device after it has yielded, in N/m, or `psi`",
+            );
         }
         Device::Bilinear if !has(numbers, &[Qd, UY, YieldForce]) => {
-            return missing(Qd, "give the device's force at zero displacement, in N, or `u_y`, or `yield_force`");
+            return missing(
+                Qd,
+                "give the device's force at zero displacement, in N, or `u_y`, or `yield_force`",
+            );
         }
         Device::Pendulum => {
-            if let Some(other) = [AlphaY, YieldForce, Qd].into_iter().find(|own| numbers.has(*own)) {
-                let problem = "a friction pendulum has none: `radius` and `mu` say it; leave it out";
+            if let Some(other) = [AlphaY, YieldForce, Qd].into_iter().find(|own| numbers.has(*own))
+            {
+                let problem =
+                    "a friction pendulum has none: `radius` and `mu` say it; leave it out";
                 return Err(SceneError::new(other.key(), problem));
             }
             for (own, problem) in [
@@ -160,9 +170,14 @@ pub(super) fn complete(numbers: &mut Numbers) -> Result<Device, SceneError> {
     numbers.set_missing(BoucWenN, 2.0);
     let [gap, stiffness] = [StopGap, StopStiffness].map(|own| numbers.has(own));
     match (gap, stiffness, numbers.has(StopXi)) {
-        (true, false, _) => return missing(StopStiffness, "give the stiffness of the end stop, in N/m"),
+        (true, false, _) => {
+            return missing(StopStiffness, "give the stiffness of the end stop, in N/m");
+        }
         (false, true, _) | (false, _, true) => {
-            return missing(StopGap, "give the displacement at which the base meets its end stop, in metres");
+            return missing(
+                StopGap,
+                "give the displacement at which the base meets its end stop, in metres",
+            );
         }
         _ => {}
     }
@@ -183,7 +198,9 @@ pub(super) const OF_MASS: [Parameter; 5] =
 pub(super) fn check(law: &BoucWen, numbers: &Numbers) -> Result<(), SceneError> {
     let given = |of: &[Parameter]| of.iter().find(|own| numbers.has(**own)).copied();
     if !(law.t_h >= LEAST_PERIOD) {
-        let key = given(&[Parameter::TH, Parameter::K1, Parameter::Radius]).unwrap_or(Parameter::YieldForce).key();
+        let key = given(&[Parameter::TH, Parameter::K1, Parameter::Radius])
+            .unwrap_or(Parameter::YieldForce)
+            .key();
         return Err(SceneError::new(key, too_short(law.t_h)));
     }
     if law.psi > 1.0 {
@@ -191,7 +208,10 @@ pub(super) fn check(law: &BoucWen, numbers: &Numbers) -> Result<(), SceneError> 
         return Err(SceneError::new("k2", problem));
     }
     if numbers.has(Parameter::Qd) && !(law.psi < 1.0) {
-        return Err(SceneError::new("qd", "a base with one stiffness does not yield; leave it out"));
+        return Err(SceneError::new(
+            "qd",
+            "a base with one stiffness does not yield; leave it out",
+        ));
     }
     Ok(())
 }

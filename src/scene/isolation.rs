@@ -126,7 +126,9 @@ pub const LEAST_PERIOD: f64 = 1.0e-4;
 
 /// What is said of a shorter one.
 pub(super) fn too_short(period: f64) -> String {
-    format!("{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction")
+    format!(
+        "{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
+    )
 }
 
 /// Adds to the numbers what a base has where nothing else is said.

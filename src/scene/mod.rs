@@ -12,6 +12,7 @@ pub(crate) mod case;
 mod check;
 pub mod description;
 pub mod device;
+pub mod device_numbers;
 pub mod directions;
 pub mod excitation;
 pub mod grid;

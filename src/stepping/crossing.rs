@@ -125,7 +125,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         // By the chords, as where two kinks are in a span; where nothing else is found its cubic begins at -1 and is flat.
         let kink = crossing.cubic;
         let kink_rise = kink.c1 + kink.c2 + kink.c3;
-        let earlier = (start.value * kink_rise).abs().ge((kink.c0 * (end.value - start.value)).abs());
+        let earlier =
+            (start.value * kink_rise).abs().ge((kink.c0 * (end.value - start.value)).abs());
         let first = passes & !(crossing.found.kink() & earlier);
         crossing.found.kink_u = crossing.found.kink_u & !first;
         crossing.found.kink_z = crossing.found.kink_z & !first;

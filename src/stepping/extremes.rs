@@ -1,7 +1,7 @@
 //! The largest and least values of each lane's cell so far. Twin of `shaders/extremes.wgsl`.
 
-use crate::model::asked::Asked;
 use crate::model::CellEquations;
+use crate::model::asked::Asked;
 use crate::model::dynamics::{Contact, Rates};
 use crate::model::isolation::stop_force;
 use crate::model::layout::reals;

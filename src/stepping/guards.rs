@@ -63,7 +63,14 @@ impl<V: Vector> Sought<V> {
     #[inline(always)]
     pub fn nothing(zero: V) -> Sought<V> {
         let none = zero.mask(0);
-        Sought { uplift: none, impact: none, overturning: none, kink_u: none, kink_z: none, stop: none }
+        Sought {
+            uplift: none,
+            impact: none,
+            overturning: none,
+            kink_u: none,
+            kink_z: none,
+            stop: none,
+        }
     }
 
     /// Lanes that search for a kink.

@@ -146,7 +146,8 @@ pub struct Outcome {
 /// By value; what is not known, and so not a number, is equal to itself.
 impl PartialEq for Outcome {
     fn eq(&self, other: &Outcome) -> bool {
-        let counts = |of: &Outcome| (of.class, of.impacts, of.uplifts, of.t_uplift, of.status, of.stop_hits);
+        let counts =
+            |of: &Outcome| (of.class, of.impacts, of.uplifts, of.t_uplift, of.status, of.stop_hits);
         let numbers = |of: &Outcome| {
             let angles = [of.zeta, of.max_phi_left, of.max_phi_right];
             let motions = [of.t_end, of.t_simulated, of.max_u, of.max_v, of.stroke_v];

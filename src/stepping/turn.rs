@@ -140,7 +140,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         }
         if variant.asked.accelerations {
-            let plate = [k1.ddu + ground.h, stepped.mid_ddu + ground_mid.h, k_end.ddu + ground_end.h];
+            let plate =
+                [k1.ddu + ground.h, stepped.mid_ddu + ground_mid.h, k_end.ddu + ground_end.h];
             let block = [k1.shear, stepped.mid.shear, k_end.shear];
             self.extremes.update_accelerations(moved, plate, block);
         }

@@ -9,6 +9,7 @@ mod asked;
 mod axes;
 mod begin;
 mod columns;
+mod devices;
 mod extremes;
 mod free_standing;
 mod lanes;

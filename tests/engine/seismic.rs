@@ -280,8 +280,7 @@ fn the_ground_is_linear_between_samples() {
     let clock = plan.clock(&point);
     assert_eq!(cell.steps_forced, 3 * cell.substeps);
     assert_eq!(cell.steps, cell.steps_forced);
-    let set =
-        CellEquations::of(plan.variant(), &model, &cell, &record);
+    let set = CellEquations::of(plan.variant(), &model, &cell, &record);
     for (t, a) in [(0.0, 0.0), (0.01, 0.5), (0.02, 1.0), (0.03, 0.0), (0.055, 0.125), (0.06, 0.5)] {
         let step = ((t / clock.step_forced) as u32).min(cell.steps_forced - 1);
         let fraction = t / clock.step_forced - f64::from(step);

@@ -175,8 +175,7 @@ fn nothing_grows(name: &str, scene: &Scene, asked: Asked) -> [usize; 2] {
     let (mut proved, mut rested) = (0, 0);
     for index in all(&grid) {
         let (cell, state) = plan.cell::<f64>(&grid.case(index));
-        let mut set =
-            CellEquations::of(plan.variant(), &model, &cell, &[]);
+        let mut set = CellEquations::of(plan.variant(), &model, &cell, &[]);
         let then = single::run(&set, &state, &mut ());
         if then.status != PROVED {
             continue;

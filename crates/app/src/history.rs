@@ -6,9 +6,11 @@ use crate::history_table as table;
 use serde::Serialize;
 use topple::backend::history as motion;
 use topple::backend::request::BackendRequest;
+use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
@@ -49,6 +51,9 @@ pub struct HistoryCommand {
 #[derive(Serialize)]
 struct Manifest<'a> {
     scene: &'a Scene,
+    /// What the device's numbers make of the base's law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    device: Option<DeviceNumbers>,
     backend: &'static str,
     record: Option<&'a Provenance>,
     #[serde(flatten)]
@@ -100,6 +105,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let mut plan = options.plan(scene).map_err(|e| flag_error(&e))?;
     // A history is the motion to its end, proved or not.
     plan.shortcuts.certificate = false;
+    plan.asked = Asked { accelerations: true, stops: true, ..Asked::ALL };
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
     let place = Place::of(&options.out, Kind::History)?;
@@ -121,6 +127,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     let manifest = Manifest {
         scene,
+        device: DeviceNumbers::of(scene),
         backend,
         record: scene.excitation.provenance(),
         method: options.method(),
@@ -128,6 +135,9 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     };
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
+    if let Some(device) = DeviceNumbers::of(scene) {
+        say.line("device", device);
+    }
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

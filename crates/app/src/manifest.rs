@@ -12,6 +12,7 @@ use topple::cells::plan::Plan;
 use topple::cells::shortcuts::Shortcuts;
 use topple::refine::report::RefineReport;
 use topple::results::tally::Tally;
+use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene, path_text};
 use topple::sweep::map::MapSweep;
@@ -27,6 +28,9 @@ pub struct Manifest<'a> {
     pub tag: Option<u32>,
     /// The scene as run, defaults filled in.
     pub scene: &'a Scene,
+    /// What the device's numbers make of the base's law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub device: Option<DeviceNumbers>,
     /// Where its record came from, if it has one that was read from files.
     pub record: Option<&'a Provenance>,
     /// Number of cells.
@@ -147,6 +151,7 @@ impl<'a> Manifest<'a> {
         Manifest {
             tag: *tag,
             scene: &plan.scene,
+            device: DeviceNumbers::of(&plan.scene),
             record: plan.scene.excitation.provenance(),
             cells: grid.len(),
             resumed_cells,

@@ -7,6 +7,7 @@ use serde::Serialize;
 use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::{Scene, path_text};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::Method;
@@ -57,6 +58,9 @@ pub struct SuiteFlags {
 pub struct SuiteManifest<'a> {
     /// The scene under the first motion.
     scene: &'a Scene,
+    /// What the device's numbers make of the base's law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    device: Option<DeviceNumbers>,
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a Path,
     /// What repeats the run.
@@ -192,6 +196,7 @@ impl SuiteFlags {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         SuiteManifest {
             scene: &swept.scene,
+            device: DeviceNumbers::of(&swept.scene),
             suite: &self.suite,
             command: self.repeats.clone().unwrap_or_else(CommandLine::own),
             motions,

@@ -15,9 +15,11 @@ use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
 use topple::results::tally::Tally;
+use topple::scene::builder::SceneBuilder;
+use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
-use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values};
+use topple::scene::{Case, Device, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
@@ -107,6 +109,9 @@ pub fn sides(grid: &Grid) -> String {
 pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
     say.line("", topple::scene::words::line(scene));
+    if let Some(device) = DeviceNumbers::of(scene) {
+        say.line("device", device);
+    }
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
@@ -121,6 +126,22 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
         let whole = longest.ceil();
         warn(format!(
             "the longest pulse lasts {longest:.1} s, but its run ends at {t_max} s; a t_max of {whole} s covers it"
+        ));
+    }
+}
+
+/// Warns of a yield displacement or force beside the damper that a base of the paper has by default: a device whose
+/// friction or yielding is all of its damping has none.
+pub fn warn_of_default_damping(scene: &SceneBuilder) {
+    let given = |own: &Parameter| scene.numbers.has(*own);
+    let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
+    if let Some(strength) = strength
+        && Device::of(&scene.numbers) == Device::Paper
+        && !scene.numbers.has(Parameter::XiH)
+    {
+        warn(format!(
+            "`{}` is given without `xi_h`: a damper of 5 % of the initial stiffness acts beside the device; `xi_h` 0 leaves it out",
+            strength.key()
         ));
     }
 }
@@ -198,10 +219,10 @@ fn model(plan: &Plan) -> String {
     if shortcuts == Shortcuts::NONE {
         parts.push("nothing left out".into());
     }
-    if shortcuts.certificate {
+    if variant.certificate {
         parts.push("cells end early when an energy bound proves their results final".into());
     }
-    if shortcuts.full_contact && !Grid::of(&plan.scene).tilts() {
+    if shortcuts.full_contact && plan.shares_contact() && !Grid::of(&plan.scene).tilts() {
         parts.push("full contact is integrated once for all cells that share it".into());
     }
     parts.join(", ")

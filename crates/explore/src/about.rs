@@ -10,11 +10,12 @@ use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
-use topple::results::columns::{Column, TABLE};
+use topple::results::column_set::ColumnSet;
+use topple::results::columns::Column;
 use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
 use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::parameters::Section;
-use topple::scene::{Directions, Overturn, description};
+use topple::scene::{Directions, Overturn, Pressure, description};
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
@@ -55,6 +56,14 @@ fn words() -> Vec<Value> {
                 (json!(Directions::None), "none: a block on the ground"),
             ],
         ),
+        choice(
+            Section::Base,
+            "pressure",
+            &[
+                (json!(Pressure::Follows), "by what stands on it at each instant"),
+                (json!(Pressure::Constant), "by the weight"),
+            ],
+        ),
         choice(Section::Pulse, "shape", &shapes),
         choice(
             Section::Run,
@@ -69,7 +78,7 @@ fn words() -> Vec<Value> {
 
 /// The columns of a map.
 fn columns() -> Vec<Value> {
-    let told = TABLE.iter().map(|entry| {
+    let told = ColumnSet::ALL.entries().map(|entry| {
         json!({
             "name": entry.name,
             "unit": entry.unit,

@@ -12,7 +12,8 @@ use super::session::Session;
 use super::view::kind;
 use topple::backend::history::{Row, by_steps_while};
 use topple::model::precision::Precision;
-use topple::results::columns::{Shown, TABLE};
+use topple::results::column_set::ColumnSet;
+use topple::results::columns::Shown;
 use topple::results::palette::Kind;
 use topple::scene::isolation::KelvinVoigt;
 use topple::stepping::outcome::Outcome;
@@ -105,7 +106,10 @@ fn columns(outcome: &Outcome) -> Object<String, Value> {
         // A number that is none becomes null.
         Shown::Number(_) | Shown::Time(_) => json!(shown.number()),
     };
-    TABLE.iter().map(|entry| (entry.name.to_string(), value((entry.shown)(outcome)))).collect()
+    ColumnSet::ALL
+        .entries()
+        .map(|entry| (entry.name.to_string(), value((entry.shown)(outcome))))
+        .collect()
 }
 
 /// The coordinates of a motion, an array each.

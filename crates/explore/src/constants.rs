@@ -15,9 +15,11 @@ use topple::model::block::Model;
 use topple::model::excitation::Cell;
 use topple::model::polynomials::SINE_F64;
 use topple::model::pulse::{ANTISYMMETRIC_PEAK, Shape};
-use topple::results::columns::{STATUS_NAMES, TABLE};
+use topple::results::column_set::ColumnSet;
+use topple::results::columns::STATUS_NAMES;
 use topple::results::palette::{Kind, OPEN};
 use topple::scene::block::OBJECTS;
+use topple::scene::device::{Pressure, SLIDER_YIELD};
 use topple::scene::isolation::LEAST_PERIOD;
 use topple::scene::record::Pair;
 use topple::scene::{
@@ -38,6 +40,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "gravity": GRAVITY,
         "least_period": LEAST_PERIOD,
         "rigid_share": RIGID_SHARE,
+        "slider_yield": SLIDER_YIELD,
         "sine": SINE_F64,
         "antisymmetric_peak": ANTISYMMETRIC_PEAK,
         "objects": objects(),
@@ -46,6 +49,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "defaults": defaults()?,
         "words": {
             "isolation": Directions::ALL,
+            "pressure": Pressure::ALL,
             "overturn": Overturn::ALL,
             "shape": Shape::ALL,
         },
@@ -59,6 +63,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
             "stiff_period": clock::STIFF_PERIOD,
             "steps_a_pulse": clock::STEPS_A_PULSE,
             "flights_a_step": FLIGHTS_A_STEP,
+            "step_at_stop": clock::STEP_AT_STOP,
         },
         "kinds": kinds(),
         "codes": { "outcome": Class::ALL.map(Class::name), "status": STATUS_NAMES },
@@ -135,7 +140,8 @@ fn kinds() -> Value {
 
 /// The types of columns in f32, by their names.
 fn columns() -> Value {
-    TABLE.iter().map(|entry| (entry.name.to_string(), json!(type_of(entry.kind)))).collect()
+    let told = ColumnSet::ALL.entries();
+    told.map(|entry| (entry.name.to_string(), json!(type_of(entry.kind)))).collect()
 }
 
 /// A record: both components of each sample.

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::tile::{LISTED, Layout, Tile};
 use crate::cells::cell_tables::Clocks;
+use crate::cells::groups::{Drive, Horizontal, Vertical};
 use crate::cells::listing::Index;
 use crate::cells::ready::Cells;
 use crate::model::real::Real;
@@ -17,7 +18,13 @@ use crate::scene::grid::AXES;
 
 /// Numbers of an entry of each table that an axis stands for: of the horizontal and the vertical isolation, the
 /// excitation and the bodies; and the beginnings of motions of u and of v.
-pub const SIZES: [usize; AXES] = [7, 5, 7, 1, 1, 1];
+pub const SIZES: [usize; AXES] =
+    [reals::<Horizontal<f32>>(), reals::<Vertical<f32>>(), reals::<Drive<f32>>(), 1, 1, 1];
+
+/// Numbers of a group of reals alone.
+const fn reals<G>() -> usize {
+    size_of::<G>() / size_of::<f32>()
+}
 
 /// Where each table's entries begin.
 pub type Firsts = [usize; AXES];

@@ -67,6 +67,7 @@ impl System {
 
     /// What the end stop stores, J.
     pub(super) fn stored_stop(&self, y: &State) -> f64 {
-        self.stop.map_or(0.0, |stop| 0.5 * stop.stiffness * (y[U].abs() - stop.gap).max(0.0).powi(2))
+        self.stop
+            .map_or(0.0, |stop| 0.5 * stop.stiffness * (y[U].abs() - stop.gap).max(0.0).powi(2))
     }
 }

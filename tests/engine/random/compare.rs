@@ -46,9 +46,12 @@ pub struct Comparison {
     pub excused: Option<&'static str>,
 }
 
+/// Columns that a sweep has where they are asked for.
+const ON_REQUEST: [&str; 3] = ["acc_plate", "acc_block", "stop_force"];
+
 /// What the columns of [`NUMBERS`] may be off by, the spread apart: a thousandth of themselves and
 /// what a fixed step leaves of nothing.
-fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
+fn allowed(want: &Outcome, [block, plates]: [f64; 2]) -> [f64; NUMBERS.len()] {
     let share = |value: f64, least: f64| 1.0e-3 * value.abs() + least;
     // The normal force is what is left of a sum of forces of the weight and more: a thousandth of
     // these. The friction is a ratio to it: where it is small, the friction is off by as much more.
@@ -65,18 +68,25 @@ fn allowed(want: &Outcome) -> [f64; NUMBERS.len()] {
         share(want.stroke_v, 1.0e-6),
         share(want.min_contact, weight),
         share(want.friction, 1.0e-6) + want.friction * of_normal,
+        // The plates are pushed by the force on the block, which may be off by that.
+        share(want.acc_plate, weight * (1.0 + block / plates)),
+        share(want.acc_block, weight),
+        share(want.stop_force, 1.0e-3 * GRAVITY * (block + plates)),
     ]
 }
 
 /// Columns that are off by more than is allowed and `moves`, what the cell moves by of itself.
-fn of_numbers(got: &Outcome, want: &Outcome, moves: &[f64; NUMBERS.len()]) -> Vec<Fault> {
-    let (ours, theirs, allowed) = (numbers(got), numbers(want), allowed(want));
+fn of_numbers(got: &Outcome, truth: &Truth, moves: &[f64; NUMBERS.len()]) -> Vec<Fault> {
+    let want = &truth.cell;
+    let (ours, theirs, allowed) = (numbers(got), numbers(want), allowed(want, truth.masses()));
     (0..NUMBERS.len())
         .filter_map(|i| {
             let (a, b) = (ours[i], theirs[i]);
             let (off, most) = match (a.is_nan(), b.is_nan()) {
                 // No uplift in either.
                 (true, true) => return None,
+                // It was not asked for.
+                (true, false) if ON_REQUEST.contains(&NUMBERS[i]) => return None,
                 (true, false) | (false, true) => (f64::INFINITY, 1.0),
                 _ => ((a - b).abs(), allowed[i] + moves[i]),
             };
@@ -89,7 +99,14 @@ fn of_numbers(got: &Outcome, want: &Outcome, moves: &[f64; NUMBERS.len()]) -> Ve
 /// Impacts and uplifts that differ; those of a proved cell are counted up to its proof.
 fn of_counts(got: &Outcome, want: &Outcome) -> Vec<Fault> {
     let lower_bound = got.status == Status::Proved;
-    [("impacts", got.impacts, want.impacts), ("uplifts", got.uplifts, want.uplifts)]
+    // Where they are not asked for there are none.
+    let hits = if got.stop_force.is_nan() { want.stop_hits } else { got.stop_hits };
+    let counts = [
+        ("impacts", got.impacts, want.impacts),
+        ("uplifts", got.uplifts, want.uplifts),
+        ("stop_hits", hits, want.stop_hits),
+    ];
+    counts
         .into_iter()
         .filter(|&(_, a, b)| if lower_bound { a > b } else { a != b })
         .map(|(column, a, b)| {
@@ -109,7 +126,7 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision) -> Comparison
         of.excused = Some("cell that the reference gives up");
         return of;
     }
-    if same && of_numbers(got, want, &still).is_empty() && of_counts(got, want).is_empty() {
+    if same && of_numbers(got, truth, &still).is_empty() && of_counts(got, want).is_empty() {
         return of;
     }
     let values = [described(got), described(want)];
@@ -125,14 +142,14 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision) -> Comparison
     }
     let spread = truth.spread(Disturbance::OneStep);
     let mut moves = spread.numbers.map(|moves| spreads(precision) * moves);
-    of.faults = of_numbers(got, want, &moves);
+    of.faults = of_numbers(got, truth, &moves);
     if !of.faults.is_empty() {
         // Where motions part, they do not do so in proportion: by as much as an outcome may.
         let most = truth.spread(Disturbance::most(precision)).numbers;
         for (moves, most) in moves.iter_mut().zip(most) {
             *moves = moves.max(most);
         }
-        of.faults = of_numbers(got, want, &moves);
+        of.faults = of_numbers(got, truth, &moves);
     }
     let counts = of_counts(got, want);
     if !spread.counts && truth.shortest_flight() > CHATTER {

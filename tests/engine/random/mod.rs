@@ -19,9 +19,10 @@ use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::run::Sweeper;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
+use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
-use topple::scene::Grid;
+use topple::scene::{Grid, Parameter};
 use topple::stepping::outcome::Outcome;
 use topple::work::observer::Unwatched;
 use truth::Truth;
@@ -61,8 +62,21 @@ impl Run<'_> {
         }
     }
 
-    fn on_cpu<R: Real>(&mut self, names: [&'static str; 2], precision: Precision) {
+    /// The plan of the scene. One with a device that the paper has not is asked for all that there is; the others for what
+    /// a map has by default, which leaves them their shortcuts.
+    fn plan(&self, precision: Precision) -> Plan {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
+        let devices = [Parameter::Radius, Parameter::StopGap, Parameter::VHardening];
+        match devices.iter().any(|own| self.case.scene.numbers.has(*own))
+            && self.case.number.is_multiple_of(2)
+        {
+            true => plan.asking(Asked { accelerations: true, stops: true, ..Asked::ALL }),
+            false => plan,
+        }
+    }
+
+    fn on_cpu<R: Real>(&mut self, names: [&'static str; 2], precision: Precision) {
+        let plan = self.plan(precision);
         let grid = Grid::of(&self.case.scene);
         for (name, plan) in [(names[0], plan.clone()), (names[1], plan.full_model())] {
             let cells = cpu::sweep(R::PRECISION, &plan, &grid, &all(&grid), &Unwatched);
@@ -71,7 +85,7 @@ impl Run<'_> {
     }
 
     fn on_gpu<R: Real>(&mut self, name: &'static str, precision: Precision, gpu: &Gpu) {
-        let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);
+        let plan = self.plan(precision);
         let grid = Grid::of(&self.case.scene);
         let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
         let cells =

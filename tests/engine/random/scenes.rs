@@ -72,6 +72,8 @@ pub struct Case {
 /// about each corner, rad, and its frequency p, rad/s.
 struct Body {
     text: String,
+    /// M_t, kg.
+    carried: f64,
     least_push: f64,
     critical: [f64; 2],
     p: f64,
@@ -86,9 +88,12 @@ fn body(dice: &mut Dice) -> Body {
         "[block]\nhalf_width = {half_width:?}\nheight = {height:?}\nmass = {mass:?}\neccentricity = \
          {eccentricity:?}\n"
     );
+    let mut carried = mass;
     for plate in ["plate_h", "plate_v"] {
         if dice.chance(0.9) {
-            text += &format!("{plate} = {:?}\n", short(mass * dice.over(0.01, 10.0)));
+            let plate_mass = short(mass * dice.over(0.01, 10.0));
+            carried += plate_mass;
+            text += &format!("{plate} = {plate_mass:?}\n");
         }
     }
     let square = half_width * half_width + height * height;
@@ -98,6 +103,7 @@ fn body(dice: &mut Dice) -> Body {
     let arms = [1.0, -1.0].map(|side| half_width * (1.0 + side * eccentricity));
     Body {
         text,
+        carried,
         least_push: GRAVITY * arms[0].min(arms[1]) / height,
         critical: arms.map(|arm| arm.atan2(height)),
         p: (0.75 * GRAVITY / square.sqrt()).sqrt(),
@@ -115,9 +121,31 @@ fn period(dice: &mut Dice, (low, high): (f64, f64), points: u32) -> String {
 }
 
 /// The base; with `points` values of each of its periods.
-fn base(dice: &mut Dice, directions: &str, points: u32) -> String {
+fn base(dice: &mut Dice, body: &Body, directions: &str, points: u32) -> String {
     let mut text = format!("[base]\nisolation = \"{directions}\"\n");
-    if ["dual", "horizontal"].contains(&directions) {
+    let moves_h = ["dual", "horizontal"].contains(&directions);
+    let pendulum = moves_h && dice.chance(0.25);
+    if pendulum {
+        let points = if directions == "dual" { points } else { points * points };
+        text += &format!("radius = {}\n", period(dice, (0.4, 4.0), points));
+        let (mu, u_y) = (dice.within(0.01, 0.15), dice.over(0.0005, 0.005));
+        text += &format!("mu = {mu:?}\nu_y = {u_y:?}\n");
+        if dice.chance(0.3) {
+            text += "pressure = \"constant\"\n";
+        }
+        if dice.chance(0.3) {
+            text += &format!("xi_h = {:?}\n", dice.within(0.0, 0.2));
+        }
+    }
+    if moves_h && dice.chance(0.25) {
+        let rate = TAU / dice.over(0.04, 0.4);
+        let stiffness = short(body.carried * rate * rate);
+        text += &format!("stop_gap = {:?}\nstop_stiffness = {stiffness:?}\n", dice.over(0.01, 0.3));
+        if dice.chance(0.6) {
+            text += &format!("stop_xi = {:?}\n", dice.within(0.0, 0.5));
+        }
+    }
+    if moves_h && !pendulum {
         let points = if directions == "dual" { points } else { points * points };
         text += &format!("t_h = {}\n", period(dice, (0.3, 4.0), points));
         let psi = match dice.unit() {
@@ -135,6 +163,10 @@ fn base(dice: &mut Dice, directions: &str, points: u32) -> String {
         text += &format!("t_v = {}\n", period(dice, (0.12, 2.0), points));
         let xi_v = if dice.chance(0.1) { 0.0 } else { dice.within(0.0, 0.4) };
         text += &format!("xi_v = {xi_v:?}\n");
+        if dice.chance(0.2) {
+            text += &format!("v_hardening = {:?}\n", dice.over(0.01, 0.5));
+            text += &format!("static_deflection = {:?}\n", dice.over(0.001, 0.5));
+        }
     }
     text
 }
@@ -224,14 +256,14 @@ pub fn case(seed: u64, number: u64) -> Case {
         let pair = records::pair(dice, body.least_push);
         // Nothing shortens a record, and a duration must not be below it.
         let run = run(dice, &body, directions, pair.duration(), false);
-        let text = body.text.clone() + &base(dice, directions, points) + &run;
+        let text = body.text.clone() + &base(dice, &body, directions, points) + &run;
         let written = SceneBuilder { force: true, ..SceneBuilder::from_toml(&text).unwrap() };
         let scene = written.check_under(Excitation::Record(pair)).unwrap();
         return Case { number, text, scene };
     }
     let (pulse, longest) = pulse(dice, &body, points);
     let text = body.text.clone()
-        + &base(dice, directions, 1)
+        + &base(dice, &body, directions, 1)
         + &pulse
         + &run(dice, &body, directions, longest, true);
     let scene =

@@ -9,7 +9,7 @@ use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings, Switch};
 
 /// Columns that are numbers: names, and values.
-pub const NUMBERS: [&str; 10] = [
+pub const NUMBERS: [&str; 13] = [
     "t_end",
     "t_uplift",
     "zeta",
@@ -20,6 +20,9 @@ pub const NUMBERS: [&str; 10] = [
     "stroke_v",
     "min_contact",
     "friction",
+    "acc_plate",
+    "acc_block",
+    "stop_force",
 ];
 
 /// The columns that are numbers, in the order of [`NUMBERS`].
@@ -35,6 +38,9 @@ pub fn numbers(cell: &Outcome) -> [f64; NUMBERS.len()] {
         cell.stroke_v,
         cell.min_contact,
         cell.friction,
+        cell.acc_plate,
+        cell.acc_block,
+        cell.stop_force,
     ]
 }
 
@@ -131,6 +137,12 @@ fn moved(case: &Case, way: usize, by: f64) -> Case {
 }
 
 impl Truth {
+    /// The masses of the block and of both plates, kg.
+    pub fn masses(&self) -> [f64; 2] {
+        let base = &self.case.isolation;
+        [self.case.block.mass, base.plate_h + base.plate_v]
+    }
+
     /// Runs a cell.
     pub fn of(scene: &Scene, index: usize) -> Truth {
         let case = Grid::of(scene).case(index);
@@ -159,8 +171,8 @@ impl Truth {
             let here = numbers(&self.cell);
             for other in &others {
                 spread.undecided |= other.class != self.cell.class;
-                spread.counts |=
-                    (other.impacts, other.uplifts) != (self.cell.impacts, self.cell.uplifts);
+                spread.counts |= (other.impacts, other.uplifts, other.stop_hits)
+                    != (self.cell.impacts, self.cell.uplifts, self.cell.stop_hits);
                 for (most, (a, b)) in spread.numbers.iter_mut().zip(here.iter().zip(numbers(other)))
                 {
                     *most = most.max((a - b).abs());

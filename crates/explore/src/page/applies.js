@@ -52,7 +52,10 @@ export function createKeeper(about) {
         scene[key] = '';
       }
     }
+    settlePendulum(scene);
     for (const [key, text] of Object.entries(NEEDED)) {
+      // Its stiffness or its radius says the period of a device.
+      if (key === 't_h' && (scene.k1 || scene.radius)) continue;
       if (!scene[key] && applies(about, next, key)) scene[key] = single(kept[key]) ?? text;
     }
     fixYield(next);
@@ -69,9 +72,20 @@ export function createKeeper(about) {
     for (const which of ['x', 'y']) Object.assign(scene, { [which]: earlier[which], [earlier[which]]: earlier[earlier[which]] });
   }
 
+  /** A friction pendulum has a radius and a friction, and no strength of its own; another base has neither. */
+  function settlePendulum(scene) {
+    if (!scene.radius) {
+      scene.mu = '';
+      scene.pressure = '';
+      return;
+    }
+    for (const key of ['psi', 'k2', 'alpha_y', 'yield_force', 'qd']) scene[key] = '';
+    scene.mu = scene.mu || '0.06';
+  }
+
   function fixYield(next) {
     const { scene } = next;
-    if (excitationOf(next) !== 'suite' || scene.u_y || scene.yield_force || !applies(about, next, FIXED_YIELD.key)) return;
+    if (excitationOf(next) !== 'suite' || yields.some((key) => key !== 'alpha_y' && scene[key]) || scene.radius || !applies(about, next, FIXED_YIELD.key)) return;
     scene.alpha_y = '';
     scene[FIXED_YIELD.key] = FIXED_YIELD.text;
   }
@@ -81,8 +95,10 @@ export function createKeeper(about) {
     const choices = [...AXES[excitationOf(next)], 'eccentricity', 't_max'];
     for (const which of ['x', 'y']) {
       const other = scene[which === 'x' ? 'y' : 'x'];
-      if (scene[which] && applies(about, next, scene[which])) continue;
-      const key = choices.find((choice) => choice !== other && applies(about, next, choice));
+      // Its stiffness or its radius says the period of a device.
+      const stands = (key) => applies(about, next, key) && !(key === 't_h' && (scene.k1 || scene.radius));
+      if (scene[which] && stands(scene[which])) continue;
+      const key = choices.find((choice) => choice !== other && stands(choice));
       const range = kept[key]?.includes(':') ? kept[key] : homeRange(about, key);
       Object.assign(scene, { [which]: key, [key]: range });
     }

@@ -5,8 +5,8 @@ import { byId, make } from './dom.js';
 import { createRow } from './row.js';
 
 /** Values of words where none is given. */
-const FIRST = { isolation: 'dual', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
-const NAMES = { object: 'Block', isolation: 'Moves', shape: 'Shape', overturn: 'Overturned', force: 'Implausible numbers' };
+const FIRST = { isolation: 'dual', pressure: 'follows', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
+const NAMES = { object: 'Block', isolation: 'Moves', pressure: 'Pendulum pressed', shape: 'Shape', overturn: 'Overturned', force: 'Implausible numbers' };
 /** Words of a choice that say more than its label, or less. */
 const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
 /** A choice that is the page's own. */
@@ -53,7 +53,11 @@ export function createFields(about, store, act) {
     return {
       key,
       element,
-      update: (scene) => (select.value = scene[key] ?? FIRST[key] ?? ''),
+      update(scene) {
+        select.value = scene[key] ?? FIRST[key] ?? '';
+        // Nothing presses on another device.
+        element.hidden = key === 'pressure' && !scene.radius;
+      },
       refuse(line) {
         problem.hidden = !line;
         problem.textContent = line ?? '';

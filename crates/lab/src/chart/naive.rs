@@ -38,8 +38,7 @@ fn run(plan: &Plan, case: &Case, events_kept: usize) -> (Outcome, FirstSwitches<
     let model = plan.model::<f64>(case);
     let record = plan.record::<f64>();
     let (cell, mut state) = plan.cell::<f64>(case);
-    let set =
-        CellEquations::of(plan.variant(), &model, &cell, &record);
+    let set = CellEquations::of(plan.variant(), &model, &cell, &record);
     let mut log = FirstSwitches(vec![Event::zeroed(); events_kept]);
     while state.status == RUNNING {
         let kind = step(&set, &mut state);

@@ -72,7 +72,7 @@ impl SuiteRequest {
                            `topple seismic`";
             return Err(SceneError::new(Parameter::Friction.entry().key, problem));
         }
-        let devices = [Parameter::UY, Parameter::YieldForce];
+        let devices = [Parameter::UY, Parameter::YieldForce, Parameter::Qd, Parameter::Radius];
         let fixed = devices.iter().any(|own| self.scene.numbers.has(*own));
         if self.moves().moves_h() && !fixed && !self.scene.force {
             let problem = "missing; `alpha_y` makes another device of the base under each motion: give `u_y` or \

@@ -51,6 +51,12 @@ export class Body {
     });
   }
 
+  // The most rate of a motion against an end stop, 1/s: that of its spring under the block that rocks, and of its damper.
+  stopRate(stop) {
+    const stiffening = Math.max(...this.stiffeningH());
+    return Math.max(Math.sqrt(stop.stiffness * stiffening), stop.damping * stiffening);
+  }
+
   // The same of omega_v.
   stiffeningV() {
     return this.arms.map((b) => {

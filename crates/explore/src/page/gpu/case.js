@@ -36,16 +36,16 @@ function recordedOf(record, point) {
   return { factor, pgaH: record.pga_h * Math.abs(factor) };
 }
 
-// The cell of these numbers. `choices`: isolation, overturn, shape, record.
+// The cell of these numbers. `choices`: isolation, pressure, overturn, shape, record.
 export function caseOf(point, choices) {
-  const { isolation, overturn, shape, record } = choices;
+  const { overturn, shape, record } = choices;
   const pulse = record ? null : pulseOf(shape, point);
   const recorded = record ? recordedOf(record, point) : null;
   const peak = pulse ? Math.abs(pulse.aH) : recorded.pgaH;
   const block = blockOf(point);
   return {
     block,
-    base: isolationOf(isolation, point, block, peak),
+    base: isolationOf(choices, point, block, peak),
     pulse,
     recorded,
     tMax: point.t_max ?? 0,
@@ -66,7 +66,7 @@ export function mostRestitutionFactor({ block, base }) {
   return Math.sqrt(about(b) * about(c)) / Math.max(across - (1 - muV) * b * c, 0);
 }
 
-// g/omega_v^2, m; zero where the vertical direction is locked.
+// By how much the base hangs at rest, m; zero where the vertical direction is locked.
 export function deflection(cell) {
   return cell.base.vertical ? deflectionOf(cell.base.vertical) : 0;
 }

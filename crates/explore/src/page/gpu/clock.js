@@ -3,6 +3,7 @@
 import { PEAK } from './case.js';
 import { known } from './known.js';
 import { bodyParameters } from './body.js';
+import { numbersOf } from './isolation.js';
 
 const TAU = 2 * Math.PI;
 
@@ -11,8 +12,8 @@ export const SPAN = ['omega', 'cycles', 'gamma', 't_max'];
 
 // What the horizontal part depends on, with the body.
 export function swingParameters(grid) {
-  const swing = ['t_h', 'psi', 'alpha_y', 'bouc_wen_n'];
-  if (grid.givesStrength()) swing.push('u_y', 'yield_force', ...PEAK);
+  const swing = numbersOf('horizontal').filter((key) => key !== 'xi_h' && key !== 'stop_gap');
+  if (grid.givesStrength()) swing.push(...PEAK);
   return swing;
 }
 
@@ -37,8 +38,10 @@ export function swingH(cell, body) {
   const omega = TAU / law.tH;
   const square = omega * omega;
   const squares = body.stiffeningH().map((stiffening, k) => Math.max(square * stiffening, p2[k]));
-  const longest = law.psi < 1 ? (law.alphaY * law.tH) / (TAU * law.n) : Infinity;
-  return { squares, longest };
+  const inYield = law.psi < 1 ? (law.alphaY * law.tH) / (TAU * law.n) : Infinity;
+  const { stop } = cell.base;
+  const atStop = stop ? known.steps.step_at_stop / body.stopRate(stop) : Infinity;
+  return { squares, longest: Math.min(inYield, atStop) };
 }
 
 // The vertical part.

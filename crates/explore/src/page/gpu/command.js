@@ -3,7 +3,7 @@
 import { known } from './known.js';
 
 // The words of a scene's sections, as its file has them.
-const WORDS = { block: ['object'], base: ['isolation'], pulse: ['shape'], record: ['horizontal'], run: ['overturn', 'force'] };
+const WORDS = { block: ['object'], base: ['isolation', 'pressure'], pulse: ['shape'], record: ['horizontal'], run: ['overturn', 'force'] };
 // The page has the samples of its record, not the files that they came from.
 const FILE = 'RECORD';
 

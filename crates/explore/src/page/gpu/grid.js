@@ -83,7 +83,7 @@ export class Grid {
 
   // True where the base's yield displacement is given, not tied to the ground's peak by (21).
   givesStrength() {
-    return 'u_y' in this.fixed || 'yield_force' in this.fixed;
+    return ['u_y', 'yield_force', 'qd'].some((key) => key in this.fixed);
   }
 
   // Values of the axes after the first but the last, 1 for those that it has not.

@@ -17,7 +17,7 @@ const finite = (numbers) => Number(numbers.every((number) => Number.isFinite(fro
 // The numbers that come from the horizontal isolation; zeros where the direction is locked.
 export function horizontalOf(cell, body) {
   const law = cell.base.horizontal;
-  const numbers = [0, 0, 0, 0, 0, 0];
+  const numbers = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
   if (law) {
     const omega = TAU / law.tH;
     // The largest force that z carries, over M_t and (1 - psi).
@@ -31,19 +31,22 @@ export function horizontalOf(cell, body) {
     numbers[4] = (1 - law.psi) * yieldForce * law.uY;
     numbers[5] = omega * Math.sqrt(1 + (4 * law.xiH * law.xiH) / body.freeShareH());
   }
+  const { stop } = cell.base;
+  if (stop) numbers.splice(6, 4, stop.gap, stop.stiffness, stop.damping, body.stopRate(stop));
   return [...numbers, finite(numbers)];
 }
 
 // The numbers that come from the vertical isolation; zeros where the direction is locked.
 export function verticalOf(cell, body) {
   const law = cell.base.vertical;
-  const numbers = [0, 0, 0, 0];
+  const numbers = [0, 0, 0, 0, 0];
   if (law) {
     const omega = TAU / law.tV;
     numbers[0] = omega * omega;
     numbers[1] = 2 * law.xiV * omega;
     numbers[2] = deflectionOf(law);
     numbers[3] = omega * Math.sqrt(1 + (4 * law.xiV * law.xiV) / body.freeShareV());
+    if (law.hardening !== undefined) numbers[4] = (omega * omega) / (law.hardening * law.hardening);
   }
   return [...numbers, finite(numbers)];
 }

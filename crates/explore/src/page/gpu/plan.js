@@ -13,7 +13,7 @@ function rigidPeriod({ record, isolation }) {
 }
 
 // The numbers that decide which model a cell runs, by what they decide.
-const DECIDING = { verticalLocked: 't_v', yields: 'psi', n: 'bouc_wen_n' };
+const DECIDING = { verticalLocked: ['t_v'], yields: ['psi', 'mu'], n: ['bouc_wen_n'] };
 
 // The model that a cell runs.
 function lawsOf(cell, rigid) {
@@ -22,14 +22,17 @@ function lawsOf(cell, rigid) {
     verticalLocked: vertical !== null && vertical.tV < rigid,
     yields: horizontal !== null && horizontal.psi < 1,
     n: horizontal === null ? 2 : horizontal.n,
+    follows: horizontal?.pressure === 'follows',
+    stops: cell.base.stop !== null,
+    hardens: vertical?.hardening !== undefined,
   };
 }
 
 // What differs in the models of a grid's cells: which law, along which axis, and its values there.
 function differencesOf(grid, rigid) {
   const differences = [];
-  for (const [law, key] of Object.entries(DECIDING)) {
-    const axis = grid.axes.findIndex((own) => own.keys.includes(key));
+  for (const [law, keys] of Object.entries(DECIDING)) {
+    const axis = grid.axes.findIndex((own) => own.keys.some((key) => keys.includes(key)));
     if (axis < 0) continue;
     const place = grid.axes.map(() => 0);
     const values = Array.from({ length: grid.axes[axis].count }, (_, i) => {
@@ -57,16 +60,20 @@ function planOf(scene, grid, laws) {
       cycles: flag(cycles !== undefined && cycles.ends()[1] > 1),
       isolated_h: flag(movesH(isolation)),
       isolated_v: flag(movesV(isolation)),
-      kinks: flag(laws.yields),
+      kinks: flag(laws.yields || laws.stops),
       yields: flag(laws.yields),
-      certificate: 1,
+      // Nothing is proved of a base that is not passive.
+      certificate: flag(!laws.follows),
+      follows: flag(laws.follows),
+      stops: flag(laws.stops),
+      hardens: flag(laws.hardens && !laws.verticalLocked),
       bodies: flag(grid.sweeps(bodyParameters())),
       bouc_wen_n: laws.n,
       workgroup_size: known.workgroup,
     },
     // A cell with the directions locked that are locked in this plan.
     locked(cell) {
-      if (!movesH(isolation)) cell.base.horizontal = null;
+      if (!movesH(isolation)) cell.base.horizontal = cell.base.stop = null;
       if (!movesV(isolation)) cell.base.vertical = null;
       return cell;
     },

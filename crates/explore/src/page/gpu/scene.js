@@ -2,6 +2,7 @@
 // src/scene/check.rs.
 
 import { isBeside } from '../choices.js';
+import { OF_MASS, checkLaw, together } from './base_device.js';
 import { completeBlock, offset } from './block.js';
 import { ROUNDING, mostRestitutionFactor, overturning } from './case.js';
 import { EngineError } from './errors.js';
@@ -12,7 +13,7 @@ import { Range, number } from './range.js';
 import { scaledRecord } from './record.js';
 
 // Keys of a scene that are no numbers.
-const WORDS = ['object', 'isolation', 'shape', 'overturn', 'force', 'x', 'y', 'horizontal', 'vertical', 'dt', 'units'];
+const WORDS = ['object', 'isolation', 'pressure', 'shape', 'overturn', 'force', 'x', 'y', 'horizontal', 'vertical', 'dt', 'units'];
 
 // Numbers by key, a Range each.
 class Numbers extends Map {
@@ -60,7 +61,8 @@ function given(text, axes, counts, force) {
     numbers.set(key, range);
   }
   for (const row of known.alternatives) {
-    const [first, second] = row.filter((key) => numbers.has(key));
+    const [first, second, third] = row.filter((key) => numbers.has(key));
+    if (second && !third && together(first, second, numbers)) continue;
     if (second) throw new EngineError(second, `\`${first}\` says it too; give one of them`);
   }
   return numbers;
@@ -79,6 +81,15 @@ function completePulse(shape, numbers) {
   if (shape.is_modulated) for (const key of ['gamma', 'phase']) numbers.setMissing(key, known.defaults[key]);
 }
 
+// What presses on a friction pendulum, where the base is one.
+function pressureOf(text, numbers) {
+  if (numbers.has('radius')) return word(text, 'pressure');
+  if (text.pressure !== undefined && text.pressure !== '') {
+    throw new EngineError('pressure', 'is of a friction pendulum; give `radius` and `mu`, or leave it out');
+  }
+  return null;
+}
+
 // The record of a scene that names one: the page has no other than that it was exported with.
 function recordOf(text, numbers) {
   if (text.horizontal === undefined) return null;
@@ -93,9 +104,8 @@ function checkTogether(scene) {
   if (numbers.has('restitution') && !isBeside(known.parameter.get('restitution'), { isolation })) {
     throw new EngineError('restitution', 'replaces the law of impact only where `isolation` is none');
   }
-  if (numbers.has('yield_force') && !numbers.has('mass')) {
-    throw new EngineError('mass', 'missing; a `yield_force` means nothing without it');
-  }
+  const ofMass = OF_MASS.find((key) => numbers.has(key));
+  if (ofMass && !numbers.has('mass')) throw new EngineError('mass', `missing; \`${ofMass}\` means nothing without it`);
   const duration = choices.record ? choices.record.duration : 0;
   for (const cell of scene.grid.corners()) {
     const { block } = cell;
@@ -106,6 +116,7 @@ function checkTogether(scene) {
     if (!(Math.abs(e) < block.halfWidth)) {
       throw new EngineError('offset', `${e} m lies outside the base, whose half is ${block.halfWidth} m`);
     }
+    if (cell.base.horizontal) checkLaw(cell.base.horizontal, numbers);
     const mostFactor = mostRestitutionFactor(cell);
     if (cell.restitutionFactor > mostFactor * (1 + ROUNDING)) {
       const problem = `${cell.restitutionFactor} must be at most ${mostFactor.toFixed(6)}: beyond, impacts raise the energy`;
@@ -130,6 +141,7 @@ export function sceneOf(text, count) {
   const record = recordOf(text, numbers);
   const choices = {
     isolation: word(text, 'isolation'),
+    pressure: pressureOf(text, numbers),
     overturn: word(text, 'overturn'),
     shape: record ? known.shapes[0] : known.shape.get(word(text, 'shape')),
     record,

@@ -40,7 +40,7 @@ export class CellTables {
     this.horizontal = byBody([...numbersOf('horizontal'), ...PEAK], horizontalOf);
     this.vertical = byBody(numbersOf('vertical'), verticalOf);
     this.drive = new Table(listing, DRIVE, (cell) => driveOf(cell, shared));
-    this.readers = byBody(['t_max', 'tilt', 't_v'], (cell, body) => ({
+    this.readers = byBody(['t_max', 'tilt', 't_v', 'static_deflection'], (cell, body) => ({
       tMax: cell.tMax,
       tilted: cell.tilt !== 0,
       critical: body.critical(),

@@ -69,8 +69,7 @@ fn altered<R: Real>(
     let record = plan.record::<R>();
     let (mut cell, mut state) = plan.cell::<R>(&point);
     alter(&mut cell, &mut state);
-    let set =
-        CellEquations::of(plan.variant(), &model, &cell, &record);
+    let set = CellEquations::of(plan.variant(), &model, &cell, &record);
     let state = single::run(&set, &state, log);
     plan.outcome(&point, &state)
 }

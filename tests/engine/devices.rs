@@ -1,0 +1,220 @@
+//! The laws of devices against closed forms, by fixed steps and by the reference.
+
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::model::asked::Asked;
+use topple::model::precision::Precision;
+use topple::model::pulse::Shape;
+use topple::scene::device_numbers::DeviceNumbers;
+use topple::scene::{Directions, GRAVITY, Grid, Parameter as P, Pressure, Scene, SceneBuilder};
+use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::reference::{self, Settings};
+use topple::work::observer::Unwatched;
+
+use crate::common::all;
+
+/// Masses of the block and of each plate, kg.
+const BLOCK: f64 = 900.0;
+const PLATE: f64 = 125.0;
+const CARRIED: f64 = BLOCK + 2.0 * PLATE;
+
+/// A block that is too low to lift, under rectangular pulses of a duration, s.
+fn low(isolation: Directions, (a_h, a_v): (f64, f64), lasts: f64, t_max: f64) -> SceneBuilder {
+    SceneBuilder { force: true, ..SceneBuilder::default() }
+        .isolated(isolation)
+        .pulse(Shape::Rectangle)
+        .with(P::HalfWidth, 1.0)
+        .with(P::Height, 0.01)
+        .with(P::Mass, BLOCK)
+        .with(P::PlateH, PLATE)
+        .with(P::PlateV, PLATE)
+        .with(P::Omega, std::f64::consts::PI / lasts)
+        .with(P::AH, a_h)
+        .with(P::AV, a_v)
+        .with(P::TMax, t_max)
+}
+
+/// The cell by fixed steps in f64, all columns asked for, and by the reference.
+fn both(scene: &SceneBuilder) -> [Outcome; 2] {
+    let scene = scene.check().unwrap();
+    let grid = Grid::of(&scene);
+    let asked = Asked { accelerations: true, stops: true, ..Asked::ALL };
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).asking(asked);
+    let cells = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
+    let truth = reference::run(&scene, &grid.case(0), &Settings::default());
+    for cell in [&cells[0], &truth] {
+        assert_eq!(cell.class, Class::FullContact, "{cell:?}");
+    }
+    [cells[0], truth]
+}
+
+fn near(value: f64, wanted: f64, share: f64, what: &str) {
+    assert!((value - wanted).abs() <= share * wanted.abs(), "{what}: {value} for {wanted}");
+}
+
+fn wide(scene: SceneBuilder, radius: f64, mu: f64) -> SceneBuilder {
+    scene.with(P::Radius, radius).with(P::Mu, mu).with(P::UY, 1.0e-6)
+}
+
+/// A slider without curvature is Coulomb's block. A rectangular push of A for T leaves it the velocity (A - mu n) T, n = g +
+/// A_v while the ground pushes up, too; mu g then brings it to rest. A displacement u_y before it slides, and the radius, take
+/// away less than a thousandth here.
+#[test]
+fn a_slider_stops_where_coulombs_block_does() {
+    let (mu, a, lasts) = (0.1, 3.0, 0.5);
+    let wanted = |pressing: f64| {
+        let gained = a - mu * pressing;
+        0.5 * gained * lasts * lasts + (gained * lasts).powi(2) / (2.0 * mu * GRAVITY)
+    };
+    for a_v in [0.0, 4.0, -4.0] {
+        let scene = wide(low(Directions::Horizontal, (a, a_v), lasts, 3.0), 1.0e5, mu);
+        for cell in both(&scene) {
+            near(cell.max_u, wanted(GRAVITY + a_v), 1.0e-3, "follows");
+            near(cell.acc_plate, mu * (GRAVITY + a_v.max(0.0)), 1.0e-3, "acceleration");
+            assert_eq!(cell.acc_plate, cell.acc_plate.max(cell.acc_block));
+        }
+        let constant = SceneBuilder { pressure: Some(Pressure::Constant), ..scene };
+        for cell in both(&constant) {
+            near(cell.max_u, wanted(GRAVITY), 1.0e-3, "constant");
+        }
+    }
+}
+
+/// On a vertical isolation the plate m_h presses with the ground, the rest by the spring: a soft spring carries the weight of
+/// what is above, whatever the ground does.
+#[test]
+fn a_soft_spring_presses_with_the_weight_above() {
+    let (mu, a, a_v, lasts) = (0.1, 3.0, 4.0, 0.2);
+    let scene = wide(low(Directions::Dual, (a, a_v), lasts, 2.0), 1.0e5, mu)
+        .with(P::TV, 300.0)
+        .with(P::XiV, 0.0);
+    let pressing = GRAVITY + a_v * PLATE / CARRIED;
+    let gained = a - mu * pressing;
+    let wanted = 0.5 * gained * lasts * lasts + (gained * lasts).powi(2) / (2.0 * mu * GRAVITY);
+    // In these two seconds the spring moves by 1e-4 of its force.
+    for cell in both(&scene) {
+        near(cell.max_u, wanted, 2.0e-3, "max_u");
+    }
+}
+
+/// A base that is pushed for an instant meets its stop with the velocity v, goes in by v/omega_s, with damping by less, and
+/// comes back.
+#[test]
+fn a_stop_takes_up_the_velocity_that_meets_it() {
+    let (lasts, a, gap) = (1.0e-3, -1000.0, 0.05);
+    let velocity: f64 = 1.0;
+    let rate = 40.0_f64;
+    for xi in [0.0_f64, 0.1, 0.4] {
+        let scene = low(Directions::Horizontal, (a, 0.0), lasts, 0.3)
+            .with(P::TH, 500.0)
+            .with(P::Psi, 1.0)
+            .with(P::XiH, 0.0)
+            .with(P::StopGap, gap)
+            .with(P::StopStiffness, CARRIED * rate * rate)
+            .with(P::StopXi, xi);
+        let turned = (1.0 - xi * xi).sqrt().atan2(xi);
+        let depth = velocity / rate * (-xi / (1.0 - xi * xi).sqrt() * turned).exp();
+        // k x + c x' of x = v/omega_d exp(-xi omega t) sin(omega_d t): at the start 2 xi, later sin(psi + ...).
+        let damped = (1.0 - xi * xi).sqrt();
+        let force = |phase: f64| {
+            let x = (-xi / damped * phase).exp() * phase.sin() / damped;
+            let speed = (-xi / damped * phase).exp() * (phase.cos() - xi / damped * phase.sin());
+            x + 2.0 * xi * speed
+        };
+        let most = (0..=20_000).map(|k| force(f64::from(k) * 1.0e-4)).fold(0.0, f64::max);
+        // The push lasts a thousandth of a second, in which the base moves by half a millimetre; its own spring is a 1e-7th
+        // of the stop's.
+        for cell in both(&scene) {
+            near(cell.max_u, gap + depth, 1.0e-5, "depth");
+            near(cell.stop_force, CARRIED * velocity * rate * most, 1.0e-4, "force");
+            // There and back through 2 d, in 0.3 s: at once, and on the other side where it is fast enough.
+            let returns = if xi == 0.0 { 2 } else { 2 - u32::from(xi > 0.3) };
+            assert_eq!(cell.stop_hits, returns, "{xi}: {cell:?}");
+        }
+    }
+}
+
+/// A hardening spring turns back a velocity where v^2 = omega_v^2 x^2 (1 + x^2/(2 v_c^2)).
+#[test]
+fn a_hardening_spring_stores_what_it_is_given() {
+    let (lasts, a_v, t_v, v_c) = (1.0e-3, -500.0, 1.0, 0.02);
+    let velocity: f64 = 0.5;
+    let rate = std::f64::consts::TAU / t_v;
+    let scene = low(Directions::Vertical, (0.0, a_v), lasts, 2.0)
+        .with(P::TV, t_v)
+        .with(P::XiV, 0.0)
+        .with(P::VHardening, v_c)
+        .with(P::StaticDeflection, 0.01);
+    let square = (velocity / rate).powi(2);
+    let ratio = 1.0 / (2.0 * v_c * v_c);
+    let wanted = (((1.0 + 4.0 * ratio * square).sqrt() - 1.0) / (2.0 * ratio)).sqrt();
+    for cell in both(&scene) {
+        near(cell.stroke_v, wanted, 1.0e-4, "stroke");
+        near(cell.max_v, wanted + 0.01, 1.0e-4, "with the deflection");
+    }
+}
+
+/// The catalogue's numbers and those of the paper make the same base.
+#[test]
+fn a_device_is_the_base_that_its_numbers_make() {
+    let base = low(Directions::Horizontal, (3.0, 0.0), 0.5, 3.0);
+    let scene =
+        base.clone().with(P::K1, 4.0e4).with(P::K2, 8.0e3).with(P::Qd, 640.0).check().unwrap();
+    let numbers = DeviceNumbers::of(&scene).unwrap();
+    let t_h = std::f64::consts::TAU * (CARRIED / 4.0e4).sqrt();
+    near(numbers.t_h[0], t_h, 1.0e-12, "T_h");
+    near(numbers.psi[1], 0.2, 1.0e-12, "psi");
+    near(numbers.u_y[0], 0.02, 1.0e-12, "u_y");
+    assert_eq!(numbers.c_h, [0.0; 2]);
+    let of_paper =
+        base.clone().with(P::TH, t_h).with(P::Psi, 0.2).with(P::UY, 0.02).with(P::XiH, 0.0);
+    let by_yield = base.clone().with(P::YieldForce, 800.0).with(P::UY, 0.02).with(P::Psi, 0.2);
+    let [ours, _] = both(&base.with(P::K1, 4.0e4).with(P::K2, 8.0e3).with(P::Qd, 640.0));
+    for other in [of_paper, by_yield] {
+        near(ours.max_u, both(&other)[0].max_u, 1.0e-9, "max_u");
+    }
+    let pendulum =
+        low(Directions::Horizontal, (1.0, 0.0), 0.5, 1.0).with(P::Radius, 1.5).with(P::Mu, 0.06);
+    let numbers = DeviceNumbers::of(&pendulum.check().unwrap()).unwrap();
+    // Worked by hand from omega_h^2 = g/R + mu g/u_y.
+    near(numbers.t_h[0], 0.1826, 3.0e-4, "T_h");
+    near(numbers.psi[0], 0.005525, 1.0e-4, "psi");
+}
+
+/// What says a base twice, or not wholly, is refused by the key at fault.
+#[test]
+fn a_device_that_makes_no_base_is_refused() {
+    let base = || low(Directions::Horizontal, (3.0, 0.0), 0.5, 3.0);
+    let key = |scene: SceneBuilder| scene.check().unwrap_err().key;
+    assert_eq!(key(base()), "t_h");
+    assert_eq!(key(base().with(P::K1, 1.0e4)), "k2");
+    assert_eq!(key(base().with(P::K1, 1.0e4).with(P::K2, 1.0e3)), "qd");
+    assert_eq!(key(base().with(P::K1, 1.0e3).with(P::K2, 1.0e4).with(P::Qd, 1.0)), "k2");
+    assert_eq!(key(base().with(P::K1, 1.0e3).with(P::K2, 1.0e3).with(P::Qd, 1.0)), "qd");
+    assert_eq!(key(base().with(P::K2, 1.0e3).with(P::Qd, 1.0)), "k1");
+    assert_eq!(key(base().with(P::Radius, 1.5)), "mu");
+    assert_eq!(key(base().with(P::Mu, 0.1)), "radius");
+    assert_eq!(key(base().with(P::Radius, 1.5).with(P::TH, 1.0)), "radius");
+    assert_eq!(key(base().with(P::Radius, 1.5).with(P::Mu, 0.1).with(P::AlphaY, 0.1)), "alpha_y");
+    assert_eq!(key(base().with(P::TH, 1.0).with(P::StopGap, 0.1)), "stop_stiffness");
+    assert_eq!(key(base().with(P::TH, 1.0).with(P::StopXi, 0.1)), "stop_gap");
+    let constant = SceneBuilder { pressure: Some(Pressure::Constant), ..base() };
+    assert_eq!(key(constant.with(P::TH, 1.0)), "pressure");
+    let mut massless = base();
+    massless.numbers.remove(P::Mass);
+    massless.numbers.remove(P::PlateH);
+    massless.numbers.remove(P::PlateV);
+    assert_eq!(key(massless.with(P::K1, 1.0e4).with(P::K2, 1.0e3).with(P::Qd, 1.0)), "mass");
+    let locked = low(Directions::Vertical, (3.0, 0.0), 0.5, 3.0).with(P::TV, 1.0);
+    assert_eq!(key(locked.with(P::Radius, 1.5).with(P::Mu, 0.1)), "radius");
+}
+
+/// A scene without a device is what it was: its plan has no law of one.
+#[test]
+fn a_scene_without_devices_has_none_of_their_laws() {
+    let scene: Scene = crate::common::object(1, 0.2, (1.75, 0.75), 0.5, "5", "5");
+    let variant = Plan::new(&scene, DEFAULT_STEP).unwrap().variant();
+    assert!(!(variant.follows || variant.stops || variant.hardens));
+    assert!(variant.certificate && !variant.asked.accelerations && !variant.asked.stops);
+}
