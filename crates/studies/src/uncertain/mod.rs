@@ -17,3 +17,23 @@ pub use ensemble::Ensemble;
 pub use indices::{Design, Index, indices};
 pub use probability::{Probabilities, Uncertainty};
 pub use varied::Varied;
+
+use topple::scene::{Scene, SceneError};
+
+/// So many points of numbers of a scene that are not known, from a seed, each with a value of every number. The scene at each is
+/// checked.
+///
+/// # Errors
+/// Those of [`Ensemble::of`] and of [`Ensemble::scenes`].
+pub(crate) fn checked_points(
+    scene: &Scene,
+    vary: &[Varied],
+    (samples, seed): (usize, u32),
+    force: bool,
+) -> Result<Vec<Vec<f64>>, SceneError> {
+    let ensemble = Ensemble::of(scene, vary, force)?;
+    let shares = points::shares(vary.len(), samples, seed);
+    let points: Vec<Vec<f64>> = shares.iter().map(|shares| points::values(vary, shares)).collect();
+    ensemble.scenes(&points).map(|_| ())?;
+    Ok(points)
+}
