@@ -52,8 +52,8 @@ pub fn warn(text: impl Display) {
 }
 
 /// Settings that messages of the library name.
-const SETTINGS: [&str; 9] =
-    ["adapter", "backend", "levels", "precision", "resume", "step", "strict", "tile", "vary"];
+const SETTINGS: [&str; 10] =
+    ["adapter", "backend", "im", "levels", "precision", "resume", "step", "strict", "tile", "vary"];
 
 /// The flag of a key of the library.
 fn flag(key: &str) -> Option<String> {

@@ -6,7 +6,7 @@ use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{MIDDLE, shortened, style, width};
-use crate::drawing::{FONT, LEADING, MARGIN, MILLIMETRE, TITLE, caption};
+use crate::drawing::{FONT, MARGIN, MILLIMETRE, caption};
 use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::{CURVES, FALLEN, Kind, LIMITS};
 use topple_studies::comparison::{Compared, Comparison};
@@ -55,7 +55,7 @@ pub fn draw(comparison: &Comparison, title: &str) -> Option<String> {
     let rows: Vec<(&str, &Compared)> = comparison.rows().collect();
     let mut canvas = Canvas::new(WIDTH);
     let told = standing(limits.standing);
-    let top = caption::titled(&mut canvas, title, &[told]) + MARGIN + LEADING * TITLE;
+    let top = caption::titled(&mut canvas, title, &[told]) + 2.0 * MARGIN;
     let names: Vec<String> = rows.iter().map(|(name, _)| shortened(name, FONT, NAMES)).collect();
     let left = names.iter().map(|name| width(name, FONT)).fold(0.0, f64::max);
     let left = MARGIN + left + 4.0;
@@ -133,7 +133,8 @@ fn paint(canvas: &mut Canvas, comparison: &Comparison, panel: &Panel, place: Pla
                 }
                 Shown::Strokes(of, _) => {
                     let values = of(cell);
-                    if values.iter().all(|value| value.is_finite()) {
+                    // A base that does not move has no stroke.
+                    if values[2] > 0.0 {
                         canvas.line([(across(values[0]), y), (across(values[2]), y)], SPAN);
                         // The largest lies over the others where they are the same.
                         for (value, mark) in values.iter().zip(MARKS) {
@@ -170,7 +171,7 @@ fn entries(panels: &[Panel]) -> Vec<Entry> {
     let strokes = |panel: &&Panel| matches!(panel.shown, Shown::Strokes(..));
     if panels.iter().any(|panel| strokes(&panel)) {
         for (mark, share) in MARKS.into_iter().zip(SHARES) {
-            let text = format!("not exceeded under {} % of those that stand", 100.0 * share);
+            let text = format!("largest of {} % of those that stand", 100.0 * share);
             entries.push(entry(Swatch::Mark(mark, CURVES[0]), text));
         }
     }
