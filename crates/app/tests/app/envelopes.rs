@@ -41,9 +41,11 @@ fn the_best_cell_lies_farthest_from_cells_that_fail() {
     let grid = ["--t-h", "0.5:5:14", "--t-v", "0.1:1:6", "--verify", "none"];
     let run = |name: &str, more: &[&str]| {
         let (out, to) = within(&place, name);
-        let limits = ["--limit-u", "0.25", "--limit-v", "0.05", "--suite", &list, "--out", &to];
-        let said =
-            told(&topple(&[&["envelope"][..], &BASE, &grid, &limits, more].concat()).success());
+        let limits = ["--limit-u", "0.75", "--limit-v", "0.03", "--scale", "0.7"];
+        let common = ["--suite", &list, "--out", &to];
+        let said = told(
+            &topple(&[&["envelope"][..], &BASE, &grid, &limits, &common, more].concat()).success(),
+        );
         let json: serde_json::Value =
             serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
         let best = json["best_cell"].as_u64().unwrap() as usize;
@@ -164,8 +166,9 @@ fn factors_are_levels_of_a_fragility() {
     let scene = ["--t-h", "1.5", "--t-v", "0.4", "--verify", "none", "--scale", "2,0.5,1,4"];
     let (out, to) = within(&place, "fragility");
     topple(&[&["fragility", "--suite", &list, "--out", &to][..], &BASE, &scene].concat()).success();
-    let (of, to) = within(&place, "envelope");
-    topple(&[&["envelope", "--suite", &list, "--out", &to][..], &BASE, &scene].concat()).success();
+    let (of, cells_to) = within(&place, "envelope");
+    let envelope = ["envelope", "--suite", &list, "--out", &cells_to];
+    topple(&[&envelope[..], &BASE, &scene].concat()).success();
     let all = rows(&out.join("fragility.csv"));
     let counts: Vec<_> = all.iter().filter(|row| row["limit_state"] == "overturning").collect();
     let sum = |column: &str| counts.iter().map(|row| number(row, column)).sum::<f64>();
@@ -173,9 +176,9 @@ fn factors_are_levels_of_a_fragility() {
     let fallen: f64 = cells.iter().map(|cell| 4.0 * number(cell, "overturned")).sum();
     assert_eq!((sum("records"), sum("failed")), (16.0, fallen));
     assert!(fallen > 0.0 && fallen < 16.0, "{fallen}");
-    let (suite, _) = (place.path().join("suite"), ());
-    let to = suite.display().to_string();
-    Command::cargo_bin("topple").unwrap().args(["suite", &list, "--out", &to]).assert().success();
+    let (suite, of_suite) = within(&place, "suite");
+    let read = ["suite", &list, "--out", &of_suite];
+    Command::cargo_bin("topple").unwrap().args(read).assert().success();
     let peaks: Vec<f64> =
         rows(&suite.join("suite.csv")).iter().map(|row| number(row, "pga_h")).collect();
     let mut wanted: Vec<f64> =
