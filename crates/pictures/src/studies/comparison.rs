@@ -171,7 +171,7 @@ fn entries(panels: &[Panel]) -> Vec<Entry> {
     let strokes = |panel: &&Panel| matches!(panel.shown, Shown::Strokes(..));
     if panels.iter().any(|panel| strokes(&panel)) {
         for (mark, share) in MARKS.into_iter().zip(SHARES) {
-            let text = format!("largest of {} % of those that stand", 100.0 * share);
+            let text = format!("not exceeded under {} %", 100.0 * share);
             entries.push(entry(Swatch::Mark(mark, CURVES[0]), text));
         }
     }
