@@ -347,7 +347,7 @@ def test_an_envelope_by_its_reserve_and_of_what_is_not_known(command, records, t
     more = ["--vary", "eccentricity=uniform(0,0.4)", "--samples", 8, "--seed", 3, "--verify", "none", "--out", out]
     command("envelope", *flags(scene), "--suite", records / "list.csv", *more)
     row = rows(out / "envelope.csv")[0]
-    for name in ("overturned", "overturned_low", "overturned_high"):
+    for name in ("overturned", "overturned_low", "overturned_high", "max_u_84"):
         assert float(np.asarray(unknown[name]).ravel()[0]) == float(row[name]), name
     with pytest.raises(ValueError, match=r"^best: least is not known"):
         topple.envelope(records / "list.csv", **SCENE, best="least")

@@ -104,6 +104,7 @@ impl EnvelopeCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
+        self.vary.iter().for_each(|varied| say.line("varies", varied));
         let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         suite_run::warn_of_lossless_impacts(&sweep, options)?;
         let times = Times::points(settings.times);

@@ -171,7 +171,8 @@ fn shards_and_a_repetition_say_the_same() {
     let (devices, (whole, to)) = (list(&place), within(&place, "whole"));
     let of = |to: &str| {
         let own = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", to];
-        let more = ["--columns", "impacts,max_phi_left", "--scales", "0.5,1,2", "--verify", "none"];
+        let more =
+            ["--columns", "t_end,friction_demand", "--scales", "0.5,1,2", "--verify", "none"];
         [&own[..], &more].concat().into_iter().map(String::from).collect::<Vec<_>>()
     };
     let run = |to: &str, more: &[&str]| {

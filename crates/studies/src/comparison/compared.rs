@@ -83,7 +83,7 @@ impl Comparison {
         let each = (sweep.motions.len() / settings.devices.len().max(1)).max(1);
         let devices = sweep.motions.chunks(each).zip(settings.shaken.chunks(each));
         let of_device = |(motions, shaken): (&[SweptMotion], &[Shaken])| {
-            let Some(first) = shaken.first() else { return None };
+            let first = shaken.first()?;
             // All motions are as they are at one place only where their factors are the same: each is looked up.
             let plain = at(motions, shaken, |shaken| shaken.plain);
             let mut cell = CellEnvelope::of(&plain, 0, *limits);
