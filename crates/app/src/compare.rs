@@ -6,6 +6,7 @@ use serde::Serialize;
 use topple::results::column_set::ColumnSet;
 use topple::results::earlier::Kind;
 use topple::scene::record::rounded;
+use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Scene, Values, bounded, path_text};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
@@ -210,9 +211,12 @@ impl CompareCommand {
 
     /// Reads the list.
     fn read(&self, shared: &topple::SceneBuilder) -> Result<Vec<Device>, InputError> {
-        let text = bounded::text(&self.devices, LARGEST).map_err(|error| {
-            InputError(format!("{error}; give a list of devices (CSV) that can be read"))
-        })?;
+        let unread = |error: String| {
+            let path = self.devices.display();
+            InputError(format!("{path}: {error}; give a list of devices (CSV) that can be read"))
+        };
+        let bytes = bounded::read(&self.devices, LARGEST).map_err(|e| unread(e.to_string()))?;
+        let text = decoded(&bytes).map_err(|e| unread(e.to_string()))?;
         devices::read(&text, shared).map_err(|error| self.refused(error.into()))
     }
 
