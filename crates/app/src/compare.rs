@@ -33,9 +33,6 @@ use super::words::{Reporter, with_flags};
 use super::{InputError, examples, suite, words};
 
 /// Compare the devices of a list under every motion of a suite, side by side.
-///
-/// DEVICES is a CSV. Its heading has `device`, a name, and keys of a scene (docs/parameters.md) such as t_h, psi, u_y, isolation,
-/// object. Each line is a device; an empty field is left out. What all devices share is given by flags.
 #[derive(clap::Args)]
 #[command(after_help = examples::COMPARE)]
 pub struct CompareCommand {

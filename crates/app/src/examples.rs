@@ -117,6 +117,9 @@ Examples:
 
 /// Of `topple compare`.
 pub const COMPARE: &str = "\
+DEVICES is a CSV. Its heading has device, a name, and keys of a scene (docs/parameters.md), such as t_h, psi, u_y, isolation or \
+object. Each line is a device with one value of each; an empty field is left out. What all devices share is given by flags.
+
 Examples:
   A statue on the bases of a list, with 25 cm of room and 3 cm up and down:
     topple compare devices.csv --object 1 --suite records --limit-u 0.25 --limit-v 0.03
