@@ -10,7 +10,6 @@ use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Scene, Values, bounded, path_text};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
-use topple_studies::comparison::request::REPLICATES;
 use topple_studies::comparison::{
     self, Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device,
     RateRequest, devices,
@@ -183,7 +182,7 @@ impl CompareCommand {
             columns: settings.columns.iter().map(|column| column.entry().name).collect(),
             resample: settings.groups.by,
             groups: settings.groups.count,
-            replicates: REPLICATES,
+            replicates: settings.bootstrap.replicates,
             seed: self.intervals.seed,
             im: hazard.as_ref().map(|_| im),
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),

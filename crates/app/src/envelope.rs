@@ -7,16 +7,16 @@ use topple::scene::record::rounded;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
 use topple_studies::suites::Resample;
-use topple_studies::suites::envelope::request::SAMPLES;
 use topple_studies::suites::envelope::{
     self, Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest,
 };
 use topple_studies::suites::swept_motion::Values;
 use topple_studies::suites::verified::Verified;
-use topple_studies::uncertain::Varied;
+use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
-use super::limits::{IntervalFlags, LimitFlags, best};
+use super::limits::{IntervalFlags, LimitFlags};
+use super::named::best;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};

@@ -10,22 +10,23 @@ use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;
 use topple_studies::fragility::limit_state::LimitState;
-use topple_studies::fragility::request::{MANY, SAMPLES};
 use topple_studies::fragility::study::Study;
 use topple_studies::fragility::{
     Estimator, Export, FragilityJob, FragilityRequest, HazardText, tables,
 };
+use topple_studies::statistics::bootstrap::MANY;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::request::above_zero;
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Resample, SuiteRequest};
-use topple_studies::uncertain::Varied;
+use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::hazard::HazardFlags;
-use super::limits::{IntervalFlags, estimator, export};
+use super::limits::IntervalFlags;
 use super::map_files::Figure;
+use super::named::{estimator, export};
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::progress::Screen;

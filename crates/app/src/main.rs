@@ -33,6 +33,7 @@ mod map_file;
 mod map_files;
 mod memory;
 mod merge;
+mod named;
 mod numbers;
 mod options;
 mod print;

@@ -34,9 +34,7 @@ pub struct ComparisonRequest {
     pub rate: Option<RateRequest>,
     /// What is drawn for the intervals; events where there are enough, else recordings, without it.
     pub resample: Option<Resample>,
-    /// Sets that are drawn.
-    pub replicates: u32,
-    /// Seed of them.
+    /// Seed of the sets that are drawn.
     pub seed: u32,
 }
 
@@ -80,9 +78,6 @@ pub struct ComparisonSettings {
     pub(super) shaken: Vec<Shaken>,
 }
 
-/// Sets that are drawn where nothing else is asked for.
-pub const REPLICATES: u32 = 1000;
-
 impl ComparisonRequest {
     /// The comparison of devices within limits.
     pub fn new(devices: Vec<Device>, suite: SuiteRequest, limits: Limits) -> ComparisonRequest {
@@ -94,7 +89,6 @@ impl ComparisonRequest {
             columns: Vec::new(),
             rate: None,
             resample: None,
-            replicates: REPLICATES,
             seed: 1,
         }
     }
@@ -189,7 +183,7 @@ impl ComparisonRequest {
             columns: self.columns.clone(),
             hazard: self.rate.as_ref().map(|rate| rate.hazard.clone()),
             groups,
-            bootstrap: Bootstrap { replicates: self.replicates, seed: self.seed.into() },
+            bootstrap: Bootstrap { replicates: Bootstrap::usual(1), seed: self.seed.into() },
             shaken,
         };
         Ok(ComparisonJob { sweep, settings })

@@ -13,7 +13,7 @@ use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
 use crate::suites::wanted::WantedMotion;
 use crate::suites::{Groups, Resample, Suite};
-use crate::uncertain::{Ensemble, Varied};
+use crate::uncertain::{Ensemble, SAMPLES, Varied, check_samples};
 use topple::backend::backend_error::BackendError;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, SceneError, Values};
@@ -79,14 +79,6 @@ pub struct FragilityJob {
     pub settings: StudySettings,
 }
 
-/// Cells from which on there are many.
-pub const MANY: usize = 100;
-/// Sets that are drawn for a few cells, and for many.
-const REPLICATES: [u32; 2] = [1000, 100];
-/// Points that are drawn where nothing else is asked for.
-pub const SAMPLES: u32 = 64;
-/// Most points that are drawn.
-const MOST_SAMPLES: u32 = 1 << 16;
 /// Most sets that are drawn.
 const MOST_REPLICATES: u32 = 1_000_000;
 /// Most limits of one kind.
@@ -160,9 +152,7 @@ impl FragilityRequest {
         {
             return refused("bootstrap", format!("{sets} is not in {FEWEST} to {MOST_REPLICATES}"));
         }
-        if !(2..=MOST_SAMPLES).contains(&self.samples) {
-            return refused("samples", format!("{} is not in 2 to {MOST_SAMPLES}", self.samples));
-        }
+        check_samples(self.samples)?;
         if self.levels.is_none() && self.estimators.contains(&Estimator::Ida) {
             let problem = "ida scales each motion up until it overturns; give `levels`";
             return refused("estimator", problem.to_string());
@@ -231,7 +221,7 @@ impl FragilityRequest {
             );
             return Err(SceneError::new("estimator", problem).into());
         }
-        let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
+        let usual = Bootstrap::usual(sweep.grid.len());
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
         let hazard = self.hazard.clone();

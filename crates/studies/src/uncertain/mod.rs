@@ -20,6 +20,24 @@ pub use varied::Varied;
 
 use topple::scene::{Scene, SceneError};
 
+/// Points of numbers that are not known where nothing else is asked for, under a suite.
+pub const SAMPLES: u32 = 64;
+/// Most of them.
+const MOST_SAMPLES: u32 = 1 << 16;
+
+/// Refuses too few or too many points under a suite.
+///
+/// # Errors
+/// The key `samples`.
+pub(crate) fn check_samples(samples: u32) -> Result<(), SceneError> {
+    match (2..=MOST_SAMPLES).contains(&samples) {
+        true => Ok(()),
+        false => {
+            Err(SceneError::new("samples", format!("{samples} is not in 2 to {MOST_SAMPLES}")))
+        }
+    }
+}
+
 /// So many points of numbers of a scene that are not known, from a seed, each with a value of every number. The scene at each is
 /// checked.
 ///

@@ -7,7 +7,7 @@ use crate::suites::request::SuiteRequest;
 use crate::suites::resample::{Groups, Resample};
 use crate::suites::swept::SuiteJob;
 use crate::suites::wanted::WantedMotion;
-use crate::uncertain::{Varied, checked_points};
+use crate::uncertain::{SAMPLES, Varied, check_samples, checked_points};
 use topple::scene::{Parameter, SceneError};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
@@ -59,14 +59,6 @@ pub struct EnvelopeJob {
     pub settings: EnvelopeSettings,
 }
 
-/// Points where nothing else is asked for.
-pub const SAMPLES: u32 = 64;
-/// Most points.
-const MOST_SAMPLES: u32 = 1 << 16;
-/// Cells from which on there are many, and sets that are drawn for a few and for many.
-const MANY: usize = 100;
-const REPLICATES: [u32; 2] = [1000, 100];
-
 impl EnvelopeRequest {
     /// The envelope of a scene in which all is known.
     pub fn new(suite: SuiteRequest, limits: Limits) -> EnvelopeRequest {
@@ -86,10 +78,7 @@ impl EnvelopeRequest {
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check(&self) -> Result<(), SceneError> {
-        if !(2..=MOST_SAMPLES).contains(&self.samples) {
-            let problem = format!("{} is not in 2 to {MOST_SAMPLES}", self.samples);
-            return Err(SceneError::new("samples", problem));
-        }
+        check_samples(self.samples)?;
         self.suite.check()?;
         self.suite.check_envelope(&self.limits)
     }
@@ -113,7 +102,7 @@ impl EnvelopeRequest {
             motions = WantedMotion::spread(&motions, &parameters, points.iter());
         }
         let sweep = self.suite.open_under(motions)?;
-        let replicates = REPLICATES[usize::from(sweep.grid.len() > MANY)];
+        let replicates = Bootstrap::usual(sweep.grid.len());
         let bootstrap = Bootstrap { replicates, seed: self.seed.into() };
         let intervals = Some((groups, bootstrap));
         let settings = EnvelopeSettings { limits: self.limits, best: self.best, times, intervals };
