@@ -25,6 +25,7 @@ fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(suite::suite, module)?)?;
     module.add_function(wrap_pyfunction!(suite::envelope, module)?)?;
     module.add_function(wrap_pyfunction!(suite::fragility, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::compare, module)?)?;
     module.add_function(wrap_pyfunction!(picture::palette, module)?)?;
     module.add_function(wrap_pyfunction!(picture::kinds, module)?)?;
     module.add_function(wrap_pyfunction!(picture::shares, module)?)?;

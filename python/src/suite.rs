@@ -9,18 +9,22 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::results::about;
+use topple::results::column_set::ColumnSet;
 use topple::scene::bounded;
 use topple::scene::record::Units;
 use topple::work::threads::Threads;
 use topple::{Saving, SceneError, StoreError, SweepError, Values, Written};
+use topple_studies::comparison::{self, devices};
 use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple_studies::fragility::tables as fragility_tables;
-use topple_studies::fragility::{Resample, hazard, hazard_text};
+use topple_studies::fragility::{hazard, hazard_text};
+use topple_studies::suites::Resample;
 use topple_studies::suites::columns::{ColumnUnit, TableColumn};
 use topple_studies::suites::{envelope as envelope_tables, saved, table};
 use topple_studies::{
-    Envelope, Estimator, FragilityJob, FragilityRequest, FragilityStudy, Intensity, Limits, Suite,
-    SuiteJob, SuiteRequest, SuiteSweep,
+    Best, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Envelope, EnvelopeJob,
+    EnvelopeRequest, Estimator, FragilityJob, FragilityRequest, FragilityStudy, HazardCurve,
+    Intensity, Limits, RateRequest, Suite, SuiteJob, SuiteRequest, SuiteSweep,
 };
 
 use crate::axes::{axes, coordinates};
@@ -43,8 +47,38 @@ pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, S
 }
 
 /// The keywords of an envelope that are not those of a scene.
-const ENVELOPE: [&str; 6] =
-    ["suite", "strict", "both_directions", "standing", "limit_u", "limit_v"];
+const ENVELOPE: [&str; 11] = [
+    "suite",
+    "strict",
+    "both_directions",
+    "standing",
+    "limit_u",
+    "limit_v",
+    "best",
+    "resample",
+    "seed",
+    "vary",
+    "samples",
+];
+/// Those of a comparison.
+const COMPARISON: [&str; 16] = [
+    "suite",
+    "strict",
+    "both_directions",
+    "standing",
+    "limit_u",
+    "limit_v",
+    "devices",
+    "scales",
+    "columns",
+    "resample",
+    "seed",
+    "im",
+    "levels",
+    "units",
+    "hazard",
+    "hazard_units",
+];
 /// Those of a fragility.
 const FRAGILITY: [&str; 18] = [
     "suite",
@@ -78,17 +112,21 @@ pub fn envelope<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Tables<'py>> {
     let SuiteCall { suite, request, threads, resume } = suite_call(py, keywords, &ENVELOPE)?;
-    let limits = Limits {
-        standing: number(keywords, "standing", "a number")?.unwrap_or(1.0),
-        u: number(keywords, "limit_u", "a number of metres")?,
-        v: number(keywords, "limit_v", "a number of metres")?,
-    };
+    let mut request = EnvelopeRequest::new(request, limits(keywords)?);
+    if let Some(name) = given::<String>(keywords, "best", "a text")? {
+        let known = Best::named(&name);
+        request.best = known.ok_or_else(|| of_keyword("best", format!("{name} is not known")))?;
+    }
+    request.resample = resample(keywords)?;
+    request.vary = varied(keywords)?;
+    request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
+    request.samples = number(keywords, "samples", "a number of points")?.unwrap_or(request.samples);
+    needs(keywords, &[("samples", "vary", "how many points of vary")])?;
     request.check().map_err(of_scene)?;
-    request.check_envelope(&limits).map_err(of_scene)?;
     let run = |watch: &watch::Watch| -> Result<Option<Envelope>, SweepError> {
-        let job = of_this_run(request.open(&suite)?, resume)?;
-        let swept = job.run(watch)?;
-        Ok(request.settings.shard.is_none().then(|| Envelope::of(swept, limits)))
+        let EnvelopeJob { sweep, settings } = request.open(&suite)?;
+        let swept = of_this_run(sweep, resume)?.run(watch)?;
+        Ok(request.suite.settings.shard.is_none().then(|| Envelope::of(swept, settings)))
     };
     let envelope = watch::run(py, progress, &threads, run)?.map_err(of_sweep)?;
     let Some(mut envelope) = envelope else { return Ok((None, None)) };
@@ -103,6 +141,78 @@ pub fn envelope<'py>(
     Ok((Some(tables), Some(about.to_string())))
 }
 
+/// Compares devices under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+#[pyfunction]
+pub fn compare<'py>(
+    py: Python<'py>,
+    keywords: &Bound<'py, PyDict>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Tables<'py>> {
+    let SuiteCall { suite, request, threads, resume } = suite_call(py, keywords, &COMPARISON)?;
+    let list = given::<String>(keywords, "devices", "a list")?.unwrap_or_default();
+    let list = devices::read(&list, &request.scene).map_err(|e| of_keyword("devices", e))?;
+    let mut request = ComparisonRequest::new(list, request, limits(keywords)?);
+    let needed = [
+        ("im", "hazard", "the measure of hazard"),
+        ("levels", "hazard", "the levels of hazard's measure"),
+        ("units", "levels", "what levels are in"),
+        ("hazard_units", "hazard", "what the levels of hazard are in"),
+    ];
+    needs(keywords, &needed)?;
+    let im = measure(keywords)?.unwrap_or(Intensity::Pga);
+    if let Some(scales) = value_of(keywords, "scales")? {
+        request.scales = Some(values("scales", &scales)?);
+    }
+    let names = several(keywords, "columns")?;
+    if !names.is_empty() {
+        request.columns = ColumnSet::of_names(&names).map_err(of_scene)?.columns().collect();
+    }
+    request.resample = resample(keywords)?;
+    request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
+    if let Some(hazard) = hazard_curve(py, keywords, im)? {
+        let levels = value_of(keywords, "levels")?;
+        let levels = levels.map(|levels| in_si(values("levels", &levels)?, keywords, im));
+        request.rate = Some(RateRequest { im, levels: levels.transpose()?, hazard });
+    }
+    request.check().map_err(of_comparison)?;
+    let run = |watch: &watch::Watch| -> Result<Option<Comparison>, ComparisonError> {
+        let ComparisonJob { sweep, settings } = request.open(&suite)?;
+        let swept = of_this_run(sweep, resume)?.run(watch)?;
+        Ok(request.suite.settings.shard.is_none().then(|| Comparison::of(swept, settings)))
+    };
+    let compared = watch::run(py, progress, &threads, run)?.map_err(of_comparison)?;
+    let Some(mut compared) = compared else { return Ok((None, None)) };
+    let tables = PyDict::new(py);
+    tables.set_item("compare", text(|w| Ok(comparison::write(&compared, w)?))?)?;
+    let own = [&comparison::COLUMNS[..], &comparison::RESERVE, &comparison::RATES].concat();
+    let mut columns = described(&own, "");
+    for column in &compared.settings.columns {
+        for (name, unit, meaning) in comparison::further(*column) {
+            columns[name] = json!({ "unit": unit, "meaning": meaning });
+        }
+    }
+    let about = json!({
+        "program": "topple",
+        "version": env!("CARGO_PKG_VERSION"),
+        "columns": columns,
+        "motions": suite.motions().map(|(entry, _)| &entry.id).collect::<Vec<_>>(),
+        "resample": compared.settings.groups.by,
+        "groups": compared.settings.groups.count,
+        "sweep_seconds": compared.sweep.seconds,
+        "verification": compared.sweep.verified,
+    });
+    compared.sweep.discard_saved()?;
+    Ok((Some(tables), Some(about.to_string())))
+}
+
+/// What is wrong with devices, or with a sweep of them.
+fn of_comparison(error: ComparisonError) -> PyErr {
+    match error {
+        ComparisonError::Devices(error) => of_keyword("devices", error),
+        ComparisonError::Sweep(error) => of_sweep(error),
+    }
+}
+
 /// Feasible cells that are told.
 const BEST: usize = 20;
 
@@ -115,9 +225,7 @@ pub fn fragility<'py>(
 ) -> PyResult<Tables<'py>> {
     let SuiteCall { suite, request, threads, resume } = suite_call(py, keywords, &FRAGILITY)?;
     let mut request = FragilityRequest::new(request);
-    if let Some(im) = given::<String>(keywords, "im", "a text")? {
-        request.im = im.parse::<Intensity>().map_err(|error| of_keyword("im", error))?;
-    }
+    request.im = measure(keywords)?.unwrap_or(request.im);
     if let Some(levels) = value_of(keywords, "levels")? {
         request.levels = Some(in_si(values("levels", &levels)?, keywords, request.im)?);
     }
@@ -129,11 +237,7 @@ pub fn fragility<'py>(
         let known = known.ok_or_else(|| of_keyword("estimator", format!("{name} is not known")))?;
         request.estimators.push(known);
     }
-    if let Some(name) = given::<String>(keywords, "resample", "a text")? {
-        let known = Resample::named(&name);
-        let known = known.ok_or_else(|| of_keyword("resample", format!("{name} is not known")))?;
-        request.resample = Some(known);
-    }
+    request.resample = resample(keywords)?;
     request.vary = varied(keywords)?;
     request.bootstrap = number(keywords, "bootstrap", "a number of sets")?;
     request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
@@ -145,30 +249,8 @@ pub fn fragility<'py>(
         ("units", "levels", "what levels are in"),
         ("hazard_units", "hazard", "what the levels of hazard are in"),
     ];
-    for (key, other, says) in needed {
-        if value_of(keywords, key)?.is_some() && value_of(keywords, other)?.is_none() {
-            return Err(of_keyword(key, format!("it says {says}; give {other}, too")));
-        }
-    }
-    if let Some(path) = given::<PathBuf>(keywords, "hazard", "a path")? {
-        let named = |error: io::Error| {
-            io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
-        };
-        let units = given::<String>(keywords, "hazard_units", "a text")?;
-        let units = units.map(|name| {
-            Units::of_key(&name).ok_or_else(|| {
-                of_keyword("hazard_units", format!("{name} is not known; give g or m/s2"))
-            })
-        });
-        let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
-        let read = hazard_text::read(&text, request.im, units.transpose()?);
-        let read = read.map_err(|error| of_keyword("hazard", error))?;
-        if read.assumed {
-            let problem = "hazard: nothing tells the unit of its levels, m/s2 is taken; give hazard_units, g or m/s2";
-            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(problem)?, 1)?;
-        }
-        request.hazard = Some(read.curve);
-    }
+    needs(keywords, &needed)?;
+    request.hazard = hazard_curve(py, keywords, request.im)?;
     request.check().map_err(of_scene)?;
     let run = |watch: &watch::Watch| -> Result<Option<FragilityStudy>, SweepError> {
         let FragilityJob { sweep, settings } = request.open(&suite)?;
@@ -210,6 +292,66 @@ pub fn fragility<'py>(
     about["columns"] = described(&all, request.im.unit());
     study.sweep.discard_saved()?;
     Ok((Some(tables), Some(about.to_string())))
+}
+
+/// Limits of keywords.
+fn limits(keywords: &Bound<'_, PyDict>) -> PyResult<Limits> {
+    Ok(Limits {
+        standing: number(keywords, "standing", "a number")?.unwrap_or(1.0),
+        u: number(keywords, "limit_u", "a number of metres")?,
+        v: number(keywords, "limit_v", "a number of metres")?,
+    })
+}
+
+/// The measure of keywords, where it is given.
+fn measure(keywords: &Bound<'_, PyDict>) -> PyResult<Option<Intensity>> {
+    let im = given::<String>(keywords, "im", "a text")?;
+    im.map(|im| im.parse::<Intensity>().map_err(|error| of_keyword("im", error))).transpose()
+}
+
+/// What is drawn for intervals, where it is given.
+fn resample(keywords: &Bound<'_, PyDict>) -> PyResult<Option<Resample>> {
+    let name = given::<String>(keywords, "resample", "a text")?;
+    let known = |name: String| {
+        Resample::named(&name).ok_or_else(|| of_keyword("resample", format!("{name} is not known")))
+    };
+    name.map(known).transpose()
+}
+
+/// Refuses keywords that mean nothing without another: each with that, and what it says.
+fn needs(keywords: &Bound<'_, PyDict>, needed: &[(&str, &str, &str)]) -> PyResult<()> {
+    for (key, other, says) in needed {
+        if value_of(keywords, key)?.is_some() && value_of(keywords, other)?.is_none() {
+            return Err(of_keyword(key, format!("it says {says}; give {other}, too")));
+        }
+    }
+    Ok(())
+}
+
+/// The hazard curve of keywords over a measure, where one is given.
+fn hazard_curve(
+    py: Python<'_>,
+    keywords: &Bound<'_, PyDict>,
+    im: Intensity,
+) -> PyResult<Option<HazardCurve>> {
+    let Some(path) = given::<PathBuf>(keywords, "hazard", "a path")? else { return Ok(None) };
+    let named = |error: io::Error| {
+        io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
+    };
+    let units = given::<String>(keywords, "hazard_units", "a text")?;
+    let units = units.map(|name| {
+        Units::of_key(&name).ok_or_else(|| {
+            of_keyword("hazard_units", format!("{name} is not known; give g or m/s2"))
+        })
+    });
+    let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
+    let read = hazard_text::read(&text, im, units.transpose()?);
+    let read = read.map_err(|error| of_keyword("hazard", error))?;
+    if read.assumed {
+        let problem = "hazard: nothing tells the unit of its levels, m/s2 is taken; give hazard_units, g or m/s2";
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(problem)?, 1)?;
+    }
+    Ok(Some(read.curve))
 }
 
 /// What keywords ask for.

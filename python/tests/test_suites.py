@@ -1,5 +1,6 @@
 """Suites of the package and of the command have the same tables."""
 
+import contextlib
 import csv
 import json
 
@@ -143,7 +144,7 @@ def units(dataset):
 def test_every_number_has_a_unit(records):
     suite = units(topple.suite(records / "list.csv"))
     assert suite["pga_h"] == "m/s²" and suite["arias"] == "m/s" and None not in suite.values()
-    found = topple.envelope(records / "list.csv", **SCENE, standing=0.3, verify=0, backend="cpu")
+    found = topple.envelope(records / "list.csv", **SCENE, standing=0.3, verify=0, backend="cpu", best="stroke_u")
     envelope = units(found)
     assert envelope["max_u_84"] == "m" and envelope["zeta_50"] == "1" and envelope["t_h"] == "s" and None not in envelope.values()
     best = json.loads(found.attrs["best"])
@@ -290,3 +291,65 @@ def test_what_a_suite_refuses(records):
 def test_a_missing_hazard_curve_is_named(records):
     with pytest.raises(FileNotFoundError, match="hazard: no/such.csv"):
         topple.fragility(records / "list.csv", **(SCENE | {"t_h": 2.0, "t_v": 0.4}), levels="2:14:7", hazard="no/such.csv")
+
+
+DEVICES = [
+    {"device": "bearing", "t_h": 1.5, "psi": 0.1},
+    {"device": "floor", "isolation": "none"},
+    {"device": "wire, rope", "t_h": 1.0, "t_v": 0.3, "xi_h": 0.15},
+]
+
+
+def test_compare(command, records, tmp_path):
+    """Devices in any of three forms are those of the command's list."""
+    shared = {"object": 1, "eccentricity": 0.2}
+    devices = [device | ({} if "isolation" in device else {"u_y": 0.01, "t_v": device.get("t_v", 0.4)}) for device in DEVICES]
+    path = tmp_path / "devices.csv"
+    path.write_text(
+        'device,t_h,psi,isolation,u_y,t_v,xi_h\nbearing,1.5,0.1,,0.01,0.4,\nfloor,,,none,,,\n"wire, rope",1,,,0.01,0.3,0.15\n'
+    )
+    asked = {"standing": 0.5, "limit_u": 0.3, "scales": "0.5:2:4", "columns": "zeta"}
+    out = tmp_path / "compared"
+    command("compare", path, *flags(shared | asked), "--suite", records / "list.csv", "--verify", "none", "--out", out)
+    wanted = rows(out / "compare.csv")
+    frames = [path, devices]
+    with contextlib.suppress(ImportError):
+        import pandas
+
+        frames.append(pandas.DataFrame(devices))
+    for given in frames:
+        found = topple.compare(given, records / "list.csv", **shared, **asked, verify=0)
+        assert found["device"].values.tolist() == [row["device"] for row in wanted] == ["bearing", "floor", "wire, rope"]
+        for name in ("records", "standing", "max_u_84", "overturned_high", "feasible", "reserve", "fails_at", "zeta_100"):
+            numbers = [float(row[name] or "nan") for row in wanted]
+            assert np.array_equal(found[name], numbers, equal_nan=True), name
+        assert found["max_u_84"].attrs["units"] == "m" and found["zeta_100"].attrs["units"] == "1"
+    with pytest.raises(ValueError, match=r"^devices: line 3, column device: the name bearing stands in line 2"):
+        topple.compare([devices[0], devices[0]], records / "list.csv", **shared)
+    with pytest.raises(ValueError, match=r"^devices: line 1, column periode: no key"):
+        topple.compare([{"device": "a", "periode": 1.0}], records / "list.csv", **shared)
+    with pytest.raises(ValueError, match=r"^devices: give the path"):
+        topple.compare(devices[0], records / "list.csv", **shared)
+    with pytest.raises(ValueError, match=r"^levels: it says the levels of hazard's measure; give hazard, too"):
+        topple.compare(devices, records / "list.csv", **shared, levels=[1.0, 2.0])
+
+
+def test_an_envelope_by_its_reserve_and_of_what_is_not_known(command, records, tmp_path):
+    limits = {"limit_u": 0.3, "standing": 0.5}
+    command("envelope", *flags(SCENE | limits), "--suite", records / "list.csv", "--verify", "none", "--out", tmp_path)
+    found = topple.envelope(records / "list.csv", **SCENE, **limits, verify=0)
+    reserve = [float(row["reserve"] or "nan") for row in rows(tmp_path / "envelope.csv")]
+    assert np.array_equal(np.asarray(found["reserve"]).ravel(), reserve, equal_nan=True)
+    scene = SCENE | {"t_h": 2.0, "t_v": 0.4}
+    vary = {"eccentricity": "uniform(0,0.4)"}
+    unknown = topple.envelope(records / "list.csv", **scene, vary=vary, samples=8, seed=3, verify=0)
+    out = tmp_path / "unknown"
+    more = ["--vary", "eccentricity=uniform(0,0.4)", "--samples", 8, "--seed", 3, "--verify", "none", "--out", out]
+    command("envelope", *flags(scene), "--suite", records / "list.csv", *more)
+    row = rows(out / "envelope.csv")[0]
+    for name in ("overturned", "overturned_low", "overturned_high", "max_u_84"):
+        assert float(np.asarray(unknown[name]).ravel()[0]) == float(row[name]), name
+    with pytest.raises(ValueError, match=r"^best: least is not known"):
+        topple.envelope(records / "list.csv", **SCENE, best="least")
+    with pytest.raises(ValueError, match=r"^samples: it says how many points of vary; give vary, too"):
+        topple.envelope(records / "list.csv", **SCENE, samples=8)

@@ -24,7 +24,7 @@ from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
 from ._progress import Progress, heard
 from ._records import factor, scene_file, taken, uncertain
-from ._tables import of_cells, of_fragility, of_suite
+from ._tables import of_cells, of_devices, of_fragility, of_suite, written
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 __version__: str = _topple.__version__
 __all__ = [
-    "envelope", "fragility", "history", "merge", "open", "parameters", "pulse", "run", "seismic", "suite",
+    "compare", "envelope", "fragility", "history", "merge", "open", "parameters", "pulse", "run", "seismic", "suite",
 ]
 
 
@@ -261,6 +261,15 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
         Share of the motions under which the block must stand.
     limit_u, limit_v : float, optional
         Room for max |u| and the stroke of v, m.
+    best : str, optional
+        What makes a feasible cell the best: ``reserve`` (the most steps of the grid from a cell that fails; the default),
+        ``stroke_u`` or ``stroke_v`` (the least).
+    vary : mapping, str or sequence of str, optional
+        Numbers that are not known, as of `fragility`: shares are of the motions at all their points.
+    samples, seed : int, optional
+        How many points these have, and the seed of what is drawn.
+    resample : str, optional
+        What is drawn for the interval of the share that overturns: event, recording or motion.
     both_directions, strict : bool, optional
     out : path, optional
         A directory in which each motion is saved when it is done, until the call returns.
@@ -298,6 +307,61 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     if tables is None or about is None:
         return None
     return of_cells([tables["envelope"], tables["zeta"]], json.loads(about))
+
+
+def compare(
+    devices: Any, suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any
+) -> Any:
+    """Compare devices under every motion of a suite, side by side.
+
+    Parameters
+    ----------
+    devices : path, sequence of mapping, or DataFrame
+        A list (CSV) of devices, or each device as a mapping, or as a row: ``device``, its name, and keys of a scene. What is
+        None or not a number is left out.
+    suite : path
+        A folder, a zip or a list (CSV) of records.
+    standing, limit_u, limit_v, both_directions, strict, resample, seed : optional
+        As of `envelope`.
+    scales : sequence of float or str, optional
+        Factors on the motions of which the reserve is told.
+    columns : str or sequence of str, optional
+        Columns of a map whose 50, 84 and 100 % are told, too.
+    hazard, hazard_units, im, levels, units : optional
+        As of `fragility`: annual rates of overturning are told.
+    out, resume, tile : optional
+        As of `envelope`.
+    **keywords
+        What all devices share of the scene, and how it is run, as of `pulse`.
+
+    Returns
+    -------
+    xarray.Dataset
+        The columns of compare.csv over the dimension ``device``, with ``units`` and ``long_name``.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import numpy as np
+    >>> bases = [{"device": "soft", "t_h": 3.0}, {"device": "stiff", "t_h": 1.0, "xi_h": 0.2}]
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     np.savetxt(pathlib.Path(folder, "quake.txt"), np.sin(6.0 * np.arange(0.0, 8.0, 0.02)))
+    ...     lines = "id,horizontal,vertical,dt,units\\nmade-up,quake.txt,,0.02,m/s2\\n"
+    ...     _ = pathlib.Path(folder, "list.csv").write_text(lines)
+    ...     ds = compare(bases, folder, object=1, u_y=0.02, t_v=0.4, verify=0)
+    >>> ds["device"].values.tolist()
+    ['soft', 'stiff']
+    >>> ds["max_u_100"].attrs["units"]
+    'm'
+    """
+    keywords = {**keywords, "suite": _suite_path(suite), "devices": written(devices)}
+    if keywords.get("units") is not None:
+        keywords["units"] = factor(keywords["units"])
+    with heard(progress) as hears:
+        tables, about = _topple.compare(keywords, hears)
+    if tables is None or about is None:
+        return None
+    return of_devices(tables["compare"], json.loads(about))
 
 
 def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from typing import Any, Mapping
 
 import numpy as np
@@ -13,7 +14,7 @@ from ._help import parameters
 
 
 #: Columns of names, which may look like numbers.
-NAMES = ("id", "record", "event", "station", "horizontal", "vertical", "limit_state", "estimator", "parameter")
+NAMES = ("id", "device", "record", "event", "station", "horizontal", "vertical", "limit_state", "estimator", "parameter")
 
 
 def _column(name: str, texts: list[str]) -> np.ndarray:
@@ -46,6 +47,37 @@ def of_suite(text: str, about: Mapping[str, Any]) -> Any:
     of = {name: (("id",), values, _attrs(name, about)) for name, values in columns(text).items()}
     ids = of.pop("id")
     return dataset(of, {"id": ids}, attributes(about))
+
+
+def of_devices(text: str, about: Mapping[str, Any]) -> Any:
+    """A comparison: a dimension `device`, a variable a column."""
+    of = {name: (("device",), values, _attrs(name, about)) for name, values in columns(text).items()}
+    names = of.pop("device")
+    return dataset(of, {"device": names}, attributes(about))
+
+
+def written(devices: Any) -> str:
+    """A list of devices as CSV: the text of a file, or what mappings or the rows of a DataFrame have."""
+    if isinstance(devices, (str, os.PathLike)):
+        with open(devices, encoding="utf-8-sig", newline="") as file:
+            return file.read()
+    rows = devices.to_dict("records") if hasattr(devices, "to_dict") else devices
+    if isinstance(rows, Mapping) or not all(isinstance(row, Mapping) for row in rows):
+        raise ValueError("devices: give the path of a list (CSV), a sequence of mappings, or a DataFrame")
+    rows = list(rows)
+    keys = list(dict.fromkeys(key for row in rows for key in row))
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(keys)
+    for row in rows:
+        table.writerow([_field(row.get(key)) for key in keys])
+    return text.getvalue()
+
+
+def _field(value: Any) -> str:
+    """A value of a device as text; None and what is not a number are left out."""
+    # Alone what is not a number differs from itself.
+    return "" if value is None or value != value else str(value)
 
 
 #: By how much of itself the value of an axis in a table may be off: tables have numbers of f32 in the digits of f32.

@@ -28,6 +28,8 @@ pub enum Kind {
     Envelope,
     /// The same at levels of their intensity.
     Fragility,
+    /// Devices side by side under a suite.
+    Comparison,
     /// The outcomes of many sweeps.
     Probability,
 }
@@ -41,6 +43,7 @@ impl Kind {
             Kind::Suite => "a suite",
             Kind::Envelope => "an envelope",
             Kind::Fragility => "a fragility",
+            Kind::Comparison => "a comparison",
             Kind::Probability => "a probability map",
         }
     }

@@ -165,6 +165,7 @@ fn not_of_a_scene(kind: Kind) -> Option<&'static str> {
         Kind::Suite => Some("a suite is no scene; read it again by topple suite"),
         Kind::Envelope => Some("its run.json has no command; run it again by topple envelope"),
         Kind::Fragility => Some("its run.json has no command; run it again by topple fragility"),
+        Kind::Comparison => Some("its run.json has no command; run it again by topple compare"),
     }
 }
 

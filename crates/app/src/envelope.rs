@@ -6,15 +6,22 @@ use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
-use topple_studies::suites::envelope::{self, CellEnvelope, Envelope, Limits};
+use topple_studies::suites::Resample;
+use topple_studies::suites::envelope::{
+    self, Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest,
+};
 use topple_studies::suites::swept_motion::Values;
 use topple_studies::suites::verified::Verified;
+use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
+use super::limits::{IntervalFlags, LimitFlags};
+use super::named::best;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
-use super::suite_run::{self, SuiteFlags, SuiteManifest};
+use super::suite::counted;
+use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
 use super::{examples, suite};
 
@@ -28,22 +35,21 @@ pub struct EnvelopeCommand {
     record: RecordNumbers,
     #[command(flatten)]
     pub motions: SuiteFlags,
-    /// Share of the motions under which the block must stand
-    #[arg(
-        long,
-        value_name = "SHARE",
-        default_value = "1",
-        help_heading = "Suite",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
-    standing: f64,
-    /// Largest max |u| that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
-    limit_u: Option<f64>,
-    /// Largest stroke of v that there is room for, m [default: any]
-    #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
-    limit_v: Option<f64>,
+    #[command(flatten)]
+    limits: LimitFlags,
+    /// Which feasible cell is the best: by reserve (the most steps of the grid from a cell that fails), stroke_u or stroke_v (the
+    /// least)
+    #[arg(long, value_name = "WHICH", default_value_t = Best::Reserve, help_heading = "Suite", value_parser = best)]
+    best: Best,
+    #[command(flatten)]
+    intervals: IntervalFlags,
+    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
+    /// at two more numbers LOW,HIGH; shares are of the motions at all its points
+    #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
+    vary: Vec<Varied>,
+    /// Points of the numbers that are not known, best a power of two
+    #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
+    samples: u32,
     #[command(flatten, next_help_heading = "Computing")]
     pub options: RunOptions,
 }
@@ -56,7 +62,15 @@ struct Manifest<'a> {
     standing: f64,
     limit_u: Option<f64>,
     limit_v: Option<f64>,
+    best: Best,
     feasible: usize,
+    /// The best cell: its axes and what is told of it; none where none is feasible.
+    best_cell: Option<usize>,
+    resample: Option<Resample>,
+    groups: Option<usize>,
+    seed: u32,
+    vary: &'a [Varied],
+    samples: Option<u32>,
     /// What the reference says of a sample.
     verified: &'a Verified,
 }
@@ -75,23 +89,32 @@ impl EnvelopeCommand {
         let options = &self.options;
         let place = Place::of(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
-        let limits = Limits { standing: self.standing, u: self.limit_u, v: self.limit_v };
-        let request = self.motions.request(&self.common, options, text)?;
+        let limits = self.limits.limits();
+        let request = EnvelopeRequest {
+            best: self.best,
+            resample: self.intervals.resample,
+            vary: self.vary.clone(),
+            samples: self.samples,
+            seed: self.intervals.seed,
+            ..EnvelopeRequest::new(self.motions.request(&self.common, options, text)?, limits)
+        };
         request.check().map_err(|error| flag_error(&error))?;
-        request.check_envelope(&limits).map_err(|error| flag_error(&error))?;
         let names = [TABLE, ZETA].map(String::from).into_iter().chain(picture_files(PICTURE));
         self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
-        let job = request.open(&suite).map_err(sweep_error)?;
-        let Some(swept) = self.motions.run(job, 1, options, &say)? else {
+        self.vary.iter().for_each(|varied| say.line("varies", varied));
+        let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
+        suite_run::warn_of_lossless_impacts(&sweep, options)?;
+        let times = Times::points(settings.times);
+        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
         };
         let mut out = place.open()?;
-        let mut envelope = Envelope::of(swept, limits);
+        let mut envelope = Envelope::of(swept, settings);
         let swept = &envelope.sweep;
-        let title = format!("Envelope of {} motions", swept.motions.len());
+        let title = format!("Envelope of {} motions", envelope.records());
         let mut files = [TABLE, ZETA].map(String::from).to_vec();
         let svg = match swept.grid.line() {
             Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title)),
@@ -107,13 +130,22 @@ impl EnvelopeCommand {
             out.picture(PICTURE, svg, &render::png(svg)?)?;
         }
         let best = envelope.best();
-        let motions = swept.motions.iter().map(|motion| motion.id.as_str()).collect();
+        let times = envelope.settings.times;
+        let motions = swept.motions.iter().step_by(times).map(|motion| motion.id.as_str());
+        let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, motions, (&suite, options)),
+            suite: self.motions.manifest(swept, motions.collect(), (&suite, options)),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,
+            best: self.best,
             feasible: best.len(),
+            best_cell: best.first().copied(),
+            resample: groups.map(|groups| groups.by),
+            groups: groups.map(|groups| groups.count),
+            seed: self.intervals.seed,
+            vary: &self.vary,
+            samples: (!self.vary.is_empty()).then_some(self.samples),
             verified: &swept.verified,
         };
         out.finish(&manifest)?;
@@ -134,8 +166,20 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     let cells = envelope.cells.len();
     let share = 100.0 * best.len() as f64 / cells.max(1) as f64;
     say.line("feasible", format!("{} of {cells} cells, {share:.1} %", best.len()));
+    if let Some(first) = best.first().filter(|_| cells > 1) {
+        let by = envelope.settings.best;
+        say.line("best", format!("by {by} (--best): {}", by.words()));
+        if let [_, ..] = &envelope.at_ends(*first)[..] {
+            let axes = envelope.at_ends(*first).join(" and ");
+            say.line(
+                "",
+                format!("the first lies at the end of {axes}: a larger grid may have a better one"),
+            );
+        }
+    }
     for (number, cell) in best.iter().take(BEST).enumerate() {
-        say.line(if number == 0 { "best" } else { "" }, one(envelope, *cell));
+        let name = if number == 0 && cells == 1 { "best" } else { "" };
+        say.line(name, one(envelope, *cell));
     }
     if best.is_empty()
         && let Some(cell) = envelope.nearest()
@@ -153,6 +197,9 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
         if !both.is_empty() {
             say.line("governed", format!("there {}", both.join(", ")));
         }
+    }
+    if let Some(cell) = best.first().copied().or(envelope.nearest()) {
+        say.line("likely", likely(envelope, cell));
     }
     let worst = envelope.worst();
     let worst = worst.iter().take(BEST).filter(|(_, share)| *share > 0.0);
@@ -180,14 +227,52 @@ fn one(envelope: &Envelope, cell: usize) -> String {
     let of = if standing < 1.0 { ", of these " } else { ", " };
     let moves = envelope.sweep.scene.isolation;
     if moves.moves_h() {
-        text += &format!("{of}|u| up to {:.3} m{}", max_u[2], limit(envelope.limits.u));
+        text += &format!("{of}|u| up to {:.3} m{}", max_u[2], limit(envelope.settings.limits.u));
     }
     if moves.moves_v() {
         let of = if moves.moves_h() { ", " } else { of };
-        text += &format!("{of}stroke of v up to {:.3} m{}", stroke_v[2], limit(envelope.limits.v));
+        text += &format!(
+            "{of}stroke of v up to {:.3} m{}",
+            stroke_v[2],
+            limit(envelope.settings.limits.v)
+        );
     }
-    if envelope.cells[cell].feasible && envelope.is_alone(cell) {
-        text += "; no cell beside it is feasible";
+    if envelope.cells[cell].feasible && envelope.cells.len() > 1 {
+        text += &match envelope.cells[cell].reserve {
+            _ if envelope.is_alone(cell) => "; no cell beside it is feasible".to_string(),
+            Some(1) => ", 1 step from a cell that fails".to_string(),
+            Some(steps) => format!(", {steps} steps from a cell that fails"),
+            None => String::new(),
+        };
     }
     text
+}
+
+/// How likely the block of a cell overturns, in words.
+fn likely(envelope: &Envelope, cell: usize) -> String {
+    let CellEnvelope { overturned, overturned_within, .. } = envelope.cells[cell];
+    let place = if envelope.cells.len() > 1 { "there overturning" } else { "overturning" };
+    let within = between(overturned_within);
+    let mut text = format!("{place} has P = {}{within}", digits(overturned));
+    text += &format!(" under {}", counted(envelope.records(), "motion"));
+    if envelope.settings.times > 1 {
+        text += &format!(" and {} sets of what is not known", envelope.settings.times);
+    }
+    if let Some((groups, _)) = &envelope.settings.intervals {
+        text += &format!("; 95 %, by {}, {} of them", groups.by, groups.count);
+    }
+    text
+}
+
+/// A share in words.
+pub fn digits(share: f64) -> String {
+    rounded(share, 3).to_string()
+}
+
+/// The interval of a share, behind it.
+pub fn between(within: [Option<f64>; 2]) -> String {
+    match within {
+        [Some(low), Some(high)] => format!(" ({} to {})", digits(low), digits(high)),
+        _ => String::new(),
+    }
 }

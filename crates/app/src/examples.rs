@@ -98,7 +98,10 @@ Examples:
     topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --limit-u 0.4 --limit-v 0.05
   Under 95 % of them, each in both directions:
     topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --standing 0.95 \
---both-directions";
+--both-directions
+  How likely a statue overturns whose centre of mass is not known well:
+    topple envelope --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --eccentricity 0.1 \
+--vary eccentricity=normal(0.1,0.05)";
 
 /// Of `topple fragility`.
 pub const FRAGILITY: &str = "\
@@ -111,6 +114,20 @@ Examples:
   Its curves for OpenQuake and pelicun, intervals by recording:
     topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log \
 --resample recording --export nrml,pelicun";
+
+/// Of `topple compare`.
+pub const COMPARE: &str = "\
+DEVICES is a CSV. Its heading has device, a name, and keys of a scene (docs/parameters.md), such as t_h, psi, u_y, isolation or \
+object. Each line is a device with one value of each; an empty field is left out. What all devices share is given by flags.
+
+Examples:
+  A statue on the bases of a list, with 25 cm of room and 3 cm up and down:
+    topple compare devices.csv --object 1 --suite records --limit-u 0.25 --limit-v 0.03
+  How much stronger the motions may be, each in both directions:
+    topple compare devices.csv --object 1 --suite records --limit-u 0.25 --scales 0.5:3:26 --both-directions
+  Annual rates of overturning at a site:
+    topple compare devices.csv --object 1 --suite records --im sa:1 --levels 0.5:20:20:log --hazard site.csv \
+--hazard-units g";
 
 /// Of `topple merge`.
 pub const MERGE: &str = "\

@@ -1,40 +1,39 @@
 //! `topple fragility`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Serialize;
 use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
-use topple::scene::record::Units;
-use topple::scene::{Values, bounded, path_text};
+use topple::scene::{Values, path_text};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;
-use topple_studies::fragility::hazard;
-use topple_studies::fragility::hazard_text;
 use topple_studies::fragility::limit_state::LimitState;
-use topple_studies::fragility::request::{MANY, SAMPLES};
 use topple_studies::fragility::study::Study;
 use topple_studies::fragility::{
-    Estimator, Export, FragilityJob, FragilityRequest, HazardText, Resample, tables,
+    Estimator, Export, FragilityJob, FragilityRequest, HazardText, tables,
 };
-use topple_studies::suites::SuiteRequest;
+use topple_studies::statistics::bootstrap::MANY;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::request::above_zero;
 use topple_studies::suites::verified::Verified;
-use topple_studies::uncertain::Varied;
+use topple_studies::suites::{Resample, SuiteRequest};
+use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
 use super::fragility_words as told;
+use super::hazard::HazardFlags;
+use super::limits::IntervalFlags;
 use super::map_files::Figure;
-use super::numbers::seed;
+use super::named::{estimator, export};
+use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error, number};
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
-use super::suite_run::{self, SuiteFlags, SuiteManifest};
+use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::written::one_of;
-use super::{InputError, examples, suite, words};
+use super::{examples, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
@@ -42,6 +41,8 @@ use super::{InputError, examples, suite, words};
 pub struct FragilityCommand {
     #[command(flatten)]
     common: CommonFlags,
+    #[command(flatten)]
+    record: RecordNumbers,
     #[command(flatten)]
     pub motions: SuiteFlags,
     /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
@@ -84,16 +85,11 @@ pub struct FragilityCommand {
     /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
     estimator: Vec<Estimator>,
-    /// What is drawn for the intervals: event, recording (both components of a station, both directions) or motion
-    /// [default: event where there are 10 and each motion's is known, else recording]
-    #[arg(long, value_name = "WHAT", help_heading = "Fragility", value_parser = resample)]
-    resample: Option<Resample>,
+    #[command(flatten)]
+    intervals: IntervalFlags,
     /// Sets that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
     #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
-    /// Seed of what is drawn, up to 4294967295
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, help_heading = "Fragility")]
-    seed: u32,
     /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
     /// at two more numbers LOW,HIGH
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
@@ -101,12 +97,8 @@ pub struct FragilityCommand {
     /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
     #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
-    /// Hazard curve: a CSV of levels and annual rates of exceedance, or a site's curve as OpenQuake exports it
-    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-    pub hazard: Option<PathBuf>,
-    /// Units of the hazard curve's levels, where they are accelerations [default: those of its header, else m/s2]
-    #[arg(long, value_name = "UNITS", help_heading = "Fragility", requires = "hazard", value_parser = one_of::<Units>())]
-    hazard_units: Option<Units>,
+    #[command(flatten)]
+    pub hazard: HazardFlags,
     /// Annual rate that is accepted, with what may be missing at both ends of the hazard curve; drawn on maps
     #[arg(
         long,
@@ -122,27 +114,6 @@ pub struct FragilityCommand {
     export: Vec<Export>,
     #[command(flatten, next_help_heading = "Computing")]
     pub options: RunOptions,
-}
-
-fn estimator(text: &str) -> Result<Estimator, String> {
-    Estimator::named(text).ok_or_else(|| {
-        let known: Vec<&str> = Estimator::ALL.iter().map(|known| known.name()).collect();
-        format!("no estimator of this name; there are {}", known.join(", "))
-    })
-}
-
-fn export(text: &str) -> Result<Export, String> {
-    Export::named(text).ok_or_else(|| {
-        let known: Vec<&str> = Export::ALL.iter().map(|known| known.name()).collect();
-        format!("no format of this name; there are {}", known.join(", "))
-    })
-}
-
-fn resample(text: &str) -> Result<Resample, String> {
-    Resample::named(text).ok_or_else(|| {
-        let known: Vec<&str> = Resample::ALL.iter().map(|known| known.name()).collect();
-        format!("nothing is drawn by this name; there are {}", known.join(", "))
-    })
 }
 
 /// run.json of a fragility.
@@ -190,8 +161,8 @@ impl FragilityCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
         let place = Place::of(&options.out, Kind::Fragility)?;
-        let hazard = self.hazard.as_deref().map(|path| self.read_hazard(path)).transpose()?;
-        let text = self.common.text(Some("Fragility"), std::iter::empty());
+        let hazard = self.hazard.read(self.im)?;
+        let text = self.common.text(Some("Fragility"), self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
         let request = self.request(request, hazard.as_ref());
         let targets = self.target.as_slice();
@@ -203,12 +174,14 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
-        if let Some((path, hazard)) = self.hazard.as_deref().zip(hazard.as_ref()) {
+        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }
         let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
-        let Some(swept) = self.motions.run(sweep, settings.times, options, &say)? else {
+        suite_run::warn_of_lossless_impacts(&sweep, options)?;
+        let times = Times::points(settings.times);
+        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
         };
         let cells = swept.grid.len();
@@ -262,10 +235,10 @@ impl FragilityCommand {
             resample: study.settings.groups.by,
             groups: study.settings.groups.count,
             replicates: study.settings.bootstrap.replicates,
-            seed: self.seed,
+            seed: self.intervals.seed,
             vary: &self.vary,
             samples: varies.then_some(self.samples),
-            hazard: self.hazard.as_deref(),
+            hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
@@ -288,7 +261,7 @@ impl FragilityCommand {
         let of_study =
             if self.vary.is_empty() { &[CAPACITIES, RUNS][..] } else { &[SENSITIVITY, POINTS] };
         let tables =
-            [COUNTS, FITS].iter().chain(of_study).chain(self.hazard.as_ref().map(|_| &RATES));
+            [COUNTS, FITS].iter().chain(of_study).chain(self.hazard.path().map(|_| &RATES));
         let pictures = states.iter().flat_map(|state| picture_files(&picture_of(state)));
         let exports = self.exports().map(|export| export.file().to_string());
         tables.map(|name| name.to_string()).chain(exports).chain(pictures).collect()
@@ -297,24 +270,6 @@ impl FragilityCommand {
     /// The formats that are asked for, each once.
     fn exports(&self) -> impl Iterator<Item = Export> {
         Export::ALL.into_iter().filter(|export| self.export.contains(export))
-    }
-
-    /// Reads a hazard curve.
-    fn read_hazard(&self, path: &Path) -> Result<HazardText, InputError> {
-        let named =
-            |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
-        let bytes = bounded::read(path, hazard::LARGEST)
-            .map_err(|e| named(format!("{e}; give a file that can be read")))?;
-        let text = String::from_utf8_lossy(&bytes);
-        let read = hazard_text::read(&text, self.im, self.hazard_units);
-        let read = read.map_err(|error| named(error.to_string()))?;
-        if read.assumed {
-            words::warn(format!(
-                "--hazard: {}: nothing tells the unit of its levels, m/s2 is taken; give --hazard-units g or m/s2",
-                path.display()
-            ));
-        }
-        Ok(read)
     }
 
     /// What is asked of a suite's request.
@@ -326,10 +281,10 @@ impl FragilityCommand {
             limit_u: self.limit_u.clone(),
             limit_v: self.limit_v.clone(),
             estimators: self.estimator.clone(),
-            resample: self.resample,
+            resample: self.intervals.resample,
             hazard: hazard.map(|hazard| hazard.curve.clone()),
             bootstrap: self.bootstrap,
-            seed: self.seed,
+            seed: self.intervals.seed,
             vary: self.vary.clone(),
             samples: self.samples,
             ..FragilityRequest::new(suite)

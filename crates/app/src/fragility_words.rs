@@ -5,11 +5,11 @@ use std::path::Path;
 use topple::results::files::Directory;
 use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::Estimate;
-use topple_studies::fragility::resample::{FEWEST_EVENTS, Groups};
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{Export, HazardText, Resample};
+use topple_studies::fragility::{Export, HazardText};
 use topple_studies::suites::intensity::Intensity;
+use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 
 use super::fragility_rates as rates;
 use super::suite::counted;
@@ -36,7 +36,7 @@ fn unit(im: Intensity) -> String {
 
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
 pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
-    say.line("intervals", intervals(study));
+    say.line("intervals", intervals(&study.settings.groups, study.records().count()));
     for (number, state) in study.settings.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {
@@ -112,9 +112,9 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
 }
 
 /// What is drawn for the intervals, in words.
-fn intervals(study: &Study) -> String {
-    let Groups { by, count, events, .. } = &study.settings.groups;
-    let motions = counted(study.records().count(), "motion");
+pub fn intervals(groups: &Groups, motions: usize) -> String {
+    let Groups { by, count, events, .. } = groups;
+    let motions = counted(motions, "motion");
     let drawn = match (by, events) {
         (Resample::Motion, _) => return format!("of 95 %, by motion: {motions}"),
         (by, _) => counted(*count, by.name()),

@@ -7,6 +7,7 @@ mod bench;
 mod beside;
 mod chart;
 mod command_line;
+mod compare;
 mod completions;
 mod disk;
 mod earlier_run;
@@ -20,16 +21,19 @@ mod finish;
 mod fragility;
 mod fragility_rates;
 mod fragility_words;
+mod hazard;
 mod history;
 mod history_table;
 mod interrupt;
 mod licences;
+mod limits;
 mod load;
 mod manifest;
 mod map_file;
 mod map_files;
 mod memory;
 mod merge;
+mod named;
 mod numbers;
 mod options;
 mod print;
@@ -85,9 +89,11 @@ enum Command {
     /// Read a set of records as one suite: which belong together, their intensity measures
     Suite(suite::SuiteCommand),
     /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes
-    Envelope(envelope::EnvelopeCommand),
+    Envelope(Box<envelope::EnvelopeCommand>),
     /// How likely the block overturns under a suite, by the intensity of its motions
     Fragility(Box<fragility::FragilityCommand>),
+    /// Compare the devices of a list under every motion of a suite: shares, strokes, reserve, annual rates
+    Compare(Box<compare::CompareCommand>),
     /// Join the shards of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
@@ -131,6 +137,7 @@ fn run() -> anyhow::Result<()> {
         Some(Command::Suite(command)) => command.run(),
         Some(Command::Envelope(command)) => command.run(),
         Some(Command::Fragility(command)) => command.run(),
+        Some(Command::Compare(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),

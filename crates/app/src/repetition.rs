@@ -10,8 +10,6 @@ use topple::scene::bounded;
 use topple::scene::path_text::PathText;
 
 use super::command_line::CommandLine;
-use super::envelope::EnvelopeCommand;
-use super::fragility::FragilityCommand;
 use super::options::MapOptions;
 use super::{Arguments, Command, InputError};
 
@@ -48,22 +46,29 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
     };
     let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
     let Written { kind, command } = serde_json::from_slice(&bytes).ok()?;
-    if !matches!(kind, Kind::Envelope | Kind::Fragility) {
+    if !matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison) {
         return None;
     }
     let line = command?;
     let words = line.arguments.iter().map(|PathText(word)| OsString::from(word));
     let parsed = Arguments::try_parse_from([OsString::from("topple")].into_iter().chain(words));
     let other = || Err(format!("its command is not one of {}; give a scene", kind.name()));
-    let command = match (parsed, kind) {
-        (Ok(Arguments { command: Some(command @ Command::Envelope(_)), .. }), Kind::Envelope)
-        | (Ok(Arguments { command: Some(command @ Command::Fragility(_)), .. }), Kind::Fragility) => {
-            command
-        }
+    let command = match parsed {
+        Ok(Arguments { command: Some(command), .. }) if kind_of(&command) == Some(kind) => command,
         _ => return Some(other()),
     };
     let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
     Some(Ok(Repeated { command, line, folder }))
+}
+
+/// What a command under a suite makes; none of another command.
+fn kind_of(command: &Command) -> Option<Kind> {
+    match command {
+        Command::Envelope(_) => Some(Kind::Envelope),
+        Command::Fragility(_) => Some(Kind::Fragility),
+        Command::Compare(_) => Some(Kind::Comparison),
+        _ => None,
+    }
 }
 
 impl Repeated {
@@ -76,17 +81,18 @@ impl Repeated {
             return Err(InputError(problem).into());
         }
         let Repeated { mut command, line, folder } = self;
-        let (motions, run) = match &mut command {
-            Command::Envelope(EnvelopeCommand { motions, options, .. }) => (motions, options),
-            Command::Fragility(of) => {
-                let FragilityCommand { motions, options, hazard, .. } = &mut **of;
-                if let Some(hazard) = hazard {
-                    *hazard = found("--hazard", hazard, &line, &folder)?;
-                }
-                (motions, options)
+        let (motions, run, hazard) = match &mut command {
+            Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
+            Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
+            Command::Compare(of) => {
+                of.devices = found("DEVICES", &of.devices, &line, &folder)?;
+                (&mut of.motions, &mut of.options, of.hazard.path_mut())
             }
             _ => return Ok(()),
         };
+        if let Some(hazard) = hazard {
+            *hazard = found("--hazard", hazard, &line, &folder)?;
+        }
         let suite = found("--suite", motions.suite(), &line, &folder)?;
         motions.repeat(suite, line);
         run.out.clone_from(&options.run.out);
@@ -95,6 +101,7 @@ impl Repeated {
         match command {
             Command::Envelope(command) => command.run(),
             Command::Fragility(command) => command.run(),
+            Command::Compare(command) => command.run(),
             _ => Ok(()),
         }
     }

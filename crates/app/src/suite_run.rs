@@ -22,7 +22,7 @@ use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::progress::Screen;
 use super::results_directory::{self, Place};
 use super::words::Reporter;
-use super::{InputError, interrupt, suite};
+use super::{InputError, interrupt, suite, words};
 
 /// Which motions, and how they are run.
 #[derive(clap::Args)]
@@ -137,7 +137,7 @@ impl SuiteFlags {
     pub fn run(
         &self,
         job: SuiteJob,
-        points: usize,
+        times: Times,
         options: &RunOptions,
         say: &Reporter,
     ) -> anyhow::Result<Option<SuiteSweep>> {
@@ -153,7 +153,7 @@ impl SuiteFlags {
         }
         let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
         let levels = cells / (each * count).max(1);
-        let size = size(&job, points, levels);
+        let size = size(&job, times, levels);
         if self.dry_run {
             let seconds = job.estimate(&screen).map_err(sweep_error)?;
             screen.clear();
@@ -209,8 +209,34 @@ impl SuiteFlags {
     }
 }
 
+/// Why each motion is swept several times.
+#[derive(Clone, Copy)]
+pub struct Times {
+    count: usize,
+    what: &'static str,
+}
+
+impl Times {
+    /// At so many points of numbers that are not known.
+    pub fn points(count: usize) -> Times {
+        Times { count, what: "sets of numbers" }
+    }
+
+    /// With so many devices.
+    pub fn devices(count: usize) -> Times {
+        Times { count, what: "devices" }
+    }
+}
+
+/// Warns of a scene whose impacts take no energy.
+pub fn warn_of_lossless_impacts(job: &SuiteJob, options: &RunOptions) -> Result<(), InputError> {
+    let plan = options.plan(&job.scene).map_err(|error| flag_error(&error))?;
+    words::warn_of_lossless_impacts(&plan, &job.grid);
+    Ok(())
+}
+
 /// How much is swept, in words: cells, motions, levels.
-fn size(job: &SuiteJob, points: usize, levels: usize) -> String {
+fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
     let counts: Vec<String> = job
         .grid
         .axes()
@@ -222,10 +248,12 @@ fn size(job: &SuiteJob, points: usize, levels: usize) -> String {
         true => "1 cell".to_string(),
         false => format!("{} cells", counts.join(" x ")),
     };
-    let motions = job.motions().len() / points;
+    let Times { count, what } = times;
+    // A shard has a part of them.
+    let motions = job.motions().len().div_ceil(count.max(1));
     let mut text = format!("{cells} under {}", suite::counted(motions, "motion"));
-    if points > 1 {
-        text += &format!(" with {points} sets of numbers");
+    if count > 1 {
+        text += &format!(" with {count} {what}");
     }
     if levels > 1 {
         text += &format!(" at {levels} levels");

@@ -54,8 +54,8 @@ pub fn warn(text: impl Display) {
 }
 
 /// Settings that messages of the library name.
-const SETTINGS: [&str; 9] =
-    ["adapter", "backend", "levels", "precision", "resume", "step", "strict", "tile", "vary"];
+const SETTINGS: [&str; 10] =
+    ["adapter", "backend", "im", "levels", "precision", "resume", "step", "strict", "tile", "vary"];
 
 /// The flag of a key of the library.
 fn flag(key: &str) -> Option<String> {
@@ -149,14 +149,19 @@ pub fn warn_of_default_damping(scene: &SceneBuilder) {
 /// Share of the angular velocity that an impact takes below which it takes none.
 const NO_LOSS: f64 = 1.0e-9;
 
-/// Warns of blocks whose impacts take no angular velocity, as where the plates have no mass: they chatter for
-/// long, and only the base damps their rocking.
-pub fn warn_of_lossless_impacts(plan: &Plan, grid: &Grid) {
+/// True of blocks whose impacts take no angular velocity, as where the plates have no mass: they chatter for long, and
+/// only the base damps their rocking.
+pub fn has_lossless_impacts(plan: &Plan, grid: &Grid) -> bool {
     let loss = |case: &Case| {
         let model: Model<f64> = plan.model(case);
         1.0 - model.left.eta_phi.min(model.right.eta_phi)
     };
-    if !grid.corners().any(|case| loss(&case) < NO_LOSS) {
+    grid.corners().any(|case| loss(&case) < NO_LOSS)
+}
+
+/// Warns of such blocks.
+pub fn warn_of_lossless_impacts(plan: &Plan, grid: &Grid) {
+    if !has_lossless_impacts(plan, grid) {
         return;
     }
     warn(match plan.scene.isolation {

@@ -11,7 +11,7 @@ use super::stage::{StageSummary, ViewRequest, header};
 use super::stages::at_most;
 use super::watched::Watched;
 use topple::scene::Grid;
-use topple_studies::suites::envelope::{CellEnvelope, Envelope};
+use topple_studies::suites::envelope::{CellEnvelope, Envelope, EnvelopeSettings};
 use topple_studies::suites::request::SuiteRequest;
 
 /// Cells along an axis of the coarse and of the fine picture of a suite.
@@ -55,7 +55,8 @@ pub fn run(
             settings: asked.settings.run.clone(),
             opened: session.opened(method.precision)?,
         };
-        let envelope = Envelope::of(job.run(&Watched::new(stage, stop, tell))?, limits);
+        let swept = job.run(&Watched::new(stage, stop, tell))?;
+        let envelope = Envelope::of(swept, EnvelopeSettings::of(limits));
         let seconds = Some(began.elapsed().as_secs_f64());
         let told = StageSummary { stage, cells, seconds, note: "" };
         if !send(frame(header(&envelope.sweep.grid, &ready, &told), &arrays(&envelope))) {

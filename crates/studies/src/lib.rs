@@ -2,10 +2,11 @@
 //! and how sharp the boundaries of one are.
 //!
 //! ```text
-//! statistics -> suites, uncertain -> fragility
+//! statistics -> uncertain -> suites -> fragility -> comparison (of devices)
 //! statistics -> sharpness (of one sweep)
 //! ```
 
+pub mod comparison;
 pub mod fragility;
 mod several;
 pub mod sharpness;
@@ -13,6 +14,10 @@ pub mod statistics;
 pub mod suites;
 pub mod uncertain;
 
+pub use comparison::{
+    Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, DevicesError,
+    RateRequest, Reserve,
+};
 pub use fragility::limit_state::LimitState;
 pub use fragility::sensitivity::{Sensitivity, Unknown};
 pub use fragility::study::{CellStudy, StateStudy, Study as FragilityStudy, StudySettings};
@@ -23,7 +28,9 @@ pub use fragility::{
 };
 pub use sharpness::Sharpness;
 pub use statistics::{Bootstrap, Distribution, DistributionError};
-pub use suites::envelope::{CellEnvelope, Envelope, Limits};
+pub use suites::envelope::{
+    Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest, EnvelopeSettings, Limits,
+};
 pub use suites::intensity::{Intensity, IntensityError};
 pub use suites::measures::Measures;
 pub use suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};

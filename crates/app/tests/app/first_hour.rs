@@ -1,13 +1,14 @@
-//! The commands of docs/first-hour.md, run in their order in an empty directory, and the files that the page
-//! names.
+//! The commands of pages, run in their order in an empty directory, and the files that the page names.
 
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/first-hour.md");
+/// The pages of docs whose commands stand alone.
+const PAGES: [&str; 2] = ["first-hour", "compare"];
 
 /// Endings of the files that a page may name.
 const ENDINGS: [&str; 7] = [".csv", ".npz", ".png", ".svg", ".json", ".toml", ".at2"];
 
-fn page() -> String {
-    std::fs::read_to_string(PAGE).unwrap().replace("\r\n", "\n")
+fn page(name: &str) -> String {
+    let path = format!("{}/../../docs/{name}.md", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(path).unwrap().replace("\r\n", "\n")
 }
 
 /// The commands of the page's `sh` blocks; one that goes on after a backslash is one command.
@@ -38,7 +39,7 @@ fn files(page: &str) -> Vec<&str> {
 
 #[test]
 fn the_page_has_commands_and_files() {
-    let page = page();
+    let page = page(PAGES[0]);
     let commands = commands(&page);
     assert!(commands.len() >= 12, "{commands:#?}");
     assert!(commands.iter().all(|command| !command.contains('\\')), "{commands:#?}");
@@ -48,10 +49,10 @@ fn the_page_has_commands_and_files() {
     }
 }
 
-/// A map on the page is small, so that the test is quick.
+/// A map on a page is small, so that the test is quick.
 #[test]
-fn the_grids_of_the_page_are_small() {
-    for command in commands(&page()) {
+fn the_grids_of_the_pages_are_small() {
+    for command in PAGES.iter().flat_map(|name| commands(&page(name))) {
         for word in command.split_whitespace() {
             let parts: Vec<&str> = word.split(':').collect();
             if let [_, _, count] = parts[..]
@@ -65,13 +66,19 @@ fn the_grids_of_the_page_are_small() {
 
 #[cfg(not(unix))]
 #[test]
-fn the_commands_of_the_first_hour_work() {
-    println!("SKIPPED: there is no sh to run the page's commands");
+fn the_commands_of_the_pages_work() {
+    println!("SKIPPED: there is no sh to run the pages' commands");
 }
 
 #[cfg(unix)]
 #[test]
-fn the_commands_of_the_first_hour_work() {
+fn the_commands_of_the_pages_work() {
+    PAGES.iter().for_each(|name| runs(name));
+}
+
+/// Runs the commands of a page, and looks for its files.
+#[cfg(unix)]
+fn runs(name: &str) {
     let directory = tempfile::TempDir::new().unwrap();
     let programs = directory.path().join("programs");
     let work = directory.path().join("work");
@@ -81,8 +88,10 @@ fn the_commands_of_the_first_hour_work() {
     let mut path = programs.into_os_string();
     path.push(":");
     path.push(std::env::var_os("PATH").unwrap());
-    let page = page();
-    for command in commands(&page) {
+    let page = page(name);
+    let commands = commands(&page);
+    assert!(commands.len() > 3, "{name}: {commands:#?}");
+    for command in commands {
         let run = std::process::Command::new("sh")
             .args(["-c", &command])
             .current_dir(&work)

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::fs;
 
 use topple_studies::Suite;
-use topple_studies::fragility::Resample;
-use topple_studies::fragility::resample::Groups;
+use topple_studies::suites::Groups;
+use topple_studies::suites::Resample;
 
 use crate::fragility::{samples, suite};
 

@@ -27,6 +27,7 @@ pub fn all() -> Vec<Reader> {
         of("motions-of-figures", scenes::motions(), scenes::motion, 300),
         of("suites-by-list", suites::lists(), suites::list, 60),
         of("suites-in-a-zip", suites::zips(), suites::zip, 60),
+        of("devices", suites::devices(), suites::device_list, 1000),
         of("hazard-curves", results::curves(), results::curve, 1000),
         of("run-json", results::manifests(), results::manifest, 200),
         of("map-npz", results::archives(), results::archive, 200),

@@ -1,9 +1,12 @@
 //! Suites: a list beside whole records, and a zip.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use tempfile::TempDir;
+use topple::SceneBuilder;
+use topple_studies::comparison::devices;
 use topple_studies::suites::Suite;
 
 use crate::records::{AT2, zipped};
@@ -82,4 +85,22 @@ pub fn zip(bytes: &[u8]) -> Result<(), String> {
     let path = folder.path().join("suite.zip");
     fs::write(&path, bytes).unwrap();
     sane(&path)
+}
+
+const DEVICES: &str = "device,isolation,t_h,psi,xi-h,u_y,object\n\"soft, old\",dual,2.5,0.1,,0.01,1\n\
+    floor,none,,,,,2\nrope,horizontal,1.2,0.4,0.15,0.02,\n";
+
+pub fn devices() -> Vec<Vec<u8>> {
+    let spread = DEVICES.replace("\"soft, old\"", "soft").replace(',', ";").replace('.', ",");
+    vec![DEVICES.as_bytes().to_vec(), format!("sep=;\r\n{spread}").into_bytes()]
+}
+
+/// A list that was read has devices of names of their own.
+pub fn device_list(bytes: &[u8]) -> Result<(), String> {
+    let text = String::from_utf8_lossy(bytes);
+    let devices =
+        devices::read(&text, &SceneBuilder::object(1)).map_err(|error| error.to_string())?;
+    let names: BTreeSet<&str> = devices.iter().map(|device| device.name.as_str()).collect();
+    assert!(!devices.is_empty() && names.len() == devices.len() && !names.contains(""));
+    Ok(())
 }

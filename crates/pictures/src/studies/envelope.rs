@@ -13,7 +13,7 @@ use crate::map::figure::layout::{SIDE, frame};
 use topple::results::colour::BLACK;
 use topple::results::palette::{FEASIBLE, LIMITS};
 use topple::scene::words;
-use topple_studies::suites::envelope::Envelope;
+use topple_studies::suites::envelope::{Best, Envelope};
 
 /// Greys of a share of none and of all motions.
 const NONE: f64 = 70.0;
@@ -51,7 +51,7 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
         }
     })?;
     canvas.image(place, &image, true);
-    let limits = envelope.limits;
+    let limits = envelope.settings.limits;
     let lines = |value: fn(&topple_studies::suites::envelope::CellEnvelope) -> f64,
                  level: f64|
      -> Vec<Line> {
@@ -101,7 +101,12 @@ pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureEr
     if !feasible {
         entries.push(entry(Swatch::None, "No cell keeps all limits."));
     }
-    entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), "least |u| of these")));
+    let which = match envelope.settings.best {
+        Best::Reserve => "of these the most steps from a cell that fails",
+        Best::StrokeU => "least |u| of these",
+        Best::StrokeV => "least stroke of v of these",
+    };
+    entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), which)));
     let at = (MARGIN, bottom + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, most, 2);
     Ok(Some(canvas.finish(end + MARGIN)))

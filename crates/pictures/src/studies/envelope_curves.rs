@@ -34,7 +34,7 @@ pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
     let mut canvas = Canvas::new(COLUMN);
     let fixed = words::fixed(&envelope.sweep.scene);
     let mut y = caption::titled(&mut canvas, title, &fixed) + MARGIN;
-    let limits = envelope.limits;
+    let limits = envelope.settings.limits;
     let moves = envelope.sweep.scene.isolation;
     let mut panels = vec![Panel {
         values: &|cell| vec![cell.standing],

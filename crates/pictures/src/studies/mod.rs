@@ -1,5 +1,6 @@
 //! Pictures of studies: a suite's spectra, an envelope, a fragility, a probability.
 
+pub mod comparison;
 pub mod envelope;
 pub mod envelope_curves;
 pub mod fragility;

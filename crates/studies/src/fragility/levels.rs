@@ -5,8 +5,8 @@ use crate::suites::intensity::Intensity;
 use crate::suites::wanted::WantedMotion;
 use topple::scene::{Block, SceneError, Values};
 
-/// Gives motions the factors that take them to levels of a measure; without levels they stay as they are. What is
-/// returned is the level of each motion at each of its factors.
+/// Gives motions the factors that take them to levels of a measure; without levels they keep the factors that they have. What
+/// is returned is the level of each motion at each of its factors.
 ///
 /// # Errors
 /// A level that is not above zero, a motion whose measure is zero, and one that a level scales by more than
@@ -33,7 +33,10 @@ pub fn scale(
             return refused("im", problem);
         }
         match &wanted {
-            None => all.push(vec![own]),
+            None => {
+                let level = |factor: &f64| own * intensity.growth(*factor);
+                all.push(motion.factors.iter().map(level).collect());
+            }
             Some(levels) => {
                 motion.factors = levels.iter().map(|level| intensity.factor(level / own)).collect();
                 let most = motion.factors.iter().copied().fold(0.0, f64::max);

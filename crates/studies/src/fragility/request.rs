@@ -4,17 +4,16 @@ use super::estimate::Estimator;
 use super::hazard::HazardCurve;
 use super::levels;
 use super::limit_state::LimitState;
-use super::resample::{Groups, Resample};
 use super::sensitivity::Unknown;
 use super::study::{Study, StudySettings};
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
-use crate::suites::Suite;
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
 use crate::suites::wanted::WantedMotion;
-use crate::uncertain::{Ensemble, Varied};
+use crate::suites::{Groups, Resample, Suite};
+use crate::uncertain::{Ensemble, SAMPLES, Varied, check_samples};
 use topple::backend::backend_error::BackendError;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, SceneError, Values};
@@ -80,14 +79,6 @@ pub struct FragilityJob {
     pub settings: StudySettings,
 }
 
-/// Cells from which on there are many.
-pub const MANY: usize = 100;
-/// Sets that are drawn for a few cells, and for many.
-const REPLICATES: [u32; 2] = [1000, 100];
-/// Points that are drawn where nothing else is asked for.
-pub const SAMPLES: u32 = 64;
-/// Most points that are drawn.
-const MOST_SAMPLES: u32 = 1 << 16;
 /// Most sets that are drawn.
 const MOST_REPLICATES: u32 = 1_000_000;
 /// Most limits of one kind.
@@ -134,6 +125,21 @@ impl FragilityRequest {
         if let Some(Err(error)) = self.levels.as_ref().map(Values::check) {
             return refused("levels", error.to_string());
         }
+        let numbers = &self.suite.scene.numbers;
+        for scaling in [Parameter::Scale, Parameter::Pga] {
+            if let (Some(values), key) = (numbers.get(scaling), scaling.key()) {
+                if self.levels.is_some() {
+                    let problem = "`levels` say how strong each motion is; leave one out";
+                    return refused(key, problem.to_string());
+                }
+                if scaling == Parameter::Pga && values.count() > 1 {
+                    let problem = "several peaks are levels; give them as `levels` of `im` pga";
+                    return refused(key, problem.to_string());
+                }
+                let values: Vec<f64> = values.iter().collect();
+                above_zero(key, &values)?;
+            }
+        }
         above_zero("limit_zeta", &self.limit_zeta)?;
         if let Some(limit) = self.limit_zeta.iter().find(|limit| **limit >= 1.0) {
             let problem =
@@ -146,9 +152,7 @@ impl FragilityRequest {
         {
             return refused("bootstrap", format!("{sets} is not in {FEWEST} to {MOST_REPLICATES}"));
         }
-        if !(2..=MOST_SAMPLES).contains(&self.samples) {
-            return refused("samples", format!("{} is not in 2 to {MOST_SAMPLES}", self.samples));
-        }
+        check_samples(self.samples)?;
         if self.levels.is_none() && self.estimators.contains(&Estimator::Ida) {
             let problem = "ida scales each motion up until it overturns; give `levels`";
             return refused("estimator", problem.to_string());
@@ -188,13 +192,17 @@ impl FragilityRequest {
     /// Those of [`check`](FragilityRequest::check), numbers that make no sense, a backend that cannot be had.
     pub fn open(&self, suite: &Suite) -> Result<FragilityJob, SweepError> {
         self.check()?;
-        let mut motions = self.suite.motions(suite);
+        let (asked, factors) = self.with_factors();
+        let mut motions = asked.motions(suite);
+        if let Some(factors) = factors {
+            motions.iter_mut().for_each(|motion| motion.factors.clone_from(&factors));
+        }
         self.check_runs(motions.len())?;
         let directions = if self.suite.both_directions { 2 } else { 1 };
         let groups = Groups::of(suite, directions, self.resample)?;
         let (mut own, mut unknown) = (Vec::new(), None);
         if let Some(first) = motions.first() {
-            let scene = first.under(&self.suite.scene)?;
+            let scene = first.under(&asked.scene)?;
             own = self.scaled(&scene, &mut motions)?;
             unknown = self.unknown(&scene)?;
         }
@@ -204,7 +212,7 @@ impl FragilityRequest {
             motions = unknown.spread(motions);
             own = own.into_iter().flat_map(|own| vec![own; times]).collect();
         }
-        let sweep = self.suite.open_under(motions)?;
+        let sweep = asked.open_under(motions)?;
         let (states, estimators) = (self.limit_states(), self.estimators());
         let estimates = sweep.grid.len().saturating_mul(states.len() * estimators.len());
         if estimates > MOST_ESTIMATES {
@@ -213,7 +221,7 @@ impl FragilityRequest {
             );
             return Err(SceneError::new("estimator", problem).into());
         }
-        let usual = REPLICATES[usize::from(sweep.grid.len() > MANY)];
+        let usual = Bootstrap::usual(sweep.grid.len());
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
         let hazard = self.hazard.clone();
@@ -231,9 +239,23 @@ impl FragilityRequest {
         Ok(FragilityJob { sweep, settings })
     }
 
+    /// The request of the suite, and the factors on its motions where the scene has several: they are no axis but levels of each
+    /// motion, by what its own is.
+    fn with_factors(&self) -> (SuiteRequest, Option<Vec<f64>>) {
+        let mut asked = self.suite.clone();
+        let scales = asked.scene.numbers.get(Parameter::Scale).filter(|scales| scales.count() > 1);
+        let Some(mut factors) = scales.map(|scales| scales.iter().collect::<Vec<f64>>()) else {
+            return (asked, None);
+        };
+        factors.sort_by(f64::total_cmp);
+        asked.scene.numbers.remove(Parameter::Scale);
+        (asked, Some(factors))
+    }
+
     /// Refuses more runs of a cell than are held, under so many motions.
     fn check_runs(&self, motions: usize) -> Result<(), SceneError> {
-        let levels = self.levels.as_ref().map_or(1, Values::count);
+        let scales = self.suite.scene.numbers.get(Parameter::Scale);
+        let levels = self.levels.as_ref().or(scales).map_or(1, Values::count);
         let points = match self.vary.len() {
             0 => 1,
             varied => (self.samples as usize).saturating_mul(varied + 2),

@@ -10,6 +10,7 @@ use super::{Fit, Lognormal};
 use crate::statistics::quantile::Sorted;
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Design, Index, Varied, indices};
+use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
 
 /// Numbers that are not known, and the points at which each motion is swept.
@@ -49,13 +50,9 @@ impl Unknown {
 
     /// Each motion at every point, one after the other.
     pub fn spread(&self, motions: Vec<WantedMotion>) -> Vec<WantedMotion> {
-        let at = |motion: &WantedMotion, point: &Vec<f64>| {
-            let parameters = self.varied.iter().map(|varied| varied.parameter);
-            let settings = parameters.zip(point.iter().copied()).collect();
-            WantedMotion { settings, ..motion.clone() }
-        };
-        let rows = |motion| self.design.rows().map(move |point| at(motion, point));
-        motions.iter().flat_map(rows).collect()
+        let parameters: Vec<Parameter> = self.varied.iter().map(|one| one.parameter).collect();
+        let points: Vec<Vec<f64>> = self.design.rows().cloned().collect();
+        WantedMotion::spread(&motions, &parameters, points.iter())
     }
 
     /// What is not known of a limit state of a cell.

@@ -21,6 +21,17 @@ pub struct SuiteRuns<'a> {
     pub groups: &'a [usize],
 }
 
+/// The run of a cell of a motion at a level, by its place among all levels; none where it is unresolved.
+pub fn run_of(state: LimitState, motion: &SweptMotion, index: usize, level: f64) -> Option<Run> {
+    let class = motion.outcomes[index];
+    (class != Class::Unresolved).then(|| Run {
+        level,
+        failed: state.is_exceeded(motion, index),
+        demand: state.demand(motion, index),
+        collapsed: class.overturned(),
+    })
+}
+
 impl SuiteRuns<'_> {
     /// The runs of a cell under some motions of each record; those that are unresolved are left out.
     pub fn records(&self, state: LimitState, cell: usize, range: Range<usize>) -> Vec<RecordRuns> {
@@ -29,16 +40,10 @@ impl SuiteRuns<'_> {
         let levels = self.levels.chunks(self.times).map(|levels| &levels[range.clone()]);
         let of_record = |((motions, levels), group): ((&[SweptMotion], &[Vec<f64>]), &usize)| {
             let runs = motions.iter().zip(levels).flat_map(|(motion, levels)| {
-                levels.iter().enumerate().filter_map(move |(k, level)| {
-                    let index = k * cells + cell;
-                    let class = motion.outcomes[index];
-                    (class != Class::Unresolved).then(|| Run {
-                        level: *level,
-                        failed: state.is_exceeded(motion, index),
-                        demand: state.demand(motion, index),
-                        collapsed: class.overturned(),
-                    })
-                })
+                levels
+                    .iter()
+                    .enumerate()
+                    .filter_map(move |(k, level)| run_of(state, motion, k * cells + cell, *level))
             });
             let mut runs: Vec<Run> = runs.collect();
             runs.sort_by(|a, b| a.level.total_cmp(&b.level));

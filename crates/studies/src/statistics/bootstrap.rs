@@ -12,7 +12,17 @@ pub struct Bootstrap {
     pub seed: u64,
 }
 
+/// Cells from which on there are many.
+pub const MANY: usize = 100;
+/// Sets that are drawn for a few cells, and for many.
+const REPLICATES: [u32; 2] = [1000, 100];
+
 impl Bootstrap {
+    /// Sets that are drawn for so many cells where nothing else is asked for.
+    pub fn usual(cells: usize) -> u32 {
+        REPLICATES[usize::from(cells > MANY)]
+    }
+
     /// How often each item is drawn in a set. Each set has a generator of its own, so that the order of the sets, and
     /// the number of threads, change nothing.
     pub fn multipliers(&self, items: usize, replicate: u32) -> Vec<u32> {

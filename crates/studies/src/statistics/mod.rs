@@ -12,7 +12,9 @@ mod distribution_error;
 mod distribution_text;
 pub mod normal;
 pub mod quantile;
+pub mod share;
 
 pub use bootstrap::Bootstrap;
 pub use distribution::Distribution;
 pub use distribution_error::DistributionError;
+pub use share::DrawnGroups;

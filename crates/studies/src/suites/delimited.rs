@@ -6,14 +6,14 @@ use std::borrow::Cow;
 const SEPARATORS: [char; 3] = [',', ';', '\t'];
 
 /// What separates the fields of a heading: of these three the one that stands in it most often.
-pub(super) fn separator(heading: &str) -> char {
+pub(crate) fn separator(heading: &str) -> char {
     let count = |separator: char| heading.matches(separator).count();
     // Of equally many the first is taken.
     SEPARATORS.into_iter().rev().max_by_key(|separator| count(*separator)).unwrap_or(',')
 }
 
 /// The text without what spreadsheets add: a first line `sep=;`, and quotes around whole lines.
-pub(super) fn plain(text: &str) -> Cow<'_, str> {
+pub(crate) fn plain(text: &str) -> Cow<'_, str> {
     let text = match text.lines().next() {
         Some(first) if first.trim().to_ascii_lowercase().starts_with("sep=") => {
             text.get(first.len()..).unwrap_or_default().trim_start_matches(['\r', '\n'])
@@ -42,7 +42,7 @@ fn within_quotes(line: &str) -> Option<&str> {
 }
 
 /// A number of a table; beside other separators than commas, and alone, a comma is a decimal one.
-pub(super) fn number(text: &str) -> Option<f64> {
+pub(crate) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     match text.parse() {
         Ok(number) => Some(number),

@@ -9,9 +9,11 @@ use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
 
-/// The columns of a map that a motion's cells are made of.
-pub(super) const COLUMNS: ColumnSet =
-    ColumnSet::of(&[Column::Outcome, Column::MaxU, Column::StrokeV, Column::Zeta]);
+/// The columns of a map that a motion's cells are made of, and others that are asked for.
+pub(super) fn columns(others: &[Column]) -> ColumnSet {
+    let own = [Column::Outcome, Column::MaxU, Column::StrokeV, Column::Zeta];
+    ColumnSet::of(&[&own, others].concat())
+}
 
 /// Adds the cells of a map to a motion's, level by level in the order of a grid. Levels may lie along any axis of the map.
 ///
@@ -21,6 +23,7 @@ pub(super) fn gather(
     map: &MapSweep,
     grid: &Grid,
     levels: usize,
+    others: &[Column],
     motion: &mut SweptMotion,
 ) -> Result<(), SweepError> {
     let axis = |parameter| map.grid.axes().iter().position(|axis| axis.parameter == parameter);
@@ -53,5 +56,8 @@ pub(super) fn gather(
     put(column(Column::MaxU)?, &mut motion.max_u);
     put(column(Column::StrokeV)?, &mut motion.stroke_v);
     put(column(Column::Zeta)?, &mut motion.zeta);
+    for (other, to) in others.iter().zip(&mut motion.others) {
+        put(column(*other)?, to);
+    }
     Ok(())
 }

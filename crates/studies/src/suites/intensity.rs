@@ -75,6 +75,14 @@ impl Intensity {
         }
     }
 
+    /// By what its measure grows where a motion grows by a factor: what [`factor`](Intensity::factor) turns around.
+    pub fn growth(self, factor: f64) -> f64 {
+        match self {
+            Intensity::Arias => factor * factor,
+            _ => factor,
+        }
+    }
+
     /// Its unit; 1 of those that are relative to the block.
     pub fn unit(self) -> &'static str {
         match self {

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //! files (a folder, a zip, a list) -> entries (which belong together) -> motions -> measures -> table, picture
-//!   motions -> wanted (at which levels) -> swept, runner (sweeps; saved) -> envelope
+//!   motions -> wanted (at which levels) -> swept, runner (sweeps; saved) -> envelope (shares; resample)
 //! ```
 
 pub mod columns;
-mod delimited;
+pub(crate) mod delimited;
 pub(crate) mod entry;
 pub mod envelope;
 pub(crate) mod error;
@@ -20,6 +20,7 @@ mod names;
 mod peer;
 pub mod read;
 pub mod request;
+pub mod resample;
 mod run;
 mod runner;
 pub mod saved;
@@ -35,4 +36,5 @@ pub use entry::{Entry, Motion};
 pub use error::SuiteError;
 pub use read::Suite;
 pub use request::SuiteRequest;
+pub use resample::{Groups, Resample};
 pub use unused::Unused;

@@ -10,27 +10,6 @@ use topple::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
 
 /// A scene under each motion of a suite.
-///
-/// ```no_run
-/// use topple::{Parameter, Range, SceneBuilder, Unwatched};
-/// use topple_studies::{Envelope, Limits, Suite, SuiteRequest};
-///
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let suite = Suite::read("records".as_ref(), false)?;
-/// let scene = SceneBuilder::object(1)
-///     .with(Parameter::UY, 0.01)
-///     .with(Parameter::TH, Range::even(1.0, 4.0, 31))
-///     .with(Parameter::TV, Range::even(0.1, 1.0, 19));
-/// let request = SuiteRequest::new(scene);
-/// let limits = Limits { standing: 1.0, u: Some(0.3), v: Some(0.05) };
-/// request.check_envelope(&limits)?;
-/// let envelope = Envelope::of(request.open(&suite)?.run(&Unwatched)?, limits);
-/// if let Some(cell) = envelope.best().first() {
-///     println!("cell {cell}: |u| up to {} m", envelope.cells[*cell].max_u[2]);
-/// }
-/// # Ok(())
-/// # }
-/// ```
 #[derive(Debug, Clone)]
 pub struct SuiteRequest {
     /// The scene, without an excitation of its own.

@@ -40,9 +40,9 @@ impl SuiteJob {
     pub fn finds_others(&self) -> Result<bool, SweepError> {
         let there = self.settings.saving.as_ref().map(|folder| saved::names(folder));
         let Some(there) = there.filter(|there| !there.is_empty()) else { return Ok(false) };
-        let (backend, method) = (&self.opened.backends[0], &self.settings.run.method);
+        let backend = &self.opened.backends[0];
         for (wanted, scene) in &self.all {
-            if there.contains(&saved::tag(wanted, scene, backend, method)?) {
+            if there.contains(&saved::tag(wanted, scene, backend, &self.settings)?) {
                 return Ok(false);
             }
         }

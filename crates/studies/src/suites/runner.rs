@@ -146,12 +146,12 @@ impl<'a> Runner<'a> {
         let (wanted, scene) = &all[number];
         let cells = grid.len();
         let place = settings.saving.as_ref().map(|folder| {
-            let tag = saved::tag(wanted, scene, &opened.backends[0], &settings.run.method)?;
+            let tag = saved::tag(wanted, scene, &opened.backends[0], settings)?;
             Ok::<_, SweepError>((folder, tag))
         });
         let place = place.transpose()?;
         if let Some((folder, tag)) = &place
-            && let Some(motion) = saved::load(folder, tag, wanted, cells)
+            && let Some(motion) = saved::load(folder, tag, wanted, (cells, settings.others.len()))
         {
             let runs = if settings.run.method.resolve { 2 } else { 1 };
             self.observer.advance(runs * motion.outcomes.len());
@@ -165,6 +165,7 @@ impl<'a> Runner<'a> {
             max_u: Vec::new(),
             stroke_v: Vec::new(),
             zeta: Vec::new(),
+            others: vec![Vec::new(); settings.others.len()],
             verified: Verified::default(),
         };
         let began = Instant::now();
@@ -205,7 +206,8 @@ impl<'a> Runner<'a> {
         }
         let watch = OneOfSeveral::of(self.observer, Some(&self.stopped));
         let map = sweep_on(&self.job.opened, scene, &axes, &settings, &watch)?;
-        gather(&map, &self.job.grid, factors.len(), motion)?;
+        let others = &self.job.settings.others;
+        gather(&map, &self.job.grid, factors.len(), others, motion)?;
         if sampled == 0 || map.by_reference() {
             return Ok(());
         }

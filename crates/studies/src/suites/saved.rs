@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use super::swept::SuiteSettings;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
@@ -19,12 +20,11 @@ use topple::results::store_error::StoreError;
 use topple::scene::{Scene, bounded};
 use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
-use topple::sweep::settings::Method;
 
 /// The folder in a run's directory.
 const FOLDER: &str = "motions";
-/// Bytes of a cell: its outcome, and three numbers of four bytes.
-const CELL: usize = 13;
+/// Numbers of a cell that are always there, of four bytes each beside one for the outcome.
+const NUMBERS: usize = 3;
 /// Bytes of what the reference says: three counts.
 const VERIFIED: usize = 12;
 
@@ -91,10 +91,11 @@ pub(super) fn tag(
     wanted: &WantedMotion,
     scene: &Scene,
     backend: &Backend,
-    method: &Method,
+    settings: &SuiteSettings,
 ) -> Result<String, SweepError> {
     let adapter = backend.adapter().map(|adapter| adapter.name.as_str());
-    let run = (env!("CARGO_PKG_VERSION"), backend.name(), adapter, method);
+    let others: Vec<&str> = settings.others.iter().map(|column| column.entry().name).collect();
+    let run = (env!("CARGO_PKG_VERSION"), backend.name(), adapter, settings.run.method, others);
     // Of its record the scene's text tells no samples.
     let text = serde_json::to_vec(&(run, scene)).map_err(io::Error::from)?;
     let mut sum = Sha256::new();
@@ -111,17 +112,18 @@ pub(super) fn load(
     folder: &Path,
     tag: &str,
     wanted: &WantedMotion,
-    cells: usize,
+    (cells, others): (usize, usize),
 ) -> Option<SweptMotion> {
     let count = cells * wanted.factors.len();
+    let of_cells = count * (1 + 4 * (NUMBERS + others));
     // With a checksum; a longer file is another's.
-    let most = count * CELL + VERIFIED + 4;
+    let most = of_cells + VERIFIED + 4;
     let bytes = bounded::read(&folder.join(tag), most as u64).ok()?;
-    let (content, sum) = bytes.split_at_checked(count * CELL + VERIFIED)?;
+    let (content, sum) = bytes.split_at_checked(of_cells + VERIFIED)?;
     if sum != crc32c::crc32c(content).to_le_bytes() {
         return None;
     }
-    let (cells, verified) = content.split_at(count * CELL);
+    let (cells, verified) = content.split_at(of_cells);
     let verified = verified.as_chunks::<4>().0;
     let [sampled, differ, inside] = [0, 1, 2].map(|k| u32::from_le_bytes(verified[k]));
     let (codes, numbers) = cells.split_at(count);
@@ -138,6 +140,7 @@ pub(super) fn load(
         max_u: column(0),
         stroke_v: column(1),
         zeta: column(2),
+        others: (NUMBERS..NUMBERS + others).map(column).collect(),
         verified: Verified { sampled, differ, inside, wrong: Vec::new() },
     })
 }
@@ -145,7 +148,8 @@ pub(super) fn load(
 /// Saves a motion under its tag.
 pub(super) fn save(folder: &Path, tag: &str, motion: &SweptMotion) -> Result<(), SweepError> {
     let mut bytes: Vec<u8> = motion.outcomes.iter().map(|class| *class as u8).collect();
-    for column in [&motion.max_u, &motion.stroke_v, &motion.zeta] {
+    let own = [&motion.max_u, &motion.stroke_v, &motion.zeta];
+    for column in own.into_iter().chain(&motion.others) {
         bytes.extend(column.iter().flat_map(|value| value.to_le_bytes()));
     }
     let Verified { sampled, differ, inside, .. } = motion.verified;

@@ -5,12 +5,13 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::gather::COLUMNS;
+use super::gather;
 use super::saved::SavedMotions;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use topple::backend::request::OpenBackends;
+use topple::results::columns::Column;
 use topple::results::shard::Shard;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
@@ -50,6 +51,8 @@ pub struct SuiteSettings {
     pub saving: Option<PathBuf>,
     /// Run the k-th of n shards of the motions only, and leave them there.
     pub shard: Option<Shard>,
+    /// Columns of a map that are kept beside outcome, strokes and rocking index.
+    pub others: Vec<Column>,
 }
 
 /// A scene under a suite, ready to run.
@@ -70,7 +73,7 @@ impl SuiteJob {
     pub(super) fn sweep_settings(&self) -> RunSettings {
         let mut settings = self.settings.run.clone();
         (settings.verify, settings.saving) = (VerifySettings::cells(0), None);
-        settings.method.columns = COLUMNS;
+        settings.method.columns = gather::columns(&self.settings.others);
         settings
     }
 
@@ -83,11 +86,26 @@ impl SuiteJob {
         wanted: Vec<WantedMotion>,
         settings: SuiteSettings,
     ) -> Result<SuiteJob, SweepError> {
-        let under = |wanted: WantedMotion| {
+        SuiteJob::of_scenes(vec![(scene, wanted)], settings)
+    }
+
+    /// The same of several scenes, each with motions of its own, one scene after the other. Their grids have as many cells.
+    ///
+    /// # Errors
+    /// Those of [`open`](SuiteJob::open).
+    pub fn of_scenes(
+        scenes: Vec<(&SceneBuilder, Vec<WantedMotion>)>,
+        settings: SuiteSettings,
+    ) -> Result<SuiteJob, SweepError> {
+        let under = |(scene, wanted): (&SceneBuilder, WantedMotion)| {
             let under = wanted.under(scene)?;
             Ok((wanted, under))
         };
-        let Some(first) = wanted.first() else {
+        let wanted: Vec<(&SceneBuilder, WantedMotion)> = scenes
+            .into_iter()
+            .flat_map(|(scene, wanted)| wanted.into_iter().map(move |wanted| (scene, wanted)))
+            .collect();
+        let Some((scene, first)) = wanted.first() else {
             let problem = "no motion; give a suite that has one".into();
             return Err(SceneError { key: "suite", problem }.into());
         };
@@ -108,6 +126,12 @@ impl SuiteJob {
         &self.opened
     }
 
+    /// The scenes under their first motions, of so many that have as many motions each.
+    pub fn scenes(&self, count: usize) -> Vec<Scene> {
+        let each = (self.all.len() / count.max(1)).max(1);
+        self.all.iter().step_by(each).map(|(_, scene)| scene.clone()).collect()
+    }
+
     /// Cells of all sweeps that are to run together.
     pub fn cells(&self) -> usize {
         let cells = |(wanted, _): &(WantedMotion, Scene)| wanted.factors.len() * self.grid.len();
@@ -124,7 +148,7 @@ impl SuiteJob {
 /// Refuses more than the memory holds: of the cells what is kept, and of the scenes their axes.
 fn check_size(
     grid: &Grid,
-    wanted: &[WantedMotion],
+    wanted: &[(&SceneBuilder, WantedMotion)],
     settings: &SuiteSettings,
 ) -> Result<(), SceneError> {
     let refused = |problem| Err(SceneError::new("suite", problem));
@@ -133,7 +157,7 @@ fn check_size(
         return refused(format!("{sweeps} sweeps are more than {MOST_SWEEPS}; give fewer motions"));
     }
     let own = settings.shard.map_or(0..sweeps, |shard| shard.cells(sweeps));
-    let levels: usize = wanted[own].iter().map(|wanted| wanted.factors.len()).sum();
+    let levels: usize = wanted[own].iter().map(|(_, wanted)| wanted.factors.len()).sum();
     let cells = grid.len().saturating_mul(levels);
     let axes: usize = grid.axes().iter().map(Axis::count).sum();
     if cells.max(axes.saturating_mul(sweeps)) > MOST_CELLS {

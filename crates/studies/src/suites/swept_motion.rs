@@ -18,6 +18,8 @@ pub struct SweptMotion {
     pub stroke_v: Vec<f32>,
     /// The rocking index.
     pub zeta: Vec<f32>,
+    /// Further columns that were asked for, in their order.
+    pub others: Vec<Vec<f32>>,
     /// What the reference says of a sample.
     pub verified: Verified,
 }

@@ -37,12 +37,30 @@ impl WantedMotion {
         Ok(changed)
     }
 
+    /// Each motion at every point of some numbers, one after the other.
+    pub fn spread<'a>(
+        motions: &[WantedMotion],
+        parameters: &[Parameter],
+        points: impl Iterator<Item = &'a Vec<f64>> + Clone,
+    ) -> Vec<WantedMotion> {
+        let at = |motion: &WantedMotion, point: &Vec<f64>| {
+            let settings = parameters.iter().copied().zip(point.iter().copied()).collect();
+            WantedMotion { settings, ..motion.clone() }
+        };
+        motions
+            .iter()
+            .flat_map(|motion| points.clone().map(move |point| at(motion, point)))
+            .collect()
+    }
+
     /// The motions of a suite as they are, scaled as a scene's numbers say; with `both_directions` each a second
     /// time with its horizontal component reversed.
     pub fn of_suite(suite: &Suite, numbers: &Numbers, both_directions: bool) -> Vec<WantedMotion> {
         let mut motions = Vec::new();
         for (entry, motion) in suite.motions() {
-            let pair = excitation::scaled(motion.pair.clone(), numbers);
+            // A factor of the scene is on the motion as the suite has it, scaled by its list or not.
+            let own = Pair { factor: 1.0, ..motion.pair.clone() };
+            let pair = excitation::scaled(own, numbers);
             let (weight, factors) = (entry.weight, vec![1.0]);
             let settings = Vec::new();
             let motion = WantedMotion { id: entry.id.clone(), weight, pair, factors, settings };

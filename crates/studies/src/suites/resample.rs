@@ -5,7 +5,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::suites::{Entry, Suite};
+use super::{Entry, Suite};
 use topple::scene::SceneError;
 
 /// What is drawn with replacement.

@@ -1,0 +1,316 @@
+//! `topple compare`.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use topple::results::column_set::ColumnSet;
+use topple::results::earlier::Kind;
+use topple::scene::record::rounded;
+use topple::scene::record::text::decoded;
+use topple::scene::{Grid, Scene, Values, bounded, path_text};
+use topple_pictures::drawing::render;
+use topple_pictures::studies::comparison as picture;
+use topple_studies::comparison::{
+    self, Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device,
+    RateRequest, devices,
+};
+use topple_studies::fragility::RateEstimate;
+use topple_studies::suites::Resample;
+use topple_studies::suites::intensity::Intensity;
+use topple_studies::suites::verified::Verified;
+
+use super::envelope::{between, digits};
+use super::errors::sweep_error;
+use super::fragility_words as told;
+use super::hazard::HazardFlags;
+use super::limits::{IntervalFlags, LimitFlags};
+use super::numbers::RecordNumbers;
+use super::options::{CommonFlags, RunOptions, flag_error};
+use super::results_directory::{Place, picture_files};
+use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
+use super::words::{Reporter, with_flags};
+use super::{InputError, examples, suite, words};
+
+/// Compare the devices of a list under every motion of a suite, side by side.
+#[derive(clap::Args)]
+#[command(after_help = examples::COMPARE)]
+pub struct CompareCommand {
+    /// The list of devices (CSV)
+    #[arg(value_name = "DEVICES")]
+    pub devices: PathBuf,
+    #[command(flatten)]
+    common: CommonFlags,
+    #[command(flatten)]
+    record: RecordNumbers,
+    #[command(flatten)]
+    pub motions: SuiteFlags,
+    #[command(flatten)]
+    limits: LimitFlags,
+    /// Factors on the motions of which the reserve is told: the largest up to which all limits are kept
+    #[arg(long, value_name = "FACTORS", help_heading = "Suite", allow_hyphen_values = true)]
+    scales: Option<Values>,
+    /// Columns of a map whose 50, 84 and 100 % are told, too, by their names in map.csv
+    #[arg(long, value_name = "NAME,...", help_heading = "Suite")]
+    columns: Option<ColumnSet>,
+    #[command(flatten)]
+    intervals: IntervalFlags,
+    #[command(flatten)]
+    pub hazard: HazardFlags,
+    /// With --hazard: its intensity measure, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*,
+    /// pgv* relative to the block [default: pga]
+    #[arg(long, value_name = "MEASURE", help_heading = "Fragility", requires = "hazard")]
+    im: Option<Intensity>,
+    /// With --hazard: levels of it that each motion is scaled to, in SI units [default: each motion as it is]
+    #[arg(
+        long,
+        value_name = "LEVELS",
+        help_heading = "Fragility",
+        requires = "hazard",
+        allow_hyphen_values = true
+    )]
+    levels: Option<Values>,
+    #[command(flatten, next_help_heading = "Computing")]
+    pub options: RunOptions,
+}
+
+/// run.json of a comparison.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    /// What a run under a suite says; its scene is the first device's.
+    #[serde(flatten)]
+    suite: SuiteManifest<'a>,
+    #[serde(serialize_with = "path_text::serialize")]
+    list: &'a Path,
+    /// Each device under the first motion.
+    devices: Vec<Of<'a>>,
+    standing: f64,
+    limit_u: Option<f64>,
+    limit_v: Option<f64>,
+    scales: &'a [f64],
+    columns: Vec<&'static str>,
+    resample: Resample,
+    groups: usize,
+    replicates: u32,
+    seed: u32,
+    im: Option<Intensity>,
+    levels: Option<Vec<f64>>,
+    #[serde(serialize_with = "path_text::serialize_some")]
+    hazard: Option<&'a Path>,
+    hazard_units: Option<&'static str>,
+    /// What the reference says of a sample.
+    verified: &'a Verified,
+}
+
+/// A device in run.json.
+#[derive(Serialize)]
+struct Of<'a> {
+    device: &'a str,
+    scene: Scene,
+}
+
+/// The table, and the name of the picture.
+const TABLE: &str = "compare.csv";
+const PICTURE: &str = "compare";
+/// Largest list that is read, bytes.
+const LARGEST: u64 = 1 << 20;
+
+impl CompareCommand {
+    /// Runs the sweep and writes the comparison.
+    pub fn run(&self) -> anyhow::Result<()> {
+        let options = &self.options;
+        let place = Place::of(&options.out, Kind::Comparison)?;
+        let im = self.im.unwrap_or(Intensity::Pga);
+        let hazard = self.hazard.read(im)?;
+        let text = self.common.text(None, self.record.placed());
+        let request = self.motions.request(&self.common, options, text)?;
+        let list = self.read(&request.scene)?;
+        let limits = self.limits.limits();
+        let rate = hazard.as_ref().map(|hazard| RateRequest {
+            im,
+            levels: self.levels.clone(),
+            hazard: hazard.curve.clone(),
+        });
+        let columns = self.columns.iter().flat_map(|columns| columns.columns()).collect();
+        let request = ComparisonRequest {
+            scales: self.scales.clone(),
+            columns,
+            rate,
+            resample: self.intervals.resample,
+            seed: self.intervals.seed,
+            ..ComparisonRequest::new(list, request, limits)
+        };
+        request.check().map_err(|error| self.refused(error))?;
+        let names = [TABLE.to_string()].into_iter().chain(picture_files(PICTURE));
+        self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
+        let suite = self.motions.read()?;
+        let say = Reporter::unless(options.quiet);
+        suite::count(&suite, &say);
+        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
+            told::hazard(path, hazard, im, &say);
+        }
+        let ComparisonJob { sweep, settings } =
+            request.open(&suite).map_err(|error| self.refused(error))?;
+        let scenes = sweep.scenes(settings.devices.len());
+        self.warn(&settings.devices, &scenes)?;
+        let times = Times::devices(settings.devices.len());
+        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
+            return Ok(());
+        };
+        let mut out = place.open()?;
+        let mut compared = Comparison::of(swept, settings);
+        let devices = suite::counted(compared.devices.len(), "device");
+        let motions = suite::counted(compared.records(), "motion");
+        let svg = picture::draw(&compared, &format!("{devices} under {motions}"));
+        let mut files = vec![TABLE.to_string()];
+        files.extend(svg.iter().flat_map(|_| picture_files(PICTURE)));
+        out.begin(files, &say)?;
+        out.write(TABLE, |w| comparison::write(&compared, w))?;
+        if let Some(svg) = &svg {
+            out.picture(PICTURE, svg, &render::png(svg)?)?;
+        }
+        let settings = &compared.settings;
+        let ids = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
+        let named = settings.devices.iter().zip(scenes);
+        let manifest = Manifest {
+            suite: self.motions.manifest(&compared.sweep, ids, (&suite, options)),
+            list: &self.devices,
+            devices: named.map(|(one, scene)| Of { device: &one.name, scene }).collect(),
+            standing: limits.standing,
+            limit_u: limits.u,
+            limit_v: limits.v,
+            scales: &settings.scales,
+            columns: settings.columns.iter().map(|column| column.entry().name).collect(),
+            resample: settings.groups.by,
+            groups: settings.groups.count,
+            replicates: settings.bootstrap.replicates,
+            seed: self.intervals.seed,
+            im: hazard.as_ref().map(|_| im),
+            levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
+            hazard: self.hazard.path(),
+            hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            verified: &compared.sweep.verified,
+        };
+        out.finish(&manifest)?;
+        tell(&compared, &say);
+        suite_run::tell_verified(&compared.sweep, &say);
+        compared.sweep.discard_saved()?;
+        match svg {
+            Some(_) => say.line("picture", out.file(&picture_files(PICTURE)[1]).display()),
+            None => {
+                let most = picture::MOST;
+                say.line("picture", format!("none: there are more than {most} devices"));
+            }
+        }
+        say.line("table", format!("{} with run.json", out.file(TABLE).display()));
+        Ok(())
+    }
+
+    /// Reads the list.
+    fn read(&self, shared: &topple::SceneBuilder) -> Result<Vec<Device>, InputError> {
+        let unread = |error: String| {
+            let path = self.devices.display();
+            InputError(format!("{path}: {error}; give a list of devices (CSV) that can be read"))
+        };
+        let bytes = bounded::read(&self.devices, LARGEST).map_err(|e| unread(e.to_string()))?;
+        let text = decoded(&bytes).map_err(|e| unread(e.to_string()))?;
+        devices::read(&text, shared).map_err(|error| self.refused(error.into()))
+    }
+
+    /// What is wrong, with its place in the list or its flag.
+    fn refused(&self, error: ComparisonError) -> InputError {
+        match error {
+            ComparisonError::Devices(error) => {
+                let (path, problem) = (self.devices.display(), error.to_string());
+                InputError(format!("{path}: {}", with_flags(&problem)))
+            }
+            ComparisonError::Sweep(error) => InputError(format!("{:#}", sweep_error(error))),
+        }
+    }
+
+    /// Warns of devices whose impacts take no energy.
+    fn warn(&self, devices: &[Device], scenes: &[Scene]) -> Result<(), InputError> {
+        let mut names = Vec::new();
+        for (device, scene) in devices.iter().zip(scenes) {
+            let plan = self.options.plan(scene).map_err(|error| flag_error(&error))?;
+            if words::has_lossless_impacts(&plan, &Grid::of(scene)) {
+                names.push(device.name.as_str());
+            }
+        }
+        if !names.is_empty() {
+            words::warn(with_flags(&format!(
+                "{}: impacts take no energy, so that the block chatters for long; give the plates' masses (`plate_h`, `plate_v`), or \
+                 of a block on the ground no restitution of 1",
+                names.join(", ")
+            )));
+        }
+        Ok(())
+    }
+}
+
+/// Says what became of each device.
+fn tell(compared: &Comparison, say: &Reporter) {
+    let groups = &compared.settings.groups;
+    say.line("intervals", told::intervals(groups, compared.records()));
+    for (number, (name, device)) in compared.rows().enumerate() {
+        say.line(if number == 0 { "devices" } else { "" }, one(name, device, compared));
+    }
+}
+
+/// A device in words.
+fn one(name: &str, device: &Compared, of: &Comparison) -> String {
+    let Compared { cell, reserve, rate, .. } = device;
+    let mut text = format!("{name}: stands under {:.1} %", 100.0 * cell.standing);
+    text += &format!(
+        ", overturning has P = {}{}",
+        digits(cell.overturned),
+        between(cell.overturned_within)
+    );
+    let strokes = [
+        ("|u|", cell.max_u[2], of.settings.limits.u),
+        ("stroke of v", cell.stroke_v[2], of.settings.limits.v),
+    ];
+    for (what, value, limit) in strokes {
+        if value > 0.0 {
+            let limit = limit.map_or(String::new(), |limit| format!(" of {limit} m"));
+            text += &format!(", {what} up to {value:.3} m{limit}");
+        }
+    }
+    if let Some(reserve) = reserve {
+        text += &match (reserve.keeps, reserve.fails) {
+            (None, _) => ", no reserve".to_string(),
+            (Some(keeps), Some(fails)) => {
+                format!(", keeps all limits up to {keeps} times the motions, not at {fails}")
+            }
+            (Some(keeps), None) => {
+                format!(", keeps all limits up to {keeps} times the motions and perhaps more")
+            }
+        };
+    }
+    if of.settings.hazard.is_some() {
+        text += &annual(rate.as_ref());
+    }
+    if !cell.feasible {
+        text += "; not all limits are kept";
+    }
+    text
+}
+
+/// An annual rate in words.
+fn annual(rate: Option<&RateEstimate>) -> String {
+    let number = |value: f64| rounded(value, 3).to_string();
+    match rate {
+        Some(RateEstimate { rate: Some(value), low, high, .. }) => {
+            let within = match (low, high) {
+                (Some(low), Some(high)) => format!(" ({} to {})", number(*low), number(*high)),
+                (Some(low), None) => format!(" (above {})", number(*low)),
+                (None, Some(high)) => format!(" (below {})", number(*high)),
+                (None, None) => String::new(),
+            };
+            format!(", annual rate {}{within}", number(*value))
+        }
+        Some(RateEstimate { high: Some(high), .. }) => {
+            format!(", annual rate not known, {} at the most", number(*high))
+        }
+        _ => ", annual rate not known".to_string(),
+    }
+}

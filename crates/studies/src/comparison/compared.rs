@@ -1,0 +1,171 @@
+//! What became of devices under a suite.
+
+use super::request::ComparisonSettings;
+use crate::fragility::limit_state::LimitState;
+use crate::fragility::suite_runs::run_of;
+use crate::fragility::{Estimator, HazardCurve, RateEstimate, RecordRuns, estimate};
+use crate::statistics::{Bootstrap, DrawnGroups};
+use crate::suites::envelope::{CellEnvelope, Limits, percentiles, within};
+use crate::suites::swept::SuiteSweep;
+use crate::suites::swept_motion::SweptMotion;
+use crate::suites::wanted::WantedMotion;
+use topple::stepping::outcome::Class;
+
+/// Devices under a suite, with what is told of each.
+#[derive(Debug)]
+pub struct Comparison {
+    /// The sweep of all devices, one after the other.
+    pub sweep: SuiteSweep,
+    /// What is told of them.
+    pub settings: ComparisonSettings,
+    /// A device each, in the list's order.
+    pub devices: Vec<Compared>,
+}
+
+/// What became of a device.
+#[derive(Debug, Clone)]
+pub struct Compared {
+    /// Shares and strokes under the motions as they are.
+    pub cell: CellEnvelope,
+    /// Share of the motions under which the block lifts, whether it stands or overturns.
+    pub lifted: f64,
+    /// Percentiles of the further columns, of the motions under which the block stands.
+    pub columns: Vec<[f64; 3]>,
+    /// How much stronger the motions may be; none where nobody asks.
+    pub reserve: Option<Reserve>,
+    /// The annual rate of overturning; none without a hazard curve, and where no curve of a fragility is known.
+    pub rate: Option<RateEstimate>,
+}
+
+/// How much stronger the motions may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reserve {
+    /// The largest factor of the list up to which all limits are kept, at each before it, too; none where they are not kept at
+    /// the least.
+    pub keeps: Option<f64>,
+    /// The least at which they are not; none where they are kept at all.
+    pub fails: Option<f64>,
+}
+
+/// Where what is asked of a motion lies among its factors.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shaken {
+    /// As it is.
+    plain: usize,
+    /// At the factors of the reserve.
+    scales: Vec<usize>,
+    /// At the levels of the hazard's measure, and these.
+    levels: Vec<(usize, f64)>,
+}
+
+impl Shaken {
+    /// Gives a motion the factors of a reserve, and those of levels.
+    pub(super) fn of(
+        motion: &mut WantedMotion,
+        scales: &[f64],
+        own: Vec<f64>,
+        levels: Vec<f64>,
+    ) -> Shaken {
+        motion.at_factors(scales.iter().chain(&own).copied());
+        Shaken {
+            plain: motion.place_of(1.0),
+            scales: scales.iter().map(|scale| motion.place_of(*scale)).collect(),
+            levels: own.iter().map(|own| motion.place_of(*own)).zip(levels).collect(),
+        }
+    }
+}
+
+impl Comparison {
+    /// Compares the devices of a sweep.
+    pub fn of(sweep: SuiteSweep, settings: ComparisonSettings) -> Comparison {
+        let ComparisonSettings { limits, groups, bootstrap, hazard, .. } = &settings;
+        let drawn = DrawnGroups::of(&groups.of, groups.count, bootstrap);
+        let each = (sweep.motions.len() / settings.devices.len().max(1)).max(1);
+        let devices = sweep.motions.chunks(each).zip(settings.shaken.chunks(each));
+        let of_device = |(motions, shaken): (&[SweptMotion], &[Shaken])| {
+            let first = shaken.first()?;
+            // All motions are as they are at one place only where their factors are the same: each is looked up.
+            let plain = at(motions, shaken, |shaken| shaken.plain);
+            let mut cell = CellEnvelope::of(&plain, 0, *limits);
+            cell.overturned_within = within(&plain, 0, 1, &drawn);
+            let lifts = |class: Class| class.overturned() || class == Class::Rocking;
+            let all: f64 = plain.iter().map(|motion| motion.weight).sum();
+            let lifted = plain.iter().filter(|motion| lifts(motion.outcomes[0]));
+            let of_column =
+                |k: usize| percentiles(&plain, 0, move |motion: &SweptMotion| motion.others[k][0]);
+            let hazard = hazard.as_ref();
+            Some(Compared {
+                cell,
+                // A sum of nothing is a negative zero.
+                lifted: lifted.fold(0.0, |sum, motion| sum + motion.weight) / all,
+                columns: (0..settings.columns.len()).map(of_column).collect(),
+                reserve: (!first.scales.is_empty())
+                    .then(|| reserve(motions, shaken, &settings.scales, *limits)),
+                rate: hazard
+                    .and_then(|hazard| rate(motions, shaken, &groups.of, (hazard, bootstrap))),
+            })
+        };
+        let devices = devices.filter_map(of_device).collect();
+        Comparison { sweep, settings, devices }
+    }
+
+    /// How many motions each device has.
+    pub fn records(&self) -> usize {
+        self.sweep.motions.len() / self.settings.devices.len().max(1)
+    }
+
+    /// Each device with what became of it.
+    pub fn rows(&self) -> impl Iterator<Item = (&str, &Compared)> {
+        self.settings.devices.iter().map(|device| device.name.as_str()).zip(&self.devices)
+    }
+}
+
+/// The motions at one factor each.
+fn at(
+    motions: &[SweptMotion],
+    shaken: &[Shaken],
+    place: impl Fn(&Shaken) -> usize,
+) -> Vec<SweptMotion> {
+    let one = |(motion, shaken): (&SweptMotion, &Shaken)| {
+        let at = place(shaken);
+        SweptMotion {
+            id: motion.id.clone(),
+            weight: motion.weight,
+            outcomes: vec![motion.outcomes[at]],
+            max_u: vec![motion.max_u[at]],
+            stroke_v: vec![motion.stroke_v[at]],
+            zeta: vec![motion.zeta[at]],
+            others: motion.others.iter().map(|other| vec![other[at]]).collect(),
+            verified: motion.verified.clone(),
+        }
+    };
+    motions.iter().zip(shaken).map(one).collect()
+}
+
+/// How much stronger the motions may be: the list of factors is gone up to the first at which a limit is not kept. That the block
+/// stands again at a larger one is no reserve.
+fn reserve(motions: &[SweptMotion], shaken: &[Shaken], scales: &[f64], limits: Limits) -> Reserve {
+    let keeps = |k: usize| {
+        CellEnvelope::of(&at(motions, shaken, |shaken| shaken.scales[k]), 0, limits).feasible
+    };
+    let fails = (0..scales.len()).find(|k| !keeps(*k));
+    let last = fails.unwrap_or(scales.len()).checked_sub(1);
+    Reserve { keeps: last.map(|k| scales[k]), fails: fails.map(|k| scales[k]) }
+}
+
+/// The annual rate of overturning, by multiple stripes.
+fn rate(
+    motions: &[SweptMotion],
+    shaken: &[Shaken],
+    groups: &[usize],
+    (hazard, bootstrap): (&HazardCurve, &Bootstrap),
+) -> Option<RateEstimate> {
+    let record = |((motion, shaken), group): ((&SweptMotion, &Shaken), &usize)| {
+        let of = |(at, level): &(usize, f64)| run_of(LimitState::Overturning, motion, *at, *level);
+        let mut runs: Vec<_> = shaken.levels.iter().filter_map(of).collect();
+        runs.sort_by(|a, b| a.level.total_cmp(&b.level));
+        RecordRuns { weight: motion.weight, group: *group, runs }
+    };
+    let records: Vec<RecordRuns> = motions.iter().zip(shaken).zip(groups).map(record).collect();
+    estimate(Estimator::Stripes, &records, bootstrap, Some(hazard)).rate
+}

@@ -1,0 +1,17 @@
+//! Devices side by side: each row of a list is a base, and perhaps a block, under every motion of a suite.
+//!
+//! ```text
+//! devices (a list: a scene each) -> request -> one sweep of all devices under all motions -> compared -> table, picture
+//! ```
+
+mod compared;
+pub mod devices;
+mod devices_error;
+pub mod request;
+mod table;
+
+pub use compared::{Compared, Comparison, Reserve};
+pub use devices::Device;
+pub use devices_error::{ComparisonError, DevicesError};
+pub use request::{ComparisonJob, ComparisonRequest, RateRequest};
+pub use table::{COLUMNS, RATES, RESERVE, further, write};

@@ -1,0 +1,220 @@
+//! What is asked of a comparison, and the one sweep that answers it.
+
+use super::compared::{Comparison, Shaken};
+use super::devices::Device;
+use super::devices_error::ComparisonError;
+use crate::fragility::HazardCurve;
+use crate::fragility::levels;
+use crate::statistics::Bootstrap;
+use crate::suites::envelope::Limits;
+use crate::suites::intensity::Intensity;
+use crate::suites::request::{SuiteRequest, above_zero};
+use crate::suites::swept::{SuiteJob, SuiteSettings};
+use crate::suites::wanted::WantedMotion;
+use crate::suites::{Groups, Resample, Suite};
+use topple::results::columns::{Column, ColumnKind};
+use topple::scene::{Grid, SceneError, Values};
+use topple::sweep::error::SweepError;
+use topple::work::observer::Observer;
+
+/// Devices that are to be compared under a suite.
+#[derive(Debug, Clone)]
+pub struct ComparisonRequest {
+    /// The devices.
+    pub devices: Vec<Device>,
+    /// Which motions each is swept under, and how; its scene is what all devices share.
+    pub suite: SuiteRequest,
+    /// What each must do.
+    pub limits: Limits,
+    /// Factors on the motions of which the reserve is told.
+    pub scales: Option<Values>,
+    /// Columns of a map whose percentiles are told, too.
+    pub columns: Vec<Column>,
+    /// The site of which annual rates are told.
+    pub rate: Option<RateRequest>,
+    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    pub resample: Option<Resample>,
+    /// Seed of the sets that are drawn.
+    pub seed: u32,
+}
+
+/// A site, and the levels that each motion is scaled to for its annual rates.
+#[derive(Debug, Clone)]
+pub struct RateRequest {
+    /// The measure of the hazard.
+    pub im: Intensity,
+    /// Levels of it; each motion as it is without them.
+    pub levels: Option<Values>,
+    /// The hazard over it.
+    pub hazard: HazardCurve,
+}
+
+/// A comparison that is ready to run.
+pub struct ComparisonJob {
+    /// All devices under all motions.
+    pub sweep: SuiteJob,
+    /// What is told of them.
+    pub settings: ComparisonSettings,
+}
+
+/// What is told of devices.
+#[derive(Debug, Clone)]
+pub struct ComparisonSettings {
+    /// The devices, each with as many motions of the sweep, one after the other.
+    pub devices: Vec<Device>,
+    /// What each must do.
+    pub limits: Limits,
+    /// Factors of which the reserve is told, the least first; none where nobody asks.
+    pub scales: Vec<f64>,
+    /// Columns whose percentiles are told, too.
+    pub columns: Vec<Column>,
+    /// The hazard of the site, where annual rates are told.
+    pub hazard: Option<HazardCurve>,
+    /// Which records are drawn together.
+    pub groups: Groups,
+    /// How sets of them are drawn.
+    pub bootstrap: Bootstrap,
+    /// Which of the factors of each motion of the sweep are what.
+    pub(super) shaken: Vec<Shaken>,
+}
+
+impl ComparisonRequest {
+    /// The comparison of devices within limits.
+    pub fn new(devices: Vec<Device>, suite: SuiteRequest, limits: Limits) -> ComparisonRequest {
+        ComparisonRequest {
+            devices,
+            suite,
+            limits,
+            scales: None,
+            columns: Vec::new(),
+            rate: None,
+            resample: None,
+            seed: 1,
+        }
+    }
+
+    /// A device in the place of the scene of all.
+    fn of(&self, device: &Device) -> SuiteRequest {
+        let mut scene = device.scene.clone();
+        scene.force = self.suite.scene.force;
+        SuiteRequest { scene, ..self.suite.clone() }
+    }
+
+    /// Checks what can be checked before a suite is read.
+    ///
+    /// # Errors
+    /// The first key at fault, or the device, with what to do.
+    pub fn check(&self) -> Result<(), ComparisonError> {
+        let of_scene = |error: SceneError| ComparisonError::from(SweepError::from(error));
+        let refused = |key, problem: String| Err(of_scene(SceneError::new(key, problem)));
+        if let Some(Err(error)) = self.scales.as_ref().map(Values::check) {
+            return refused("scales", error.to_string());
+        }
+        let scales: Vec<f64> = self.scales.iter().flat_map(Values::iter).collect();
+        above_zero("scales", &scales).map_err(of_scene)?;
+        if let Some(column) = self.columns.iter().find(|one| !is_number(**one)) {
+            let problem = format!("{} has names, not numbers; leave it out", column.entry().name);
+            return refused("columns", problem);
+        }
+        let standing = Limits { u: None, v: None, ..self.limits };
+        for device in &self.devices {
+            let of = self.of(device);
+            of.check().map_err(|error| device.refused(&error))?;
+            of.check_envelope(&standing).map_err(of_scene)?;
+        }
+        // A limit means something where one device moves in its direction.
+        for (u, v) in [(self.limits.u, None), (None, self.limits.v)] {
+            let check = |device| self.of(device).check_limits(u.as_slice(), v.as_slice());
+            let checked: Vec<_> = self.devices.iter().map(check).collect();
+            if let (false, Some(Err(error))) =
+                (checked.iter().any(Result::is_ok), checked.into_iter().next())
+            {
+                return Err(of_scene(error));
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes it ready to run under a suite.
+    ///
+    /// # Errors
+    /// Those of [`check`](ComparisonRequest::check), a device that makes no scene, a backend that cannot be had.
+    pub fn open(&self, suite: &Suite) -> Result<ComparisonJob, ComparisonError> {
+        self.check()?;
+        let directions = if self.suite.both_directions { 2 } else { 1 };
+        let groups = Groups::of(suite, directions, self.resample).map_err(SweepError::from)?;
+        let mut scales: Vec<f64> = self.scales.iter().flat_map(Values::iter).collect();
+        scales.sort_by(f64::total_cmp);
+        let requests: Vec<SuiteRequest> =
+            self.devices.iter().map(|device| self.of(device)).collect();
+        let (mut all, mut shaken) = (Vec::with_capacity(requests.len()), Vec::new());
+        for (device, request) in self.devices.iter().zip(&requests) {
+            let mut motions = request.motions(suite);
+            if let Some(first) = motions.first() {
+                let scene = first.under(&request.scene).map_err(|error| device.refused(&error))?;
+                if let Some(axis) = Grid::of(&scene).axes().iter().find(|axis| axis.count() > 1) {
+                    let problem =
+                        "has several values; a device has one: give each a line of the list";
+                    return Err(device.refused(&SceneError::new(axis.key(), problem)).into());
+                }
+                let levels = match &self.rate {
+                    None => vec![Vec::new(); motions.len()],
+                    Some(RateRequest { im, levels, .. }) => {
+                        let block = &scene.case().block;
+                        levels::scale(&mut motions, *im, levels.as_ref(), block)
+                            .map_err(SweepError::from)?
+                    }
+                };
+                for (motion, levels) in motions.iter_mut().zip(levels) {
+                    let own = if levels.is_empty() { Vec::new() } else { motion.factors.clone() };
+                    shaken.push(Shaken::of(motion, &scales, own, levels));
+                    motion.id = format!("{} under {}", device.name, motion.id);
+                }
+            }
+            all.push((&request.scene, motions));
+        }
+        let settings =
+            SuiteSettings { others: self.columns.clone(), ..self.suite.settings.clone() };
+        let sweep = SuiteJob::of_scenes(all, settings)?;
+        let settings = ComparisonSettings {
+            devices: self.devices.clone(),
+            limits: self.limits,
+            scales,
+            columns: self.columns.clone(),
+            hazard: self.rate.as_ref().map(|rate| rate.hazard.clone()),
+            groups,
+            bootstrap: Bootstrap { replicates: Bootstrap::usual(1), seed: self.seed.into() },
+            shaken,
+        };
+        Ok(ComparisonJob { sweep, settings })
+    }
+}
+
+/// True of a column of numbers.
+fn is_number(column: Column) -> bool {
+    matches!(column.entry().kind, ColumnKind::Number | ColumnKind::Count)
+}
+
+impl ComparisonJob {
+    /// Runs the sweep and compares the devices.
+    ///
+    /// # Errors
+    /// Those of [`SuiteJob::run`].
+    pub fn run(self, observer: &dyn Observer) -> Result<Comparison, SweepError> {
+        Ok(Comparison::of(self.sweep.run(observer)?, self.settings))
+    }
+}
+
+impl WantedMotion {
+    /// Gives it factors, each once, the least first, 1 among them.
+    pub(super) fn at_factors(&mut self, factors: impl Iterator<Item = f64>) {
+        self.factors = factors.chain([1.0]).collect();
+        self.factors.sort_by(f64::total_cmp);
+        self.factors.dedup();
+    }
+
+    /// The place of a factor that it has; the first place for one that it has not.
+    pub(super) fn place_of(&self, factor: f64) -> usize {
+        self.factors.iter().position(|own| *own == factor).unwrap_or(0)
+    }
+}

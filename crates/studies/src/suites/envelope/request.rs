@@ -1,0 +1,121 @@
+//! What is asked of an envelope.
+
+use super::{Best, Envelope, EnvelopeSettings, Limits};
+use crate::statistics::Bootstrap;
+use crate::suites::Suite;
+use crate::suites::request::SuiteRequest;
+use crate::suites::resample::{Groups, Resample};
+use crate::suites::swept::SuiteJob;
+use crate::suites::wanted::WantedMotion;
+use crate::uncertain::{SAMPLES, Varied, check_samples, checked_points};
+use topple::scene::{Parameter, SceneError};
+use topple::sweep::error::SweepError;
+use topple::work::observer::Observer;
+
+/// A scene whose envelope under a suite is asked for.
+///
+/// ```no_run
+/// use topple::{Parameter, Range, SceneBuilder, Unwatched};
+/// use topple_studies::{EnvelopeRequest, Limits, Suite, SuiteRequest};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let suite = Suite::read("records".as_ref(), false)?;
+/// let scene = SceneBuilder::object(1)
+///     .with(Parameter::UY, 0.01)
+///     .with(Parameter::TH, Range::even(1.0, 4.0, 31))
+///     .with(Parameter::TV, Range::even(0.1, 1.0, 19));
+/// let limits = Limits { standing: 1.0, u: Some(0.3), v: Some(0.05) };
+/// let request = EnvelopeRequest::new(SuiteRequest::new(scene), limits);
+/// let envelope = request.open(&suite)?.run(&Unwatched)?;
+/// if let Some(cell) = envelope.best().first() {
+///     println!("cell {cell}: |u| up to {} m", envelope.cells[*cell].max_u[2]);
+/// }
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone)]
+pub struct EnvelopeRequest {
+    /// The scene, its motions, and how they are run.
+    pub suite: SuiteRequest,
+    /// What a base must do.
+    pub limits: Limits,
+    /// Which of the feasible cells is called the best.
+    pub best: Best,
+    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    pub resample: Option<Resample>,
+    /// Numbers that are not known: shares are of the motions at all their points.
+    pub vary: Vec<Varied>,
+    /// Points of these.
+    pub samples: u32,
+    /// Seed of what is drawn: of the sets of records, and of the points.
+    pub seed: u32,
+}
+
+/// An envelope that is ready to run.
+pub struct EnvelopeJob {
+    /// The sweeps.
+    pub sweep: SuiteJob,
+    /// What is told of them.
+    pub settings: EnvelopeSettings,
+}
+
+impl EnvelopeRequest {
+    /// The envelope of a scene in which all is known.
+    pub fn new(suite: SuiteRequest, limits: Limits) -> EnvelopeRequest {
+        EnvelopeRequest {
+            suite,
+            limits,
+            best: Best::default(),
+            resample: None,
+            vary: Vec::new(),
+            samples: SAMPLES,
+            seed: 1,
+        }
+    }
+
+    /// Checks what can be checked before a suite is read.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check(&self) -> Result<(), SceneError> {
+        check_samples(self.samples)?;
+        self.suite.check()?;
+        self.suite.check_envelope(&self.limits)
+    }
+
+    /// Makes it ready to run under a suite.
+    ///
+    /// # Errors
+    /// Those of [`check`](EnvelopeRequest::check), numbers that make no sense, a backend that cannot be had.
+    pub fn open(&self, suite: &Suite) -> Result<EnvelopeJob, SweepError> {
+        self.check()?;
+        let mut motions = self.suite.motions(suite);
+        let directions = if self.suite.both_directions { 2 } else { 1 };
+        let groups = Groups::of(suite, directions, self.resample)?;
+        let mut times = 1;
+        if let (Some(first), false) = (motions.first(), self.vary.is_empty()) {
+            let scene = first.under(&self.suite.scene)?;
+            let how_many = (self.samples as usize, self.seed);
+            let points = checked_points(&scene, &self.vary, how_many, self.suite.scene.force)?;
+            let parameters: Vec<Parameter> = self.vary.iter().map(|one| one.parameter).collect();
+            times = points.len();
+            motions = WantedMotion::spread(&motions, &parameters, points.iter());
+        }
+        let sweep = self.suite.open_under(motions)?;
+        let replicates = Bootstrap::usual(sweep.grid.len());
+        let bootstrap = Bootstrap { replicates, seed: self.seed.into() };
+        let intervals = Some((groups, bootstrap));
+        let settings = EnvelopeSettings { limits: self.limits, best: self.best, times, intervals };
+        Ok(EnvelopeJob { sweep, settings })
+    }
+}
+
+impl EnvelopeJob {
+    /// Runs the sweeps and reduces them.
+    ///
+    /// # Errors
+    /// Those of [`SuiteJob::run`].
+    pub fn run(self, observer: &dyn Observer) -> Result<Envelope, SweepError> {
+        Ok(Envelope::of(self.sweep.run(observer)?, self.settings))
+    }
+}
