@@ -26,6 +26,9 @@ written! {
 /// The displacement of a friction pendulum before it slides, where none is given, m.
 pub const SLIDER_YIELD: f64 = 0.0005;
 
+/// xi_h of a base of the paper, where none is given.
+pub const DEFAULT_XI_H: f64 = 0.05;
+
 /// How the device is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Device {
@@ -163,7 +166,7 @@ pub(super) fn complete(numbers: &mut Numbers) -> Result<Device, SceneError> {
         numbers.set_missing(Psi, 0.25);
     }
     // What a catalogue gives of a device has all of its damping.
-    numbers.set_missing(XiH, if device == Device::Paper { 0.05 } else { 0.0 });
+    numbers.set_missing(XiH, if device == Device::Paper { DEFAULT_XI_H } else { 0.0 });
     if !has(numbers, &[UY, YieldForce, Qd]) {
         numbers.set_missing(AlphaY, 0.1);
     }

@@ -11,7 +11,7 @@ use topple::backend::ready::Backend;
 use topple::backend::request::BackendRequest;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
-use topple::results::columns::Column;
+use topple::results::column_set::ColumnSet;
 use topple::scene::{Grid, Parameter, Scene, Values};
 use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep;
@@ -141,7 +141,7 @@ fn what_is_saved_is_resumed() {
         let mut map = sweep(&scene, &[], &settings, &ear).unwrap();
         let left = (600 - saved) * if resolve { 2 } else { 1 };
         assert_eq!(*ear.phases.lock().unwrap(), [(Phase::Sweeping, left)]);
-        for column in Column::ALL {
+        for column in ColumnSet::ALL.columns() {
             let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect::<Vec<_>>();
             let [one, other] = [&whole, &map].map(|map| bits(map.column(column).unwrap()));
             assert_eq!(one, other, "{column:?}");

@@ -106,7 +106,7 @@ impl EnvelopeCommand {
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
         let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
-        suite_run::warn_of_lossless_impacts(&sweep, options)?;
+        suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());

@@ -179,7 +179,7 @@ impl FragilityCommand {
         }
         let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
-        suite_run::warn_of_lossless_impacts(&sweep, options)?;
+        suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());

@@ -135,9 +135,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     };
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
-    if let Some(device) = DeviceNumbers::of(scene) {
-        say.line("device", device);
-    }
+    words::device(&say, scene);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

@@ -8,7 +8,7 @@ use topple::scene::record::read::format_of;
 use topple::scene::{Scene, bounded};
 
 use super::InputError;
-use super::words::{self, with_keys};
+use super::words::with_keys;
 
 /// What only a figure's file has.
 pub const FIGURE: &str = "[[panel]]";
@@ -29,7 +29,6 @@ pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
 /// # Errors
 /// What is wrong, where, and what to do.
 pub fn check(path: &Path, given: &SceneBuilder) -> Result<Scene, InputError> {
-    words::warn_of_default_damping(given);
     let directory = path.parent().unwrap_or(Path::new(""));
     given.check_in(directory).map_err(|error| refused(path, with_keys(&error.to_string())))
 }

@@ -420,7 +420,7 @@ impl CommonFlags {
         more: impl Iterator<Item = (usize, Parameter, Values)>,
     ) -> SceneBuilder {
         let own = self.block.placed().chain(self.base.placed()).chain(self.run.placed());
-        let scene = SceneBuilder {
+        SceneBuilder {
             title: title.map(String::from),
             object: self.object,
             isolation: self.isolation,
@@ -432,9 +432,7 @@ impl CommonFlags {
             force: false,
             x: self.x,
             y: self.y,
-        };
-        words::warn_of_default_damping(&scene);
-        scene
+        }
     }
 }
 

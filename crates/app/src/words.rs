@@ -15,7 +15,7 @@ use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
 use topple::results::tally::Tally;
-use topple::scene::builder::SceneBuilder;
+use topple::scene::device::DEFAULT_XI_H;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
@@ -109,9 +109,7 @@ pub fn sides(grid: &Grid) -> String {
 pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
     say.line("", topple::scene::words::line(scene));
-    if let Some(device) = DeviceNumbers::of(scene) {
-        say.line("device", device);
-    }
+    device(say, scene);
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
@@ -130,19 +128,21 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
     }
 }
 
-/// Warns of a yield displacement or force beside the damper that a base of the paper has by default: a device whose
-/// friction or yielding is all of its damping has none.
-pub fn warn_of_default_damping(scene: &SceneBuilder) {
+/// Says what the numbers of a device make of the base; and, of a base of the paper that yields at a given displacement or
+/// force, that a damper acts beside it: a device whose friction or yielding is all of its damping has none.
+pub fn device(say: &Reporter, scene: &Scene) {
+    if let Some(device) = DeviceNumbers::of(scene) {
+        say.line("device", device);
+    }
     let given = |own: &Parameter| scene.numbers.has(*own);
     let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
+    let damper = scene.numbers.get(Parameter::XiH).and_then(Values::single);
     if let Some(strength) = strength
         && Device::of(&scene.numbers) == Device::Paper
-        && !scene.numbers.has(Parameter::XiH)
+        && damper == Some(DEFAULT_XI_H)
     {
-        warn(format!(
-            "`{}` is given without `xi_h`: a damper of 5 % of the initial stiffness acts beside the device; `xi_h` 0 leaves it out",
-            strength.key()
-        ));
+        let problem = "5 % of damping on the initial stiffness acts beside the device";
+        say.line("warning", format!("{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()));
     }
 }
 

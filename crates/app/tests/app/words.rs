@@ -25,7 +25,7 @@ fn flags_are_named_where_flags_were_typed() {
     let cases: [(&[&str], &str); 9] = [
         (
             &["--a-h", "5"],
-            "--t-h: missing; give it in seconds, or lock its direction by --isolation",
+            "--t-h: missing; give it in seconds, or the device by --k1, --k2 and --qd or by --radius and --mu, or lock its",
         ),
         (
             &["--t-h", "1", "--a-h", "5", "--bouc-wen-n", "1.5"],
