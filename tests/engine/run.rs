@@ -12,6 +12,7 @@ use topple::backend::request::BackendRequest;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::results::column_set::ColumnSet;
+use topple::results::columns::Column;
 use topple::scene::{Grid, Parameter, Scene, Values};
 use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep;
