@@ -61,7 +61,7 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
         if follows && !isolated_v {
             // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
             let zero: real = 0.0;
-            let slope = base.slope;
+            let slope = pendulum_slope(cell, y);
             let weight = base.f_v;
             let rest = push_h + slope * max(weight, zero);
             let still = weight - mu_p * w;

@@ -20,37 +20,51 @@ var<private> stop: real;
 struct Support {
     f_h: real,
     f_v: real,
-    slope: real,
 }
 
 // The support's two accelerations, (10a) over M_t and (10b) over M_v.
 fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
-    let zero: real = 0.0;
-    var f_v = ground.v + model.gravity;
-    if isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
-        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
-        if hardens {
-            f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
-        }
-    }
     var f_h = ground.h;
-    var slope = zero;
     if isolated_h {
         var spring = cell.post_yield * y.u;
         if yields {
             spring = spring + cell.hysteretic * y.z;
         }
-        if follows {
-            slope = spring * INVERSE_GRAVITY;
-            spring = slope * max(pressure(f_v, ground), zero);
-        }
         f_h = -(spring + cell.damping_h * y.du);
-        if stops {
-            f_h = f_h - stop * stop_force(cell, stop, y);
-        }
     }
-    return Support(f_h, f_v, slope);
+    var f_v = ground.v + model.gravity;
+    if isolated_v {
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
+    }
+    return with_devices(cell, y, ground, Support(f_h, f_v));
+}
+
+// The same with the laws of devices.
+fn with_devices(cell: Cell, y: Motion, ground: Ground, base: Support) -> Support {
+    let zero: real = 0.0;
+    var f_h = base.f_h;
+    var f_v = base.f_v;
+    if hardens {
+        f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
+    }
+    if follows {
+        let pressed = max(pressure(f_v, ground), zero);
+        f_h = f_h + pendulum_slope(cell, y) * (model.gravity - pressed);
+    }
+    if stops {
+        f_h = f_h - stop * stop_force(cell, stop, y);
+    }
+    return Support(f_h, f_v);
+}
+
+// The force of a pendulum over the one that presses on it: u/R_d + mu_d z.
+fn pendulum_slope(cell: Cell, y: Motion) -> real {
+    var spring = cell.post_yield * y.u;
+    if yields {
+        spring = spring + cell.hysteretic * y.z;
+    }
+    return spring * INVERSE_GRAVITY;
 }
 
 // The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over M_t.

@@ -214,6 +214,7 @@ impl Plan {
             asked: Asked { stops: self.asked.stops && stops, ..self.asked },
             bodies: self.bodies,
             bouc_wen_n,
+            devices: follows || stops || hardens,
             follows,
             stops,
             hardens,

@@ -3,7 +3,7 @@
 use super::CellEquations;
 use super::block::Corner;
 use super::excitation::Ground;
-use super::isolation::{hysteretic_rate, support};
+use super::isolation::{hysteretic_rate, pendulum_slope, support};
 use super::motion::Motion;
 use super::number::Number;
 
@@ -98,9 +98,9 @@ pub fn rates<R: Number>(
         let push_v = (model.mu_v * p).mul_add(w, base.f_v);
         let inertia = (-mu_p).mul_add(p, (-mu_q).mul_add(q, corner.inertia));
         let mut turn = p.mul_add(push_h, -(q * push_v)) / inertia;
-        if variant.follows && !variant.isolated_v {
+        if variant.devices && variant.follows && !variant.isolated_v {
             // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
-            let (slope, weight) = (base.slope, base.f_v);
+            let (slope, weight) = (pendulum_slope(set, y), base.f_v);
             let rest = slope.mul_add(weight.max(zero), push_h);
             let still = (-mu_p).mul_add(w, weight);
             let moment = p.mul_add((-slope).mul_add(still, rest), -(q * push_v));

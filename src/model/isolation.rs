@@ -35,6 +35,8 @@ pub struct Variant {
     pub bodies: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
+    /// Any of the three laws that follow.
+    pub devices: bool,
     /// The base slides on a pendulum whose force follows what presses on it.
     pub follows: bool,
     /// The base has an end stop.
@@ -57,6 +59,7 @@ impl Variant {
         asked: Asked::ALL,
         bodies: false,
         bouc_wen_n: 2,
+        devices: false,
         follows: false,
         stops: false,
         hardens: false,
@@ -70,40 +73,63 @@ pub struct Support<R> {
     pub f_h: R,
     /// f_v = F_v/M_v, (10b), m/s^2; where the direction is locked, the ground's acceleration and g.
     pub f_v: R,
-    /// The force of a pendulum over the one that presses on it: u/R + mu z. Zero of another base.
-    pub slope: R,
 }
 
 /// The support's two accelerations.
 #[inline(always)]
 pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<R>) -> Support<R> {
-    let (variant, cell, model) = (set.variant, set.cell, set.model);
-    let zero = y.u.like(0.0);
-    let mut f_v = ground.v + model.gravity;
-    if variant.isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
-        f_v = model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
-        if variant.hardens {
-            f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
-        }
-    }
+    let (variant, cell) = (set.variant, set.cell);
     let mut f_h = ground.h;
-    let mut slope = zero;
     if variant.isolated_h {
         let mut spring = cell.post_yield * y.u;
         if variant.yields {
             spring = cell.hysteretic.mul_add(y.z, spring);
         }
-        if variant.follows {
-            slope = spring * y.u.like(1.0 / GRAVITY);
-            spring = slope * pressure(set, f_v, ground).max(zero);
-        }
         f_h = -cell.damping_h.mul_add(y.du, spring);
-        if variant.stops {
-            f_h = f_h - set.stop * stop_force(set, set.stop, y);
-        }
     }
-    Support { f_h, f_v, slope }
+    let mut f_v = ground.v + set.model.gravity;
+    if variant.isolated_v {
+        // v is counted from the static position, where the spring carries the weight.
+        f_v = set.model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
+    }
+    if variant.devices {
+        return with_devices(set, y, ground, Support { f_h, f_v });
+    }
+    Support { f_h, f_v }
+}
+
+/// The same with the laws of devices.
+#[inline(always)]
+fn with_devices<R: Number>(
+    set: &CellEquations<R>,
+    y: &Motion<R>,
+    ground: Ground<R>,
+    base: Support<R>,
+) -> Support<R> {
+    let Support { mut f_h, mut f_v } = base;
+    let zero = y.u.like(0.0);
+    if set.variant.hardens {
+        f_v = f_v - set.cell.hardening_v * y.v * y.v * y.v;
+    }
+    if set.variant.follows {
+        let pressed = pressure(set, f_v, ground).max(zero);
+        f_h = pendulum_slope(set, y).mul_add(set.model.gravity - pressed, f_h);
+    }
+    if let Some(side) = set.stop {
+        f_h = f_h - *side * stop_force(set, *side, y);
+    }
+    Support { f_h, f_v }
+}
+
+/// The force of a pendulum over the one that presses on it: u/R_d + mu_d z.
+#[inline(always)]
+pub fn pendulum_slope<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
+    let cell = set.cell;
+    let mut spring = cell.post_yield * y.u;
+    if set.variant.yields {
+        spring = cell.hysteretic.mul_add(y.z, spring);
+    }
+    spring * y.u.like(1.0 / GRAVITY)
 }
 
 /// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over

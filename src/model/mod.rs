@@ -39,9 +39,9 @@ pub struct CellEquations<'a, R> {
     pub cell: &'a Cell<R>,
     /// Samples of the record; two at least where there is one.
     pub record: &'a [Ground<R>],
-    /// The side on which the base is against its end stop, +1 or -1, zero where it is not; as it is where a span begins,
-    /// so that the stop's force is smooth along it.
-    pub stop: R,
+    /// The side on which the base is against its end stop, +1 or -1, zero where it is not, as it is where a span begins:
+    /// the stop's force is smooth along it. None where the base has no stop.
+    pub stop: Option<&'a R>,
 }
 
 impl<'a, R: Number> CellEquations<'a, R> {
@@ -53,6 +53,6 @@ impl<'a, R: Number> CellEquations<'a, R> {
         cell: &'a Cell<R>,
         record: &'a [Ground<R>],
     ) -> CellEquations<'a, R> {
-        CellEquations { variant, model, cell, record, stop: cell.post_yield.like(0.0) }
+        CellEquations { variant, model, cell, record, stop: None }
     }
 }

@@ -131,7 +131,8 @@ fn highest<N: Number>(lanes: N::Mask, so_far: N, [start, mid, end]: [N; 3]) -> N
 /// The end stop's force over M_t at one end of a span, m/s^2, and its rate there; zero where the base is not against it.
 #[inline(always)]
 fn stop_end<N: Number>(set: &CellEquations<N>, y: &Motion<N>, k: &Rates<N>) -> [N; 2] {
-    let (zero, cell, side) = (y.u.like(0.0), set.cell, set.stop);
+    let (zero, cell) = (y.u.like(0.0), set.cell);
+    let side = set.stop.copied().unwrap_or(zero);
     let on = side.abs().gt(zero);
     let force = stop_force(set, side, y);
     let rate = side * cell.stop_damping.mul_add(k.ddu, cell.stop_stiffness * y.du);

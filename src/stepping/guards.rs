@@ -205,7 +205,7 @@ pub fn end_stop_guard<N: Number>(
     let mut slope = cell.stop_stiffness * side * y.du;
     let damped = cell.stop_damping * side * k.ddu;
     slope = N::select(pushed.gt(force), slope + damped, slope);
-    let off = zero.ge(set.stop.abs());
+    let off = zero.ge(set.stop.copied().unwrap_or(zero).abs());
     let damping = cell.stop_damping * y.du.abs();
     let size = cell.stop_stiffness.mul_add(y.u.abs() + cell.stop_gap, damping);
     GuardSample {

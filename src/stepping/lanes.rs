@@ -292,7 +292,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             model: &self.model,
             cell: &self.cell,
             record: &[],
-            stop: self.stop,
+            stop: self.shared.variant.stops.then_some(&self.stop),
         }
     }
 

@@ -29,9 +29,12 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.span = V::select(whole, rest, self.span);
         self.cut = self.cut & !whole;
         let variant = self.shared.variant;
-        if variant.stops || variant.hardens {
+        if variant.devices {
             // The rate of the fastest motion: against the stop, or on the spring where it is hardest.
-            let mut rate = self.cell.stop_rate * self.stop.abs();
+            let mut rate = zero;
+            if variant.stops {
+                rate = self.cell.stop_rate * self.stop.abs();
+            }
             if variant.hardens {
                 let three = one.like(3.0);
                 let tangent = three * self.cell.hardening_v * self.y.v * self.y.v;

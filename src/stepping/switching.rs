@@ -120,7 +120,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let other = if state.mode == ROCKING_RIGHT { ROCKING_LEFT } else { ROCKING_RIGHT };
         let landing = pivot(set.model, other);
         let resting = come_to_rest(&set, &leaving, &state.motion);
-        let set = CellEquations { stop: stop_side(&set, &resting), ..set };
+        let side = stop_side(&set, &resting);
+        let set = CellEquations { stop: set.variant.stops.then_some(&side), ..set };
         let base = support(&set, &resting, ground);
         let contact = Contact { shear: base.f_h, normal: base.f_v };
         let lifts = largest_uplift_moment(&set, contact) > zero;
