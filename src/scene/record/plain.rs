@@ -7,9 +7,19 @@ pub(super) fn of(bytes: &[u8]) -> String {
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
         _ if is_wide(bytes, 1) => utf16(bytes, u16::from_le_bytes),
         _ if is_wide(bytes, 0) => utf16(bytes, u16::from_be_bytes),
-        _ => String::from_utf8_lossy(bytes).into_owned(),
+        _ => std::str::from_utf8(bytes).map_or_else(|_| western(bytes), String::from),
     };
     lines_of_here(text)
+}
+
+/// A text in Latin-1, or in Windows' encoding of it, whose dashes may be signs.
+fn western(bytes: &[u8]) -> String {
+    let letter = |byte: &u8| match byte {
+        0x96 => '\u{2013}',
+        0x97 => '\u{2014}',
+        byte => char::from(*byte),
+    };
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).iter().map(letter).collect()
 }
 
 /// Letters by which a text in UTF-16 without a mark is told.

@@ -118,7 +118,11 @@ fn of_text(
     let mut raw = read(&text, hints)?;
     raw.stated.format = name;
     if let (Some(asked), None) = (&hints.channel, &raw.stated.channel) {
-        let problem = format!("a file of {name} has one channel; leave '{}' out", shown(asked));
+        let problem = format!(
+            "a file of {name} has one channel; leave `{}` ('{}') out",
+            hints.channel_key(),
+            shown(asked)
+        );
         return Err(RecordError::whole(problem));
     }
     let (record, units) = check(raw, hints)?;
@@ -130,7 +134,7 @@ fn of_text(
 /// Judges what a file states, beside what the user says: the one place where that is decided, for all formats.
 fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
     let Raw { title, stated, step, units, values, mut notes } = raw;
-    let title = short(&title);
+    let (title, format) = (short(&title), &stated.format);
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }
@@ -153,12 +157,14 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         }
     };
     if !(SHORTEST_STEP..=LONGEST_STEP).contains(&dt) {
-        let index = if dt == 1.0 {
-            "; a column that counts samples is no time: give `dt`, and leave it out"
+        let hint = if dt == 1.0 {
+            "; a column that counts samples is no time: give `dt`"
+        } else if *format == "columns" && hints.dt.is_none() {
+            "; if the times are not in s, name their unit in a heading such as time (ms), acc (g), or give `dt`"
         } else {
             ""
         };
-        return Err(RecordError::whole(format!("a time step of {dt} s is no record's{index}")));
+        return Err(RecordError::whole(format!("a time step of {dt} s is no record's{hint}")));
     }
     let units = units.map(|(line, words)| known_units(line, &words)).transpose()?;
     let units = match (units, hints.units) {

@@ -17,8 +17,8 @@ pub(crate) const SMALL: u64 = 8 << 20;
 /// Most bytes of a line: its fields are held together, and a record's lines are short.
 const LONGEST_LINE: usize = 1 << 24;
 
-/// The text of a file: of a gzip file what is packed, of a zip its one file; in UTF-8, UTF-16, or an older encoding of
-/// which only ASCII is told. Says what it had to decide. `most` bytes are read, packed or not.
+/// The text of a file: of a gzip file what is packed, of a zip its one file; in UTF-8, UTF-16, or else
+/// Latin-1. Says what it had to decide. `most` bytes are read, packed or not.
 ///
 /// # Errors
 /// What it is, where it is no record, and what to do.

@@ -85,7 +85,13 @@ impl Motion {
             self.rows(1.0e5, 8, |a| format!("{a:9.0}")),
         );
         // Half a count from rounding, and as much at most from the mean of the counts.
-        Written { format: "K-NET", text, within: 1.0e-5 + 1.0e-9, needs: (false, false), tells: true }
+        Written {
+            format: "K-NET",
+            text,
+            within: 1.0e-5 + 1.0e-9,
+            needs: (false, false),
+            tells: true,
+        }
     }
 
     pub fn esm(&self) -> Written {

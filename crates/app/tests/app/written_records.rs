@@ -428,13 +428,19 @@ fn a_channel_is_chosen_by_its_direction_or_its_number() {
             assert!(found == count && note.contains("of 3 is taken, as asked"), "{asked}: {note}");
         }
         let error = of(Some("180"), None).unwrap_err();
-        assert!(error.contains("no channel '180'; it has 1 ("), "{error}");
+        assert!(
+            error.contains("no channel '180'; give `horizontal_channel` as one of 1 ("),
+            "{error}"
+        );
+        let error = of(Some("180"), Some(true)).unwrap_err();
+        assert!(error.contains("give `vertical_channel` as one of 1 ("), "{error}");
         let (_, file) = of(Some("2"), None).unwrap();
         assert_eq!(file.channel.as_deref(), Some("2"));
     }
     let one = motions[0].at2().text;
     let asked = RecordHints { channel: Some("2".into()), ..RecordHints::default() };
-    assert!(of(&one, &asked).unwrap_err().contains("has one channel; leave '2' out"));
+    let error = of(&one, &asked).unwrap_err();
+    assert!(error.contains("has one channel; leave `horizontal_channel` ('2') out"), "{error}");
 }
 
 #[test]
@@ -460,7 +466,14 @@ fn rows_of_a_time_and_three_components_are_channels() {
     for (a, b) in up.samples.iter().zip(&vertical.samples) {
         assert_abs_diff_eq!(a, b, epsilon = file.within);
     }
-    assert_eq!(of(Some("U-D"), None).unwrap().0.samples, up.samples);
+    for asked in ["U-D", "UD", "ud", "Z", "up", "3"] {
+        assert_eq!(of(Some(asked), None).unwrap().0.samples, up.samples, "{asked}");
+    }
+    for (one, other) in [("E-W", "EW"), ("N-S", "ns")] {
+        let samples = |asked| of(Some(asked), None).unwrap().0.samples;
+        assert_eq!(samples(one), samples(other));
+    }
+
     let north = of(None, Some(false)).unwrap().0;
     assert!(
         north.peak() < 1e-4 && north.notes[0].contains("the first of 3 channels is taken, 1 (N-S)"),
