@@ -66,6 +66,13 @@ pub(super) fn choose<'a>(
     stated: &mut Stated,
 ) -> Result<(Channel<'a>, Option<String>), RecordError> {
     let count = channels.len();
+    if count > 1 {
+        let of = |(place, channel): (usize, &Channel<'_>)| {
+            let number = channel.number.map_or(place + 1, |number| number as usize);
+            (number.to_string(), channel.component)
+        };
+        stated.channels = channels.iter().enumerate().map(of).collect();
+    }
     let names: Vec<String> =
         channels.iter().enumerate().map(|(place, channel)| channel.name(place)).collect();
     let all = || names.iter().take(12).cloned().collect::<Vec<_>>().join(", ");
