@@ -87,13 +87,5 @@ pub(super) fn other_program(bytes: &[u8]) -> Option<&'static str> {
             "miniSEED; read it by obspy and give the stream to the Python package, or write its samples as text",
         );
     }
-    // SAC has the version of its header, 6 or 7, at word 76, and undefined words of -12345.
-    let word = |at: usize| <[u8; 4]>::try_from(bytes.get(at..at + 4)?).ok();
-    let version = word(4 * 76).map(|word| (i32::from_le_bytes(word), i32::from_be_bytes(word)));
-    if bytes.len() > 632 && matches!(version, Some((6 | 7, _) | (_, 6 | 7))) && bytes.contains(&0) {
-        return Some(
-            "SAC; read it by obspy and give the stream to the Python package, or write its samples as text",
-        );
-    }
     None
 }

@@ -1,15 +1,17 @@
 //! From bytes to a record: which format, which units, and is it plausible.
 
+use std::borrow::Cow;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use super::hints::RecordHints;
+use super::packed;
 use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
-use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, smc};
+use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
@@ -87,6 +89,9 @@ const FORMATS: [Format; 9] = [
     ("columns", |_| true, columns::read),
 ];
 
+/// The name of the one format that is no text.
+const SAC: &str = "SAC";
+
 /// The name of the format that a text is a record's in, if it is one of those that have a heading.
 pub fn format_of(text: &str) -> Option<&'static str> {
     let own = FORMATS.iter().filter(|(name, ..)| *name != "columns");
@@ -95,27 +100,34 @@ pub fn format_of(text: &str) -> Option<&'static str> {
 
 /// The record in the bytes of a file, the name of their format, and their units.
 fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, String, Units), RecordError> {
-    match text::of(bytes, SMALL) {
+    match packed::unpacked(bytes, SMALL) {
         Err(RecordError::Large { .. }) => {
             // What is stored is nothing, whoever panicked.
             let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-            of_text(text::of(bytes, LARGEST)?, hints)
+            of_unpacked(packed::unpacked(bytes, LARGEST)?, hints)
         }
-        found => of_text(found?, hints),
+        found => of_unpacked(found?, hints),
     }
 }
 
 /// Held while a large file is unpacked and read: of a suite's there is one at a time.
 static ALONE: Mutex<()> = Mutex::new(());
 
-/// The record in a text, with the note of how it was packed.
-fn of_text(
-    (text, note): (String, Option<String>),
+/// The record in bytes, with the note of how they were packed.
+fn of_unpacked(
+    (bytes, note): (Cow<'_, [u8]>, Option<String>),
     hints: &RecordHints,
 ) -> Result<(Record, String, Units), RecordError> {
-    let [.., columns] = &FORMATS;
-    let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
-    let mut raw = read(&text, hints)?;
+    let (name, mut raw) = if sac::matches(&bytes) {
+        (SAC, sac::read(&bytes)?)
+    } else {
+        let text = text::decoded(&bytes)?;
+        drop(bytes);
+        let [.., columns] = &FORMATS;
+        let (name, _, read) =
+            FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
+        (*name, read(&text, hints)?)
+    };
     raw.stated.format = name;
     if let (Some(asked), None) = (&hints.channel, &raw.stated.channel) {
         let problem = format!(

@@ -59,6 +59,22 @@ proptest! {
         let samples: Vec<f64> = samples.iter().map(|a| a - mean).collect();
         let down = down && azimuth.is_none();
         let motion = Motion { samples, dt: step, station: "ABC", azimuth, down };
+        let component = match azimuth {
+            Some(_) => Component::Horizontal,
+            None if down => Component::Down,
+            None => Component::Up,
+        };
+        for little in [true, false] {
+            let given = RecordHints { units: Some(Units::MetresPerSecondSquared), ..RecordHints::default() };
+            let (record, of_file) = read::of_bytes(Path::new("a.sac"), &motion.sac(little), &given).unwrap();
+            prop_assert_eq!((&*of_file.format, record.dt), ("SAC", step));
+            prop_assert_eq!((record.stated.component, &*record.stated.station), (Some(component), "ABC"));
+            prop_assert!(record.samples.len() == motion.samples.len() && record.notes.is_empty());
+            // Half of the last of 24 binary digits.
+            for (a, b) in record.samples.iter().zip(&motion.samples) {
+                prop_assert!((a - b).abs() <= b.abs() * 2.0_f64.powi(-24), "{} {}", a, b);
+            }
+        }
         for file in motion.files() {
             let (record, of_file) = of(&file.text, &needed(&file, step)).unwrap_or_else(|e| panic!("{}: {e}", file.format));
             prop_assert_eq!(&of_file.format, file.format);
@@ -67,11 +83,6 @@ proptest! {
             for (a, b) in record.samples.iter().zip(&motion.samples) {
                 prop_assert!((a - b).abs() <= file.within, "{}: {a} {b}", file.format);
             }
-            let component = match azimuth {
-                Some(_) => Component::Horizontal,
-                None if down => Component::Down,
-                None => Component::Up,
-            };
             prop_assert_eq!(record.stated.component, file.tells.then_some(component), "{}", file.format);
             prop_assert_eq!(record.stated.station.contains("ABC"), file.tells, "{}", file.format);
         }
@@ -559,4 +570,43 @@ fn times_with_few_digits_need_the_step() {
     let (record, _) = of(&at2, &given).unwrap();
     assert_eq!(record.dt, 0.00390625);
     assert!(record.notes[0].contains("as given; the file has 0.0039 s"), "{:?}", record.notes);
+}
+
+#[test]
+fn files_of_sac_state_what_their_header_has() {
+    let given = |units| RecordHints { units, ..RecordHints::default() };
+    let metres = given(Some(Units::MetresPerSecondSquared));
+    let read = |bytes: &[u8], hints: &RecordHints| {
+        read::of_bytes(Path::new("a.sac"), bytes, hints).map_err(|error| error.to_string())
+    };
+    let whole = Motion::made(400, Some(90)).sac(true);
+    let put = |word: usize, value: i32| {
+        let mut bytes = whole.clone();
+        bytes[4 * word..4 * word + 4].copy_from_slice(&value.to_le_bytes());
+        bytes
+    };
+    assert!(
+        read(&whole, &given(None)).unwrap_err().contains("does not tell its units; give `units`")
+    );
+    // 2 February, and a quarter of a second after the reference time.
+    let (record, _) = read(&whole, &metres).unwrap();
+    let esm = Motion::made(400, Some(90)).esm().text;
+    let at = plain(&esm.replace("20010203_040510.000", "20030202_040506.750")).unwrap().0;
+    assert_abs_diff_eq!(record.stated.start.unwrap(), at.stated.start.unwrap(), epsilon = 1e-4);
+    for (bytes, said) in [
+        (put(86, 7), "velocities by the header of SAC (IDEP)"),
+        (put(105, 0), "no evenly sampled time series"),
+        (put(85, 2), "no evenly sampled time series"),
+        (put(79, 500), "the file ends after 400 of its 500 samples"),
+        (put(79, i32::MAX), "2147483647 samples are more than"),
+        (put(158, f32::NAN.to_bits() as i32), "sample 1 is not a finite number"),
+    ] {
+        let error = read(&bytes, &metres).unwrap_err();
+        assert!(error.contains(said), "{said}: {error}");
+    }
+    let (record, _) = read(&put(79, 300), &metres).unwrap();
+    assert!(record.samples.len() == 300 && record.notes[0].starts_with("400 bytes after the 300"));
+    // Version 7 has a footer.
+    let seven = [put(76, 7), vec![0; 176]].concat();
+    assert!(read(&seven, &metres).unwrap().0.notes.is_empty());
 }

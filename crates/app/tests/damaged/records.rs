@@ -53,7 +53,8 @@ pub fn files() -> Vec<Vec<u8>> {
     written.push(short.geonet().text + &up.geonet().text);
     let plain = texts.into_iter().chain(written).map(String::into_bytes);
     let zip = zipped(&[("dir/a.at2", AT2.as_bytes())]);
-    plain.chain([packed.finish().unwrap(), zip, wide]).collect()
+    let sac = [short.sac(true), up.sac(false)];
+    plain.chain([packed.finish().unwrap(), zip, wide]).chain(sac).collect()
 }
 
 /// A record that was read is one.
