@@ -1,5 +1,6 @@
 //! Ground-motion records.
 
+mod afad;
 pub(crate) mod at2;
 pub(crate) mod bbp;
 mod channel;

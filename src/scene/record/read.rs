@@ -11,7 +11,7 @@ use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
-use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};
+use super::{afad, at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
@@ -77,7 +77,8 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
 type Format = (&'static str, fn(&str) -> bool, fn(&str, &RecordHints) -> Result<Raw, RecordError>);
 
 /// The formats, in the order in which they are looked for: any text may be columns.
-const FORMATS: [Format; 9] = [
+const FORMATS: [Format; 10] = [
+    ("AFAD", afad::matches, afad::read),
     ("K-NET", knet::matches, knet::read),
     ("ESM", esm::matches, esm::read),
     ("COSMOS", cosmos::matches, cosmos::read),

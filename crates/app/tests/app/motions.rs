@@ -249,6 +249,31 @@ impl Motion {
         }
     }
 
+    /// AFAD's older format: three components in a row, the others all but zero.
+    pub fn afad(&self) -> Written {
+        let column = if self.azimuth.is_some() { 1 } else { 2 };
+        let row = |a: &f64| {
+            let mut values = [0.001; 3];
+            values[column] = 100.0 * a;
+            values.iter().map(|a| format!("{a:14.7}")).collect::<String>() + "\n"
+        };
+        let mut head: Vec<String> = (0..18).map(|k| format!("KEY {k} :")).collect();
+        head[0] = "STRONG GROUND MOTION RECORDS OF TURKIYE".into();
+        for (line, text) in [
+            (1, "PLACE : A town".to_string()),
+            (6, format!("STATION ID : {}", self.station)),
+            (11, "RECORD TIME : 03/02/2001 04:05:10.000000 (GMT)".into()),
+            (12, format!("NUMBER OF DATA : {}", self.samples.len())),
+            (13, format!("SAMPLING INTERVAL(sec) : {}", self.dt)),
+            (17, "     N-S           E-W           U-D".into()),
+        ] {
+            head[line] = text;
+        }
+        let rows: String = self.samples.iter().map(row).collect();
+        let text = format!("{}\n{rows}", head.join("\n"));
+        Written { format: "AFAD", text, within: 1.0e-8, needs: (false, false), tells: false }
+    }
+
     /// SAC: 158 words, and samples of 32 bits, in m/s^2, which the file does not tell.
     pub fn sac(&self, little: bool) -> Vec<u8> {
         let mut words = vec![(-12345.0_f32).to_le_bytes(); 70];

@@ -64,6 +64,21 @@ proptest! {
             None if down => Component::Down,
             None => Component::Up,
         };
+        // Of three components in a row the one that is asked for.
+        let channel = Some(if azimuth.is_some() { "EW" } else { "UD" }.to_string());
+        if !down {
+            let file = motion.afad();
+            {
+                let asked = RecordHints { channel: channel.clone(), scaled: true, ..RecordHints::default() };
+                let (record, of_file) = of(&file.text, &asked).unwrap();
+                prop_assert_eq!((&*of_file.format, record.dt), (file.format, step));
+                prop_assert_eq!((record.stated.component, &*record.stated.station), (Some(component), "ABC"));
+                prop_assert_eq!(record.samples.len(), motion.samples.len());
+                for (a, b) in record.samples.iter().zip(&motion.samples) {
+                    prop_assert!((a - b).abs() <= file.within, "{} {}", a, b);
+                }
+            }
+        }
         for little in [true, false] {
             let given = RecordHints { units: Some(Units::MetresPerSecondSquared), ..RecordHints::default() };
             let (record, of_file) = read::of_bytes(Path::new("a.sac"), &motion.sac(little), &given).unwrap();
@@ -609,4 +624,23 @@ fn files_of_sac_state_what_their_header_has() {
     // Version 7 has a footer.
     let seven = [put(76, 7), vec![0; 176]].concat();
     assert!(read(&seven, &metres).unwrap().0.notes.is_empty());
+}
+
+#[test]
+fn files_of_afad_begin_when_they_say() {
+    let file = Motion::made(400, Some(90)).afad().text;
+    let record = |text: &str| {
+        of(text, &RecordHints { channel: Some("EW".into()), ..RecordHints::default() })
+    };
+    let at = plain(&Motion::made(400, Some(90)).esm().text).unwrap().0.stated.start;
+    assert_eq!(record(&file).unwrap().0.stated.start, at);
+    let error = record(&file.replace("DATA : 400", "DATA : 401")).unwrap_err();
+    assert!(error.contains("the file ends after 400 of its 401 samples"), "{error}");
+    let error = record(&file.replace("DATA : 400", "DATA : x")).unwrap_err();
+    assert!(error.starts_with("line 13: the count of the samples"), "{error}");
+    // Uncorrected files of USC are refused by name.
+    let usc = format!("VOL. 1 OF UNCORRECTED ACCELEROGRAM DATA OF A QUAKE\n{file}");
+    assert!(
+        plain(&usc).unwrap_err().contains("an uncorrected accelerogram of USC (volume 1); give")
+    );
 }

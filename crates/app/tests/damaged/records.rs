@@ -48,7 +48,7 @@ pub fn files() -> Vec<Vec<u8>> {
     let short = Motion::made(40, Some(90));
     let mut written: Vec<String> = short.files().into_iter().map(|file| file.text).collect();
     let up = Motion { azimuth: None, ..short.clone() };
-    written.push(short.broadband().text);
+    written.extend([short.broadband().text, short.afad().text]);
     written.push(short.csmip().text + &up.csmip().text);
     written.push(short.geonet().text + &up.geonet().text);
     let plain = texts.into_iter().chain(written).map(String::into_bytes);
