@@ -249,11 +249,11 @@ impl Motion {
         }
     }
 
-    /// AFAD's older format: three components in a row, the others all but zero.
+    /// AFAD's older format: three components in a row, the others of 1 gal.
     pub fn afad(&self) -> Written {
         let column = if self.azimuth.is_some() { 1 } else { 2 };
         let row = |a: &f64| {
-            let mut values = [0.001; 3];
+            let mut values = [1.0; 3];
             values[column] = 100.0 * a;
             values.iter().map(|a| format!("{a:14.7}")).collect::<String>() + "\n"
         };
