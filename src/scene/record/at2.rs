@@ -24,10 +24,11 @@ pub(crate) fn matches(text: &str) -> bool {
         .take(TIMES)
         .collect();
     let widest = rows.iter().map(Vec::len).max().unwrap_or(0);
-    // Of a comment, and of times beside the samples, columns are made.
+    // Below a comment, below a line without a step, and with times beside the samples there are columns.
     let values: Vec<f64> = rows.concat();
-    let step = count_and_step(line).map_or(0.0, |(_, dt)| dt);
-    !(widest <= 2 && is_comment || widest == 2 && has_times(&values, step))
+    let step = count_and_step(line).map(|(_, dt)| dt);
+    let are_columns = is_comment || step.is_none();
+    !(widest <= 2 && are_columns || widest == 2 && has_times(&values, step.unwrap_or(0.0)))
 }
 
 /// The units that a line in capitals states: `IN UNITS OF G`, `UNITS ARE (G)`, `ACCELERATION IN G`.

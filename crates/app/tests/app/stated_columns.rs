@@ -182,7 +182,8 @@ fn comments_state_units_steps_and_counts() {
     let text =
         format!("# PGA: 0.35 (m/s2)\n# filtered at 0.1-25 Hz\ntime (s) acc (g)\n{}", columns(1.0));
     right(&plain(&text).unwrap());
-    // Below NPTS, with times beside the samples.
+    // Line by line, and below NPTS with times beside the samples.
+    right(&plain(&format!("NPTS = 400\nDT = 0.01\nUNITS = G\n{}", one(9.81))).unwrap());
     let text = format!("NPTS=400, DT=0.01\ntime acc (g)\n{}", columns(1.0));
     right(&plain(&text).unwrap());
 }

@@ -117,7 +117,14 @@ pub(super) fn units(words: &str) -> Option<String> {
         let words = lower.get(lower.rfind(" in ")? + 4..)?.trim();
         Units::are_meant(words).then(|| words.to_string())
     };
-    bracket.or_else(|| after_units(words)).or_else(within).or_else(|| {
+    // In a name of a column: `acc_gal`.
+    let named = || {
+        lower.split([' ', ',', ';', '\t', '"']).find_map(|name| {
+            let (_, unit) = name.rsplit_once('_').filter(|_| is_acceleration(name))?;
+            Units::named(unit).map(|_| unit.to_string())
+        })
+    };
+    bracket.or_else(|| after_units(words)).or_else(within).or_else(named).or_else(|| {
         // A row of units below one of names: `s;m/s2`.
         let fields: Vec<&str> = tokens(words).collect();
         match fields[..] {
@@ -354,7 +361,10 @@ mod tests {
             assert_eq!(units(words).as_deref(), Some(wanted), "{words}");
         }
         assert_eq!(units("s;m/s2").as_deref(), Some("m/s2"));
-        assert_eq!(units("recorded in a building"), None);
+        assert_eq!(units("time_ms,acc_g").as_deref(), Some("g"));
+        for words in ["recorded in a building", "time,acc_v", "acc_ns"] {
+            assert_eq!(units(words), None, "{words}");
+        }
         assert!(names_columns("time acc(g)") && !names_columns("PGA acceleration: 0.3 (g)"));
     }
 }
