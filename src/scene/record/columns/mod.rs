@@ -2,8 +2,10 @@
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
 //! before them; after it several values may stand in a row.
 
+mod directions;
 mod rows;
 mod told;
+mod values;
 mod words;
 
 use super::hints::RecordHints;

@@ -3,7 +3,7 @@
 use super::super::hints::RecordHints;
 use super::super::times::{self, Clock, Times};
 use super::super::{Component, Raw, RecordError, Step, Units};
-use super::words;
+use super::{directions, values, words};
 use crate::scene::shown::shown;
 
 /// Longest time between samples that a column of times in s may have; above it the times are in another unit.
@@ -70,7 +70,7 @@ impl Told {
         self.put_units(at, units)?;
         put(&mut self.clock, at, words::clock(line), "a unit of the times")?;
         self.put_numbers(at, line)?;
-        put(&mut self.component, at, words::component(line), "a direction")?;
+        put(&mut self.component, at, directions::component(line), "a direction")?;
         Ok(found)
     }
 
@@ -90,7 +90,7 @@ impl Told {
         self.put_numbers(at, words)?;
         let keyed = words.contains([':', '=']) && !of_columns;
         let component = (of_columns || keyed || words.split_whitespace().count() == 1)
-            .then(|| words::component(words))
+            .then(|| directions::component(words))
             .flatten();
         put(&mut self.component, at, component, "a direction")?;
         Ok(())
@@ -114,11 +114,11 @@ impl Told {
 
     /// The step and the count of a line; what is given besides takes the place of a step.
     fn put_numbers(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
-        let step = words::step(words);
+        let step = values::step(words);
         if self.given.is_none() || self.step.is_none() {
             put(&mut self.step, at, step, "a time step")?;
         }
-        put(&mut self.count, at, words::count(words), "a count of samples")?;
+        put(&mut self.count, at, values::count(words), "a count of samples")?;
         Ok(())
     }
 

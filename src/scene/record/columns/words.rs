@@ -1,47 +1,11 @@
-//! The words that stand above plain numbers: in which of them a unit, a direction, a step or a count is stated.
+//! The words that stand above plain numbers: in which of them a unit is stated. Others are in `values` and `directions`.
 
-use super::super::numbers::{after, number};
+use super::super::Units;
+use super::super::numbers::number;
 use super::super::times::Clock;
-use super::super::{Component, Units};
 
 /// Names of a column of times.
-const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
-
-/// Names of a step in a statement of it, and of a rate; longer ones first.
-const STEPS: [&str; 8] = [
-    "sampling interval",
-    "sampling period",
-    "sample interval",
-    "time interval",
-    "time step",
-    "timestep",
-    "delta t",
-    "dt",
-];
-const RATES: [&str; 4] = ["sampling rate", "sampling frequency", "sample rate", "fs"];
-
-/// Names of a count in a statement of it.
-const COUNTS: [&str; 5] =
-    ["npts", "ndata", "number of points", "number of samples", "number of data"];
-
-/// Directions that mean nothing else where they stand in capitals.
-const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
-
-/// Words of a column's name beside its direction.
-const BESIDE: [&str; 12] = [
-    "a",
-    "ag",
-    "component",
-    "comp",
-    "comp.",
-    "motion",
-    "ground",
-    "in",
-    "of",
-    "the",
-    "record",
-    "direction",
-];
+pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
 
 /// What stands in the outermost brackets of a line.
 fn in_brackets(line: &str) -> Vec<&str> {
@@ -70,7 +34,7 @@ fn in_brackets(line: &str) -> Vec<&str> {
 }
 
 /// A line without its brackets and what stands in them.
-fn without_brackets(line: &str) -> String {
+pub(super) fn without_brackets(line: &str) -> String {
     let mut depth = 0_usize;
     let mut plain = String::new();
     for c in line.chars() {
@@ -87,12 +51,12 @@ fn without_brackets(line: &str) -> String {
     plain
 }
 
-fn tokens(line: &str) -> impl Iterator<Item = &str> {
+pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '=' | '"' | '|' | '_');
     line.split(apart).filter(|word| !word.is_empty())
 }
 
-fn is_acceleration(word: &str) -> bool {
+pub(super) fn is_acceleration(word: &str) -> bool {
     ["acc", "beschl", "acel", "accél"].iter().any(|begins| word.starts_with(begins))
 }
 
@@ -177,135 +141,9 @@ pub(super) fn clock(words: &str) -> Option<Result<Clock, String>> {
     Clock::named(word).filter(|_| word.len() > 1 || word == "s").map(Ok)
 }
 
-/// The direction that words state: `component: UD`, a direction in capitals, `vertical acc`.
-pub(super) fn component(words: &str) -> Option<Component> {
-    let lower = words.to_lowercase();
-    let keyed = ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"]
-        .iter()
-        .find_map(|key| {
-            let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
-            let value = rest.strip_prefix([':', '='])?;
-            value.split([',', ';']).next().map(str::trim)
-        });
-    if let Some(value) = keyed {
-        return Component::named(value).or_else(|| Component::of_channel(value));
-    }
-    let mut found: Vec<Component> = tokens(words)
-        .map(|word| word.trim_matches(['(', ')', '[', ']', '.']))
-        .filter(|word| DIRECTIONS.contains(word))
-        .filter_map(|word| {
-            Component::named(match word {
-                "NORTH-SOUTH" => "NS",
-                "EAST-WEST" => "EW",
-                word => word,
-            })
-        })
-        .collect();
-    // Words such as up mean a direction where nothing else stands beside them than what a column is called.
-    let plain = without_brackets(&lower);
-    let mut directions = Vec::new();
-    let known = tokens(&plain).all(|word| {
-        let component = Some(word).filter(|word| word.len() > 1).and_then(Component::named);
-        let component = component.filter(|_| number(word).is_none());
-        directions.extend(component);
-        component.is_some()
-            || is_acceleration(word)
-            || BESIDE.contains(&word)
-            || TIMES.contains(&word)
-            || Clock::named(word).is_some()
-            || Units::are_meant(word)
-    });
-    if known {
-        found.extend(directions);
-    }
-    let first = *found.first()?;
-    found.iter().all(|one| *one == first).then_some(first)
-}
-
-/// The step that words state, s: `dt = 0.01`, `DT=.005 SEC`, `sampling rate: 200 Hz`, `time step (ms): 5`.
-pub(super) fn step(words: &str) -> Option<f64> {
-    let lower = words.to_lowercase();
-    let of = |keys: &[&str]| keys.iter().find_map(|key| valued(&lower, key));
-    let positive = |value: &f64| *value > 0.0 && value.is_finite();
-    let step = of(&STEPS)
-        .map(|(value, unit)| value * Clock::named(&unit).map_or(1.0, |clock| clock.seconds));
-    let rate = || of(&RATES).map(|(value, _)| 1.0 / value);
-    step.filter(positive).or_else(|| rate().filter(positive))
-}
-
-/// The count of samples that words state: `NPTS=4000`, `number of points: 4000`.
-pub(super) fn count(words: &str) -> Option<usize> {
-    let lower = words.to_lowercase();
-    let (value, _) = COUNTS.iter().find_map(|key| valued(&lower, key))?;
-    (value >= 2.0 && value.fract() == 0.0 && value < 1.0e9).then_some(value as usize)
-}
-
-/// The number behind a key, and the word of its unit, in brackets before it or after it.
-fn valued(lower: &str, key: &str) -> Option<(f64, String)> {
-    let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
-    lower.match_indices(key).find_map(|(at, _)| {
-        let rest = &lower[at + key.len()..];
-        if is_letter(lower[..at].chars().next_back()) || is_letter(rest.chars().next()) {
-            return None;
-        }
-        let rest = rest.trim_start();
-        let (unit, rest) = match rest.strip_prefix(['(', '[']) {
-            Some(inside) => inside.split_once([')', ']'])?,
-            None => ("", rest),
-        };
-        let rest = rest.trim_start().trim_start_matches([':', '=']).trim_start();
-        let is_number = rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        let value = after(rest, "").filter(|_| is_number)?;
-        let behind =
-            rest.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-'));
-        let word = behind.trim_start().split(|c: char| !c.is_alphabetic()).next();
-        let unit = if unit.is_empty() { word.unwrap_or_default() } else { unit };
-        Some((value, unit.to_string()))
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn directions_are_those_that_words_cannot_mean_otherwise() {
-        use Component::{Down, Horizontal, Up};
-        for (words, component) in [
-            ("UD", Up),
-            ("Time (s), vertical acc (g)", Up),
-            ("t [s] Acc_UD [gal]", Up),
-            ("component: UD", Up),
-            ("channel = HNZ", Up),
-            ("time;acc down (m/s2)", Down),
-            ("time acc_up", Up),
-            ("Time (s) EW (cm/s2)", Horizontal),
-            ("time, E-W", Horizontal),
-            ("acc_ns", Horizontal),
-            ("Kobe JMA NS", Horizontal),
-            ("Acceleration (UD) in gal", Up),
-            ("north acceleration in g", Horizontal),
-        ] {
-            assert_eq!(component_of(words), Some(component), "{words}");
-        }
-        for words in [
-            "North Palm Springs",
-            "scaled up acc (g)",
-            "time (s) acc (g)",
-            "rotated from NS and UD",
-            "Vertical array 3",
-            "t (ns) a (g)",
-            "time (s), acc_z (g)",
-            "a v",
-            "down the hill",
-        ] {
-            assert_eq!(component_of(words), None, "{words}");
-        }
-    }
-
-    fn component_of(words: &str) -> Option<Component> {
-        component(words)
-    }
 
     #[test]
     fn units_of_times_are_those_of_their_column() {
@@ -325,28 +163,6 @@ mod tests {
         for words in ["time acc", "t h", "acc (ms)", "timer (ms)", "time, ms/s2"] {
             assert_eq!(clock(words), None, "{words}");
         }
-    }
-
-    #[test]
-    fn steps_and_counts_are_told_by_their_names() {
-        for (words, wanted) in [
-            ("dt = 0.01", 0.01),
-            ("dt: 0.005 s", 0.005),
-            ("dt=5ms", 0.005),
-            ("NPTS=4000, DT=0.01", 0.01),
-            ("NPTS= 4000, DT= .01000 SEC", 0.01),
-            ("sampling rate: 200 Hz", 0.005),
-            ("time step (ms): 5", 0.005),
-            ("Sampling interval 0.02 sec", 0.02),
-        ] {
-            assert!((step(words).unwrap() - wanted).abs() < 1e-12, "{words}");
-        }
-        for words in ["dt", "width=3", "adt=4", "dt: none", "fsx 3", "the step 3"] {
-            assert_eq!(step(words), None, "{words}");
-        }
-        assert_eq!(count("NPTS=4000, DT=0.01"), Some(4000));
-        assert_eq!(count("number of points: 12"), Some(12));
-        assert_eq!(count("NPTS=0.5"), None);
     }
 
     #[test]
