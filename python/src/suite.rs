@@ -1,5 +1,6 @@
 //! Suites of records: their table, envelopes and fragilities, each as the tables of the command.
 
+use std::collections::BTreeMap;
 use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
@@ -36,9 +37,12 @@ use crate::watch;
 /// Reads a suite: `(table, about)`, CSV and JSON.
 #[pyfunction]
 pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, String)> {
-    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?;
-    let table = text(|w| table::write(&suite.map_err(of_suite)?, w).map_err(PyErr::from))?;
+    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?.map_err(of_suite)?;
+    let table = text(|w| table::write(&suite, w).map_err(PyErr::from))?;
+    let unused: BTreeMap<&str, &str> =
+        suite.unused.iter().map(|unused| (&*unused.file, &*unused.why)).collect();
     let about = json!({
+        "unused": unused,
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),
         "columns": described(&table::COLUMNS, ""),

@@ -98,9 +98,10 @@ def test_each_trace_has_its_own_step_and_units(pair, by_arrays):
     with pytest.raises(ValueError, match="^vertical: .* no common divisor"):
         topple.seismic(**SCENE, horizontal=h, vertical=odd, units="cm/s2")
     own = [trace.copy() for trace in pair]
-    for trace_of in own:
-        trace_of.stats.units = "cm/s**2"
-    assert topple.seismic(**SCENE, horizontal=obspy.Stream(own)).equals(by_arrays)
+    for units in ("cm/s**2", "CM/SEC/SEC", "gals", "cm/sec2."):
+        for trace_of in own:
+            trace_of.stats.units = units
+        assert topple.seismic(**SCENE, horizontal=obspy.Stream(own)).equals(by_arrays), units
     with pytest.raises(ValueError, match="^units: the trace's are"):
         topple.seismic(**SCENE, horizontal=obspy.Stream(own), units="g")
     with pytest.raises(ValueError, match="^units: missing"):

@@ -34,6 +34,28 @@ def test_suite(command, records, tmp_path):
         assert np.array_equal([number(row[name]) for row in table], found[name].values, equal_nan=True), name
 
 
+def test_what_was_decided_of_each_file_is_told(command, records, tmp_path):
+    folder = tmp_path / "records"
+    folder.mkdir()
+    for name, as_name, way in (("synthetic_h.at2", "one.txt", "090"), ("synthetic_v.at2", "two.txt", "DOWN")):
+        text = (records / name).read_text().split("\n")
+        text[1] = f"A Quake, 1/2/2003, A Station, {way}"
+        (folder / as_name).write_text("\n".join(text))
+    (folder / "notes.txt").write_text("mine")
+    (folder / "page.html").write_text("<html><body>Login")
+    command("suite", folder, "--out", tmp_path / "out")
+    found = topple.suite(folder)
+    assert found["id"].values.tolist() == ["one.txt"] and found["vertical"].values.tolist() == ["two.txt"]
+    (told,) = found["notes"].values.tolist()
+    assert "paired by what the files state, station A Station" in told and "turned over" in told
+    assert [row["notes"] for row in rows(tmp_path / "out" / "suite.csv")] == [told]
+    unused = json.loads(found.attrs["unused"])
+    assert unused == json.loads((tmp_path / "out" / "run.json").read_text())["unused"]
+    assert list(unused) == ["notes.txt", "page.html"] and "a web page" in unused["page.html"]
+    with pytest.raises(ValueError, match="2 files are not used"):
+        topple.suite(folder, strict=True)
+
+
 @pytest.mark.parametrize("precision", ["f32", "f64"])
 def test_envelope(command, records, tmp_path, precision):
     limits = {"standing": 0.3, "limit_u": 0.76, "precision": precision, "backend": "cpu"}

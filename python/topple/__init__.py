@@ -244,7 +244,8 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
     Returns
     -------
     xarray.Dataset
-        The table of ``topple suite`` over the dimension ``id``: measures, with ``units``, and notes on what was decided.
+        The table of ``topple suite`` over the dimension ``id``: measures, with ``units``, and ``notes`` on what was
+        decided; the attribute ``unused`` has in JSON why each file that is no part of it is not used.
     """
     text, about = _topple.suite(_suite_path(path), strict)
     return of_suite(text, json.loads(about))

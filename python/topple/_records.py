@@ -18,6 +18,7 @@ _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 def factor(units: Any) -> float:
     """What makes m/s^2 of values in these units."""
     name = str(units).strip().lower().replace("**", "").replace("^", "").replace("²", "2")
+    name = name.replace("sec", "s").replace("/s/s", "/s2").replace("gals", "gal").rstrip(".")
     if name not in _UNITS:
         raise ValueError(f"units: {units} is not known; give g, m/s2 or cm/s2")
     return _UNITS[name]

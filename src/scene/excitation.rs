@@ -49,7 +49,7 @@ impl Excitation {
 /// The record as written, but for its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RecordText {
-    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, BBP, one or two columns [default: a
+    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, AFAD, BBP, SAC, one or two columns [default: a
     /// synthetic pair]
     pub horizontal: Option<PathBuf>,
     /// Vertical record, positive up

@@ -10,7 +10,7 @@ use super::written::one_of;
 /// The record's files, and what they may not tell.
 #[derive(Debug, Clone, clap::Args)]
 pub struct RecordFlags {
-    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, BBP, one or two columns [default: a
+    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, AFAD, BBP, SAC, one or two columns [default: a
     /// synthetic pair]
     #[arg(long, value_name = "FILE")]
     horizontal: Option<PathBuf>,

@@ -62,7 +62,9 @@ fn flag(key: &str) -> Option<String> {
     let mut words = Section::ALL.into_iter().flat_map(keys::words);
     match key {
         "shape" => Some("--pulse".into()),
-        _ if SETTINGS.contains(&key) || words.any(|word| word == key) => Some(format!("--{key}")),
+        _ if SETTINGS.contains(&key) || words.any(|word| word == key) => {
+            Some(format!("--{}", key.replace('_', "-")))
+        }
         _ => Parameter::of_key(key).map(|parameter| parameter.entry().flag()),
     }
 }

@@ -8,9 +8,27 @@ use super::{Raw, RecordError, Stated, Step};
 /// Lines among which the one with NPTS and DT is looked for.
 const HEADER: usize = 10;
 
-/// True where one of the first lines has the count of points.
+/// True where one of the first lines has the count of points, and no columns stand below it.
 pub(crate) fn matches(text: &str) -> bool {
-    text.lines().take(HEADER).any(|line| line.to_ascii_uppercase().contains("NPTS"))
+    let has = |line: &str| line.to_ascii_uppercase().contains("NPTS");
+    let Some((at, line)) = text.lines().take(HEADER).enumerate().find(|(_, line)| has(line)) else {
+        return false;
+    };
+    let is_comment = line.trim_start().starts_with(['#', '%', '!']);
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(at + 1)
+        .take(HEADER + TIMES)
+        .filter_map(|row| free(row).into_iter().map(number).collect::<Option<Vec<f64>>>())
+        .filter(|row| !row.is_empty())
+        .take(TIMES)
+        .collect();
+    let widest = rows.iter().map(Vec::len).max().unwrap_or(0);
+    // Below a comment, below a line without a step, and with times beside the samples there are columns.
+    let values: Vec<f64> = rows.concat();
+    let step = count_and_step(line).map(|(_, dt)| dt);
+    let are_columns = is_comment || step.is_none();
+    !(widest <= 2 && are_columns || widest == 2 && has_times(&values, step.unwrap_or(0.0)))
 }
 
 /// The units that a line in capitals states: `IN UNITS OF G`, `UNITS ARE (G)`, `ACCELERATION IN G`.
@@ -87,11 +105,6 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
         return Err(RecordError::line(at, format!("NPTS {count} is no number of samples")));
     }
     let (values, more) = lines.samples(count as usize, free)?;
-    if has_times(&values, dt) {
-        let problem = "times stand beside the samples below this line; write two columns alone, or a row with the count and \
-                       the step above them";
-        return Err(RecordError::line(at, problem));
-    }
     let title = header.get(1).or(header.first()).copied().unwrap_or_default();
     let stated = Stated::of_title(title);
     let step = Some(step(line, dt));
@@ -108,9 +121,11 @@ mod tests {
         let rows = |of: &dyn Fn(usize) -> String| (0..40).map(of).collect::<String>();
         let samples = |k: usize| (0.7 * k as f64).sin() / 10.0;
         let columns = rows(&|k| format!("{:.3} {:.6}\n", 0.002 * k as f64, samples(k)));
-        let error = read(&format!("NPTS=40 DT=0.002\n{columns}"), &RecordHints::default());
-        assert!(error.unwrap_err().to_string().contains("times stand beside the samples"));
         let plain = rows(&|k| format!("{:.6}\n", samples(k)));
+        assert!(!matches(&format!("NPTS=40 DT=0.002\n{columns}")));
+        assert!(!matches(&format!("NPTS=40 DT=0.002\ntime acc\n{columns}")));
+        assert!(!matches(&format!("# NPTS=40 DT=0.002\n{plain}")));
+        assert!(matches(&format!("NPTS=40 DT=0.002\n{plain}")));
         let raw = read(&format!("NPTS=40 DT=0.002\n{plain}"), &RecordHints::default()).unwrap();
         assert_eq!(raw.values.len(), 40);
     }

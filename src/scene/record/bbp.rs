@@ -5,7 +5,7 @@ use super::component::Component;
 use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
 use super::numbers::{free, number};
-use super::times::{self, Times};
+use super::times::{self, Clock, Times};
 use super::{Raw, RecordError, Stated};
 
 /// Lines among which the names of the columns are looked for.
@@ -50,13 +50,13 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
             let problem = format!("a time and {} numbers belong here", names.len() - 1);
             return Err(RecordError::line(index + 1, problem));
         };
-        times.add(fields[0], found[0]);
+        times.add(index + 1, fields[0], found[0]);
         values.push(found[column]);
         if values.len() > MOST_SAMPLES {
             return Err(RecordError::line(index + 1, format!("more than {MOST_SAMPLES} samples")));
         }
     }
-    let step = Some(times::step(&times, hints.dt)?);
+    let step = Some(times::step(&times, hints.dt, &Clock::default())?);
     let units = Some((line + 1, words.to_string()));
     let title = format!("Broadband Platform {}", channel.word);
     Ok(Raw { title, stated, step, units, values, notes: note.into_iter().collect() })

@@ -31,11 +31,12 @@ impl Channel<'_> {
 
     /// True of the channel that a word means: its number, or its direction.
     fn is_called(&self, asked: &str) -> bool {
+        // E-W is EW, and an azimuth may begin with zeros.
         let plain = |word: &str| {
             let upper = word.to_uppercase();
+            let is_left_out = |c: char| c.is_whitespace() || c == '-';
             let word: String =
-                upper.trim_end_matches("DEG").chars().filter(|c| !c.is_whitespace()).collect();
-            // Azimuths may begin with zeros.
+                upper.trim_end_matches("DEG").chars().filter(|c| !is_left_out(*c)).collect();
             word.parse::<f64>().map_or(word.clone(), |degrees| degrees.to_string())
         };
         let vertical = |component: Option<Component>| component.filter(|c| c.is_vertical());
@@ -65,6 +66,13 @@ pub(super) fn choose<'a>(
     stated: &mut Stated,
 ) -> Result<(Channel<'a>, Option<String>), RecordError> {
     let count = channels.len();
+    if count > 1 {
+        let of = |(place, channel): (usize, &Channel<'_>)| {
+            let number = channel.number.map_or(place + 1, |number| number as usize);
+            (number.to_string(), channel.component)
+        };
+        stated.channels = channels.iter().enumerate().map(of).collect();
+    }
     let names: Vec<String> =
         channels.iter().enumerate().map(|(place, channel)| channel.name(place)).collect();
     let all = || names.iter().take(12).cloned().collect::<Vec<_>>().join(", ");
@@ -76,7 +84,9 @@ pub(super) fn choose<'a>(
         let found = channels.iter().enumerate().position(numbered);
         let found = found.or_else(|| channels.iter().position(|channel| channel.is_called(asked)));
         let Some(found) = found else {
-            let problem = format!("no channel '{}'; it has {}", shown(asked), all());
+            let key = hints.channel_key();
+            let problem =
+                format!("no channel '{}'; give `{key}` as one of {}", shown(asked), all());
             return Err(RecordError::whole(problem));
         };
         stated.channel = Some(asked.clone());

@@ -17,10 +17,13 @@ impl Component {
         // What stands in brackets is no part of it: `090 (CUE)`.
         let word = word.split('(').next().unwrap_or_default().to_uppercase();
         let word: String = word.chars().filter(|c| !c.is_whitespace() && *c != '°').collect();
+        // PEER's newer names have a dash before a letter.
+        let letter = word.strip_prefix('-').filter(|word| word.starts_with(char::is_alphabetic));
+        let word = letter.unwrap_or(&word);
         let word = ["DEGREES", "DEG.", "DEG"]
             .iter()
             .find_map(|degrees| word.strip_suffix(degrees))
-            .unwrap_or(&word);
+            .unwrap_or(word);
         let degrees =
             |text: &str| text.parse::<f64>().is_ok_and(|degrees| (0.0..=360.0).contains(&degrees));
         let bearing = word.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
@@ -72,7 +75,7 @@ mod tests {
 
     #[test]
     fn words_tell_components() {
-        for word in ["UP", "ud", "U-D", "V", "Vert", "UPDO", "up "] {
+        for word in ["UP", "ud", "U-D", "V", "Vert", "UPDO", "up ", "-V", "-up"] {
             assert_eq!(Component::named(word), Some(Component::Up), "{word}");
         }
         for word in ["DWN", "DN", "down"] {

@@ -16,6 +16,9 @@ pub(crate) fn matches(text: &str) -> bool {
 /// What a volume that is not read is, by its first line.
 fn other_volume(line: &str) -> Option<&'static str> {
     let upper = line.trim_start().to_ascii_uppercase();
+    if upper.contains("OF UNCORRECTED ACCELEROGRAM DATA OF") {
+        return Some("an uncorrected accelerogram of USC (volume 1)");
+    }
     [
         ("UNCORRECTED ACCEL", "an uncorrected accelerogram (volume 1)"),
         ("RESPONSE AND FOURIER", "response spectra (volume 3)"),

@@ -17,3 +17,10 @@ pub struct RecordHints {
     /// The channel that is wanted of such a file: its number, or its direction.
     pub channel: Option<String>,
 }
+
+impl RecordHints {
+    /// The key that chooses the channel.
+    pub(super) fn channel_key(&self) -> &'static str {
+        if self.vertical == Some(true) { "vertical_channel" } else { "horizontal_channel" }
+    }
+}

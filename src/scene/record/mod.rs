@@ -1,5 +1,6 @@
 //! Ground-motion records.
 
+mod afad;
 pub(crate) mod at2;
 pub(crate) mod bbp;
 mod channel;
@@ -14,12 +15,15 @@ pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
 pub(crate) mod numbers;
+mod packed;
 pub(crate) mod pair;
 mod plain;
 pub(crate) mod provenance;
 pub mod read;
+mod sac;
 pub(crate) mod smc;
 mod stated;
+mod steps;
 pub mod synthetic;
 pub mod text;
 mod times;

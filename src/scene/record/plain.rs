@@ -7,9 +7,19 @@ pub(super) fn of(bytes: &[u8]) -> String {
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
         _ if is_wide(bytes, 1) => utf16(bytes, u16::from_le_bytes),
         _ if is_wide(bytes, 0) => utf16(bytes, u16::from_be_bytes),
-        _ => String::from_utf8_lossy(bytes).into_owned(),
+        _ => std::str::from_utf8(bytes).map_or_else(|_| western(bytes), String::from),
     };
     lines_of_here(text)
+}
+
+/// A text in Latin-1, or in Windows' encoding of it, whose dashes may be signs.
+fn western(bytes: &[u8]) -> String {
+    let letter = |byte: &u8| match byte {
+        0x96 => '\u{2013}',
+        0x97 => '\u{2014}',
+        byte => char::from(*byte),
+    };
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).iter().map(letter).collect()
 }
 
 /// Letters by which a text in UTF-16 without a mark is told.
@@ -75,14 +85,6 @@ pub(super) fn other_program(bytes: &[u8]) -> Option<&'static str> {
     if is_seed || bytes.starts_with(b"MS\x03") {
         return Some(
             "miniSEED; read it by obspy and give the stream to the Python package, or write its samples as text",
-        );
-    }
-    // SAC has the version of its header, 6 or 7, at word 76, and undefined words of -12345.
-    let word = |at: usize| <[u8; 4]>::try_from(bytes.get(at..at + 4)?).ok();
-    let version = word(4 * 76).map(|word| (i32::from_le_bytes(word), i32::from_be_bytes(word)));
-    if bytes.len() > 632 && matches!(version, Some((6 | 7, _) | (_, 6 | 7))) && bytes.contains(&0) {
-        return Some(
-            "SAC; read it by obspy and give the stream to the Python package, or write its samples as text",
         );
     }
     None

@@ -1,15 +1,17 @@
 //! From bytes to a record: which format, which units, and is it plausible.
 
+use std::borrow::Cow;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 use super::hints::RecordHints;
+use super::packed;
 use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
 use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
-use super::{at2, bbp, columns, cosmos, csmip, esm, geonet, knet, smc};
+use super::{afad, at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
@@ -75,7 +77,8 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
 type Format = (&'static str, fn(&str) -> bool, fn(&str, &RecordHints) -> Result<Raw, RecordError>);
 
 /// The formats, in the order in which they are looked for: any text may be columns.
-const FORMATS: [Format; 9] = [
+const FORMATS: [Format; 10] = [
+    ("AFAD", afad::matches, afad::read),
     ("K-NET", knet::matches, knet::read),
     ("ESM", esm::matches, esm::read),
     ("COSMOS", cosmos::matches, cosmos::read),
@@ -87,6 +90,9 @@ const FORMATS: [Format; 9] = [
     ("columns", |_| true, columns::read),
 ];
 
+/// The name of the one format that is no text.
+const SAC: &str = "SAC";
+
 /// The name of the format that a text is a record's in, if it is one of those that have a heading.
 pub fn format_of(text: &str) -> Option<&'static str> {
     let own = FORMATS.iter().filter(|(name, ..)| *name != "columns");
@@ -95,30 +101,41 @@ pub fn format_of(text: &str) -> Option<&'static str> {
 
 /// The record in the bytes of a file, the name of their format, and their units.
 fn parsed(bytes: &[u8], hints: &RecordHints) -> Result<(Record, String, Units), RecordError> {
-    match text::of(bytes, SMALL) {
+    match packed::unpacked(bytes, SMALL) {
         Err(RecordError::Large { .. }) => {
             // What is stored is nothing, whoever panicked.
             let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-            of_text(text::of(bytes, LARGEST)?, hints)
+            of_unpacked(packed::unpacked(bytes, LARGEST)?, hints)
         }
-        found => of_text(found?, hints),
+        found => of_unpacked(found?, hints),
     }
 }
 
 /// Held while a large file is unpacked and read: of a suite's there is one at a time.
 static ALONE: Mutex<()> = Mutex::new(());
 
-/// The record in a text, with the note of how it was packed.
-fn of_text(
-    (text, note): (String, Option<String>),
+/// The record in bytes, with the note of how they were packed.
+fn of_unpacked(
+    (bytes, note): (Cow<'_, [u8]>, Option<String>),
     hints: &RecordHints,
 ) -> Result<(Record, String, Units), RecordError> {
-    let [.., columns] = &FORMATS;
-    let (name, _, read) = FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
-    let mut raw = read(&text, hints)?;
+    let (name, mut raw) = if sac::matches(&bytes) {
+        (SAC, sac::read(&bytes)?)
+    } else {
+        let text = text::decoded(&bytes)?;
+        drop(bytes);
+        let [.., columns] = &FORMATS;
+        let (name, _, read) =
+            FORMATS.iter().find(|(_, matches, _)| matches(&text)).unwrap_or(columns);
+        (*name, read(&text, hints)?)
+    };
     raw.stated.format = name;
     if let (Some(asked), None) = (&hints.channel, &raw.stated.channel) {
-        let problem = format!("a file of {name} has one channel; leave '{}' out", shown(asked));
+        let problem = format!(
+            "a file of {name} has one channel; leave `{}` ('{}') out",
+            hints.channel_key(),
+            shown(asked)
+        );
         return Err(RecordError::whole(problem));
     }
     let (record, units) = check(raw, hints)?;
@@ -130,7 +147,7 @@ fn of_text(
 /// Judges what a file states, beside what the user says: the one place where that is decided, for all formats.
 fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> {
     let Raw { title, stated, step, units, values, mut notes } = raw;
-    let title = short(&title);
+    let (title, format) = (short(&title), &stated.format);
     if values.len() < 2 {
         return Err(RecordError::whole("fewer than two samples; this is no record"));
     }
@@ -153,12 +170,14 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         }
     };
     if !(SHORTEST_STEP..=LONGEST_STEP).contains(&dt) {
-        let index = if dt == 1.0 {
-            "; a column that counts samples is no time: give `dt`, and leave it out"
+        let hint = if dt == 1.0 {
+            "; a column that counts samples is no time: give `dt`"
+        } else if *format == "columns" && hints.dt.is_none() {
+            "; if the times are not in s, name their unit in a heading such as time (ms), acc (g), or give `dt`"
         } else {
             ""
         };
-        return Err(RecordError::whole(format!("a time step of {dt} s is no record's{index}")));
+        return Err(RecordError::whole(format!("a time step of {dt} s is no record's{hint}")));
     }
     let units = units.map(|(line, words)| known_units(line, &words)).transpose()?;
     let units = match (units, hints.units) {

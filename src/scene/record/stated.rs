@@ -17,6 +17,8 @@ pub struct Stated {
     pub start: Option<f64>,
     /// The channel that was asked for, of a file with several.
     pub channel: Option<String>,
+    /// All channels of a file with several: the number that each is chosen by, and its component.
+    pub channels: Vec<(String, Option<Component>)>,
 }
 
 impl Stated {

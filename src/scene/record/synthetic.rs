@@ -15,7 +15,7 @@
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
-use super::pair::Steps;
+use super::steps::Steps;
 use super::{Pair, Record};
 use crate::scene::GRAVITY;
 

@@ -1,22 +1,54 @@
-//! Columns of times: the step between them, however few digits they have.
+//! Columns of times: the unit they are in, and the step between them, however few digits they have.
 
 use super::{DIGITS, RecordError, Step, rounded};
 
 /// Largest part of a step by which a time may miss its place.
 const JITTER: f64 = 0.02;
 
+/// The unit of a column of times.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Clock {
+    /// s in one of them.
+    pub seconds: f64,
+    /// What messages call it.
+    pub word: &'static str,
+}
+
+impl Default for Clock {
+    fn default() -> Clock {
+        Clock { seconds: 1.0, word: "s" }
+    }
+}
+
+impl Clock {
+    /// The unit of time that a word means.
+    pub fn named(word: &str) -> Option<Clock> {
+        let (seconds, word) = match word.trim().trim_end_matches('.').to_lowercase().as_str() {
+            "s" | "sec" | "secs" | "second" | "seconds" | "sek" => (1.0, "s"),
+            "ms" | "msec" | "msecs" | "millisecond" | "milliseconds" => (1.0e-3, "ms"),
+            "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => (1.0e-6, "µs"),
+            "min" | "mins" | "minute" | "minutes" => (60.0, "min"),
+            "h" | "hr" | "hrs" | "hour" | "hours" => (3600.0, "h"),
+            _ => return None,
+        };
+        Some(Clock { seconds, word })
+    }
+}
+
 /// Times as they are written.
 #[derive(Default)]
 pub(super) struct Times {
     times: Vec<f64>,
+    /// The line of each.
+    lines: Vec<u32>,
     /// Most decimals, and most digits, that one of them has.
     decimals: usize,
     digits: usize,
 }
 
 impl Times {
-    /// One more, as it is written.
-    pub fn add(&mut self, written: &str, time: f64) {
+    /// One more, as it is written in a line.
+    pub fn add(&mut self, line: usize, written: &str, time: f64) {
         let mantissa = written.split(['e', 'E', 'd', 'D']).next().unwrap_or_default();
         let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();
         let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -25,10 +57,12 @@ impl Times {
         self.decimals = self.decimals.max(if exact { 20 } else { decimals });
         self.digits = self.digits.max(digits);
         self.times.push(time);
+        self.lines.push(u32::try_from(line).unwrap_or(u32::MAX));
     }
 
     pub fn append(&mut self, mut more: Times) {
         self.times.append(&mut more.times);
+        self.lines.append(&mut more.lines);
         self.decimals = self.decimals.max(more.decimals);
         self.digits = self.digits.max(more.digits);
     }
@@ -45,29 +79,79 @@ impl Times {
         let magnitude = if time == 0.0 { 0.0 } else { time.abs().log10().floor() + 1.0 };
         decimals.max(last(magnitude - self.digits.min(20) as f64))
     }
+
+    /// Says of one of the times what is wrong.
+    fn refused(&self, index: usize, problem: String) -> RecordError {
+        RecordError::line(self.lines.get(index).map_or(0, |line| *line as usize), problem)
+    }
+
+    /// The first time that does not follow the one before it by the step that most have: one that goes back, or one
+    /// before which samples are missing.
+    fn gap(&self, clock: &Clock) -> Option<RecordError> {
+        let mut apart: Vec<f64> = self.times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let middle = apart.len().saturating_sub(1) / 2;
+        if apart.is_empty() {
+            return None;
+        }
+        let (_, usual, _) = apart.select_nth_unstable_by(middle, f64::total_cmp);
+        let usual = *usual;
+        if !(usual > 0.0) {
+            return None;
+        }
+        self.times.windows(2).zip(1..).find_map(|(pair, index)| {
+            let (before, time) = (pair[0], pair[1]);
+            let apart = time - before;
+            // The usual step has two roundings of its own.
+            let within = 2.02 * (self.rounding(before) + self.rounding(time)) + JITTER * usual;
+            let word = clock.word;
+            if apart <= 0.0 && usual > within {
+                let problem = format!(
+                    "the time {time} {word} does not come after {before} {word} before it; put the rows in order, and each \
+                     time once"
+                );
+                return Some(self.refused(index, problem));
+            }
+            let steps = (apart / usual).round();
+            let missing = steps >= 2.0
+                && apart - usual > within
+                && (apart - steps * usual).abs() <= steps * within;
+            missing.then(|| {
+                let (what, them) = match steps - 1.0 {
+                    1.0 => ("a sample is missing".to_string(), "it"),
+                    more => (format!("{more} samples are missing"), "them"),
+                };
+                let problem = format!(
+                    "{what} between the times {before} {word} and {time} {word}; fill {them} in, or cut the record there"
+                );
+                self.refused(index, problem)
+            })
+        })
+    }
 }
 
-/// The step of evenly spaced times: the one that is given, where the times agree with it to their digits.
-pub(super) fn step(times: &Times, given: Option<f64>) -> Result<Step, RecordError> {
+/// The step of evenly spaced times of a unit: the one that is given in s, where the times agree with it to their digits.
+pub(super) fn step(times: &Times, given: Option<f64>, clock: &Clock) -> Result<Step, RecordError> {
     let all = &times.times;
     let (Some(first), Some(last)) = (all.first(), all.last()) else {
         return Err(RecordError::whole("no samples"));
     };
     let gaps = (all.len().max(2) - 1) as f64;
     let read = rounded((last - first) / gaps, DIGITS);
+    let refused = |problem: RecordError| Err(times.gap(clock).unwrap_or(problem));
     if !(read > 0.0) {
-        return Err(RecordError::whole(
+        return refused(RecordError::whole(
             "the times in the first column do not grow; if its commas are decimal ones, write points",
         ));
     }
     let within = (times.rounding(*first) + times.rounding(*last)) / gaps;
     let within = within.max(Step::exact(read).within);
-    let step = given.filter(|given| (given - read).abs() <= within);
-    let (seconds, known) = step.map_or((read, false), |given| (given, true));
+    let given = given.map(|given| rounded(given / clock.seconds, DIGITS));
+    let agreed = given.filter(|given| (given - read).abs() <= within);
+    let (apart, known) = agreed.map_or((read, false), |given| (given, true));
     for (index, time) in all.iter().enumerate() {
-        let place = first + seconds * index as f64;
+        let place = first + apart * index as f64;
         let off = (time - place).abs();
-        if off <= JITTER * seconds {
+        if off <= JITTER * apart {
             continue;
         }
         // Two roundings: its own, and that of the first.
@@ -76,33 +160,37 @@ pub(super) fn step(times: &Times, given: Option<f64>) -> Result<Step, RecordErro
         if off <= rounding && known {
             continue;
         }
-        if off <= rounding {
-            let problem = format!(
-                "sample {}: the times have too few digits to tell their step, which is near {} s; give `dt`",
-                index + 1,
+        let word = clock.word;
+        let problem = if off <= rounding {
+            format!(
+                "the times have too few digits to tell their step, which is near {} {word}; give `dt`",
                 rounded(read, 4)
-            );
-            return Err(RecordError::whole(problem));
-        }
-        let problem = format!(
-            "sample {}: the time {time} is not where even steps of {seconds} s put it ({place}); \
-             resample the record evenly",
-            index + 1
-        );
-        return Err(RecordError::whole(problem));
+            )
+        } else {
+            format!(
+                "the time {time} is not where even steps of {apart} {word} put it ({place}); resample the record evenly"
+            )
+        };
+        return refused(times.refused(index, problem));
     }
-    Ok(Step { seconds, within })
+    let seconds = |time: f64| rounded(time * clock.seconds, DIGITS);
+    Ok(Step { seconds: seconds(apart), within: within * clock.seconds })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Times, step};
+    use super::{Clock, Times};
+    use crate::scene::record::{RecordError, Step};
+
+    fn step(times: &Times, given: Option<f64>) -> Result<Step, RecordError> {
+        super::step(times, given, &Clock::default())
+    }
 
     fn times(count: usize, dt: f64, written: impl Fn(f64) -> String) -> Times {
         let mut times = Times::default();
         for k in 0..count {
             let text = written(k as f64 * dt);
-            times.add(&text, text.parse().unwrap());
+            times.add(k + 1, &text, text.parse().unwrap());
         }
         times
     }
@@ -131,7 +219,43 @@ mod tests {
         uneven.times[7] += 0.004;
         for given in [None, Some(0.01)] {
             let error = step(&uneven, given).unwrap_err().to_string();
-            assert!(error.starts_with("sample 8: the time"), "{error}");
+            assert!(error.starts_with("line 8: the time"), "{error}");
         }
+    }
+
+    #[test]
+    fn times_that_are_missing_or_go_back_are_told_as_such() {
+        let three = |time: f64| format!("{time:.3}");
+        let without = |from: usize, to: usize| {
+            let mut left = times(400, 0.01, three);
+            left.times.drain(from..to);
+            left.lines.drain(from..to);
+            left
+        };
+        for given in [None, Some(0.01)] {
+            let error = |times: &Times| step(times, given).unwrap_err().to_string();
+            let said = error(&without(200, 201));
+            assert!(
+                said.starts_with("line 202: a sample is missing between the times 1.99 s"),
+                "{said}"
+            );
+            let said = error(&without(200, 203));
+            assert!(said.starts_with("line 204: 3 samples are missing"), "{said}");
+            let mut back = times(400, 0.01, three);
+            back.times[300] = 0.5;
+            assert!(
+                error(&back).starts_with("line 301: the time 0.5 s does not come after 2.99 s")
+            );
+            back.times[399] = -1.0;
+            assert!(error(&back).starts_with("line 301: the time 0.5 s does not come after"));
+        }
+    }
+
+    #[test]
+    fn steps_are_in_seconds_whatever_the_times_are_in() {
+        let ms = Clock::named("msec").unwrap();
+        let read = super::step(&times(300, 5.0, |time| format!("{time}")), None, &ms).unwrap();
+        assert_eq!(read.seconds, 0.005);
+        assert!(Clock::named("ticks").is_none());
     }
 }

@@ -32,6 +32,7 @@ mod refined;
 mod repair;
 mod resampled;
 mod shards;
+mod stated_columns;
 mod suite_files;
 mod suites;
 mod uncertain;

@@ -249,6 +249,70 @@ impl Motion {
         }
     }
 
+    /// AFAD's older format: three components in a row, the others of 1 gal.
+    pub fn afad(&self) -> Written {
+        let column = if self.azimuth.is_some() { 1 } else { 2 };
+        let row = |a: &f64| {
+            let mut values = [1.0; 3];
+            values[column] = 100.0 * a;
+            values.iter().map(|a| format!("{a:14.7}")).collect::<String>() + "\n"
+        };
+        let mut head: Vec<String> = (0..18).map(|k| format!("KEY {k} :")).collect();
+        head[0] = "STRONG GROUND MOTION RECORDS OF TURKIYE".into();
+        for (line, text) in [
+            (1, "PLACE : A town".to_string()),
+            (6, format!("STATION ID : {}", self.station)),
+            (11, "RECORD TIME : 03/02/2001 04:05:10.000000 (GMT)".into()),
+            (12, format!("NUMBER OF DATA : {}", self.samples.len())),
+            (13, format!("SAMPLING INTERVAL(sec) : {}", self.dt)),
+            (17, "     N-S           E-W           U-D".into()),
+        ] {
+            head[line] = text;
+        }
+        let rows: String = self.samples.iter().map(row).collect();
+        let text = format!("{}\n{rows}", head.join("\n"));
+        Written { format: "AFAD", text, within: 1.0e-8, needs: (false, false), tells: false }
+    }
+
+    /// SAC: 158 words, and samples of 32 bits, in m/s^2, which the file does not tell.
+    pub fn sac(&self, little: bool) -> Vec<u8> {
+        let mut words = vec![(-12345.0_f32).to_le_bytes(); 70];
+        words.extend([(-12345_i32).to_le_bytes(); 40]);
+        words[0] = (self.dt as f32).to_le_bytes();
+        words[5] = 0.25_f32.to_le_bytes();
+        let down = if self.down { 180.0_f32 } else { 0.0 };
+        words[58] = self.azimuth.map_or(down, |_| 90.0).to_le_bytes();
+        let whole = [
+            (70, 2003),
+            (71, 33),
+            (72, 4),
+            (73, 5),
+            (74, 6),
+            (75, 500),
+            (76, 6),
+            (79, self.samples.len() as i32),
+            (85, 1),
+            (86, 8),
+            (105, 1),
+        ];
+        for (word, value) in whole {
+            words[word] = i32::to_le_bytes(value);
+        }
+        let mut text = [b' '; 192];
+        for (place, part) in [(0, self.station), (8, "A Quake"), (160, "HN")] {
+            text[place..place + part.len()].copy_from_slice(part.as_bytes());
+        }
+        let samples = self.samples.iter().map(|a| (*a as f32).to_le_bytes());
+        let order = |mut word: [u8; 4]| {
+            if !little {
+                word.reverse();
+            }
+            word
+        };
+        let head = words.into_iter().flat_map(order).chain(text);
+        head.chain(samples.flat_map(order)).collect()
+    }
+
     /// One column, with neither step nor units.
     pub fn column(&self) -> Written {
         let text = self.rows(1.0, 1, |a| format!("{a:.8}"));

@@ -102,7 +102,7 @@ fn what_is_no_record_is_refused_with_its_line() {
     refused("1\n2\n3\n", &nothing, "dt");
     refused("1\n2\n3\n", &hints(Some(0.01), None), "units");
     refused("1\nx\n3\n", &hints(Some(0.01), Some(Units::G)), "line 2");
-    refused("0 1\n1 2\n5 3\n", &hints(None, Some(Units::G)), "sample 2");
+    refused("0 1\n1 2\n5 3\n", &hints(None, Some(Units::G)), "line 3: 3 samples are missing");
     refused(",\t\n;\n", &hints(Some(0.01), Some(Units::G)), "fewer than two");
     refused("1 2 3\n", &nothing, "line 1");
     refused(&AT2.replace(".3000000E-01", ".3x"), &nothing, "line 5");

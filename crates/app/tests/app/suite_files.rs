@@ -161,6 +161,56 @@ fn told(path: &Path, more: &[&str]) -> (i32, String) {
     (run.status.code().unwrap(), String::from_utf8(said).unwrap())
 }
 
+/// Files whose names say nothing are paired by the stations and the directions that they state.
+#[test]
+fn files_are_paired_by_what_they_state() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: String| fs::write(folder.path().join(name), text).unwrap();
+    for (place, station) in ["a", "b"].into_iter().zip(["ABC", "XYZ"]) {
+        let of = |azimuth, count| Motion { station, ..Motion::made(count, azimuth) };
+        let (h, v) = (of(Some(90), 300 + place.len() + station.len()), of(None, 290));
+        write(&format!("{place}1.txt"), h.esm().text);
+        write(&format!("{place}2.txt"), v.esm().text);
+        write(&format!("{place}_x.dat"), Motion { dt: 0.02, ..h }.csmip().text);
+    }
+    // One channel of a file that has three, beside a file of three of which one is vertical.
+    let three: String = (1..)
+        .zip([Motion::made(300, Some(90)), Motion::made(290, None), Motion::made(280, Some(0))])
+        .map(|(k, motion)| motion.cosmos().text.replace("Sta Chan   1", &format!("Sta Chan   {k}")))
+        .collect();
+    write("three.v2c", three);
+    write("c.txt", Motion::made(200, Some(90)).two_columns().text);
+    // A name tells the horizontal, and the file the vertical.
+    write("Q090.AT2", Motion { station: "Q", ..Motion::made(310, Some(90)) }.at2().text);
+    write("other.txt", Motion { station: "Q", ..Motion::made(305, None) }.at2().text);
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let found: Vec<(&str, &str, &str)> = suite
+        .motions()
+        .map(|(entry, _)| (&*entry.id, entry.vertical.as_deref().unwrap_or(""), &*entry.notes[0]))
+        .collect();
+    let station = |name: &str| format!("paired by what the files state, station {name}");
+    assert_eq!(
+        found,
+        [
+            ("a1.txt", "a2.txt", &*station("ABC")),
+            ("b1.txt", "b2.txt", &*station("XYZ")),
+            ("Q090", "other.txt", &*station("Q")),
+            ("three.v2c 1", "three.v2c", "channels of one file"),
+            ("three.v2c 3", "three.v2c", "channels of one file"),
+        ]
+    );
+    let left: Vec<(&str, &str)> = suite.left_out().map(|(entry, why)| (&*entry.id, why)).collect();
+    let why = "no vertical; a list with an empty vertical takes the horizontal alone";
+    assert_eq!(left, [("a_x.dat", why), ("b_x.dat", why)]);
+    let unused: Vec<&str> = suite.unused.iter().map(|unused| &*unused.file).collect();
+    assert_eq!(unused, ["c.txt"]);
+    // Two verticals of one station are for the user to choose from.
+    write("a3.txt", Motion::made(280, None).esm().text);
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let (_, why) = suite.left_out().find(|(entry, _)| entry.id == "a1.txt").unwrap();
+    assert!(why.starts_with("2 verticals may belong to it (a2.txt, a3.txt)"), "{why}");
+}
+
 #[test]
 fn recordings_are_counted_by_their_stations() {
     let folder = TempDir::new().unwrap();
@@ -212,7 +262,8 @@ fn every_file_that_is_not_used_is_told() {
     let folder = records();
     let at = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
     at("notes.txt", b"mine");
-    at("mine.v2", Motion::made(200, Some(90)).csmip().text.as_bytes());
+    let unnamed = Motion::made(200, Some(90)).csmip().text.replace("STATION NO. ABC", "");
+    at("mine.v2", unnamed.as_bytes());
     at("A090.VT2", b"velocity");
     at("page.html", b"<html><body>Login");
     at("table.xlsx", b"PK");
@@ -221,7 +272,7 @@ fn every_file_that_is_not_used_is_told() {
     for part in [
         "1 motion of 1 recording",
         "5 files",
-        "mine.v2: a record (CSMIP) whose name tells no component; name it in a list",
+        "mine.v2: a record (CSMIP) that does not tell its station and its direction; name it in a list",
         "notes.txt: its name tells no component",
         "A090.VT2: velocities or displacements of PEER",
         "page.html: a web page",

@@ -451,7 +451,7 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
         ),
         (vec!["/no/such/folder"], "give a folder, a zip or a list"),
         (vec![typo.as_str()], "give a folder, a zip or a list"),
-        (vec![out.path().to_str().unwrap()], "and no name that tells a component; give a list"),
+        (vec![out.path().to_str().unwrap()], "of which none tells its component; give a list"),
     ] {
         let run = suite(&arguments, &made).code(2);
         let line = String::from_utf8(run.get_output().stderr.clone()).unwrap();

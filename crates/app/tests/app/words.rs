@@ -107,7 +107,13 @@ fn records_say_what_they_are() {
     let out = place.path().join("out").display().to_string();
     let seismic = ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--horizontal", &path];
     let g = ["--dt", "0.01", "--units", "g"];
-    let cases: [(&str, &[&str], &str); 11] = [
+    let cases: [(&str, &[&str], &str); 13] = [
+        ("1\n2\n", &["--horizontal-channel", "EW"], "leave --horizontal-channel ('EW') out"),
+        (
+            "time (ticks), acc (g)\n0 1\n9 2\n",
+            &[],
+            "'ticks' are not read; write them in s, or give --dt",
+        ),
         ("1\n2\n", &g[..2], "does not tell its units; give --units (g, m/s2 or cm/s2)"),
         ("1\n2\n", &g[2..], "does not tell its time step; give --dt"),
         ("3.5\n-1\n", &g, "if the numbers are in m/s2, it is 0.36 g; --force accepts it"),

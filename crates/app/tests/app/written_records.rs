@@ -59,6 +59,37 @@ proptest! {
         let samples: Vec<f64> = samples.iter().map(|a| a - mean).collect();
         let down = down && azimuth.is_none();
         let motion = Motion { samples, dt: step, station: "ABC", azimuth, down };
+        let component = match azimuth {
+            Some(_) => Component::Horizontal,
+            None if down => Component::Down,
+            None => Component::Up,
+        };
+        // Of three components in a row the one that is asked for.
+        let channel = Some(if azimuth.is_some() { "EW" } else { "UD" }.to_string());
+        if !down {
+            let file = motion.afad();
+            {
+                let asked = RecordHints { channel: channel.clone(), scaled: true, ..RecordHints::default() };
+                let (record, of_file) = of(&file.text, &asked).unwrap();
+                prop_assert_eq!((&*of_file.format, record.dt), (file.format, step));
+                prop_assert_eq!((record.stated.component, &*record.stated.station), (Some(component), "ABC"));
+                prop_assert_eq!(record.samples.len(), motion.samples.len());
+                for (a, b) in record.samples.iter().zip(&motion.samples) {
+                    prop_assert!((a - b).abs() <= file.within, "{} {}", a, b);
+                }
+            }
+        }
+        for little in [true, false] {
+            let given = RecordHints { units: Some(Units::MetresPerSecondSquared), ..RecordHints::default() };
+            let (record, of_file) = read::of_bytes(Path::new("a.sac"), &motion.sac(little), &given).unwrap();
+            prop_assert_eq!((&*of_file.format, record.dt), ("SAC", step));
+            prop_assert_eq!((record.stated.component, &*record.stated.station), (Some(component), "ABC"));
+            prop_assert!(record.samples.len() == motion.samples.len() && record.notes.is_empty());
+            // Half of the last of 24 binary digits.
+            for (a, b) in record.samples.iter().zip(&motion.samples) {
+                prop_assert!((a - b).abs() <= b.abs() * 2.0_f64.powi(-24), "{} {}", a, b);
+            }
+        }
         for file in motion.files() {
             let (record, of_file) = of(&file.text, &needed(&file, step)).unwrap_or_else(|e| panic!("{}: {e}", file.format));
             prop_assert_eq!(&of_file.format, file.format);
@@ -67,11 +98,6 @@ proptest! {
             for (a, b) in record.samples.iter().zip(&motion.samples) {
                 prop_assert!((a - b).abs() <= file.within, "{}: {a} {b}", file.format);
             }
-            let component = match azimuth {
-                Some(_) => Component::Horizontal,
-                None if down => Component::Down,
-                None => Component::Up,
-            };
             prop_assert_eq!(record.stated.component, file.tells.then_some(component), "{}", file.format);
             prop_assert_eq!(record.stated.station.contains("ABC"), file.tells, "{}", file.format);
         }
@@ -428,13 +454,19 @@ fn a_channel_is_chosen_by_its_direction_or_its_number() {
             assert!(found == count && note.contains("of 3 is taken, as asked"), "{asked}: {note}");
         }
         let error = of(Some("180"), None).unwrap_err();
-        assert!(error.contains("no channel '180'; it has 1 ("), "{error}");
+        assert!(
+            error.contains("no channel '180'; give `horizontal_channel` as one of 1 ("),
+            "{error}"
+        );
+        let error = of(Some("180"), Some(true)).unwrap_err();
+        assert!(error.contains("give `vertical_channel` as one of 1 ("), "{error}");
         let (_, file) = of(Some("2"), None).unwrap();
         assert_eq!(file.channel.as_deref(), Some("2"));
     }
     let one = motions[0].at2().text;
     let asked = RecordHints { channel: Some("2".into()), ..RecordHints::default() };
-    assert!(of(&one, &asked).unwrap_err().contains("has one channel; leave '2' out"));
+    let error = of(&one, &asked).unwrap_err();
+    assert!(error.contains("has one channel; leave `horizontal_channel` ('2') out"), "{error}");
 }
 
 #[test]
@@ -460,7 +492,14 @@ fn rows_of_a_time_and_three_components_are_channels() {
     for (a, b) in up.samples.iter().zip(&vertical.samples) {
         assert_abs_diff_eq!(a, b, epsilon = file.within);
     }
-    assert_eq!(of(Some("U-D"), None).unwrap().0.samples, up.samples);
+    for asked in ["U-D", "UD", "ud", "Z", "up", "3"] {
+        assert_eq!(of(Some(asked), None).unwrap().0.samples, up.samples, "{asked}");
+    }
+    for (one, other) in [("E-W", "EW"), ("N-S", "ns")] {
+        let samples = |asked| of(Some(asked), None).unwrap().0.samples;
+        assert_eq!(samples(one), samples(other));
+    }
+
     let north = of(None, Some(false)).unwrap().0;
     assert!(
         north.peak() < 1e-4 && north.notes[0].contains("the first of 3 channels is taken, 1 (N-S)"),
@@ -546,4 +585,62 @@ fn times_with_few_digits_need_the_step() {
     let (record, _) = of(&at2, &given).unwrap();
     assert_eq!(record.dt, 0.00390625);
     assert!(record.notes[0].contains("as given; the file has 0.0039 s"), "{:?}", record.notes);
+}
+
+#[test]
+fn files_of_sac_state_what_their_header_has() {
+    let given = |units| RecordHints { units, ..RecordHints::default() };
+    let metres = given(Some(Units::MetresPerSecondSquared));
+    let read = |bytes: &[u8], hints: &RecordHints| {
+        read::of_bytes(Path::new("a.sac"), bytes, hints).map_err(|error| error.to_string())
+    };
+    let whole = Motion::made(400, Some(90)).sac(true);
+    let put = |word: usize, value: i32| {
+        let mut bytes = whole.clone();
+        bytes[4 * word..4 * word + 4].copy_from_slice(&value.to_le_bytes());
+        bytes
+    };
+    assert!(
+        read(&whole, &given(None)).unwrap_err().contains("does not tell its units; give `units`")
+    );
+    // 2 February, and a quarter of a second after the reference time.
+    let (record, _) = read(&whole, &metres).unwrap();
+    let esm = Motion::made(400, Some(90)).esm().text;
+    let at = plain(&esm.replace("20010203_040510.000", "20030202_040506.750")).unwrap().0;
+    assert_abs_diff_eq!(record.stated.start.unwrap(), at.stated.start.unwrap(), epsilon = 1e-4);
+    for (bytes, said) in [
+        (put(86, 7), "velocities by the header of SAC (IDEP)"),
+        (put(105, 0), "no evenly sampled time series"),
+        (put(85, 2), "no evenly sampled time series"),
+        (put(79, 500), "the file ends after 400 of its 500 samples"),
+        (put(79, i32::MAX), "2147483647 samples are more than"),
+        (put(158, f32::NAN.to_bits() as i32), "sample 1 is not a finite number"),
+    ] {
+        let error = read(&bytes, &metres).unwrap_err();
+        assert!(error.contains(said), "{said}: {error}");
+    }
+    let (record, _) = read(&put(79, 300), &metres).unwrap();
+    assert!(record.samples.len() == 300 && record.notes[0].starts_with("400 bytes after the 300"));
+    // Version 7 has a footer.
+    let seven = [put(76, 7), vec![0; 176]].concat();
+    assert!(read(&seven, &metres).unwrap().0.notes.is_empty());
+}
+
+#[test]
+fn files_of_afad_begin_when_they_say() {
+    let file = Motion::made(400, Some(90)).afad().text;
+    let record = |text: &str| {
+        of(text, &RecordHints { channel: Some("EW".into()), ..RecordHints::default() })
+    };
+    let at = plain(&Motion::made(400, Some(90)).esm().text).unwrap().0.stated.start;
+    assert_eq!(record(&file).unwrap().0.stated.start, at);
+    let error = record(&file.replace("DATA : 400", "DATA : 401")).unwrap_err();
+    assert!(error.contains("the file ends after 400 of its 401 samples"), "{error}");
+    let error = record(&file.replace("DATA : 400", "DATA : x")).unwrap_err();
+    assert!(error.starts_with("line 13: the count of the samples"), "{error}");
+    // Uncorrected files of USC are refused by name.
+    let usc = format!("VOL. 1 OF UNCORRECTED ACCELEROGRAM DATA OF A QUAKE\n{file}");
+    assert!(
+        plain(&usc).unwrap_err().contains("an uncorrected accelerogram of USC (volume 1); give")
+    );
 }

@@ -48,12 +48,13 @@ pub fn files() -> Vec<Vec<u8>> {
     let short = Motion::made(40, Some(90));
     let mut written: Vec<String> = short.files().into_iter().map(|file| file.text).collect();
     let up = Motion { azimuth: None, ..short.clone() };
-    written.push(short.broadband().text);
+    written.extend([short.broadband().text, short.afad().text]);
     written.push(short.csmip().text + &up.csmip().text);
     written.push(short.geonet().text + &up.geonet().text);
     let plain = texts.into_iter().chain(written).map(String::into_bytes);
     let zip = zipped(&[("dir/a.at2", AT2.as_bytes())]);
-    plain.chain([packed.finish().unwrap(), zip, wide]).collect()
+    let sac = [short.sac(true), up.sac(false)];
+    plain.chain([packed.finish().unwrap(), zip, wide]).chain(sac).collect()
 }
 
 /// A record that was read is one.

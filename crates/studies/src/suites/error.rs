@@ -45,7 +45,7 @@ pub enum SuiteError {
     },
     /// No record at all.
     #[error(
-        "{path}: {unused} files, and no name that tells a component; give a list of records (CSV)"
+        "{path}: {unused} files, of which none tells its component; give a list of records (CSV)"
     )]
     Empty {
         /// Where.

@@ -13,6 +13,7 @@ pub(crate) mod error;
 pub(crate) mod estimate;
 mod files;
 mod gather;
+mod grouped;
 pub mod intensity;
 mod list;
 pub mod measures;

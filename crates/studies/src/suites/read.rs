@@ -10,9 +10,8 @@ use rayon::prelude::*;
 use super::entry::{Entry, Motion};
 use super::files::Files;
 use super::measures::Measures;
-use super::names::{self, Component};
 use super::unused::{self, Unused};
-use super::{SuiteError, list, peer};
+use super::{SuiteError, grouped, list, peer};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Pair, Record, RecordFile, joined, text};
@@ -34,7 +33,8 @@ pub struct Suite {
 }
 
 impl Suite {
-    /// Reads a suite: a folder or a zip, with PEER's list or by the names of its files, or a list beside its files.
+    /// Reads a suite: a folder or a zip, with PEER's list or by what the names of its files or the files state, or a list beside its
+    /// files.
     /// `strict` refuses what is missing, ambiguous or unused; else it is a line without a motion, or a file that is told.
     ///
     /// # Errors
@@ -166,7 +166,7 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
         .map(String::as_str)
         .filter(|name| !taken.contains(*name) && !lists.contains(name))
         .collect();
-    let (mut named, unused) = by_names(&rest);
+    let (mut named, unused) = grouped::entries(&rest, files);
     if !lists.is_empty() {
         for entry in &mut named {
             entry.notes.push("not in the list".into());
@@ -200,47 +200,6 @@ fn with_own_ids(mut entries: Vec<Entry>) -> Vec<Entry> {
 
 fn ending(name: &str, wanted: &str) -> bool {
     name.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case(wanted))
-}
-
-/// The lines of files that are known by their names alone, and the files whose names say nothing.
-fn by_names(files: &[&str]) -> (Vec<Entry>, Vec<String>) {
-    let mut unused = Vec::new();
-    let mut groups: BTreeMap<String, (Vec<&str>, Vec<&str>)> = BTreeMap::new();
-    for &name in files {
-        match names::read(name) {
-            None => unused.push(name.to_string()),
-            Some(named) => {
-                let (horizontal, vertical) = groups.entry(named.group).or_default();
-                match named.component {
-                    Component::Horizontal => horizontal.push(name),
-                    Component::Vertical => vertical.push(name),
-                }
-            }
-        }
-    }
-    let mut entries = Vec::new();
-    for (horizontal, vertical) in groups.into_values() {
-        for &name in &horizontal {
-            let mut entry = Entry::of(name);
-            match vertical[..] {
-                [] => {}
-                [one] => entry.vertical = Some(one.into()),
-                [one, other, ..] => {
-                    entry.missing = Some(format!(
-                        "{} verticals may belong to it ({one}, {other}); say in a list which one does",
-                        vertical.len()
-                    ));
-                }
-            }
-            entries.push(entry);
-        }
-        if let ([], [name, ..]) = (&horizontal[..], &vertical[..]) {
-            let mut entry = Entry::of(name);
-            entry.missing = Some("a vertical without a horizontal".into());
-            entries.push(entry);
-        }
-    }
-    (entries, unused)
 }
 
 /// Reads the motion of a line, and says in the line what was decided; its `samples` are added to those of the others, and

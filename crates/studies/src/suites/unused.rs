@@ -16,9 +16,9 @@ pub struct Unused {
 }
 
 /// Files that are looked into; of more the names alone are told.
-const LOOKED_AT: usize = 2000;
+pub(super) const LOOKED_AT: usize = 2000;
 /// Largest file that is looked into, bytes: of a larger one it takes too long.
-const LARGEST: usize = 4 << 20;
+pub(super) const LARGEST: usize = 4 << 20;
 
 /// What the unused files are.
 ///
@@ -84,7 +84,7 @@ fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
     }
     Ok(match format_of(&text) {
         Some(format) => format!(
-            "a record ({format}) whose name tells no component; name it in a list (CSV: id,horizontal,vertical)"
+            "a record ({format}) that does not tell its station and its direction; name it in a list (CSV: id,horizontal,vertical)"
         ),
         None => "its name tells no component".into(),
     })

@@ -1,0 +1,110 @@
+//! The direction of a component that words above plain numbers state.
+
+use super::super::numbers::number;
+use super::super::times::Clock;
+use super::super::{Component, Units};
+use super::words::{TIMES, is_acceleration, tokens, without_brackets};
+
+/// Directions that mean nothing else where they stand in capitals.
+const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
+
+/// Words of a column's name beside its direction.
+const BESIDE: [&str; 12] = [
+    "a",
+    "ag",
+    "component",
+    "comp",
+    "comp.",
+    "motion",
+    "ground",
+    "in",
+    "of",
+    "the",
+    "record",
+    "direction",
+];
+
+/// The direction that words state: `component: UD`, a direction in capitals, `vertical acc`.
+pub(super) fn component(words: &str) -> Option<Component> {
+    let lower = words.to_lowercase();
+    let keyed = ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"]
+        .iter()
+        .find_map(|key| {
+            let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
+            let value = rest.strip_prefix([':', '='])?;
+            value.split([',', ';']).next().map(str::trim)
+        });
+    if let Some(value) = keyed {
+        return Component::named(value).or_else(|| Component::of_channel(value));
+    }
+    let mut found: Vec<Component> = tokens(words)
+        .map(|word| word.trim_matches(['(', ')', '[', ']', '.']))
+        .filter(|word| DIRECTIONS.contains(word))
+        .filter_map(|word| {
+            Component::named(match word {
+                "NORTH-SOUTH" => "NS",
+                "EAST-WEST" => "EW",
+                word => word,
+            })
+        })
+        .collect();
+    // Words such as up mean a direction where nothing else stands beside them than what a column is called.
+    let plain = without_brackets(&lower);
+    let mut directions = Vec::new();
+    let known = tokens(&plain).all(|word| {
+        let component = Some(word).filter(|word| word.len() > 1).and_then(Component::named);
+        let component = component.filter(|_| number(word).is_none());
+        directions.extend(component);
+        component.is_some()
+            || is_acceleration(word)
+            || BESIDE.contains(&word)
+            || TIMES.contains(&word)
+            || Clock::named(word).is_some()
+            || Units::are_meant(word)
+    });
+    if known {
+        found.extend(directions);
+    }
+    let first = *found.first()?;
+    found.iter().all(|one| *one == first).then_some(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_those_that_words_cannot_mean_otherwise() {
+        use Component::{Down, Horizontal, Up};
+        for (words, wanted) in [
+            ("UD", Up),
+            ("Time (s), vertical acc (g)", Up),
+            ("t [s] Acc_UD [gal]", Up),
+            ("component: UD", Up),
+            ("channel = HNZ", Up),
+            ("time;acc down (m/s2)", Down),
+            ("time acc_up", Up),
+            ("Time (s) EW (cm/s2)", Horizontal),
+            ("time, E-W", Horizontal),
+            ("acc_ns", Horizontal),
+            ("Kobe JMA NS", Horizontal),
+            ("Acceleration (UD) in gal", Up),
+            ("north acceleration in g", Horizontal),
+        ] {
+            assert_eq!(component(words), Some(wanted), "{words}");
+        }
+        for words in [
+            "North Palm Springs",
+            "scaled up acc (g)",
+            "time (s) acc (g)",
+            "rotated from NS and UD",
+            "Vertical array 3",
+            "t (ns) a (g)",
+            "time (s), acc_z (g)",
+            "a v",
+            "down the hill",
+        ] {
+            assert_eq!(component(words), None, "{words}");
+        }
+    }
+}

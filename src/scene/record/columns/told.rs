@@ -1,0 +1,235 @@
+//! What a file of plain numbers tells of them in words: in its heading, and in comments above the samples.
+
+use super::super::hints::RecordHints;
+use super::super::times::{self, Clock, Times};
+use super::super::{Component, Raw, RecordError, Step, Units};
+use super::{directions, values, words};
+use crate::scene::shown::shown;
+
+/// Longest time between samples that a column of times in s may have; above it the times are in another unit.
+const LONGEST: f64 = 0.25;
+/// Most of a step by which one of another unit may be off.
+const OFF: f64 = 1.0e-6;
+
+/// What is stated, each with its line.
+#[derive(Default)]
+pub(super) struct Told {
+    units: Option<(usize, String)>,
+    clock: Option<(usize, Result<Clock, String>)>,
+    component: Option<(usize, Component)>,
+    step: Option<(usize, f64)>,
+    count: Option<(usize, usize)>,
+    /// What comments state, in a sentence each.
+    notes: Vec<String>,
+    /// The step that is given beside the file, s.
+    given: Option<f64>,
+}
+
+/// Puts what a line states where nothing or the same was stated before.
+fn put<T: PartialEq>(
+    place: &mut Option<(usize, T)>,
+    at: usize,
+    stated: Option<T>,
+    what: &str,
+) -> Result<bool, RecordError> {
+    let Some(stated) = stated else { return Ok(false) };
+    match place {
+        None => {
+            *place = Some((at, stated));
+            Ok(true)
+        }
+        Some((_, before)) if *before == stated => Ok(false),
+        Some((before, _)) => {
+            Err(RecordError::line(at, format!("{what} other than in line {before}; correct one")))
+        }
+    }
+}
+
+impl Told {
+    pub fn new(hints: &RecordHints) -> Told {
+        Told { given: hints.dt, ..Told::default() }
+    }
+
+    pub fn has_units(&self) -> bool {
+        self.units.is_some()
+    }
+
+    /// Takes up a line of the heading; true where it names columns or their units.
+    ///
+    /// # Errors
+    /// A heading of velocities or displacements, and one that contradicts a line before.
+    pub fn by_heading(&mut self, at: usize, line: &str) -> Result<bool, RecordError> {
+        let lower = line.to_lowercase();
+        let names = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+        if names(&["veloc", "displac"]) && !names(&["acc"]) {
+            let problem = "this is no acceleration by its heading; give the file of accelerations";
+            return Err(RecordError::line(at, problem));
+        }
+        let units = words::units(line);
+        let found = units.is_some();
+        self.put_units(at, units)?;
+        put(&mut self.clock, at, words::clock(line), "a unit of the times")?;
+        self.put_numbers(at, line)?;
+        put(&mut self.component, at, directions::component(line), "a direction")?;
+        Ok(found)
+    }
+
+    /// Takes up a comment: what it states of the units, the step, the count and the direction.
+    ///
+    /// # Errors
+    /// One that contradicts a line before.
+    pub fn by_comment(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
+        let of_columns = words::names_columns(words);
+        let units = if of_columns { words::units(words) } else { words::after_units(words) };
+        if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
+            self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
+        }
+        if of_columns && let Some(Ok(clock)) = words::clock(words) {
+            put(&mut self.clock, at, Some(Ok(clock)), "a unit of the times")?;
+        }
+        self.put_numbers(at, words)?;
+        let keyed = words.contains([':', '=']) && !of_columns;
+        let component = (of_columns || keyed || words.split_whitespace().count() == 1)
+            .then(|| directions::component(words))
+            .flatten();
+        put(&mut self.component, at, component, "a direction")?;
+        Ok(())
+    }
+
+    fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
+        let known = |words: &str| Units::named(words);
+        if let (Some((before, one)), Some(other)) = (&self.units, &units) {
+            if known(one) != known(other) {
+                let problem = format!(
+                    "units of '{}', and of '{}' in line {before}; correct one",
+                    shown(other),
+                    shown(one)
+                );
+                return Err(RecordError::line(at, problem));
+            }
+            return Ok(false);
+        }
+        put(&mut self.units, at, units, "units")
+    }
+
+    /// The step and the count of a line; what is given besides takes the place of a step.
+    fn put_numbers(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
+        let step = values::step(words);
+        if self.given.is_none() || self.step.is_none() {
+            put(&mut self.step, at, step, "a time step")?;
+        }
+        put(&mut self.count, at, values::count(words), "a count of samples")?;
+        Ok(())
+    }
+
+    /// The step of a column of times: the one that is given, or stated in words or in a row, where the times agree with
+    /// it to their digits; and what has to be said of it.
+    ///
+    /// # Errors
+    /// Uneven times, times of a unit that is not known, and a step that the times contradict.
+    pub fn step_of(
+        &self,
+        times: &Times,
+        given: Option<f64>,
+        row: Option<f64>,
+    ) -> Result<(Step, Option<String>), RecordError> {
+        let second = Clock::default();
+        let (at, clock) = match &self.clock {
+            None => (0, None),
+            Some((at, Ok(clock))) => (*at, Some(clock)),
+            Some((at, Err(word))) => {
+                let word = shown(word);
+                let Some(given) = given else {
+                    let problem = format!(
+                        "times in '{word}' are not read; write them in s, or give `dt` in their place"
+                    );
+                    return Err(RecordError::line(*at, problem));
+                };
+                // Whatever they are in, they are evenly apart.
+                times::step(times, None, &second)?;
+                let note =
+                    format!("times in '{word}' are not read: the step is {given} s, as given");
+                return Ok((Step::exact(given), Some(note)));
+            }
+        };
+        let stated = self.step.map(|(_, step)| step);
+        let found = times::step(times, given.or(stated).or(row), clock.unwrap_or(&second))?;
+        if let (Some((at, stated)), None) = (self.step, given)
+            && (stated - found.seconds).abs() > found.within
+        {
+            let problem = format!(
+                "a step of {stated} s, and the times have {} s; correct one, or give `dt`",
+                found.seconds
+            );
+            return Err(RecordError::line(at, problem));
+        }
+        if let Some(clock) = clock.filter(|clock| clock.seconds != 1.0) {
+            let note = format!("the times are in {} by line {at}", clock.word);
+            return Ok((found, Some(note)));
+        }
+        match given {
+            Some(given) if clock.is_none() && found.seconds > LONGEST => {
+                other_unit(found, given).map(|note| (Step::exact(given), Some(note)))
+            }
+            _ => Ok((found, None)),
+        }
+    }
+
+    /// The record with what is told of it.
+    ///
+    /// # Errors
+    /// Fewer samples than the count that is stated.
+    pub fn complete(self, mut raw: Raw) -> Result<Raw, RecordError> {
+        raw.notes.splice(0..0, self.notes);
+        if let (Some((at, step)), None) = (self.step, &raw.step) {
+            match self.given {
+                Some(given) if (given - step).abs() > OFF * given => raw
+                    .notes
+                    .push(format!("the step is {given} s, as given; line {at} has {step} s")),
+                Some(_) => {}
+                None => {
+                    raw.notes.push(format!("line {at} states a step of {step} s"));
+                    raw.step = Some(Step::exact(step));
+                }
+            }
+        }
+        if let Some((at, count)) = self.count {
+            let found = raw.values.len();
+            if found < count {
+                let problem = format!(
+                    "{count} samples, and {found} follow; mend the count, or is the file cut off?"
+                );
+                return Err(RecordError::line(at, problem));
+            }
+            if found > count {
+                raw.values.truncate(count);
+                let more = found - count;
+                raw.notes.push(format!(
+                    "{more} samples after the {count} that line {at} states are left out"
+                ));
+            }
+        }
+        raw.units = self.units;
+        raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
+        Ok(raw)
+    }
+}
+
+/// What a first column in no stated unit is by the step that is given: times in ms or µs, or a count.
+fn other_unit(found: Step, given: f64) -> Result<String, RecordError> {
+    let apart = found.seconds;
+    let is = |factor: f64| (apart - factor * given).abs() <= OFF * apart + found.within;
+    let what = if is(1.0e3) {
+        "is in ms by the step that is given"
+    } else if is(1.0e6) {
+        "is in µs by the step that is given"
+    } else if apart == 1.0 {
+        "counts samples: the step is the one that is given"
+    } else {
+        return Err(RecordError::whole(format!(
+            "steps of {apart} in the first column are `dt` in neither s, ms nor µs; give the right `dt`, or name their unit \
+             in a heading such as time (ms), acc (g)"
+        )));
+    };
+    Ok(format!("the first column {what}, {given} s"))
+}

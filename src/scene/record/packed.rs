@@ -1,0 +1,169 @@
+//! Packed files: a gzip file, or the only file of a zip.
+
+use std::borrow::Cow;
+use std::io::{Cursor, ErrorKind, Read};
+
+use flate2::read::MultiGzDecoder;
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use super::{RecordError, zips};
+use crate::scene::bounded;
+use crate::scene::shown::{self, shown};
+
+/// The bytes of a file: of a gzip file what is packed, of a zip its one file. Says what it had to decide. `most` bytes are
+/// read, packed or not.
+///
+/// # Errors
+/// A damaged file, one that is too large, and a zip of several files.
+pub(super) fn unpacked(
+    bytes: &[u8],
+    most: u64,
+) -> Result<(Cow<'_, [u8]>, Option<String>), RecordError> {
+    if bytes.len() as u64 > most {
+        return Err(RecordError::Large { most });
+    }
+    let (unpacked, note) = match bytes {
+        bytes if bytes.starts_with(&GZIP) => {
+            (gunzipped(bytes, most)?, Some("unpacked from gzip".into()))
+        }
+        [b'P', b'K', 3, 4, ..] => {
+            let (bytes, name) = only_file(bytes, most)?;
+            let bytes = if bytes.starts_with(&GZIP) { gunzipped(&bytes, most)? } else { bytes };
+            (bytes, Some(format!("{} from a zip", shown(&name))))
+        }
+        _ => return Ok((bytes.into(), None)),
+    };
+    Ok((unpacked.into(), note))
+}
+
+/// How a gzip file begins.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+fn gunzipped(bytes: &[u8], most: u64) -> Result<Vec<u8>, RecordError> {
+    all(MultiGzDecoder::new(bytes), most, "gzip")
+}
+
+/// All bytes of a packed stream.
+fn all(packed: impl Read, most: u64, kind: &str) -> Result<Vec<u8>, RecordError> {
+    bounded::all(packed, most).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => RecordError::Large { most },
+        _ => RecordError::whole(format!("a damaged {kind} file ({error}); download it again")),
+    })
+}
+
+/// The bytes and the name of the only file in a zip.
+fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> {
+    let damaged = |error| {
+        RecordError::whole(match error {
+            ZipError::UnsupportedArchive(reason) => {
+                format!("a zip that is not read here ({reason}); unpack it and give the file")
+            }
+            error if error.to_string().contains("not supported") => {
+                format!("a zip that is not read here ({error}); unpack it and give the file")
+            }
+            error => {
+                let error = shown::line(&error.to_string());
+                format!("a damaged zip file ({error}); download it again")
+            }
+        })
+    };
+    zips::check(bytes).map_err(|error| {
+        RecordError::whole(format!("a zip of {error}; unpack it and give the file"))
+    })?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+    let mut names = Vec::new();
+    for name in archive.file_names() {
+        let name = name.map_err(damaged)?;
+        // A Mac packs what it knows of a file beside it.
+        let is_hidden = name.rsplit('/').next().is_some_and(|file| file.starts_with('.'));
+        if !name.ends_with('/') && !name.starts_with("__MACOSX/") && !is_hidden {
+            names.push(name.into_owned());
+        }
+    }
+    if names.iter().any(|name| name == "xl/workbook.xml") {
+        let problem = "a spreadsheet (.xlsx); save its sheet as CSV and give that";
+        return Err(RecordError::whole(problem));
+    }
+    let [name] = &names[..] else {
+        let mut first: Vec<String> = names.iter().take(3).map(|name| shown(name)).collect();
+        if names.len() > first.len() {
+            first.push("…".into());
+        }
+        let problem = match names.len() {
+            0 => "a zip without files".into(),
+            count => {
+                format!("a zip of {count} files ({}); unpack it and give one", first.join(", "))
+            }
+        };
+        return Err(RecordError::whole(problem));
+    };
+    let file = archive.by_name(name).map_err(damaged)?;
+    Ok((all(file, most, "zip")?, name.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    use super::*;
+    use crate::scene::record::text::LARGEST;
+
+    fn of(bytes: &[u8], most: u64) -> Result<(String, Option<String>), RecordError> {
+        let (bytes, note) = unpacked(bytes, most)?;
+        Ok((String::from_utf8_lossy(&bytes).into_owned(), note))
+    }
+
+    fn zipped(files: &[(&str, &str)]) -> Vec<u8> {
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, text) in files {
+            archive.start_file(*name, SimpleFileOptions::default()).unwrap();
+            archive.write_all(text.as_bytes()).unwrap();
+        }
+        archive.finish().unwrap().into_inner()
+    }
+
+    #[test]
+    fn packed_files_are_unpacked() {
+        let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+        packed.write_all(b"1\n2\n").unwrap();
+        let packed = packed.finish().unwrap();
+        assert_eq!(
+            of(&packed, LARGEST).unwrap(),
+            ("1\n2\n".into(), Some("unpacked from gzip".into()))
+        );
+        for cut in 2..packed.len() {
+            assert!(of(&packed[..cut], LARGEST).is_err(), "cut to {cut}");
+        }
+        let one = zipped(&[("dir/", ""), ("dir/a.at2", "1\n")]);
+        assert_eq!(of(&one, LARGEST).unwrap(), ("1\n".into(), Some("dir/a.at2 from a zip".into())));
+        let two = of(&zipped(&[("a.at2", "1"), ("b.at2", "2")]), LARGEST).unwrap_err().to_string();
+        assert!(two.contains("a zip of 2 files (a.at2, b.at2); unpack it"), "{two}");
+        assert!(of(&one[..one.len() - 9], LARGEST).is_err());
+    }
+
+    /// Of a gzip file that says so a thousandth lies on disk, and what a zip declares is not believed.
+    #[test]
+    fn what_is_packed_is_read_up_to_a_size() {
+        let large = vec![b'1'; 3000];
+        let mut gzip = GzEncoder::new(Vec::new(), Compression::fast());
+        gzip.write_all(&large).unwrap();
+        let gzip = gzip.finish().unwrap();
+        let mut zip = zipped(&[("a.at2", &"1".repeat(3000))]);
+        let plain = (b"1\n".repeat(1500), "1\n".repeat(1500));
+        assert!(gzip.len() < 200 && of(&gzip, 3000).is_ok() && of(&zip, 3000).is_ok());
+        assert_eq!(of(&plain.0, 3000).unwrap().0, plain.1);
+        // The size in the directory, at 24 bytes from its beginning, is said to be 5.
+        let directory = zip.windows(4).position(|bytes| bytes == b"PK\x01\x02").unwrap();
+        for packed in [&gzip, &zip, &plain.0] {
+            assert_eq!(of(packed, 2999), Err(RecordError::Large { most: 2999 }));
+        }
+        zip[directory + 24..directory + 28].copy_from_slice(&5_u32.to_le_bytes());
+        assert!(of(&zip, 2999).is_err());
+    }
+}
