@@ -144,7 +144,10 @@ pub fn device(say: &Reporter, scene: &Scene) {
         && damper == Some(DEFAULT_XI_H)
     {
         let problem = "5 % of damping on the initial stiffness acts beside the device";
-        say.line("warning", format!("{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()));
+        say.line(
+            "warning",
+            format!("{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()),
+        );
     }
 }
 
