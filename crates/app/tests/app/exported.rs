@@ -91,6 +91,31 @@ const SCENES: [(&str, &str, [u32; 2]); 23] = [
         "object=1 eccentricity=-0.4:0.4 t_h=1.75 t_v=0.05:1 omega=4 a_h=4 t_max=12 friction=0.4",
         [13, 12],
     ),
+    (
+        "pendulum",
+        "object=2 radius=0.5:4 mu=0.02:0.15 t_v=0.75 omega=4 a_h=6 a_v=2 t_max=6",
+        [13, 12],
+    ),
+    (
+        "pendulum on a locked direction",
+        "object=3 isolation=horizontal radius=0.5:4 mu=0.05 u_y=0.002 omega=4 a_h=1:12 a_v=2 t_max=6",
+        [12, 12],
+    ),
+    (
+        "pendulum under its weight",
+        "object=2 radius=0.5:4 mu=0.02:0.15 pressure=constant t_v=0.75 omega=4 a_h=6 t_max=6",
+        [12, 12],
+    ),
+    (
+        "bilinear with stops",
+        "object=2 k1=8000 k2=1500 qd=300 stop_gap=0.05:0.4 stop_stiffness=200000 stop_xi=0.1 t_v=0.75 omega=3 a_h=1:12",
+        [12, 12],
+    ),
+    (
+        "hardening",
+        "object=1 t_h=1.75 t_v=0.75 v_hardening=0.01:0.1 static_deflection=0.02 omega=5 a_h=1:12 a_v=3",
+        [12, 12],
+    ),
     ("record", "object=1 eccentricity=0.2 horizontal=synthetic t_h=0.5:4 t_v=0.001:1", [12, 12]),
 ];
 
@@ -232,13 +257,33 @@ fn random(rng: &mut Pcg64Mcg) -> Flat {
     let isolation = one_of(rng, &["dual", "dual", "horizontal", "vertical", "none"]);
     scene.insert("isolation".into(), isolation.into());
     if matches!(isolation, "dual" | "horizontal") {
-        free.extend([("t_h", 0.2, 4.0), ("psi", 0.0, 1.0), ("xi_h", 0.0, 0.5)]);
-        let strength = [("alpha_y", 0.02, 0.5), ("u_y", 0.001, 0.05), ("yield_force", 10.0, 900.0)];
-        free.push(*strength.choose(rng));
+        free.push(("xi_h", 0.0, 0.5));
+        match rng.next_u32() % 4 {
+            0 => {
+                free.extend([("radius", 0.3, 4.0), ("mu", 0.0, 0.2), ("u_y", 0.0005, 0.02)]);
+                scene.insert("pressure".into(), one_of(rng, &["follows", "constant"]).into());
+            }
+            _ => {
+                free.extend([("t_h", 0.2, 4.0), ("psi", 0.0, 1.0)]);
+                let strength =
+                    [("alpha_y", 0.02, 0.5), ("u_y", 0.001, 0.05), ("yield_force", 10.0, 900.0)];
+                free.push(*strength.choose(rng));
+            }
+        }
+        if rng.next_u32().is_multiple_of(3) {
+            free.extend([
+                ("stop_gap", 0.02, 0.5),
+                ("stop_stiffness", 1.0e4, 1.0e6),
+                ("stop_xi", 0.0, 0.5),
+            ]);
+        }
         scene.insert("bouc_wen_n".into(), one_of(rng, &["1", "2", "3", "7"]).into());
     }
     if matches!(isolation, "dual" | "vertical") {
         free.extend([("t_v", 0.002, 1.5), ("xi_v", 0.0, 0.4)]);
+        if rng.next_u32().is_multiple_of(4) {
+            free.extend([("v_hardening", 0.01, 0.3), ("static_deflection", 0.0, 0.4)]);
+        }
     }
     if isolation == "none" {
         free.push(("restitution", 0.2, 1.0));
