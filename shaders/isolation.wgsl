@@ -60,11 +60,11 @@ fn with_devices(cell: Cell, y: Motion, ground: Ground, base: Support) -> Support
 
 // The force of a pendulum over the one that presses on it: u/R_d + mu_d z.
 fn pendulum_slope(cell: Cell, y: Motion) -> real {
-    var spring = cell.post_yield * y.u;
+    var force = cell.post_yield * y.u;
     if yields {
-        spring = spring + cell.hysteretic * y.z;
+        force = force + cell.hysteretic * y.z;
     }
-    return spring * INVERSE_GRAVITY;
+    return force * INVERSE_GRAVITY;
 }
 
 // The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over M_t.

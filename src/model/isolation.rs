@@ -125,11 +125,11 @@ fn with_devices<R: Number>(
 #[inline(always)]
 pub fn pendulum_slope<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let cell = set.cell;
-    let mut spring = cell.post_yield * y.u;
+    let mut force = cell.post_yield * y.u;
     if set.variant.yields {
-        spring = cell.hysteretic.mul_add(y.z, spring);
+        force = cell.hysteretic.mul_add(y.z, force);
     }
-    spring * y.u.like(1.0 / GRAVITY)
+    force * y.u.like(1.0 / GRAVITY)
 }
 
 /// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over

@@ -67,6 +67,7 @@ pub const FILES: &[File] = files![
     "suggest.js": SCRIPT,
     "theme.js": SCRIPT,
     "view.js": SCRIPT,
+    "gpu/base_device.js": SCRIPT,
     "gpu/block.js": SCRIPT,
     "gpu/body.js": SCRIPT,
     "gpu/case.js": SCRIPT,
