@@ -45,6 +45,8 @@ class Base(TypedDict, total=False):
 
     # directions in which the base moves: dual, horizontal, vertical, none
     isolation: str
+    # what presses on a friction pendulum: follows or constant
+    pressure: str
     # T_h [s], period of the horizontal isolation
     t_h: Numbers
     # T_v [s], period of the vertical isolation
@@ -63,6 +65,31 @@ class Base(TypedDict, total=False):
     yield_force: Numbers
     # n, exponent of the Bouc-Wen law; by default 2
     bouc_wen_n: Numbers
+    # k_1 [N/m], stiffness of a bilinear device before it yields, in place of t_h
+    k1: Numbers
+    # k_2 [N/m], stiffness of a bilinear device after it has yielded, in place of psi; at most the one before
+    k2: Numbers
+    # Q_d [N], force of a bilinear device at zero displacement, in place of alpha_y; its yield displacement is
+    # Q_d/(k_1 - k_2)
+    qd: Numbers
+    # R_d [m], radius of a friction pendulum, with mu in place of t_h and psi
+    radius: Numbers
+    # μ_d, friction coefficient of a friction pendulum; u_y is the displacement before it slides, 0.0005 m
+    # unless given
+    mu: Numbers
+    # d [m], horizontal displacement at which the base meets its end stop; with stop_stiffness; by default
+    # none
+    stop_gap: Numbers
+    # k_s [N/m], stiffness of the end stop
+    stop_stiffness: Numbers
+    # ξ_s, damping ratio of the end stop, which never pulls; by default 0
+    stop_xi: Numbers
+    # v_c [m], displacement from the static position at which the vertical spring's force is twice that of its
+    # initial stiffness: it hardens by the cube; by default none
+    v_hardening: Numbers
+    # v_0 [m], static deflection of the vertical isolation, for the column max_v; the motion does not depend
+    # on it; by default g/ω_v²
+    static_deflection: Numbers
 
 
 class Pulse(TypedDict, total=False):

@@ -36,7 +36,7 @@ use topple_explore::session::{Session, Settings};
 use crate::common::{all, gpu, synthetic_pair};
 
 /// Scenes as the page asks for them: a name, the keys, and the values of each axis.
-const SCENES: [(&str, &str, [u32; 2]); 23] = [
+const SCENES: [(&str, &str, [u32; 2]); 28] = [
     ("dual", "object=1 eccentricity=0.2 t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15", [24, 20]),
     ("vertical ground", "object=1 t_h=1.75 t_v=0.75 a_v=0.5 omega=0.2:15 a_h=-7:15", [20, 20]),
     ("horizontal", "object=2 isolation=horizontal t_h=2 omega=0.5:9 a_h=0.5:20", [16, 16]),
