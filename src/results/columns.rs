@@ -206,7 +206,7 @@ columns! {
         "largest force on the end stop; only where it is asked for";
     /// How often the base met its end stop.
     StopHits = stop_hits: u32, "stop_hits", "",
-        "how often the base met its end stop; only where it is asked for";
+        "how often the end stop began to push the base; only where it is asked for";
 }
 
 impl Column {

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use super::case::ROUNDING;
 use super::isolation::{BoucWen, LEAST_PERIOD, too_short};
 use super::numbers::{Numbers, Point};
-use super::parameters::Parameter;
-use super::{GRAVITY, SceneError};
+use super::parameters::{ACCEPTED, Parameter};
+use super::{GRAVITY, Grid, Scene, SceneError};
 use crate::written::written;
 
 written! {
@@ -97,8 +97,9 @@ pub(super) fn law(point: &Point, mass: f64, peak: f64, pressure: Option<Pressure
         (Some(u_y), ..) => (u_y, u_y * square / peak),
         (None, Some(force), _) => (force / (mass * square), force / (mass * peak)),
         (None, None, Some(force)) => {
-            // A base that does not yield has no such force.
-            let u_y = force / (mass * square * (1.0 - psi).max(0.0));
+            // Of a base with one stiffness no force depends on it.
+            let share = if psi < 1.0 { 1.0 - psi } else { 1.0 };
+            let u_y = force / (mass * square * share);
             (u_y, u_y * square / peak)
         }
         (None, None, None) => (of(AlphaY) * peak / square, of(AlphaY)),
@@ -210,11 +211,30 @@ pub(super) fn check(law: &BoucWen, numbers: &Numbers) -> Result<(), SceneError> 
         let problem = "must be at most the stiffness before the device yields";
         return Err(SceneError::new("k2", problem));
     }
-    if numbers.has(Parameter::Qd) && !(law.psi < 1.0) {
-        return Err(SceneError::new(
-            "qd",
-            "a base with one stiffness does not yield; leave it out",
-        ));
+    Ok(())
+}
+
+/// Questions what a device's stiffnesses and forces make of the base, where it is beyond what the period and the yield
+/// displacement themselves may be.
+///
+/// # Errors
+/// The key of the stiffness or the force.
+pub(super) fn plausible(scene: &Scene) -> Result<(), SceneError> {
+    use Parameter::{K1, Qd, TH, UY, YieldForce};
+    let given = |of: [Parameter; 2]| of.into_iter().find(|own| scene.numbers.has(*own));
+    let beyond = |of: Parameter, value: f64| value > of.entry().plausible.1;
+    for case in Grid::of(scene).corners() {
+        let Some(law) = case.isolation.horizontal else { continue };
+        let made = [(TH, law.t_h, given([K1, YieldForce])), (UY, law.u_y, given([Qd, YieldForce]))];
+        for (of, value, key) in made {
+            if let Some(key) = key.filter(|_| beyond(of, value) && !scene.numbers.has(of)) {
+                let problem = format!(
+                    "with the masses it makes {}, which is not plausible (N and N/m are meant, not kN and kN/m); {ACCEPTED}",
+                    of.entry().written(format!("{value:.3}"))
+                );
+                return Err(SceneError::new(key.key(), problem));
+            }
+        }
     }
     Ok(())
 }

@@ -12,6 +12,8 @@ use super::{Case, Device, Grid, Scene};
 pub struct DeviceNumbers {
     /// T_h, s.
     pub t_h: [f64; 2],
+    /// The period with the stiffness after yielding, s; infinite where that is zero.
+    pub t_yielded: [f64; 2],
     /// psi.
     pub psi: [f64; 2],
     /// u_y, m.
@@ -37,6 +39,10 @@ impl DeviceNumbers {
         };
         Some(DeviceNumbers {
             t_h: over(|case| Some(case.isolation.horizontal?.t_h)),
+            t_yielded: over(|case| {
+                let law = case.isolation.horizontal?;
+                Some(law.t_h / law.psi.sqrt())
+            }),
             psi: over(|case| Some(case.isolation.horizontal?.psi)),
             u_y: over(|case| Some(case.isolation.horizontal?.u_y)),
             k_h: over(stiffness),
@@ -64,8 +70,9 @@ impl fmt::Display for DeviceNumbers {
         };
         write!(
             f,
-            "T_h = {} s, ψ = {}, u_y = {} m, k_h = {} N/m, ψ k_h = {} N/m, damper {} N s/m",
+            "T_h = {} s before it yields or slides, {} s after, ψ = {}, u_y = {} m, k_h = {} N/m, ψ k_h = {} N/m, damper {} N s/m",
             of(self.t_h),
+            of(self.t_yielded),
             of(self.psi),
             of(self.u_y),
             of(self.k_h),

@@ -178,10 +178,14 @@ fn a_device_is_the_base_that_its_numbers_make() {
     let of_paper =
         base.clone().with(P::TH, t_h).with(P::Psi, 0.2).with(P::UY, 0.02).with(P::XiH, 0.0);
     let by_yield = base.clone().with(P::YieldForce, 800.0).with(P::UY, 0.02).with(P::Psi, 0.2);
-    let [ours, _] = both(&base.with(P::K1, 4.0e4).with(P::K2, 8.0e3).with(P::Qd, 640.0));
+    let [ours, _] = both(&base.clone().with(P::K1, 4.0e4).with(P::K2, 8.0e3).with(P::Qd, 640.0));
     for other in [of_paper, by_yield] {
         near(ours.max_u, both(&other)[0].max_u, 1.0e-9, "max_u");
     }
+    // One stiffness: a linear base, whatever force is given with it.
+    let linear = base.clone().with(P::K1, 4.0e4).with(P::K2, 4.0e4).with(P::Qd, 640.0);
+    let spring = base.clone().with(P::TH, t_h).with(P::Psi, 1.0).with(P::XiH, 0.0);
+    near(both(&linear)[0].max_u, both(&spring)[0].max_u, 1.0e-9, "linear");
     let pendulum =
         low(Directions::Horizontal, (1.0, 0.0), 0.5, 1.0).with(P::Radius, 1.5).with(P::Mu, 0.06);
     let numbers = DeviceNumbers::of(&pendulum.check().unwrap()).unwrap();
@@ -199,7 +203,10 @@ fn a_device_that_makes_no_base_is_refused() {
     assert_eq!(key(base().with(P::K1, 1.0e4)), "k2");
     assert_eq!(key(base().with(P::K1, 1.0e4).with(P::K2, 1.0e3)), "qd");
     assert_eq!(key(base().with(P::K1, 1.0e3).with(P::K2, 1.0e4).with(P::Qd, 1.0)), "k2");
-    assert_eq!(key(base().with(P::K1, 1.0e3).with(P::K2, 1.0e3).with(P::Qd, 1.0)), "qd");
+    let given = || SceneBuilder { force: false, ..base() };
+    // Kilonewtons in the place of newtons.
+    assert_eq!(key(given().with(P::K1, 40.0).with(P::K2, 4.0).with(P::Qd, 6.0)), "k1");
+    assert_eq!(key(given().with(P::K1, 4.0e4).with(P::K2, 4.0e3).with(P::Qd, 6.0e5)), "qd");
     assert_eq!(key(base().with(P::K2, 1.0e3).with(P::Qd, 1.0)), "k1");
     assert_eq!(key(base().with(P::Radius, 1.5)), "mu");
     assert_eq!(key(base().with(P::Mu, 0.1)), "radius");

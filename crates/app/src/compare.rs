@@ -151,7 +151,7 @@ impl CompareCommand {
         let ComparisonJob { sweep, settings } =
             request.open(&suite).map_err(|error| self.refused(error))?;
         let scenes = sweep.scenes(settings.devices.len());
-        self.warn(&settings.devices, &scenes)?;
+        self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
@@ -227,10 +227,16 @@ impl CompareCommand {
         }
     }
 
-    /// Warns of devices whose impacts take no energy.
-    fn warn(&self, devices: &[Device], scenes: &[Scene]) -> Result<(), InputError> {
+    /// Says what the numbers of each device make of the base, and warns of those whose impacts take no energy.
+    fn tell_of_devices(
+        &self,
+        devices: &[Device],
+        scenes: &[Scene],
+        say: &Reporter,
+    ) -> Result<(), InputError> {
         let mut names = Vec::new();
         for (device, scene) in devices.iter().zip(scenes) {
+            words::device(say, Some(&device.name), scene);
             let plan = self.options.plan(scene).map_err(|error| flag_error(&error))?;
             if words::has_lossless_impacts(&plan, &Grid::of(scene)) {
                 names.push(device.name.as_str());

@@ -135,7 +135,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     };
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
-    words::device(&say, scene);
+    words::device(&say, None, scene);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

@@ -231,7 +231,7 @@ impl Times {
 /// Says what a device's numbers make of the base, and warns of a scene whose impacts take no energy.
 pub fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputError> {
     let plan = options.plan(&job.scene).map_err(|error| flag_error(&error))?;
-    words::device(&Reporter::unless(options.quiet), &job.scene);
+    words::device(&Reporter::unless(options.quiet), None, &job.scene);
     words::warn_of_lossless_impacts(&plan, &job.grid);
     Ok(())
 }

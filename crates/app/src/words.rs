@@ -111,7 +111,7 @@ pub fn sides(grid: &Grid) -> String {
 pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
     say.line("", topple::scene::words::line(scene));
-    device(say, scene);
+    device(say, None, scene);
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
@@ -132,9 +132,10 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
 
 /// Says what the numbers of a device make of the base; and, of a base of the paper that yields at a given displacement or
 /// force, that a damper acts beside it: a device whose friction or yielding is all of its damping has none.
-pub fn device(say: &Reporter, scene: &Scene) {
+pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
+    let name = name.map(|name| format!("{name}: ")).unwrap_or_default();
     if let Some(device) = DeviceNumbers::of(scene) {
-        say.line("device", device);
+        say.line("device", format!("{name}{device}"));
     }
     let given = |own: &Parameter| scene.numbers.has(*own);
     let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
@@ -146,7 +147,7 @@ pub fn device(say: &Reporter, scene: &Scene) {
         let problem = "5 % of damping on the initial stiffness acts beside the device";
         say.line(
             "warning",
-            format!("{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()),
+            format!("{name}{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()),
         );
     }
 }

@@ -1,5 +1,6 @@
 //! What became of devices under a suite.
 
+use super::devices::Device;
 use super::request::ComparisonSettings;
 use crate::fragility::limit_state::LimitState;
 use crate::fragility::suite_runs::run_of;
@@ -9,6 +10,8 @@ use crate::suites::envelope::{CellEnvelope, Limits, percentiles, within};
 use crate::suites::swept::SuiteSweep;
 use crate::suites::swept_motion::SweptMotion;
 use crate::suites::wanted::WantedMotion;
+use topple::results::columns::Column;
+use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
 
 /// Devices under a suite, with what is told of each.
@@ -82,7 +85,9 @@ impl Comparison {
         let drawn = DrawnGroups::of(&groups.of, groups.count, bootstrap);
         let each = (sweep.motions.len() / settings.devices.len().max(1)).max(1);
         let devices = sweep.motions.chunks(each).zip(settings.shaken.chunks(each));
-        let of_device = |(motions, shaken): (&[SweptMotion], &[Shaken])| {
+        let devices = devices.zip(&settings.devices);
+        let of_device = |((motions, shaken), device): ((&[SweptMotion], &[Shaken]), &Device)| {
+            let has_stop = device.scene.numbers.has(Parameter::StopGap);
             let first = shaken.first()?;
             // All motions are as they are at one place only where their factors are the same: each is looked up.
             let plain = at(motions, shaken, |shaken| shaken.plain);
@@ -98,7 +103,13 @@ impl Comparison {
                 cell,
                 // A sum of nothing is a negative zero.
                 lifted: lifted.fold(0.0, |sum, motion| sum + motion.weight) / all,
-                columns: (0..settings.columns.len()).map(of_column).collect(),
+                columns: (0..settings.columns.len())
+                    .map(|k| match settings.columns[k] {
+                        // Nothing is known of a stop that is not there.
+                        Column::StopForce | Column::StopHits if !has_stop => [f64::NAN; 3],
+                        _ => of_column(k),
+                    })
+                    .collect(),
                 reserve: (!first.scales.is_empty())
                     .then(|| reserve(motions, shaken, &settings.scales, *limits)),
                 rate: hazard

@@ -243,6 +243,13 @@ fn device(
     }
     let mut scene: SceneBuilder = serde_json::from_value(scene).map_err(whole)?;
     scene.title = Some(name.clone());
+    // A factor on the motions is written where a record is, and is none.
+    scene.record.clone_from(&shared.record);
+    if !own.contains(&"pressure") && topple::Device::of(&scene.numbers) != topple::Device::Pendulum
+    {
+        // What all share of pendulums is not for other devices.
+        scene.pressure = None;
+    }
     Ok(Device { name, scene, line, own })
 }
 

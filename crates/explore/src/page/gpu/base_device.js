@@ -51,7 +51,8 @@ export function lawOf(point, mass, peak, pressure) {
     uY = point.yield_force / (mass * square);
     alphaY = point.yield_force / (mass * peak);
   } else if (point.qd !== undefined) {
-    uY = point.qd / (mass * square * Math.max(1 - psi, 0));
+    // Of a base with one stiffness no force depends on it.
+    uY = point.qd / (mass * square * (psi < 1 ? 1 - psi : 1));
     alphaY = (uY * square) / peak;
   } else {
     // (21): u_y = alpha_y PGA_h / omega_h^2.
@@ -110,7 +111,22 @@ export function checkLaw(law, numbers) {
     throw new EngineError(key, tooShort(law.tH));
   }
   if (law.psi > 1) throw new EngineError('k2', 'must be at most the stiffness before the device yields');
-  if (numbers.has('qd') && !(law.psi < 1)) {
-    throw new EngineError('qd', 'a base with one stiffness does not yield; leave it out');
+}
+
+// Questions what a device's stiffnesses and forces make of the base.
+export function checkPlausible(law, numbers) {
+  const given = (...keys) => keys.find((key) => numbers.has(key));
+  for (const [of, value, key] of [
+    ['t_h', law.tH, given('k1', 'yield_force')],
+    ['u_y', law.uY, given('qd', 'yield_force')],
+  ]) {
+    const { plausible, symbol, unit } = known.parameter.get(of);
+    if (key && !numbers.has(of) && value > (plausible[1] ?? Infinity)) {
+      const made = `${symbol} = ${value.toFixed(3)} ${unit}`;
+      throw new EngineError(
+        key,
+        `with the masses it makes ${made}, which is not plausible (N and N/m are meant, not kN and kN/m); \`force\` accepts it`,
+      );
+    }
   }
 }

@@ -2,7 +2,7 @@
 // src/scene/check.rs.
 
 import { isBeside } from '../choices.js';
-import { OF_MASS, checkLaw, together } from './base_device.js';
+import { OF_MASS, checkLaw, checkPlausible, together } from './base_device.js';
 import { completeBlock, offset } from './block.js';
 import { ROUNDING, mostRestitutionFactor, overturning } from './case.js';
 import { EngineError } from './errors.js';
@@ -168,6 +168,9 @@ export function sceneOf(text, count) {
   );
   const scene = { text, numbers, choices, grid };
   checkTogether(scene);
+  if (!force) {
+    for (const cell of grid.corners()) if (cell.base.horizontal) checkPlausible(cell.base.horizontal, numbers);
+  }
   return scene;
 }
 
