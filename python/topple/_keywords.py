@@ -82,7 +82,8 @@ class Base(TypedDict, total=False):
     stop_gap: Numbers
     # k_s [N/m], stiffness of the end stop
     stop_stiffness: Numbers
-    # ξ_s, damping ratio of the end stop, which never pulls; by default 0
+    # ξ_s, damping ratio of the end stop with the mass above, M + m_h + m_v; the stop never pulls; by default
+    # 0
     stop_xi: Numbers
     # v_c [m], displacement from the static position at which the vertical spring's force is twice that of its
     # initial stiffness: it hardens by the cube; by default none
