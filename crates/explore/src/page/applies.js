@@ -52,7 +52,7 @@ export function createKeeper(about) {
         scene[key] = '';
       }
     }
-    settlePendulum(scene);
+    settlePendulum(scene, state.scene);
     for (const [key, text] of Object.entries(NEEDED)) {
       // Its stiffness or its radius says the period of a device.
       if (key === 't_h' && (scene.k1 || scene.radius)) continue;
@@ -73,10 +73,9 @@ export function createKeeper(about) {
   }
 
   /** A friction pendulum has a radius and a friction, and no strength of its own; another base has neither. */
-  function settlePendulum(scene) {
+  function settlePendulum(scene, before) {
     if (!scene.radius) {
-      scene.mu = '';
-      scene.pressure = '';
+      if (before.radius) Object.assign(scene, { mu: '', pressure: '' });
       return;
     }
     for (const key of ['psi', 'k2', 'alpha_y', 'yield_force', 'qd']) scene[key] = '';

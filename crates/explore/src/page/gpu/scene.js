@@ -141,7 +141,6 @@ export function sceneOf(text, count) {
   const record = recordOf(text, numbers);
   const choices = {
     isolation: word(text, 'isolation'),
-    pressure: pressureOf(text, numbers),
     overturn: word(text, 'overturn'),
     shape: record ? known.shapes[0] : known.shape.get(word(text, 'shape')),
     record,
@@ -156,6 +155,7 @@ export function sceneOf(text, count) {
   } else completePulse(choices.shape, numbers);
   numbers.setMissing('t_max', record ? record.duration : known.defaults.t_max);
   numbers.setMissing('tilt', known.defaults.tilt);
+  choices.pressure = pressureOf(text, numbers);
   for (const key of axes) {
     if (!numbers.has(key)) throw new EngineError(key, 'missing; give start:stop, for it is an axis');
   }
