@@ -8,7 +8,7 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::{Directions, GRAVITY, Grid, Parameter as P, Pressure, Scene, SceneBuilder};
-use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::{self, Settings};
 use topple::work::observer::Unwatched;
 
@@ -232,4 +232,55 @@ fn a_scene_without_devices_has_none_of_their_laws() {
     let variant = Plan::new(&scene, DEFAULT_STEP).unwrap().variant();
     assert!(!(variant.follows || variant.stops || variant.hardens));
     assert!(variant.certificate && !variant.asked.accelerations && !variant.asked.stops);
+}
+
+/// A slender block that rocks on a pendulum, the vertical direction locked: its rotation presses on the pendulum, too. Nothing
+/// is proved of a base that is not passive: the cell runs to its end.
+#[test]
+fn a_rocking_block_presses_on_its_pendulum() {
+    let scene = SceneBuilder::object(1)
+        .isolated(Directions::Horizontal)
+        .with(P::Radius, 1.0)
+        .with(P::Mu, 0.3)
+        .with(P::UY, 0.002)
+        .with(P::Omega, 5.0)
+        .with(P::AH, 2.3)
+        .with(P::AV, 2.0)
+        .with(P::TMax, 10.0)
+        .check()
+        .unwrap();
+    let grid = Grid::of(&scene);
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64);
+    let cell = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched)[0];
+    let truth = reference::run(&scene, &grid.case(0), &Settings::default());
+    assert_eq!((cell.class, truth.class), (Class::Rocking, Class::Rocking), "{cell:?}");
+    assert!(!plan.variant().certificate);
+    assert_eq!(cell.status, Status::Ok, "{cell:?}");
+    near(cell.max_u, truth.max_u, 1.0e-5, "max_u");
+    near(cell.zeta, truth.zeta, 1.0e-4, "zeta");
+    near(cell.min_contact, truth.min_contact, 1.0e-3, "min_contact");
+}
+
+/// A base that swings from stop to stop after the excitation is not final, though its block can never lift.
+#[test]
+fn hits_to_come_are_counted() {
+    let scene = low(Directions::Horizontal, (-500.0, 0.0), 1.0e-3, 60.0)
+        .with(P::TH, 1.0)
+        .with(P::Psi, 1.0)
+        .with(P::XiH, 0.02)
+        .with(P::StopGap, 0.03)
+        .with(P::StopStiffness, CARRIED * 400.0)
+        .check()
+        .unwrap();
+    let grid = Grid::of(&scene);
+    let asked =
+        Asked { angles: false, displacements: false, forces: false, stops: true, ..Asked::ALL };
+    let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).asking(asked);
+    let cell = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched)[0];
+    let truth = reference::run(&scene, &grid.case(0), &Settings::default());
+    assert!(truth.stop_hits > 3, "{truth:?}");
+    assert_eq!(cell.stop_hits, truth.stop_hits);
+    near(cell.stop_force, truth.stop_force, 1.0e-6, "force");
+    // Once the stop is out of reach the cell ends.
+    assert_eq!(cell.status, Status::Proved, "{cell:?}");
 }
