@@ -12,7 +12,7 @@ override stops: bool = false;
 override hardens: bool = false;
 
 // 1/g, s^2/m.
-const INVERSE_GRAVITY = 0.10193679918450561;
+const INVERSE_GRAVITY = 0.1019367991845056;
 
 // The side on which the base is against its end stop, +1 or -1, zero where it is not; as it is where a span begins.
 var<private> stop: real;

@@ -7,7 +7,9 @@ use super::excitation::Ground;
 use super::motion::Motion;
 use super::number::Number;
 use super::pulse::Shape;
-use crate::scene::GRAVITY;
+
+/// 1/g, s^2/m.
+const INVERSE_GRAVITY: f64 = 0.101_936_799_184_505_6;
 
 /// The parts of the model that the scene switches on for all its cells. In the shader these are
 /// `override` constants, so that a pipeline holds only the branches it takes.
@@ -129,7 +131,7 @@ pub fn pendulum_slope<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     if set.variant.yields {
         force = cell.hysteretic.mul_add(y.z, force);
     }
-    force * y.u.like(1.0 / GRAVITY)
+    force * y.u.like(INVERSE_GRAVITY)
 }
 
 /// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over

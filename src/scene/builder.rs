@@ -8,7 +8,7 @@ use super::numbers::Numbers;
 use super::parameters::Parameter;
 use super::record::Pair;
 use super::{Directions, Overturn, Pressure, Scene, SceneError, Values};
-use super::{block, check, device, isolation, shown};
+use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;
 
 /// Titles of scenes that were given none: of a pulse and of a record.
@@ -185,7 +185,7 @@ impl SceneBuilder {
         };
         check::scene(&scene)?;
         if !self.force {
-            device::plausible(&scene)?;
+            check::plausible_device(&scene)?;
         }
         Ok(scene)
     }

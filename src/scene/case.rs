@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::device::Pressure;
+use super::device::{Pressure, ROUNDING};
 use super::numbers::Point;
 use super::parameters::Parameter;
 use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
@@ -95,9 +95,6 @@ pub struct Case {
 
 /// What the ground's horizontal peak, [`Shaking::peak_h`], depends on.
 pub const PEAK: [Parameter; 3] = [Parameter::AH, Parameter::Scale, Parameter::Pga];
-
-/// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
-pub(super) const ROUNDING: f64 = 1.0e-12;
 
 impl Shaking {
     /// PGA_h of (21), m/s^2: |A_h| for a pulse.

@@ -1,8 +1,7 @@
 //! Whether a scene's numbers make sense: each by itself, and together.
 
 use super::applies::Choice;
-use super::case::ROUNDING;
-use super::device::{self, OF_MASS, together};
+use super::device::{self, OF_MASS, ROUNDING, together};
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
@@ -155,6 +154,31 @@ pub(super) fn scene(scene: &Scene) -> Result<(), SceneError> {
             let t_max = case.t_max;
             let problem = format!("{t_max} s ends before the record, {duration} s; lengthen it");
             return Err(SceneError::new("t_max", problem));
+        }
+    }
+    Ok(())
+}
+
+/// Questions what a device's stiffnesses and forces make of the base, where it is beyond what the period and the yield
+/// displacement themselves may be.
+///
+/// # Errors
+/// The key of the stiffness or the force.
+pub(super) fn plausible_device(scene: &Scene) -> Result<(), SceneError> {
+    use Parameter::{K1, Qd, TH, UY, YieldForce};
+    let given = |of: [Parameter; 2]| of.into_iter().find(|own| scene.numbers.has(*own));
+    let beyond = |of: Parameter, value: f64| value > of.entry().plausible.1;
+    for case in Grid::of(scene).corners() {
+        let Some(law) = case.isolation.horizontal else { continue };
+        let made = [(TH, law.t_h, given([K1, YieldForce])), (UY, law.u_y, given([Qd, YieldForce]))];
+        for (of, value, key) in made {
+            if let Some(key) = key.filter(|_| beyond(of, value) && !scene.numbers.has(of)) {
+                let problem = format!(
+                    "with the masses it makes {}, which is not plausible (N and N/m are meant, not kN and kN/m); {ACCEPTED}",
+                    of.entry().written(format!("{value:.3}"))
+                );
+                return Err(SceneError::new(key.key(), problem));
+            }
         }
     }
     Ok(())

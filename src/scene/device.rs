@@ -5,11 +5,9 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::case::ROUNDING;
-use super::isolation::{BoucWen, LEAST_PERIOD, too_short};
 use super::numbers::{Numbers, Point};
-use super::parameters::{ACCEPTED, Parameter};
-use super::{GRAVITY, Grid, Scene, SceneError};
+use super::parameters::Parameter;
+use super::{GRAVITY, SceneError};
 use crate::written::written;
 
 written! {
@@ -21,6 +19,38 @@ written! {
         /// The weight.
         Constant = "constant",
     }
+}
+
+/// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
+pub(super) const ROUNDING: f64 = 1.0e-12;
+
+/// Least period that is still taken for an isolation, s.
+pub const LEAST_PERIOD: f64 = 1.0e-4;
+
+/// What is said of a shorter one.
+pub(super) fn too_short(period: f64) -> String {
+    format!(
+        "{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
+    )
+}
+
+/// Hysteretic horizontal isolation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoucWen {
+    /// T_h of (19), s.
+    pub t_h: f64,
+    /// psi, post-yield over initial stiffness.
+    pub psi: f64,
+    /// xi_h, damping ratio.
+    pub xi_h: f64,
+    /// u_y of (11), m: given, or by (21).
+    pub u_y: f64,
+    /// alpha_y of (21): u_y over PGA_h/omega_h^2; infinite where the ground does not move.
+    pub alpha_y: f64,
+    /// n of (11).
+    pub n: u32,
+    /// What presses on a friction pendulum; none of another device.
+    pub pressure: Option<Pressure>,
 }
 
 /// The displacement of a friction pendulum before it slides, where none is given, m.
@@ -210,31 +240,6 @@ pub(super) fn check(law: &BoucWen, numbers: &Numbers) -> Result<(), SceneError> 
     if law.psi > 1.0 {
         let problem = "must be at most the stiffness before the device yields";
         return Err(SceneError::new("k2", problem));
-    }
-    Ok(())
-}
-
-/// Questions what a device's stiffnesses and forces make of the base, where it is beyond what the period and the yield
-/// displacement themselves may be.
-///
-/// # Errors
-/// The key of the stiffness or the force.
-pub(super) fn plausible(scene: &Scene) -> Result<(), SceneError> {
-    use Parameter::{K1, Qd, TH, UY, YieldForce};
-    let given = |of: [Parameter; 2]| of.into_iter().find(|own| scene.numbers.has(*own));
-    let beyond = |of: Parameter, value: f64| value > of.entry().plausible.1;
-    for case in Grid::of(scene).corners() {
-        let Some(law) = case.isolation.horizontal else { continue };
-        let made = [(TH, law.t_h, given([K1, YieldForce])), (UY, law.u_y, given([Qd, YieldForce]))];
-        for (of, value, key) in made {
-            if let Some(key) = key.filter(|_| beyond(of, value) && !scene.numbers.has(of)) {
-                let problem = format!(
-                    "with the masses it makes {}, which is not plausible (N and N/m are meant, not kN and kN/m); {ACCEPTED}",
-                    of.entry().written(format!("{value:.3}"))
-                );
-                return Err(SceneError::new(key.key(), problem));
-            }
-        }
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::applies::Choice;
-use super::device::{self, Pressure};
+use super::device::{self, BoucWen, LEAST_PERIOD, Pressure, too_short};
 use super::directions::Directions;
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
@@ -22,25 +22,6 @@ pub struct Isolation {
     pub stop: Option<Stop>,
     /// Kelvin-Voigt, (10b); `None` where the direction is locked.
     pub vertical: Option<KelvinVoigt>,
-}
-
-/// Hysteretic horizontal isolation.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoucWen {
-    /// T_h of (19), s.
-    pub t_h: f64,
-    /// psi, post-yield over initial stiffness.
-    pub psi: f64,
-    /// xi_h, damping ratio.
-    pub xi_h: f64,
-    /// u_y of (11), m: given, or by (21).
-    pub u_y: f64,
-    /// alpha_y of (21): u_y over PGA_h/omega_h^2; infinite where the ground does not move.
-    pub alpha_y: f64,
-    /// n of (11).
-    pub n: u32,
-    /// What presses on a friction pendulum; none of another device.
-    pub pressure: Option<Pressure>,
 }
 
 /// A stop that is compressed beyond a gap, and never pulls.
@@ -119,16 +100,6 @@ impl Isolation {
         });
         Isolation { plate_h, plate_v, horizontal, stop, vertical }
     }
-}
-
-/// Least period that is still taken for an isolation, s.
-pub const LEAST_PERIOD: f64 = 1.0e-4;
-
-/// What is said of a shorter one.
-pub(super) fn too_short(period: f64) -> String {
-    format!(
-        "{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
-    )
 }
 
 /// Adds to the numbers what a base has where nothing else is said.

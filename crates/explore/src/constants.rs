@@ -19,8 +19,7 @@ use topple::results::column_set::ColumnSet;
 use topple::results::columns::STATUS_NAMES;
 use topple::results::palette::{Kind, OPEN};
 use topple::scene::block::OBJECTS;
-use topple::scene::device::{Pressure, SLIDER_YIELD};
-use topple::scene::isolation::LEAST_PERIOD;
+use topple::scene::device::{LEAST_PERIOD, Pressure, SLIDER_YIELD};
 use topple::scene::record::Pair;
 use topple::scene::{
     Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError, description,

@@ -33,7 +33,8 @@ pub use suites::envelope::{
 };
 pub use suites::intensity::{Intensity, IntensityError};
 pub use suites::measures::Measures;
-pub use suites::swept::{SuiteJob, SuiteSettings, SuiteSweep};
+pub use suites::settings::SuiteSettings;
+pub use suites::swept::{SuiteJob, SuiteSweep};
 pub use suites::swept_motion::SweptMotion;
 pub use suites::verified::Verified;
 pub use suites::wanted::WantedMotion;

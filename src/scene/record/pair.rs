@@ -6,7 +6,7 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::lines::MOST_SAMPLES;
-use super::steps::{Steps, at};
+use super::steps::{SHORTEST_STEP, Steps, at};
 use super::{DIGITS, Provenance, Record, RecordError, rounded, time_of};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
@@ -175,9 +175,6 @@ impl Pair {
         self.horizontal.is_empty()
     }
 }
-
-/// Shortest time between samples, s: a thousandth of the finest that is recorded on a shaking table.
-pub(super) const SHORTEST_STEP: f64 = 1.0e-6;
 
 /// Checks what every motion has: a time step, and samples.
 fn check(dt: f64, samples: &[f64]) -> Result<(), RecordError> {

@@ -7,8 +7,8 @@ use std::sync::{Mutex, PoisonError};
 
 use super::hints::RecordHints;
 use super::packed;
-use super::pair::SHORTEST_STEP;
 use super::provenance::sha256;
+use super::steps::SHORTEST_STEP;
 use super::text::{self, LARGEST, SMALL, printable};
 use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
 use super::{afad, at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};

@@ -1,7 +1,9 @@
 //! The common step of two components: the longest of which both steps are whole multiples.
 
-use super::pair::SHORTEST_STEP;
 use super::{DIGITS, rounded};
+
+/// Shortest time between samples, s: a thousandth of the finest that is recorded on a shaking table.
+pub(super) const SHORTEST_STEP: f64 = 1.0e-6;
 
 /// How many steps of a pair are one of each component.
 #[derive(Debug, Clone, Copy, PartialEq)]

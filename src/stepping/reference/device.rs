@@ -6,17 +6,6 @@
 use super::system::{DU, DV, State, System, U, V, Z};
 use crate::scene::GRAVITY;
 
-/// An end stop.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct EndStop {
-    /// Displacement at which it is met, m.
-    pub(super) gap: f64,
-    /// N/m.
-    pub(super) stiffness: f64,
-    /// N s/m.
-    pub(super) damping: f64,
-}
-
 impl System {
     /// The force that the base's spring and hysteresis have, over the weight that rests on the base.
     pub(super) fn slope(&self, y: &State) -> f64 {

@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix2, Matrix3, SVector, Vector2, Vector3};
 
-use super::device::EndStop;
 use super::pulse::Pulse;
 use crate::scene::device::Pressure;
 use crate::scene::record::Pair;
@@ -72,6 +71,17 @@ pub enum Drive {
 
 /// Full contact (`None`), or rocking about a corner.
 pub type Phase = Option<Pole>;
+
+/// An end stop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EndStop {
+    /// Displacement at which it is met, m.
+    pub(super) gap: f64,
+    /// N/m.
+    pub(super) stiffness: f64,
+    /// N s/m.
+    pub(super) damping: f64,
+}
 
 /// One cell of a scene.
 #[derive(Debug, Clone)]

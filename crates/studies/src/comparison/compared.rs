@@ -1,7 +1,8 @@
 //! What became of devices under a suite.
 
 use super::devices::Device;
-use super::request::ComparisonSettings;
+use super::settings::ComparisonSettings;
+use super::shaken::Shaken;
 use crate::fragility::limit_state::LimitState;
 use crate::fragility::suite_runs::run_of;
 use crate::fragility::{Estimator, HazardCurve, RateEstimate, RecordRuns, estimate};
@@ -9,7 +10,6 @@ use crate::statistics::{Bootstrap, DrawnGroups};
 use crate::suites::envelope::{CellEnvelope, Limits, percentiles, within};
 use crate::suites::swept::SuiteSweep;
 use crate::suites::swept_motion::SweptMotion;
-use crate::suites::wanted::WantedMotion;
 use topple::results::columns::Column;
 use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
@@ -48,34 +48,6 @@ pub struct Reserve {
     pub keeps: Option<f64>,
     /// The least at which they are not; none where they are kept at all.
     pub fails: Option<f64>,
-}
-
-/// Where what is asked of a motion lies among its factors.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Shaken {
-    /// As it is.
-    plain: usize,
-    /// At the factors of the reserve.
-    scales: Vec<usize>,
-    /// At the levels of the hazard's measure, and these.
-    levels: Vec<(usize, f64)>,
-}
-
-impl Shaken {
-    /// Gives a motion the factors of a reserve, and those of levels.
-    pub(super) fn of(
-        motion: &mut WantedMotion,
-        scales: &[f64],
-        own: Vec<f64>,
-        levels: Vec<f64>,
-    ) -> Shaken {
-        motion.at_factors(scales.iter().chain(&own).copied());
-        Shaken {
-            plain: motion.place_of(1.0),
-            scales: scales.iter().map(|scale| motion.place_of(*scale)).collect(),
-            levels: own.iter().map(|own| motion.place_of(*own)).zip(levels).collect(),
-        }
-    }
 }
 
 impl Comparison {

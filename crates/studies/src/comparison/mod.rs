@@ -8,10 +8,13 @@ mod compared;
 pub mod devices;
 mod devices_error;
 pub mod request;
+mod settings;
+mod shaken;
 mod table;
 
 pub use compared::{Compared, Comparison, Reserve};
 pub use devices::Device;
 pub use devices_error::{ComparisonError, DevicesError};
 pub use request::{ComparisonJob, ComparisonRequest, RateRequest};
+pub use settings::ComparisonSettings;
 pub use table::{COLUMNS, RATES, RESERVE, further, write};

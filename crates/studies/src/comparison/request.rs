@@ -1,16 +1,18 @@
 //! What is asked of a comparison, and the one sweep that answers it.
 
-use super::compared::{Comparison, Shaken};
+use super::compared::Comparison;
 use super::devices::Device;
 use super::devices_error::ComparisonError;
+use super::settings::ComparisonSettings;
+use super::shaken::Shaken;
 use crate::fragility::HazardCurve;
 use crate::fragility::levels;
 use crate::statistics::Bootstrap;
 use crate::suites::envelope::Limits;
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
-use crate::suites::swept::{SuiteJob, SuiteSettings};
-use crate::suites::wanted::WantedMotion;
+use crate::suites::settings::SuiteSettings;
+use crate::suites::swept::SuiteJob;
 use crate::suites::{Groups, Resample, Suite};
 use topple::results::columns::{Column, ColumnKind};
 use topple::scene::{Grid, SceneError, Values};
@@ -55,27 +57,6 @@ pub struct ComparisonJob {
     pub sweep: SuiteJob,
     /// What is told of them.
     pub settings: ComparisonSettings,
-}
-
-/// What is told of devices.
-#[derive(Debug, Clone)]
-pub struct ComparisonSettings {
-    /// The devices, each with as many motions of the sweep, one after the other.
-    pub devices: Vec<Device>,
-    /// What each must do.
-    pub limits: Limits,
-    /// Factors of which the reserve is told, the least first; none where nobody asks.
-    pub scales: Vec<f64>,
-    /// Columns whose percentiles are told, too.
-    pub columns: Vec<Column>,
-    /// The hazard of the site, where annual rates are told.
-    pub hazard: Option<HazardCurve>,
-    /// Which records are drawn together.
-    pub groups: Groups,
-    /// How sets of them are drawn.
-    pub bootstrap: Bootstrap,
-    /// Which of the factors of each motion of the sweep are what.
-    pub(super) shaken: Vec<Shaken>,
 }
 
 impl ComparisonRequest {
@@ -202,19 +183,5 @@ impl ComparisonJob {
     /// Those of [`SuiteJob::run`].
     pub fn run(self, observer: &dyn Observer) -> Result<Comparison, SweepError> {
         Ok(Comparison::of(self.sweep.run(observer)?, self.settings))
-    }
-}
-
-impl WantedMotion {
-    /// Gives it factors, each once, the least first, 1 among them.
-    pub(super) fn at_factors(&mut self, factors: impl Iterator<Item = f64>) {
-        self.factors = factors.chain([1.0]).collect();
-        self.factors.sort_by(f64::total_cmp);
-        self.factors.dedup();
-    }
-
-    /// The place of a factor that it has; the first place for one that it has not.
-    pub(super) fn place_of(&self, factor: f64) -> usize {
-        self.factors.iter().position(|own| *own == factor).unwrap_or(0)
     }
 }

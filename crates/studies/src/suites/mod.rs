@@ -25,6 +25,7 @@ pub mod resample;
 mod run;
 mod runner;
 pub mod saved;
+pub mod settings;
 pub mod spectrum;
 pub mod swept;
 pub mod swept_motion;

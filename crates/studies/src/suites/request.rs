@@ -2,7 +2,8 @@
 
 use super::envelope::Limits;
 use super::read::Suite;
-use super::swept::{SuiteJob, SuiteSettings};
+use super::settings::SuiteSettings;
+use super::swept::SuiteJob;
 use super::wanted::WantedMotion;
 use topple::scene::applies::{Choice, ShakenBy};
 use topple::scene::excitation::RecordText;

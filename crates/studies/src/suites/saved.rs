@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::swept::SuiteSettings;
+use super::settings::SuiteSettings;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;

@@ -2,17 +2,15 @@
 
 use std::io;
 use std::ops::Range;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::gather;
 use super::saved::SavedMotions;
+use super::settings::SuiteSettings;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
 use topple::backend::request::OpenBackends;
-use topple::results::columns::Column;
-use topple::results::shard::Shard;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
@@ -41,19 +39,6 @@ pub struct SuiteSweep {
 pub const MOST_CELLS: usize = 1 << 28;
 /// Most sweeps: motions, each at every point of what is not known.
 pub const MOST_SWEEPS: usize = 1 << 20;
-
-/// How a suite is swept.
-#[derive(Debug, Clone, Default)]
-pub struct SuiteSettings {
-    /// How each sweep is run; its verification is of all of them together.
-    pub run: RunSettings,
-    /// The directory in which each motion is saved when it is done; nowhere without it.
-    pub saving: Option<PathBuf>,
-    /// Run the k-th of n shards of the motions only, and leave them there.
-    pub shard: Option<Shard>,
-    /// Columns of a map that are kept beside outcome, strokes and rocking index.
-    pub others: Vec<Column>,
-}
 
 /// A scene under a suite, ready to run.
 pub struct SuiteJob {

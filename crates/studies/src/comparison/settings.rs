@@ -1,0 +1,30 @@
+//! What is told of devices.
+
+use super::devices::Device;
+use super::shaken::Shaken;
+use crate::fragility::HazardCurve;
+use crate::statistics::Bootstrap;
+use crate::suites::Groups;
+use crate::suites::envelope::Limits;
+use topple::results::columns::Column;
+
+/// What is told of devices.
+#[derive(Debug, Clone)]
+pub struct ComparisonSettings {
+    /// The devices, each with as many motions of the sweep, one after the other.
+    pub devices: Vec<Device>,
+    /// What each must do.
+    pub limits: Limits,
+    /// Factors of which the reserve is told, the least first; none where nobody asks.
+    pub scales: Vec<f64>,
+    /// Columns whose percentiles are told, too.
+    pub columns: Vec<Column>,
+    /// The hazard of the site, where annual rates are told.
+    pub hazard: Option<HazardCurve>,
+    /// Which records are drawn together.
+    pub groups: Groups,
+    /// How sets of them are drawn.
+    pub bootstrap: Bootstrap,
+    /// Which of the factors of each motion of the sweep are what.
+    pub(super) shaken: Vec<Shaken>,
+}
