@@ -370,8 +370,12 @@ fn a_row_with_the_count_is_no_sample() {
             "{error}"
         );
     }
-    // Values of three columns are no record without a count.
-    let three = "0 1 2\n0.01 2 3\n";
+    // The same on two lines.
+    let (record, _) = of(&format!("400\n0.01\n{one}"), &units).unwrap();
+    assert_eq!((record.samples.len(), record.dt), (400, 0.01));
+    assert!(record.notes[0].contains("'400' is the count, and 0.01 below it the step"));
+    // Without times, names or a count three columns are no record.
+    let three = "0 1 2\n0.01 2 3\n0 3 4\n";
     assert!(of(three, &with_dt).unwrap_err().starts_with("line 1: 3 columns here"));
 }
 

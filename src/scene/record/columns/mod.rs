@@ -1,12 +1,15 @@
 //! Plain numbers: one column of values, or time and value, with blanks, tabs, commas or semicolons between. Beside
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
-//! before them; after it several values may stand in a row.
+//! before them; after it several values may stand in a row. Other rows of three numbers and more are in `table`.
 
 mod directions;
 mod rows;
+mod table;
 mod told;
 mod values;
 mod words;
+
+use std::borrow::Cow;
 
 use super::hints::RecordHints;
 use super::numbers::{free, number};
@@ -35,12 +38,10 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         if line.is_empty() || line.starts_with(COMMENT) {
             continue;
         }
-        let is_row = line.contains(';') && line.contains(|c: char| c.is_ascii_digit());
-        let point = is_row.then(|| line.replace(',', "."));
-        commas |= point.is_some() && line.contains(',');
-        let fields = free(point.as_deref().unwrap_or(line));
-        let numbers: Option<Vec<f64>> = fields.iter().map(|field| number(field)).collect();
-        let Some(numbers) = numbers else {
+        let row = Row::new(line);
+        commas |= row.has_commas();
+        let fields = row.fields();
+        let Some(numbers) = numbers(&fields) else {
             // Words before the first sample are a heading, of one line or several.
             let begins = fields.first().is_some_and(|first| number(first).is_some());
             let first = rows.are_none() && title.is_empty() && !told.has_units();
@@ -63,18 +64,61 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
             continue;
         }
         if let (Some(empty), false) = (empty, rows.are_none()) {
-            let problem = "an empty row amid the samples; fill it in, or cut the record there";
-            return Err(RecordError::line(empty, problem));
+            return Err(empty_row(empty));
+        }
+        if rows.are_none() && numbers.len() > 2 {
+            let mut raw = table::read(text, at, hints, told)?;
+            raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
+            return Ok(titled(raw, title));
         }
         rows.add(at, line, &fields, numbers)?;
     }
     let mut raw = rows.record(&told, hints.dt)?;
-    if commas {
-        raw.notes.push("decimal commas".to_string());
-    }
-    // Without a place and a component it is a heading of columns.
+    raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
+    told.complete(titled(raw, title))
+}
+
+/// A record with its title, and what that states: without a place and a component it is a heading of columns.
+fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
-    raw.stated = if stated.event.is_empty() { Stated::default() } else { stated };
+    if !stated.event.is_empty() {
+        raw.stated =
+            Stated { channel: raw.stated.channel, channels: raw.stated.channels, ..stated };
+    }
     raw.title = title;
-    told.complete(raw)
+    raw
+}
+
+/// A row without a number between others.
+fn empty_row(at: usize) -> RecordError {
+    RecordError::line(at, "an empty row amid the samples; fill it in, or cut the record there")
+}
+
+/// What is said of a file that has them.
+const DECIMAL_COMMAS: &str = "decimal commas";
+
+/// A line of numbers, its decimal commas as points.
+struct Row<'a>(Cow<'a, str>);
+
+impl Row<'_> {
+    fn new(line: &str) -> Row<'_> {
+        let is_row = line.contains(';') && line.contains(|c: char| c.is_ascii_digit());
+        Row(match is_row && line.contains(',') {
+            true => line.replace(',', ".").into(),
+            false => line.into(),
+        })
+    }
+
+    fn has_commas(&self) -> bool {
+        matches!(self.0, Cow::Owned(_))
+    }
+
+    fn fields(&self) -> Vec<&str> {
+        free(&self.0)
+    }
+}
+
+/// The numbers of fields, if all are some.
+fn numbers(fields: &[&str]) -> Option<Vec<f64>> {
+    fields.iter().map(|field| number(field)).collect()
 }

@@ -10,6 +10,9 @@ use crate::scene::shown::shown;
 /// Fewest samples that a count is taken for one of.
 const FEWEST: f64 = 10.0;
 
+/// Numbers on a line of its own that may be a step below a count, s.
+const STEPS: std::ops::RangeInclusive<f64> = 5.0e-4..=0.1;
+
 /// A first row that may be a count, or a count and a step.
 struct First {
     at: usize,
@@ -80,9 +83,6 @@ impl Rows {
         numbers: Vec<f64>,
     ) -> Result<(), RecordError> {
         let Some(first) = &self.first else {
-            if numbers.len() > 2 {
-                return Err(too_many(at, numbers.len(), line));
-            }
             self.first = Some(First { at, text: line.chars().take(40).collect(), numbers });
             return Ok(());
         };
@@ -125,6 +125,16 @@ impl Rows {
                 vec![format!("line {}: '{}' is {what}, no sample", first.at, shown(&first.text))]
             };
             let what = if step.is_some() { "the count and the step" } else { "the count" };
+            // A step on a line of its own below the count.
+            if let (None, Some(&below), 1) = (step, values.first(), narrowest)
+                && exactly(values.len() - 1)
+                && STEPS.contains(&below)
+                && !exactly(values.len())
+            {
+                values.remove(0);
+                let notes = note(&format!("the count, and {below} below it the step"));
+                return Ok(Raw { step: Some(Step::exact(below)), values, notes, ..Raw::default() });
+            }
             if two && exactly(rows) {
                 let (found, more) = told.step_of(&times, given, step)?;
                 if step.is_none_or(|step| (step - found.seconds).abs() <= 0.01 * found.seconds) {

@@ -54,6 +54,10 @@ impl Told {
         self.units.is_some()
     }
 
+    pub fn has_step(&self) -> bool {
+        self.step.is_some()
+    }
+
     /// Takes up a line of the heading; true where it names columns or their units.
     ///
     /// # Errors

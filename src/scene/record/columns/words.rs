@@ -67,6 +67,45 @@ pub(super) fn names_columns(words: &str) -> bool {
     named && tokens(&plain).all(|word| number(word).is_none())
 }
 
+/// The names of the columns in a line: between commas, semicolons or tabs; else between blanks, a bracket with the word
+/// before it.
+pub(super) fn columns(line: &str) -> Vec<String> {
+    let plain = |name: &str| name.trim().trim_matches('"').trim().to_string();
+    if line.contains([',', ';', '\t']) {
+        return line.split([',', ';', '\t']).map(plain).collect();
+    }
+    let mut names: Vec<String> = Vec::new();
+    let mut depth = 0_usize;
+    for word in line.split_whitespace() {
+        match names.last_mut().filter(|_| depth > 0 || word.starts_with(['(', '['])) {
+            Some(name) => {
+                name.push(' ');
+                name.push_str(word);
+            }
+            None => names.push(word.to_string()),
+        }
+        for c in word.chars() {
+            match c {
+                '(' | '[' => depth += 1,
+                ')' | ']' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+    names
+}
+
+/// What stands in the last bracket of a name.
+pub(super) fn bracket(name: &str) -> Option<&str> {
+    in_brackets(name).pop()
+}
+
+/// The word of a name that tells its direction: the last one before its bracket, `NS` of `acc_NS (g)`.
+pub(super) fn direction(name: &str) -> &str {
+    let end = name.find(['(', '[']).unwrap_or(name.len());
+    tokens(&name[..end]).last().unwrap_or_default()
+}
+
 /// The words of the units of an acceleration: in brackets, `time (s), acc (cm/s^2)`; `acceleration in g`; `units: gal`.
 pub(super) fn units(words: &str) -> Option<String> {
     let lower = words.to_lowercase();

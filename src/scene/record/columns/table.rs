@@ -1,0 +1,298 @@
+//! Rows of three numbers and more: a time and several channels, channels alone that a heading names, or values that run
+//! on from row to row.
+
+use super::super::channel::{Channel, choose};
+use super::super::hints::RecordHints;
+use super::super::lines::MOST_SAMPLES;
+use super::super::numbers::number;
+use super::super::times::Times;
+use super::super::{Component, Raw, RecordError, Units};
+use super::told::Told;
+use super::{COMMENT, Row, directions, words};
+use crate::scene::shown::shown;
+
+/// Most numbers of a row.
+const WIDEST: usize = 64;
+
+/// Part of the change from row to row below which values that follow each other in a row change, where they run on.
+const RUN_ON: f64 = 0.8;
+
+/// The rows: as many numbers in each, but for the last one, which may have fewer.
+struct Table {
+    width: usize,
+    values: Vec<f64>,
+    /// The first two columns, which may be times.
+    times: [Times; 2],
+    /// The line of the first row, and of one that has fewer numbers.
+    first: usize,
+    short: Option<usize>,
+}
+
+impl Table {
+    fn read(text: &str, first: usize) -> Result<Table, RecordError> {
+        let mut table = Table {
+            width: 0,
+            values: Vec::new(),
+            times: [Times::default(), Times::default()],
+            first,
+            short: None,
+        };
+        let mut empty = None;
+        for (index, line) in text.lines().enumerate().skip(first - 1) {
+            let (at, line) = (index + 1, line.trim());
+            if line.is_empty() || line.starts_with(COMMENT) {
+                continue;
+            }
+            let row = Row::new(line);
+            let fields = row.fields();
+            let Some(numbers) = super::numbers(&fields) else {
+                return Err(RecordError::line(at, "this is not a number"));
+            };
+            if numbers.is_empty() {
+                empty.get_or_insert(at);
+                continue;
+            }
+            if let Some(empty) = empty {
+                return Err(super::empty_row(empty));
+            }
+            if table.width == 0 {
+                table.width = numbers.len();
+            }
+            if let Some(short) = table.short.or((numbers.len() > table.width).then_some(at)) {
+                let problem = format!(
+                    "another count of columns than the {} of line {first}; write as many in each row",
+                    table.width
+                );
+                return Err(RecordError::line(short, problem));
+            }
+            if numbers.len() < table.width {
+                table.short = Some(at);
+            }
+            for ((times, field), number) in table.times.iter_mut().zip(&fields).zip(&numbers) {
+                times.add(at, field, *number);
+            }
+            table.values.extend(&numbers);
+            if table.width > WIDEST || table.values.len() > 4 * MOST_SAMPLES {
+                let problem = format!("more than {WIDEST} columns, or {MOST_SAMPLES} samples");
+                return Err(RecordError::line(at, problem));
+            }
+        }
+        Ok(table)
+    }
+
+    fn column(&self, column: usize) -> Vec<f64> {
+        self.values.iter().skip(column).step_by(self.width).copied().collect()
+    }
+
+    /// True where each number of a column is above the one before it.
+    fn grows(&self, column: usize) -> bool {
+        self.column(column).is_sorted_by(|before, next| before < next)
+    }
+
+    /// True of values that run on from row to row: a motion changes less from one sample to the next than over a row.
+    fn runs_on(&self) -> bool {
+        let change = |apart: usize| {
+            let pairs = self.values.iter().zip(self.values.iter().skip(apart));
+            let count = self.values.len().saturating_sub(apart).max(1);
+            pairs.map(|(one, other)| (other - one).abs()).sum::<f64>() / count as f64
+        };
+        self.short.is_some() || change(1) < RUN_ON * change(self.width)
+    }
+}
+
+/// The names of the columns: of the last line above the rows that has as many, and neither their units alone nor a
+/// statement such as `dt = 0.01`.
+fn names(text: &str, first: usize, width: usize) -> Option<(usize, Vec<String>)> {
+    let above: Vec<&str> = text.lines().take(first - 1).collect();
+    above.iter().enumerate().rev().find_map(|(index, line)| {
+        let names = words::columns(line.trim().trim_start_matches(COMMENT));
+        let are_units = names.iter().all(|name| Units::are_meant(name) || name == "s");
+        let states = names.iter().any(|name| name.contains(['=', ':']) || number(name).is_some());
+        (names.len() == width && !are_units && !states).then_some((index + 1, names))
+    })
+}
+
+/// True of a name of velocities or displacements.
+fn is_integral(name: &str) -> bool {
+    let name = name.trim().to_lowercase();
+    name.starts_with("vel") || name.starts_with("dis") || matches!(&*name, "v" | "u" | "d")
+}
+
+/// The record in a text whose first row of numbers, of more than two, stands in line `first`.
+pub(super) fn read(
+    text: &str,
+    first: usize,
+    hints: &RecordHints,
+    told: Told,
+) -> Result<Raw, RecordError> {
+    let table = Table::read(text, first)?;
+    let names = names(text, first, table.width);
+    // Some programs count the rows before the times.
+    let timed = [1, 0].into_iter().find(|column| {
+        let counts =
+            |column: usize| table.column(column).windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+        table.grows(*column) && (*column == 0 || counts(0))
+    });
+    let timed = timed.filter(|_| table.short.is_none() && table.values.len() > table.width);
+    let mut raw = Raw::default();
+    let from = match timed {
+        Some(column) => {
+            let (step, note) = told.step_of(&table.times[column], hints.dt, None)?;
+            raw.step = Some(step);
+            raw.notes.extend(note);
+            column + 1
+        }
+        None => 0,
+    };
+    if timed.is_none() && (names.is_none() || table.short.is_some()) {
+        let known = hints.dt.is_some() || told.has_step();
+        if !known || !table.runs_on() {
+            let problem = format!(
+                "{} columns here; one of values, or a time and values, are read. If the values run on from row to row, \
+                 write their count and step above them, as in '4000 0.01'; else name the columns",
+                table.width
+            );
+            return Err(RecordError::line(table.first, problem));
+        }
+        raw.notes.push(format!("values run on from row to row, {} in each", table.width));
+        raw.values = table.values;
+        return told.complete(raw);
+    }
+    let (line, names) = names.unwrap_or((first, vec![String::new(); table.width]));
+    let mut channels = Vec::new();
+    for (number, name) in (1..).zip(&names[from..]) {
+        if !is_integral(name) {
+            let word = words::direction(name);
+            let component = directions::component(name).or_else(|| Component::named(word));
+            channels.push(Channel { number: Some(number), word, component, before: 0, text: name });
+        }
+    }
+    if channels.is_empty() {
+        let problem = "no column of accelerations by the heading; give the file of accelerations";
+        return Err(RecordError::line(line, problem));
+    }
+    let (channel, note) = choose(channels, hints, &mut raw.stated)?;
+    raw.notes.extend(note);
+    raw.stated.component = channel.component;
+    let column = from + channel.number.map_or(0, |number| number as usize - 1);
+    raw.values = table.column(column);
+    let own = words::bracket(channel.text).map(|words| (line, words.to_string()));
+    let mut raw = told.complete(raw)?;
+    if let Some((line, words)) = own {
+        if Units::named(&words).is_none() && !Units::are_meant(&words) {
+            let problem = format!("'{}' is no unit of a column of accelerations", shown(&words));
+            return Err(RecordError::line(line, problem));
+        }
+        raw.units = Some((line, words));
+    }
+    Ok(raw)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read;
+    use super::*;
+    use std::fmt::Write as _;
+
+    /// A motion of 2 Hz in steps of 0.01 s, in m/s2.
+    fn motion(k: usize) -> f64 {
+        (0.1257 * k as f64).sin() + 0.2 * (0.03 * k as f64).cos()
+    }
+
+    fn rows(heading: &str, row: impl Fn(usize) -> String) -> String {
+        (0..200).fold(heading.to_string(), |mut text, k| {
+            let _ = writeln!(text, "{}", row(k));
+            text
+        })
+    }
+
+    fn channel(word: &str) -> RecordHints {
+        RecordHints { channel: Some(word.into()), ..RecordHints::default() }
+    }
+
+    #[test]
+    fn a_channel_is_chosen_by_its_number_or_direction() {
+        let text = rows("Time (s), NS (g), EW (g), UD (gal)\n", |k| {
+            format!(
+                "{:.2}, {}, {}, {}",
+                0.01 * k as f64,
+                motion(k),
+                2.0 * motion(k),
+                3.0 * motion(k)
+            )
+        });
+        let first = read(&text, &RecordHints::default()).unwrap();
+        assert!(
+            first.notes[0].contains("the first of 3 channels is taken, 1 (NS)"),
+            "{:?}",
+            first.notes
+        );
+        assert_eq!((first.values[7], first.step.unwrap().seconds), (motion(7), 0.01));
+        for (asked, factor, unit) in [("EW", 2.0, "g"), ("2", 2.0, "g"), ("ud", 3.0, "gal")] {
+            let raw = read(&text, &channel(asked)).unwrap();
+            assert_eq!(raw.values[7], factor * motion(7), "{asked}");
+            assert_eq!(raw.units.unwrap().1, unit, "{asked}");
+        }
+        let up = RecordHints { vertical: Some(true), ..RecordHints::default() };
+        assert_eq!(read(&text, &up).unwrap().stated.component, Some(Component::Up));
+        assert!(read(&text, &channel("T")).is_err());
+    }
+
+    #[test]
+    fn velocities_beside_accelerations_are_no_channels() {
+        let text = rows("# t [s]\tacc [m/s2]\tvel [m/s]\tdisp [m]\n", |k| {
+            format!("{:.2}\t{}\t5\t6", 0.01 * k as f64, motion(k))
+        });
+        let raw = read(&text, &RecordHints::default()).unwrap();
+        assert_eq!((raw.values[3], raw.units.unwrap().1.as_str()), (motion(3), "m/s2"));
+        assert!(raw.stated.channels.is_empty());
+        let text = text.replace("acc [m/s2]", "u [m]");
+        assert!(read(&text, &RecordHints::default()).is_err());
+    }
+
+    #[test]
+    fn rows_that_are_counted_have_their_times_behind_the_count() {
+        let text = rows("", |k| format!("{} {:.3} {}", k + 1, 0.005 * k as f64, motion(k)));
+        let raw = read(&text, &RecordHints::default()).unwrap();
+        assert_eq!((raw.step.unwrap().seconds, raw.values[9]), (0.005, motion(9)));
+    }
+
+    #[test]
+    fn values_run_on_where_a_step_is_known_and_they_change_less_along_a_row() {
+        let long = |heading: &str, last: usize| {
+            let mut text = heading.to_string();
+            for k in 0..200 * 8 + last {
+                let end = if k % 8 == 7 { '\n' } else { ' ' };
+                let _ = write!(text, "{:.5}{end}", motion(k));
+            }
+            text
+        };
+        for last in [0, 3] {
+            let raw = read(&long("# dt = 0.01 s\n# units: m/s2\n", last), &RecordHints::default());
+            let raw = raw.unwrap();
+            assert_eq!(raw.values.len(), 1600 + last);
+            assert!((raw.values[13] - motion(13)).abs() < 1e-5);
+            assert!(raw.notes.iter().any(|note| note.contains("run on")), "{:?}", raw.notes);
+        }
+        // Without a step nothing says that they are no channels side by side; and three that are, are not one motion.
+        assert!(read(&long("", 0), &RecordHints::default()).is_err());
+        let side = rows("# dt = 0.01\n", |k| {
+            format!("{} {} {}", motion(k), -motion(k + 40), 0.1 * motion(k + 90))
+        });
+        let error = read(&side, &RecordHints::default()).unwrap_err().to_string();
+        assert!(error.starts_with("line 2: 3 columns here"), "{error}");
+        let named = side.replace("# dt = 0.01\n", "# dt = 0.01\n# NS EW UD\n");
+        let raw = read(&named, &channel("UD")).unwrap();
+        assert_eq!((raw.step.unwrap().seconds, raw.values[5]), (0.01, 0.1 * motion(95)));
+    }
+
+    #[test]
+    fn rows_of_other_lengths_are_told_with_their_line() {
+        let text = rows("", |k| match k {
+            20 => "0.2 1 1 1".into(),
+            k => format!("{:.2} 1 2", 0.01 * k as f64),
+        });
+        let error = read(&text, &RecordHints::default()).unwrap_err().to_string();
+        assert!(error.starts_with("line 21: another count of columns"), "{error}");
+    }
+}
