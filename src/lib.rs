@@ -32,6 +32,9 @@
 //! # }
 //! ```
 //!
+//! [`RunSettings::saving`] saves what is done and resumes it. An [`Observer`] in the place of [`Unwatched`] hears of phases and
+//! progress; a flag (`AtomicBool`) in its place ends the sweep within a tenth of a second. Errors are typed and name keys.
+//!
 //! # Features
 //!
 //! `gpu` (default) is the shader, by wgpu; without it, sweeps run on the CPU. Suites, fragilities, pictures, the page and the
@@ -94,8 +97,3 @@ pub use sweep::shards_error::ShardsError;
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
 pub use work::observer::{Observer, Phase, Unwatched};
 pub use written::Written;
-
-/// The README's example, compiled and run with the tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-pub struct Readme;

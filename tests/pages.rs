@@ -1,4 +1,5 @@
-//! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page.
+//! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page; paths of the
+//! code that pages name exist.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
@@ -137,4 +138,23 @@ fn every_page_is_linked() {
             page.display()
         );
     }
+}
+
+/// What stands in backquotes and is a path of the repository: it has a slash, or is a folder of the root.
+fn paths(text: &str) -> Vec<&str> {
+    let roots = ["src", "shaders", "tests", "benches", "crates", "python"];
+    let quoted = prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2));
+    quoted.filter(|words| roots.iter().any(|root| words.split('/').next() == Some(*root))).collect()
+}
+
+#[test]
+fn paths_of_the_pages_on_the_code_exist() {
+    for (page, least) in [("ARCHITECTURE.md", 30), ("TESTING.md", 30)] {
+        let text = std::fs::read_to_string(root().join(page)).unwrap();
+        let named = paths(&text);
+        assert!(named.len() >= least, "{page} names {} paths", named.len());
+        let dead: Vec<_> = named.iter().filter(|path| !root().join(path).exists()).collect();
+        assert!(dead.is_empty(), "{page} names what is not there: {dead:?}");
+    }
+    assert_eq!(paths("`src/gone.rs` `--flag/x` src/x `crates`"), ["src/gone.rs", "crates"]);
 }
