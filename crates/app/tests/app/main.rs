@@ -35,6 +35,7 @@ mod shards;
 mod stated_columns;
 mod suite_files;
 mod suites;
+mod treatments;
 mod uncertain;
 mod words;
 mod written_records;
