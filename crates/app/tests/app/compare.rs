@@ -270,7 +270,7 @@ fn all_columns_are_those_with_percentiles_and_the_limit_that_fails_is_named() {
     let run =
         topple(&[&common[..], &["--columns", "all", "--limit-u", "0.0001"]].concat()).success();
     let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
-    assert!(said.contains("; |u| is beyond its limit"), "{said}");
+    assert!(said.contains(", |u| is beyond its limit"), "{said}");
     let table = fs::read_to_string(out.join("compare.csv")).unwrap();
     let heads: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     for name in ["max_u_84", "zeta_84", "friction_demand_84", "min_contact_84"] {

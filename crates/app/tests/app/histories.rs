@@ -40,7 +40,7 @@ fn outcome(out: &Path) -> serde_json::Value {
 fn events_are_those_that_the_outcome_counts() {
     let folder = TempDir::new().unwrap();
     for (name, more) in
-        [("falls", ""), ("stands", " --a-h 5"), ("by-the-reference", " --backend reference")]
+        [("falls", ""), ("stands", " --a-h 8"), ("by-the-reference", " --backend reference")]
     {
         let out = folder.path().join(name);
         let cell = if name == "stands" { CELL.replace(" --a-h 8.4", "") } else { CELL.to_string() };
