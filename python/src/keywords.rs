@@ -147,7 +147,7 @@ impl Request {
             motion => motion.clone(),
         };
         let checked = match motion {
-            Some(motion) => self.scene.check_under_motion(motion),
+            Some(motion) => self.scene.check_under_motion_in(motion, &self.folder),
             None => self.scene.check_in(&self.folder),
         };
         checked.map_err(of_scene)
@@ -240,8 +240,16 @@ fn word(section: Section, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value
     let word = match key {
         "object" => json!(taken_number::<u32>(key, value, "the number of a block, from 1 on")?),
         "force" => json!(taken::<bool>(key, value, "True or False")?),
-        "dt" => json!(taken_number::<f64>(key, value, "a number of seconds")?),
-        "horizontal" | "vertical" => json!(PathText(taken(key, value, "a path")?)),
+        "dt" | "join_gap" | "floor_period" => {
+            json!(taken_number::<f64>(key, value, "a number of seconds")?)
+        }
+        "azimuth" | "horizontal_azimuth" | "horizontal_2_azimuth" => {
+            json!(taken_number::<f64>(key, value, "a number of degrees")?)
+        }
+        "floor_damping" | "floor_factor" => json!(taken_number::<f64>(key, value, "a number")?),
+        "horizontal" | "vertical" | "horizontal_2" | "join" | "join_vertical" => {
+            json!(PathText(taken(key, value, "a path")?))
+        }
         _ => json!(taken::<String>(key, value, "a word")?),
     };
     let alone = json!({ section.key(): { key: &word } });

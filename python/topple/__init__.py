@@ -48,7 +48,17 @@ _MOTION = {
     "z": {"meaning": "hysteretic variable", "unit": ""},
     "phi": {"meaning": "rocking angle, positive about the left corner", "unit": "rad"},
     "dphi": {"meaning": "its velocity", "unit": "rad/s"},
+    "ground_h": {"meaning": "the ground's horizontal acceleration", "unit": "m/s^2"},
+    "ground_v": {"meaning": "the ground's vertical acceleration", "unit": "m/s^2"},
+    "acc_plate": {"meaning": "absolute horizontal acceleration of the upper plate", "unit": "m/s^2"},
+    "acc_block": {"meaning": "absolute horizontal acceleration of the block's centre of mass", "unit": "m/s^2"},
+    "acc_block_v": {"meaning": "its vertical acceleration, without gravity", "unit": "m/s^2"},
+    "n": {"meaning": "normal force between block and base", "unit": "N"},
+    "s": {"meaning": "horizontal force between block and base", "unit": "N"},
 }
+
+#: Numbers of a motion's outcome that its attributes have.
+_OUTCOME = ("impacts", "uplifts", "t_end", "t_uplift", "zeta", "max_u", "max_v", "stroke_v", "min_contact", "status")
 
 def _map(recorded: bool, keywords: Mapping[str, Any], progress: bool | Progress | None) -> Any:
     keywords = taken(keywords)
@@ -228,7 +238,10 @@ def history(*, progress: bool | Progress | None = None, **keywords: Unpack[CellC
         columns, about = _topple.history(recorded, taken(keywords))
     time = columns.pop("t")
     data_vars = {name: (("row",), values, described(_MOTION[name])) for name, values in columns.items()}
-    return dataset(data_vars, {"t": (("row",), time, described(_MOTION["t"]))}, _attributes(about))
+    outcome = json.loads(about)["outcome"]
+    numbers = {key: outcome[key] for key in _OUTCOME if outcome.get(key) is not None}
+    attrs = {**_attributes(about), "outcome": outcome["class"], **numbers}
+    return dataset(data_vars, {"t": (("row",), time, described(_MOTION["t"]))}, attrs)
 
 
 def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:

@@ -129,6 +129,28 @@ class Record(TypedDict, total=False):
     dt: float
     # g, m/s2 or cm/s2, where the record does not tell
     units: str
+    # second horizontal component, at a right angle to the first; ``azimuth`` turns both
+    horizontal_2: Path
+    # channel of its file
+    horizontal_2_channel: str
+    # turn the horizontal components to this azimuth, degrees from north over east
+    azimuth: float
+    # azimuth of ``horizontal``, where its file does not tell
+    horizontal_azimuth: float
+    # azimuth of ``horizontal_2``, where its file does not tell
+    horizontal_2_azimuth: float
+    # record that follows, such as an aftershock: its horizontal component
+    join: Path
+    # its vertical component
+    join_vertical: Path
+    # zeros between both records, s; by default 30
+    join_gap: float
+    # put the base on a floor, a linear oscillator of this period, s
+    floor_period: float
+    # damping of the floor's oscillator, as a share of the critical one; by default 0.05
+    floor_damping: float
+    # factor on the oscillator's acceleration relative to the ground; by default 1
+    floor_factor: float
     # SF, factor on both components; by default 1
     scale: Numbers
     # PGA_h [m/s²], scale both components so that the horizontal peak is this

@@ -9,6 +9,8 @@ use crate::model::real::Real;
 use crate::scene::{Case, Scene, SceneError};
 use crate::stepping::log::Log;
 use crate::stepping::outcome::Outcome;
+pub use crate::stepping::reference::forces::Forces;
+use crate::stepping::reference::forces::ForcesOf;
 use crate::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, U, V, Z};
 use crate::stepping::reference::{self, Settings};
 use crate::stepping::single::Single;
@@ -40,6 +42,81 @@ pub struct Row {
     pub dphi: f64,
 }
 
+/// What a switch between two rows of a motion is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    /// The block lifts.
+    Uplift,
+    /// It lands, and rocks on about the other corner.
+    Impact,
+    /// It lands, and stays in full contact.
+    Rest,
+    /// It overturns.
+    Overturning,
+}
+
+impl Event {
+    /// Its word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Event::Uplift => "uplift",
+            Event::Impact => "impact",
+            Event::Rest => "full_contact",
+            Event::Overturning => "overturning",
+        }
+    }
+}
+
+/// The events of a motion, each with the row after it.
+pub fn events(rows: &[Row], outcome: &Outcome) -> Vec<(Event, Row)> {
+    let contact = FULL_CONTACT;
+    let mut events: Vec<(Event, Row)> = rows
+        .windows(2)
+        .filter_map(|pair| {
+            let event = match (pair[0].mode, pair[1].mode) {
+                (one, other) if one == other => return None,
+                (one, _) if one == contact => Event::Uplift,
+                (_, other) if other == contact => Event::Rest,
+                _ => Event::Impact,
+            };
+            Some((event, pair[1]))
+        })
+        .collect();
+    if let (true, Some(last)) = (outcome.class.overturned(), rows.last()) {
+        events.push((Event::Overturning, *last));
+    }
+    events
+}
+
+/// The forces and the ground's accelerations at each row of a motion.
+pub fn forces(scene: &Scene, case: &Case, rows: &[Row]) -> Vec<Forces> {
+    let mut of = ForcesOf::new(scene, case);
+    let at = |row: &Row| {
+        let phase = match row.mode {
+            "rocking_left" => Some(Pole::Left),
+            "rocking_right" => Some(Pole::Right),
+            _ => None,
+        };
+        let mut y = reference::system::State::zeros();
+        for (place, value) in [
+            (U, row.u),
+            (DU, row.du),
+            (V, row.v),
+            (DV, row.dv),
+            (Z, row.z),
+            (PHI, row.phi),
+            (DPHI, row.dphi),
+        ] {
+            y[place] = value;
+        }
+        of.at(row.t, phase, &y)
+    };
+    rows.iter().map(at).collect()
+}
+
+/// The word of full contact among modes.
+const FULL_CONTACT: &str = "full_contact";
+
 /// Rows at the switches of a cell.
 struct Switches<'a> {
     clock: &'a Clock,
@@ -59,7 +136,7 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
     let mode = match state.mode {
         ROCKING_LEFT => "rocking_left",
         ROCKING_RIGHT => "rocking_right",
-        _ => "full_contact",
+        _ => FULL_CONTACT,
     };
     let [u, du, v, dv, z, phi, dphi] = state.motion.reals().map(R::to_f64);
     let v = R::of(v - deflection).to_f64();
@@ -128,7 +205,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
 pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
     let mut rows = Vec::new();
     let name = |phase: Phase| match phase {
-        None => "full_contact",
+        None => FULL_CONTACT,
         Some(Pole::Left) => "rocking_left",
         Some(Pole::Right) => "rocking_right",
     };

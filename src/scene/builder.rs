@@ -120,7 +120,8 @@ impl SceneBuilder {
         let recorded = self.record.is_some() || not_under(ShakenBy::Pulse).is_some();
         if recorded && (self.shape.is_some() || not_under(ShakenBy::Record).is_some()) {
             let problem = "a scene has a pulse or a record; leave one out";
-            return Err(SceneError::new("horizontal", problem));
+            let key = self.record.as_ref().map_or("horizontal", RecordText::first_key);
+            return Err(SceneError::new(key, problem));
         }
         self.check_shaken_by(|| {
             if !recorded {
@@ -141,16 +142,30 @@ impl SceneBuilder {
         self.check_shaken_by(|| Ok(excitation))
     }
 
-    /// Checks the scene under a motion at hand, scaled by the scene's factor or to its peak.
+    /// Checks the scene under a motion at hand, with the record that follows it, on the scene's floor, scaled by its factor or to
+    /// its peak.
     ///
     /// # Errors
     /// The first key at fault, with what to do.
     pub fn check_under_motion(&self, pair: Pair) -> Result<Scene, SceneError> {
+        self.check_under_motion_in(pair, Path::new(""))
+    }
+
+    /// The same; a file that follows is looked for from `directory`.
+    ///
+    /// # Errors
+    /// The first key at fault, with what to do.
+    pub fn check_under_motion_in(&self, pair: Pair, directory: &Path) -> Result<Scene, SceneError> {
         if let Some(parameter) = self.numbers.excluded_by(Choice::Excitation(ShakenBy::Record)) {
             let problem = "a record shakes the base, not a pulse; leave it out";
             return Err(SceneError::new(parameter.key(), problem));
         }
-        self.check_shaken_by(|| Ok(Excitation::Record(excitation::scaled(pair, &self.numbers))))
+        self.check_shaken_by(|| {
+            let none = RecordText::default();
+            let text = self.record.as_ref().unwrap_or(&none);
+            let pair = excitation::check_motion(pair, text, &self.numbers, directory, self.force)?;
+            Ok(Excitation::Record(pair))
+        })
     }
 
     fn check_shaken_by(

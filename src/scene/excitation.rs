@@ -7,8 +7,10 @@ use serde::{Deserialize, Serialize};
 use super::applies::Choice;
 use super::numbers::Numbers;
 use super::parameters::Parameter;
-use super::record::{Pair, Provenance, Units, joined};
-use super::record::{RecordHints, read};
+use super::record::treatment::GAP;
+use super::record::turned::turned;
+use super::record::{Pair, Provenance, Record, RecordFile, RecordHints, Treatment, Units};
+use super::record::{joined, read};
 use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
 use crate::written::Written;
@@ -58,6 +60,16 @@ pub struct RecordText {
     pub horizontal_channel: Option<String>,
     /// That of the vertical record's
     pub vertical_channel: Option<String>,
+    /// The second horizontal component, at a right angle to the first, which `azimuth` needs
+    pub horizontal_2: Option<PathBuf>,
+    /// The channel of its file
+    pub horizontal_2_channel: Option<String>,
+    /// The record that follows: its horizontal component
+    pub join: Option<PathBuf>,
+    /// Its vertical component
+    pub join_vertical: Option<PathBuf>,
+    /// What is made of the components
+    pub treatment: Treatment,
     /// Time between samples, s, where a file does not tell
     pub dt: Option<f64>,
     /// Units of the values, where a file does not tell
@@ -75,8 +87,54 @@ impl RecordText {
             RecordText { horizontal: None, vertical_channel: Some(_), .. } => "vertical_channel",
             RecordText { horizontal: None, dt: Some(_), .. } => "dt",
             RecordText { horizontal: None, units: Some(_), .. } => "units",
+            RecordText { horizontal: None, .. } => self.treated_key().unwrap_or("horizontal"),
             _ => "horizontal",
         }
+    }
+
+    /// The first key that makes another motion of the record, where one is given.
+    pub fn treated_key(&self) -> Option<&'static str> {
+        let files = [
+            ("horizontal_2", self.horizontal_2.is_some()),
+            ("horizontal_2_channel", self.horizontal_2_channel.is_some()),
+            ("join", self.join.is_some()),
+            ("join_vertical", self.join_vertical.is_some()),
+        ];
+        let file = files.into_iter().find(|(_, given)| *given).map(|(key, _)| key);
+        file.or_else(|| self.treatment.given().next().map(|(key, _)| key))
+    }
+
+    /// Refuses what says nothing without another key.
+    fn check_treatment(&self) -> Result<(), SceneError> {
+        self.treatment.check()?;
+        let Treatment { azimuth, floor_period, .. } = self.treatment;
+        let needs = |key: &str| match key {
+            "horizontal_2_channel" | "azimuth" => (self.horizontal_2.is_none(), "horizontal_2"),
+            "horizontal_2" | "horizontal_azimuth" | "horizontal_2_azimuth" => {
+                (azimuth.is_none(), "azimuth")
+            }
+            "join_gap" | "join_vertical" => (self.join.is_none(), "join"),
+            "floor_damping" | "floor_factor" => (floor_period.is_none(), "floor_period"),
+            _ => (false, ""),
+        };
+        let files = [
+            ("horizontal_2", self.horizontal_2.is_some()),
+            ("horizontal_2_channel", self.horizontal_2_channel.is_some()),
+            ("join_vertical", self.join_vertical.is_some()),
+        ];
+        let files = files.into_iter().filter(|(_, given)| *given).map(|(key, _)| key);
+        for key in files.chain(self.treatment.given().map(|(key, _)| key)) {
+            if let (true, other) = needs(key) {
+                let problem = format!("it says nothing without `{other}`; give that, too");
+                return Err(SceneError::new(key, problem));
+            }
+        }
+        if azimuth.is_some() && self.join.is_some() {
+            let problem = "a record that is turned and followed by another is not made; turn both apart, or leave \
+                           `azimuth` out";
+            return Err(SceneError::new("join", problem));
+        }
+        Ok(())
     }
 
     /// The files that a record came from, where they lie now: where they lay, or by their names in one of some
@@ -90,6 +148,22 @@ impl RecordText {
             vertical: record.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
             horizontal_channel: record.horizontal.channel.clone(),
             vertical_channel: record.vertical.as_ref().and_then(|file| file.channel.clone()),
+            horizontal_2: record
+                .horizontal_2
+                .as_ref()
+                .map(|file| file.find(folders))
+                .transpose()?,
+            horizontal_2_channel: record
+                .horizontal_2
+                .as_ref()
+                .and_then(|file| file.channel.clone()),
+            join: record.join.as_ref().map(|file| file.find(folders)).transpose()?,
+            join_vertical: record
+                .join_vertical
+                .as_ref()
+                .map(|file| file.find(folders))
+                .transpose()?,
+            treatment: record.treatment,
             dt: record.dt,
             units: record.units,
         })
@@ -130,25 +204,8 @@ pub fn check_record(
     directory: &Path,
     force: bool,
 ) -> Result<Pair, SceneError> {
-    if let Some(dt) = text.dt {
-        positive("dt", dt)?;
-    }
-    let pga = numbers.get(Parameter::Pga);
-    let hints = RecordHints {
-        dt: text.dt,
-        units: text.units,
-        scaled: pga.is_some(),
-        ..RecordHints::default()
-    };
-    let read = |key, path: &Path, hints: &RecordHints| {
-        let path = directory.join(path);
-        let is_vertical = key == "vertical";
-        let channel = if is_vertical { &text.vertical_channel } else { &text.horizontal_channel };
-        let own =
-            RecordHints { vertical: Some(is_vertical), channel: channel.clone(), ..hints.clone() };
-        read::file(&path, &own)
-            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))
-    };
+    text.check_treatment()?;
+    let hints = hints_of(text, numbers)?;
     if let (None, Some(_)) = (&text.vertical, &text.vertical_channel) {
         return Err(SceneError::new(
             "vertical_channel",
@@ -158,20 +215,134 @@ pub fn check_record(
     let Some(horizontal) = &text.horizontal else {
         return Err(SceneError::new("horizontal", "missing; give a record's file"));
     };
-    // Where one file tells its own step and units, and the other does not, what is given is meant for the other.
-    let own = RecordHints { dt: None, units: None, ..hints.clone() };
-    let tells = |key, path: &Path| read(key, path, &own).is_ok();
-    let given = text.dt.is_some() || text.units.is_some();
-    let pair = text.vertical.as_deref().filter(|_| given);
-    let (of_h, of_v) =
-        match pair.map(|path| (tells("horizontal", horizontal), tells("vertical", path))) {
-            Some((true, false)) => (&own, &hints),
-            Some((false, true)) => (&hints, &own),
-            _ => (&hints, &hints),
+    let [horizontal, vertical, second] = read_together(
+        [
+            ("horizontal", Some(horizontal), &text.horizontal_channel),
+            ("vertical", text.vertical.as_ref(), &text.vertical_channel),
+            ("horizontal_2", text.horizontal_2.as_ref(), &text.horizontal_2_channel),
+        ],
+        &hints,
+        directory,
+    )?;
+    let Some((mut record, file)) = horizontal else {
+        return Err(SceneError::new("horizontal", "missing; give a record's file"));
+    };
+    let mut horizontal_2 = None;
+    if let (Some((other, other_file)), Some(azimuth)) = (second, text.treatment.azimuth) {
+        record = turned(record, other, azimuth, &text.treatment, force)?;
+        horizontal_2 = Some(other_file);
+    }
+    let mut pair = joined::join((record, file), vertical, &hints, force)?;
+    if let Some(provenance) = &mut pair.provenance {
+        provenance.horizontal_2 = horizontal_2;
+        provenance.treatment = text.treatment;
+    }
+    let pair = treated(pair, text, &hints, directory, force)?;
+    Ok(scaled(pair, numbers))
+}
+
+/// A motion at hand, with what a scene makes of it: the record that follows, the floor, the factor.
+pub(super) fn check_motion(
+    pair: Pair,
+    text: &RecordText,
+    numbers: &Numbers,
+    directory: &Path,
+    force: bool,
+) -> Result<Pair, SceneError> {
+    text.check_treatment()?;
+    if text.horizontal_2.is_some() {
+        let problem =
+            "the motion at hand has one horizontal component; give `horizontal` as a file";
+        return Err(SceneError::new("horizontal_2", problem));
+    }
+    let hints = hints_of(text, numbers)?;
+    Ok(scaled(treated(pair, text, &hints, directory, force)?, numbers))
+}
+
+/// What is said of all files of a record.
+fn hints_of(text: &RecordText, numbers: &Numbers) -> Result<RecordHints, SceneError> {
+    if let Some(dt) = text.dt {
+        positive("dt", dt)?;
+    }
+    Ok(RecordHints {
+        dt: text.dt,
+        units: text.units,
+        scaled: numbers.get(Parameter::Pga).is_some(),
+        ..RecordHints::default()
+    })
+}
+
+/// The key of a file, the file, and its channel.
+type Asked<'a> = (&'static str, Option<&'a PathBuf>, &'a Option<String>);
+
+/// Reads the files of one motion.
+fn read_together<const N: usize>(
+    files: [Asked<'_>; N],
+    hints: &RecordHints,
+    directory: &Path,
+) -> Result<[Option<(Record, RecordFile)>; N], SceneError> {
+    let read = |key: &'static str, path: &Path, channel: &Option<String>, hints: &RecordHints| {
+        let path = directory.join(path);
+        let own = RecordHints {
+            vertical: Some(key.ends_with("vertical")),
+            second: key == "horizontal_2",
+            channel: channel.clone(),
+            ..hints.clone()
         };
-    let horizontal = read("horizontal", horizontal, of_h)?;
-    let vertical = text.vertical.as_deref().map(|path| read("vertical", path, of_v)).transpose()?;
-    Ok(scaled(joined::join(horizontal, vertical, &hints, force)?, numbers))
+        read::file(&path, &own)
+            .map_err(|error| SceneError::new(key, format!("{}: {error}", path.display())))
+    };
+    // Where one file tells its own step and units, and another does not, what is given is meant for the other.
+    let own = RecordHints { dt: None, units: None, ..hints.clone() };
+    let given = hints.dt.is_some() || hints.units.is_some();
+    let several = files.iter().filter(|(_, path, _)| path.is_some()).count() > 1;
+    let tells = files.map(|(key, path, channel)| match path {
+        Some(path) if given && several => Some(read(key, path, channel, &own).is_ok()),
+        _ => None,
+    });
+    let mixed = tells.contains(&Some(true)) && tells.contains(&Some(false));
+    let mut records = [const { None }; N];
+    for ((record, (key, path, channel)), tells) in records.iter_mut().zip(files).zip(tells) {
+        let hints = if mixed && tells == Some(true) { &own } else { hints };
+        *record = path.map(|path| read(key, path, channel, hints)).transpose()?;
+    }
+    Ok(records)
+}
+
+/// A motion with the record that follows it, on its floor.
+fn treated(
+    mut pair: Pair,
+    text: &RecordText,
+    hints: &RecordHints,
+    directory: &Path,
+    force: bool,
+) -> Result<Pair, SceneError> {
+    let Treatment { join_gap, floor_period, .. } = text.treatment;
+    if let Some(join) = &text.join {
+        let files =
+            [("join", Some(join), &None), ("join_vertical", text.join_vertical.as_ref(), &None)];
+        let [horizontal, vertical] = read_together(files, hints, directory)?;
+        if let Some(horizontal) = horizontal {
+            // A fault of the second record is not one of the first.
+            let of_join = |error: SceneError| match error.key {
+                "horizontal" => SceneError { key: "join", ..error },
+                "vertical" => SceneError { key: "join_vertical", ..error },
+                _ => error,
+            };
+            let next = joined::join(horizontal, vertical, hints, force).map_err(of_join)?;
+            pair = pair
+                .followed_by(join_gap.unwrap_or(GAP), &next)
+                .map_err(|error| SceneError::new("join", error.to_string()))?;
+            if let (Some(own), Some(other)) = (&mut pair.provenance, next.provenance) {
+                own.join = Some(other.horizontal);
+                own.join_vertical = other.vertical;
+            }
+        }
+    }
+    match floor_period {
+        Some(period) => pair.floor(period, &text.treatment),
+        None => Ok(pair),
+    }
 }
 
 /// A motion scaled by a scene's factor, or to its peak. Several factors or peaks are the cells' own.

@@ -34,6 +34,17 @@ enum Word {
     VerticalChannel,
     Dt,
     Units,
+    Horizontal2,
+    Horizontal2Channel,
+    Azimuth,
+    HorizontalAzimuth,
+    Horizontal2Azimuth,
+    Join,
+    JoinVertical,
+    JoinGap,
+    FloorPeriod,
+    FloorDamping,
+    FloorFactor,
     Overturn,
     Force,
     X,
@@ -54,6 +65,17 @@ impl Word {
                 Word::VerticalChannel,
                 Word::Dt,
                 Word::Units,
+                Word::Horizontal2,
+                Word::Horizontal2Channel,
+                Word::Azimuth,
+                Word::HorizontalAzimuth,
+                Word::Horizontal2Azimuth,
+                Word::Join,
+                Word::JoinVertical,
+                Word::JoinGap,
+                Word::FloorPeriod,
+                Word::FloorDamping,
+                Word::FloorFactor,
             ],
             Section::Run => &[Word::Overturn, Word::Force, Word::X, Word::Y],
         }
@@ -72,6 +94,17 @@ impl Word {
             Word::VerticalChannel => "vertical_channel",
             Word::Dt => "dt",
             Word::Units => "units",
+            Word::Horizontal2 => "horizontal_2",
+            Word::Horizontal2Channel => "horizontal_2_channel",
+            Word::Azimuth => "azimuth",
+            Word::HorizontalAzimuth => "horizontal_azimuth",
+            Word::Horizontal2Azimuth => "horizontal_2_azimuth",
+            Word::Join => "join",
+            Word::JoinVertical => "join_vertical",
+            Word::JoinGap => "join_gap",
+            Word::FloorPeriod => "floor_period",
+            Word::FloorDamping => "floor_damping",
+            Word::FloorFactor => "floor_factor",
             Word::Overturn => "overturn",
             Word::Force => "force",
             Word::X => "x",
@@ -170,6 +203,39 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 }
                 Key::Word(Word::Dt) => files(scene).dt = Some(map.next_value()?),
                 Key::Word(Word::Units) => files(scene).units = Some(map.next_value()?),
+                Key::Word(Word::Horizontal2) => {
+                    files(scene).horizontal_2 = Some(map.next_value::<PathText>()?.0);
+                }
+                Key::Word(Word::Horizontal2Channel) => {
+                    files(scene).horizontal_2_channel = Some(map.next_value()?);
+                }
+                Key::Word(Word::Azimuth) => {
+                    files(scene).treatment.azimuth = Some(map.next_value()?);
+                }
+                Key::Word(Word::HorizontalAzimuth) => {
+                    files(scene).treatment.horizontal_azimuth = Some(map.next_value()?);
+                }
+                Key::Word(Word::Horizontal2Azimuth) => {
+                    files(scene).treatment.horizontal_2_azimuth = Some(map.next_value()?);
+                }
+                Key::Word(Word::Join) => {
+                    files(scene).join = Some(map.next_value::<PathText>()?.0);
+                }
+                Key::Word(Word::JoinVertical) => {
+                    files(scene).join_vertical = Some(map.next_value::<PathText>()?.0);
+                }
+                Key::Word(Word::JoinGap) => {
+                    files(scene).treatment.join_gap = Some(map.next_value()?);
+                }
+                Key::Word(Word::FloorPeriod) => {
+                    files(scene).treatment.floor_period = Some(map.next_value()?);
+                }
+                Key::Word(Word::FloorDamping) => {
+                    files(scene).treatment.floor_damping = Some(map.next_value()?);
+                }
+                Key::Word(Word::FloorFactor) => {
+                    files(scene).treatment.floor_factor = Some(map.next_value()?);
+                }
                 Key::Word(Word::Force) => scene.force = map.next_value()?,
                 Key::Word(Word::X) => scene.x = Some(map.next_value()?),
                 Key::Word(Word::Y) => scene.y = Some(map.next_value()?),
@@ -263,6 +329,21 @@ impl Serialize for Written<'_> {
                 Word::VerticalChannel => entry(&mut map, key, &record.vertical_channel)?,
                 Word::Dt => entry(&mut map, key, &record.dt)?,
                 Word::Units => entry(&mut map, key, &record.units)?,
+                Word::Horizontal2 => entry(&mut map, key, &file(record.horizontal_2.clone()))?,
+                Word::Horizontal2Channel => entry(&mut map, key, &record.horizontal_2_channel)?,
+                Word::Azimuth => entry(&mut map, key, &record.treatment.azimuth)?,
+                Word::HorizontalAzimuth => {
+                    entry(&mut map, key, &record.treatment.horizontal_azimuth)?
+                }
+                Word::Horizontal2Azimuth => {
+                    entry(&mut map, key, &record.treatment.horizontal_2_azimuth)?
+                }
+                Word::Join => entry(&mut map, key, &file(record.join.clone()))?,
+                Word::JoinVertical => entry(&mut map, key, &file(record.join_vertical.clone()))?,
+                Word::JoinGap => entry(&mut map, key, &record.treatment.join_gap)?,
+                Word::FloorPeriod => entry(&mut map, key, &record.treatment.floor_period)?,
+                Word::FloorDamping => entry(&mut map, key, &record.treatment.floor_damping)?,
+                Word::FloorFactor => entry(&mut map, key, &record.treatment.floor_factor)?,
                 Word::Force => entry(&mut map, key, &scene.force.then_some(true))?,
                 Word::X => entry(&mut map, key, &scene.x)?,
                 Word::Y => entry(&mut map, key, &scene.y)?,
@@ -316,6 +397,13 @@ mod tests {
                     "pressure" => "\"constant\"",
                     "shape" => "\"ricker\"",
                     "dt" => "0.01",
+                    "azimuth"
+                    | "horizontal_azimuth"
+                    | "horizontal_2_azimuth"
+                    | "join_gap"
+                    | "floor_period"
+                    | "floor_damping"
+                    | "floor_factor" => "0.5",
                     "units" => "\"g\"",
                     "overturn" => "\"quarter-turn\"",
                     "force" => "true",

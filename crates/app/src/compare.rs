@@ -16,6 +16,7 @@ use topple_studies::comparison::{
 };
 use topple_studies::fragility::RateEstimate;
 use topple_studies::suites::Resample;
+use topple_studies::suites::envelope::{CellEnvelope, Limits};
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::verified::Verified;
 
@@ -130,7 +131,10 @@ impl CompareCommand {
             levels: self.levels.clone(),
             hazard: hazard.curve.clone(),
         });
-        let columns = self.columns.iter().flat_map(|columns| columns.columns()).collect();
+        // All are all that have percentiles, and no column twice.
+        let whole = self.columns.is_some_and(|columns| columns.is_all());
+        let columns = self.columns.iter().flat_map(|columns| columns.columns());
+        let columns = columns.filter(|column| !whole || comparison::is_further(*column)).collect();
         let request = ComparisonRequest {
             scales: self.scales.clone(),
             columns,
@@ -296,9 +300,25 @@ fn one(name: &str, device: &Compared, of: &Comparison) -> String {
         text += &annual(rate.as_ref());
     }
     if !cell.feasible {
-        text += "; not all limits are kept";
+        text += &format!("; {}", not_kept(cell, of.settings.limits));
     }
     text
+}
+
+/// Which limits are not kept.
+fn not_kept(cell: &CellEnvelope, limits: Limits) -> String {
+    let beyond = |limit: Option<f64>, value: f64| limit.is_some_and(|limit| value > limit);
+    let mut kinds = Vec::new();
+    if cell.standing < limits.standing - 1.0e-9 || cell.standing <= 0.0 {
+        kinds.push(format!("it does not stand under {:.0} % of them", 100.0 * limits.standing));
+    }
+    if beyond(limits.u, cell.max_u[2]) {
+        kinds.push("|u| is beyond its limit".to_string());
+    }
+    if beyond(limits.v, cell.stroke_v[2]) {
+        kinds.push("the stroke of v is beyond its limit".to_string());
+    }
+    kinds.join(", ")
 }
 
 /// An annual rate in words.

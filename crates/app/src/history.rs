@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::history_table as table;
+use crate::history_table::{self as table, MoreColumns};
 use serde::Serialize;
 use topple::backend::history as motion;
 use topple::backend::request::BackendRequest;
@@ -43,6 +43,10 @@ pub struct HistoryCommand {
     record: RecordFlags,
     #[command(flatten)]
     scale: RecordNumbers,
+    /// More columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_block, acc_block_v (m/s², absolute, without
+    /// gravity), n, s (contact forces, N)
+    #[arg(long, value_name = "NAME,...")]
+    columns: Option<MoreColumns>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
 }
@@ -65,6 +69,7 @@ impl HistoryCommand {
     /// Runs the cell.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        let more = self.columns.clone().unwrap_or_default();
         let record = self.record.text();
         let numbers = self.pulse.numbers.placed().chain(self.scale.placed());
         let text = SceneBuilder {
@@ -80,18 +85,40 @@ impl HistoryCommand {
                 let problem = "give a scene's file or the flags of a scene, not both";
                 return Err(InputError(format!("{}: {problem}", path.display())).into());
             }
-            return run_cell(&load(path, options.force)?, options);
+            return run_cell(&load(path, options.force)?, &more, options);
         }
         let scene = text.check().map_err(|error| flag_error(&error))?;
         if let Some(path) = &self.common.save_scene {
             return save(path, text, "history");
         }
-        run_cell(&scene, options)
+        run_cell(&scene, &more, options)
     }
 }
 
+/// The table of the switches.
+const EVENTS: &str = "events.csv";
+
+/// The largest values of a motion in words.
+fn largest(scene: &Scene, outcome: &Outcome) -> String {
+    let mut text = String::new();
+    if scene.isolation.moves_h() {
+        text += &format!("|u| {:.6} m, ", outcome.max_u);
+    }
+    if scene.isolation.moves_v() {
+        text += &format!("stroke of v {:.6} m, ", outcome.stroke_v);
+    }
+    let phi = outcome.max_phi_left.max(outcome.max_phi_right);
+    text += &format!("|phi| {phi:.6} rad; least N/M {:.4} m/s²", outcome.min_contact);
+    text += &format!(", friction needed {:.4}", outcome.friction);
+    text += &format!(
+        "; accelerations: plate {:.4} m/s², C {:.4} m/s²",
+        outcome.acc_plate, outcome.acc_block
+    );
+    text
+}
+
 /// Runs a cell and writes its history.
-pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
+pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyhow::Result<()> {
     options.set_threads()?;
     if let Some(swept) = scene.swept().first() {
         let flag = swept.entry().flag();
@@ -109,7 +136,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
     let place = Place::of(&options.out, Kind::History)?;
-    let files = ["csv", "svg", "png"].map(|kind| format!("history.{kind}"));
+    let files = ["history.csv", "history.svg", "history.png", EVENTS].map(String::from);
     place.refuse_foreign(&files)?;
     let mut out = place.open_alone()?;
     let case = scene.case();
@@ -122,7 +149,9 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     let svg = figure::draw(scene, &case, &rows, &outcome)?;
     let png = render::png(&svg)?;
     out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
-    out.write("history.csv", |w| table::write(&rows, w))?;
+    let forces = if more.is_empty() { Vec::new() } else { motion::forces(scene, &case, &rows) };
+    out.write("history.csv", |w| table::write(&rows, (more, &forces), w))?;
+    out.write(EVENTS, |w| table::write_events(&motion::events(&rows, &outcome), w))?;
     out.picture("history", &svg, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     let manifest = Manifest {
@@ -145,7 +174,11 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     if let Some(t) = outcome.t_uplift {
         say.line("uplift", format!("{t:.6} s, zeta = {:.6}", outcome.zeta));
     }
+    say.line("largest", largest(scene, &outcome));
     say.line("picture", out.file("history.png").display());
-    say.line("data", format!("{} with history.svg, run.json", out.file("history.csv").display()));
+    say.line(
+        "data",
+        format!("{} with events.csv, history.svg, run.json", out.file("history.csv").display()),
+    );
     Ok(())
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use topple::scene::excitation::RecordText;
-use topple::scene::record::Units;
+use topple::scene::record::{Treatment, Units};
 
 use super::written::one_of;
 
@@ -30,13 +30,66 @@ pub struct RecordFlags {
     /// Units of the values, where a file does not tell
     #[arg(long, value_name = "g|m/s2|cm/s2", value_parser = one_of::<Units>())]
     units: Option<Units>,
+    /// Second horizontal component, at a right angle to the first; --azimuth turns both
+    #[arg(long, value_name = "FILE")]
+    horizontal_2: Option<PathBuf>,
+    /// Channel of its file
+    #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
+    horizontal_2_channel: Option<String>,
+    /// Turn the horizontal components to this azimuth, degrees from north over east
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    azimuth: Option<f64>,
+    /// Azimuth of --horizontal, where its file does not tell
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    horizontal_azimuth: Option<f64>,
+    /// Azimuth of --horizontal-2, where its file does not tell
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    horizontal_2_azimuth: Option<f64>,
+    /// Record that follows, such as an aftershock: its horizontal component
+    #[arg(long, value_name = "FILE")]
+    join: Option<PathBuf>,
+    /// Its vertical component
+    #[arg(long, value_name = "FILE")]
+    join_vertical: Option<PathBuf>,
+    /// Zeros between both records, s [default: 30]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    join_gap: Option<f64>,
+    /// Put the base on a floor, a linear oscillator of this period, s
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    floor_period: Option<f64>,
+    /// Damping of the floor's oscillator, as a share of the critical one [default: 0.05]
+    #[arg(long, value_name = "XI", allow_hyphen_values = true)]
+    floor_damping: Option<f64>,
+    /// Factor on the oscillator's acceleration relative to the ground: the mode's share at the floor's height [default: 1]
+    #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
+    floor_factor: Option<f64>,
 }
 
 impl RecordFlags {
     /// The record as the flags write it.
     pub fn text(&self) -> RecordText {
-        let RecordFlags { horizontal, vertical, horizontal_channel, vertical_channel, dt, units } =
-            self.clone();
-        RecordText { horizontal, vertical, horizontal_channel, vertical_channel, dt, units }
+        let own = self.clone();
+        let treatment = Treatment {
+            azimuth: own.azimuth,
+            horizontal_azimuth: own.horizontal_azimuth,
+            horizontal_2_azimuth: own.horizontal_2_azimuth,
+            join_gap: own.join_gap,
+            floor_period: own.floor_period,
+            floor_damping: own.floor_damping,
+            floor_factor: own.floor_factor,
+        };
+        RecordText {
+            horizontal: own.horizontal,
+            vertical: own.vertical,
+            horizontal_channel: own.horizontal_channel,
+            vertical_channel: own.vertical_channel,
+            horizontal_2: own.horizontal_2,
+            horizontal_2_channel: own.horizontal_2_channel,
+            join: own.join,
+            join_vertical: own.join_vertical,
+            treatment,
+            dt: own.dt,
+            units: own.units,
+        }
     }
 }

@@ -18,7 +18,14 @@ use super::words::Reporter;
 /// A file that is there; axes in an order that a file cannot have; those of the disk.
 pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Result<()> {
     if let Some(record) = &mut scene.record {
-        for file in [&mut record.horizontal, &mut record.vertical].into_iter().flatten() {
+        let files = [
+            &mut record.horizontal,
+            &mut record.vertical,
+            &mut record.horizontal_2,
+            &mut record.join,
+            &mut record.join_vertical,
+        ];
+        for file in files.into_iter().flatten() {
             *file = std::path::absolute(&*file)?;
         }
     }

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use topple::results::files::{Directory, WriteError};
+use topple::scene::bounded;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::synthetic;
-use topple::scene::{Excitation, bounded};
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};
@@ -36,9 +36,9 @@ impl SeismicCommand {
         let force = self.options.run.force;
         if record.horizontal.is_none() && record.vertical.is_none() {
             // Nothing is written, the synthetic pair neither, before the scene is known to be right.
-            let text = SceneBuilder { force, ..self.common.text(None, self.numbers.placed()) };
-            let synthetic = Excitation::Record(synthetic::pair());
-            let scene = text.check_under(synthetic).map_err(|e| flag_error(&e))?;
+            let text = self.common.text(None, self.numbers.placed());
+            let text = SceneBuilder { record: Some(record.clone()), force, ..text };
+            let scene = text.check_under_motion(synthetic::pair()).map_err(|e| flag_error(&e))?;
             if let Some(path) = &self.common.save_scene {
                 if path != Path::new("-") {
                     save::free(path)?;

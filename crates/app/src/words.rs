@@ -109,7 +109,11 @@ pub fn sides(grid: &Grid) -> String {
 
 /// A scene and its cells.
 pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
-    say.line("scene", format!("{}, {} cells", scene.title, sides(grid)));
+    say.line("scene", {
+        let cells =
+            if grid.len() == 1 { "1 cell".into() } else { format!("{} cells", sides(grid)) };
+        format!("{}, {cells}", scene.title)
+    });
     say.line("", topple::scene::words::line(scene));
     device(say, None, scene);
     if let Excitation::Record(pair) = &scene.excitation {
@@ -208,7 +212,7 @@ fn backend(backend: &Backend, precision: &str) -> String {
         }
         Backend::Cpu => {
             let threads = threads();
-            format!("cpu, {precision}, {threads} threads")
+            format!("cpu, {precision}, {}", crate::suite::counted(threads, "thread"))
         }
         Backend::Reference => "reference, f64, adaptive".into(),
     }

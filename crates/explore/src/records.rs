@@ -157,6 +157,11 @@ impl Records {
     /// The first key at fault.
     pub fn check(&self, given: &SceneBuilder) -> Result<Scene, Refused> {
         let Some(text) = &given.record else { return Ok(given.check()?) };
+        // Files of the computer are known to a page by what was dropped on it alone.
+        if let Some(key) = text.treated_key() {
+            let problem = "the page shows records as they are; topple seismic turns and joins them";
+            return Err(Refused::of(key, problem));
+        }
         if text.horizontal.as_deref() == Some(Path::new(SYNTHETIC)) {
             return Ok(given.check_under_motion(synthetic::pair())?);
         }

@@ -1,6 +1,6 @@
 //! Files of several channels: which one is taken.
 
-use super::component::Component;
+use super::component::{self, Component};
 use super::hints::RecordHints;
 use super::{RecordError, Stated};
 use crate::scene::shown::shown;
@@ -114,7 +114,10 @@ pub(super) fn choose<'a>(
         }
     };
     match channels.into_iter().nth(place) {
-        Some(channel) => Ok((channel, note)),
+        Some(channel) => {
+            stated.azimuth = component::azimuth(channel.word);
+            Ok((channel, note))
+        }
         None => Err(RecordError::whole("no channel of acceleration; give the acceleration file")),
     }
 }

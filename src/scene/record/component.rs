@@ -56,6 +56,40 @@ impl Component {
     }
 }
 
+/// The azimuth of a word that states one, degrees from north over east: `228`, `S45W`, `NS`, `E-W`, a channel `HNE`.
+pub fn azimuth(word: &str) -> Option<f64> {
+    if Component::named(word).or_else(|| Component::of_channel(word))? != Component::Horizontal {
+        return None;
+    }
+    let word = word.split('(').next().unwrap_or_default().to_uppercase();
+    let is_left_out = |c: char| c.is_whitespace() || c == '°' || c == '-';
+    let word: String = word.chars().filter(|c| !is_left_out(*c)).collect();
+    let word = word.trim_end_matches("DEGREES").trim_end_matches("DEG.").trim_end_matches("DEG");
+    let whole = |degrees: f64| (0.0..=360.0).contains(&degrees).then_some(degrees % 360.0);
+    if let Ok(degrees) = word.parse::<f64>() {
+        return whole(degrees);
+    }
+    let bearing = |from: char, to: char| {
+        word.strip_prefix(from)?.strip_suffix(to)?.parse::<f64>().ok().filter(|d| *d <= 90.0)
+    };
+    match word {
+        "N" | "NS" | "NORTH" => Some(0.0),
+        "E" | "EW" | "EAST" => Some(90.0),
+        "S" | "SN" | "SOUTH" => Some(180.0),
+        "W" | "WE" | "WEST" => Some(270.0),
+        _ => bearing('N', 'E')
+            .or_else(|| bearing('S', 'E').map(|d| 180.0 - d))
+            .or_else(|| bearing('S', 'W').map(|d| 180.0 + d))
+            .or_else(|| bearing('N', 'W').map(|d| 360.0 - d))
+            .or_else(|| match Component::of_channel(word).and(word.chars().last()) {
+                Some('N') => Some(0.0),
+                Some('E') => Some(90.0),
+                _ => None,
+            })
+            .and_then(whole),
+    }
+}
+
 /// Where and when, and which component; none where the title has no comma.
 pub fn place(title: &str) -> Option<(&str, &str)> {
     title.rsplit_once(',').map(|(place, component)| (place.trim(), component.trim()))
@@ -71,7 +105,31 @@ pub fn event_and_station(place: &str) -> (&str, &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::Component;
+    use super::{Component, azimuth};
+
+    #[test]
+    fn words_tell_azimuths() {
+        for (word, degrees) in [
+            ("228", 228.0),
+            ("90 Deg", 90.0),
+            ("360", 0.0),
+            ("090 (CUE)", 90.0),
+            ("N17E", 17.0),
+            ("S 45 W", 225.0),
+            ("S20E", 160.0),
+            ("N17W", 343.0),
+            ("N-S", 0.0),
+            ("EW", 90.0),
+            ("West", 270.0),
+            ("HNE", 90.0),
+            ("HNN", 0.0),
+        ] {
+            assert_eq!(azimuth(word), Some(degrees), "{word}");
+        }
+        for word in ["UP", "HNZ", "HN1", "L", "T1", "radial", "400", "", "N91E"] {
+            assert_eq!(azimuth(word), None, "{word}");
+        }
+    }
 
     #[test]
     fn words_tell_components() {

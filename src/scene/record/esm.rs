@@ -1,6 +1,6 @@
 //! ESM and ITACA ASCII (DYNA 1.2): 64 lines of `KEY: value`, then one value a line.
 
-use super::component::Component;
+use super::component::{self, Component};
 use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{free, number};
@@ -58,6 +58,7 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
             .collect::<Vec<_>>()
             .join("."),
         component: Component::of_channel(stream).or_else(|| Component::named(stream)),
+        azimuth: component::azimuth(stream),
         start,
         ..Stated::default()
     };

@@ -14,6 +14,8 @@ pub struct RecordHints {
     /// Which component is wanted of a file with several channels: true for the vertical one; the first where nothing is
     /// said.
     pub vertical: Option<bool>,
+    /// It is the second of two horizontal components.
+    pub second: bool,
     /// The channel that is wanted of such a file: its number, or its direction.
     pub channel: Option<String>,
 }
@@ -21,6 +23,10 @@ pub struct RecordHints {
 impl RecordHints {
     /// The key that chooses the channel.
     pub(super) fn channel_key(&self) -> &'static str {
-        if self.vertical == Some(true) { "vertical_channel" } else { "horizontal_channel" }
+        match (self.vertical, self.second) {
+            (Some(true), _) => "vertical_channel",
+            (_, true) => "horizontal_2_channel",
+            _ => "horizontal_channel",
+        }
     }
 }

@@ -3,7 +3,7 @@
 use super::component::Component;
 use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
-use super::{DIGITS, Pair, Provenance, Record, RecordFile, Units, rounded};
+use super::{DIGITS, Pair, Provenance, Record, RecordFile, Treatment, Units, rounded};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};
 use crate::written::Written;
@@ -71,7 +71,7 @@ fn questioned(
 }
 
 /// By how much the vertical begins later than the horizontal, s, by what their files state; 0 where one states nothing.
-fn later(horizontal: &Record, vertical: &Record) -> f64 {
+pub(super) fn later(horizontal: &Record, vertical: &Record) -> f64 {
     match (horizontal.stated.start, vertical.stated.start) {
         (Some(h), Some(v)) => v - h,
         _ => 0.0,
@@ -79,7 +79,7 @@ fn later(horizontal: &Record, vertical: &Record) -> f64 {
 }
 
 /// Puts zeros before the component that begins later, so many as there are whole steps between.
-fn align(horizontal: &mut Record, vertical: &mut Record) {
+pub(super) fn align(horizontal: &mut Record, vertical: &mut Record) {
     let later_by = later(horizontal, vertical);
     let shorter = horizontal.duration().min(vertical.duration());
     let shifted = if later_by > 0.0 { vertical } else { horizontal };
@@ -140,6 +140,15 @@ pub fn join(
     let mut pair = bring(horizontal, vertical, hints, force)?;
     let (horizontal, vertical) = (horizontal_file, vertical_file);
     let (dt, units) = (hints.dt, hints.units);
-    pair.provenance = Some(Box::new(Provenance { horizontal, vertical, dt, units }));
+    pair.provenance = Some(Box::new(Provenance {
+        horizontal,
+        vertical,
+        dt,
+        units,
+        horizontal_2: None,
+        join: None,
+        join_vertical: None,
+        treatment: Treatment::default(),
+    }));
     Ok(pair)
 }

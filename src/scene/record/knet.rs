@@ -1,6 +1,6 @@
 //! K-NET and KiK-net ASCII: counts of a digitizer with their scale factor.
 
-use super::component::Component;
+use super::component::{self, Component};
 use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{free, number};
@@ -80,6 +80,7 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
             event: origin.into(),
             station: format!("{station}{depth}"),
             component,
+            azimuth: component::azimuth(way),
             start,
             ..Stated::default()
         },

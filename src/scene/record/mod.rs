@@ -9,24 +9,29 @@ pub mod component;
 pub(crate) mod cosmos;
 pub(crate) mod csmip;
 pub(crate) mod esm;
+mod floor;
 pub(crate) mod geonet;
 mod hints;
 pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
 pub(crate) mod numbers;
+pub mod oscillator;
 mod packed;
 pub(crate) mod pair;
 mod plain;
 pub(crate) mod provenance;
 pub mod read;
 mod sac;
+mod sequence;
 pub(crate) mod smc;
 mod stated;
 mod steps;
 pub mod synthetic;
 pub mod text;
 mod times;
+pub mod treatment;
+pub(in crate::scene) mod turned;
 mod units;
 pub mod zips;
 
@@ -37,6 +42,7 @@ pub use hints::RecordHints;
 pub use pair::Pair;
 pub use provenance::{Provenance, RecordFile};
 pub use stated::Stated;
+pub use treatment::Treatment;
 pub use units::Units;
 
 /// An acceleration record, evenly sampled.

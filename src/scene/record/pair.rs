@@ -56,26 +56,10 @@ impl Pair {
         for record in [Some(&horizontal), vertical.as_ref()].into_iter().flatten() {
             check(record.dt, &record.samples)?;
         }
-        let Some(other) = &vertical else {
-            return Ok(Pair::brought(horizontal, vertical, Steps::ONE));
+        let steps = match &vertical {
+            Some(vertical) => common([&horizontal, vertical])?,
+            None => Steps::ONE,
         };
-        let lengths = [&horizontal, other].map(|record| record.samples.len());
-        let steps = Steps::of([horizontal.dt, other.dt], lengths).ok_or_else(|| {
-            let [h, v] = [horizontal.dt, other.dt].map(|dt| rounded(dt, DIGITS));
-            RecordError::Whole(format!(
-                "steps of {h} s and {v} s have no common divisor that is not far finer; resample one component to the \
-                 step of the other"
-            ))
-        })?;
-        let count = steps.count(lengths);
-        if count > MOST_SAMPLES as u128 {
-            let [h, v] = [horizontal.dt, other.dt];
-            let problem = format!(
-                "steps of {h} s and {v} s together are {count} samples, more than {MOST_SAMPLES}; give components of the \
-                 same step"
-            );
-            return Err(RecordError::Whole(problem));
-        }
         Ok(Pair::brought(horizontal, vertical, steps))
     }
 
@@ -154,7 +138,7 @@ impl Pair {
         check(self.dt, &self.vertical)
     }
 
-    fn measure(&mut self) {
+    pub(super) fn measure(&mut self) {
         let peak = |samples: &[f64]| samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
         self.pga_h = peak(&self.horizontal);
         self.pga_v = peak(&self.vertical);
@@ -174,6 +158,29 @@ impl Pair {
     pub fn is_empty(&self) -> bool {
         self.horizontal.is_empty()
     }
+}
+
+/// The common step of two records.
+///
+/// # Errors
+/// Steps without one, and more samples together than a record may have.
+pub(super) fn common([one, other]: [&Record; 2]) -> Result<Steps, RecordError> {
+    let lengths = [one, other].map(|record| record.samples.len());
+    let [a, b] = [one.dt, other.dt].map(|dt| rounded(dt, DIGITS));
+    let steps = Steps::of([one.dt, other.dt], lengths).ok_or_else(|| {
+        RecordError::Whole(format!(
+            "steps of {a} s and {b} s have no common divisor that is not far finer; resample one component to the step of \
+             the other"
+        ))
+    })?;
+    let count = steps.count(lengths);
+    if count > MOST_SAMPLES as u128 {
+        let problem = format!(
+            "steps of {a} s and {b} s together are {count} samples, more than {MOST_SAMPLES}; give components of the same step"
+        );
+        return Err(RecordError::Whole(problem));
+    }
+    Ok(steps)
 }
 
 /// Checks what every motion has: a time step, and samples.

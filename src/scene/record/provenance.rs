@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::Units;
 use super::text::LARGEST;
+use super::{Treatment, Units};
 use crate::scene::{bounded, path_text, shown};
 
 /// The files of a record.
@@ -21,6 +21,18 @@ pub struct Provenance {
     pub dt: Option<f64>,
     /// The units as the user gave them; none where the files tell them.
     pub units: Option<Units>,
+    /// The second horizontal component of a record that was turned to an azimuth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub horizontal_2: Option<RecordFile>,
+    /// The horizontal component of the record that follows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub join: Option<RecordFile>,
+    /// Its vertical component.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub join_vertical: Option<RecordFile>,
+    /// What was made of them.
+    #[serde(default, skip_serializing_if = "Treatment::is_none")]
+    pub treatment: Treatment,
 }
 
 /// A file of a record, as it was read.
@@ -63,6 +75,9 @@ impl Provenance {
         Provenance {
             horizontal: bare(&self.horizontal),
             vertical: self.vertical.as_ref().map(bare),
+            horizontal_2: self.horizontal_2.as_ref().map(bare),
+            join: self.join.as_ref().map(bare),
+            join_vertical: self.join_vertical.as_ref().map(bare),
             ..*self
         }
     }

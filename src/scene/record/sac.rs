@@ -141,6 +141,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raw, RecordError> {
             event: header.text(448, 16),
             station,
             component,
+            azimuth: header
+                .known(AZIMUTH)
+                .filter(|_| component == Some(Component::Horizontal))
+                .map(|degrees| f64::from(degrees).rem_euclid(360.0)),
             start: start(&header),
             ..Stated::default()
         },

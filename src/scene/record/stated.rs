@@ -13,6 +13,8 @@ pub struct Stated {
     pub station: String,
     /// Which component it is.
     pub component: Option<Component>,
+    /// The azimuth of a horizontal component, degrees from north over east.
+    pub azimuth: Option<f64>,
     /// When the first sample was taken, s from an epoch that all records share.
     pub start: Option<f64>,
     /// The channel that was asked for, of a file with several.
@@ -31,7 +33,14 @@ impl Stated {
             return Stated::default();
         }
         let (event, station) = component::event_and_station(place);
-        Stated { event: tidy(event), station: tidy(station), component, ..Stated::default() }
+        let azimuth = component::azimuth(word);
+        Stated {
+            event: tidy(event),
+            station: tidy(station),
+            component,
+            azimuth,
+            ..Stated::default()
+        }
     }
 
     /// What a trace states: its station, its channel by SEED's code, and when it begins, s.
@@ -40,6 +49,7 @@ impl Stated {
             format: "trace",
             station: tidy(station),
             component: Component::of_channel(channel),
+            azimuth: component::azimuth(channel),
             start: start.is_finite().then_some(start),
             ..Stated::default()
         }

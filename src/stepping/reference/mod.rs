@@ -8,6 +8,7 @@
 pub(crate) mod cubic;
 mod device;
 pub(crate) mod extremes;
+pub mod forces;
 pub(crate) mod guards;
 mod momenta;
 pub(crate) mod pulse;

@@ -254,7 +254,7 @@ impl System {
     }
 
     /// Accelerations of the ground.
-    fn ground(&self, t: f64, drive: Drive) -> (f64, f64) {
+    pub(super) fn ground(&self, t: f64, drive: Drive) -> (f64, f64) {
         match (drive, &self.record) {
             (Drive::Pulse, _) => {
                 let wave = self.pulse.map_or(0.0, |pulse| pulse.wave(t));

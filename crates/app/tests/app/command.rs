@@ -357,7 +357,7 @@ fn a_history_leaves_the_motion_of_its_cell() {
         assert!((number(0) - 2.6255).abs() < 1e-3, "{backend}: {last:?}");
         assert!((number(7) + f64::atan2(0.175, 0.95)).abs() < 1e-6, "{backend}: {last:?}");
     }
-    let expected = ["history.csv", "history.png", "history.svg", "run.json"];
+    let expected = ["events.csv", "history.csv", "history.png", "history.svg", "run.json"];
     assert_eq!(names(out.path()), expected);
 }
 

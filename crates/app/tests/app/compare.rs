@@ -261,3 +261,36 @@ fn devices_without_masses_of_plates_are_warned_of_by_name() {
         "{said:?}"
     );
 }
+
+#[test]
+fn all_columns_are_those_with_percentiles_and_the_limit_that_fails_is_named() {
+    let (place, suite) = suite();
+    let (devices, (out, to)) = (list(&place), within(&place, "compared"));
+    let common = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
+    let run =
+        topple(&[&common[..], &["--columns", "all", "--limit-u", "0.0001"]].concat()).success();
+    let said = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    assert!(said.contains(", |u| is beyond its limit"), "{said}");
+    let table = fs::read_to_string(out.join("compare.csv")).unwrap();
+    let heads: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    for name in ["max_u_84", "zeta_84", "friction_demand_84", "min_contact_84"] {
+        assert_eq!(heads.iter().filter(|head| **head == name).count(), 1, "{name}: {heads:?}");
+    }
+    assert!(!heads.iter().any(|head| head.starts_with("outcome")), "{heads:?}");
+    // A name alone that has no percentiles is still refused.
+    assert!(
+        refused(&[&common[..], &["--columns", "outcome"]].concat()).contains("outcome has names")
+    );
+}
+
+#[test]
+fn what_is_wrong_with_a_device_is_told_by_its_columns() {
+    let (place, suite) = suite();
+    let path = place.path().join("wrong.csv");
+    fs::write(&path, "device,isolation,k1,k2\nbearing,horizontal,1e5,2e4\n").unwrap();
+    let (_, to) = within(&place, "compared");
+    let devices = path.display().to_string();
+    let line = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
+    let said = refused(&line);
+    assert!(said.contains("line 2") && !said.contains("--k1"), "{said}");
+}

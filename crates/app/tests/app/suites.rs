@@ -638,7 +638,7 @@ fn a_device_that_changes_with_the_motion_is_refused() {
         (&["--limit-u", "-1"], "must be a positive number"),
         (&["--limit-u", "400"], "metres are meant, not millimetres; --force takes it"),
         (&["--limit-u", "0.4m"], "give it without its unit"),
-        (&["--friction", "0.2"], "--friction: contact forces are not computed under a suite"),
+        (&["--friction", "0.2"], "--friction: a friction is not judged under a suite"),
         (&["--threads", "0"], "must be a number of threads"),
         (&["--strict"], "motions are left out"),
     ] {

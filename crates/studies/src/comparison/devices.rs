@@ -34,9 +34,16 @@ impl Device {
     /// What is wrong with its scene, with its place in the list.
     pub fn refused(&self, error: &SceneError) -> DevicesError {
         let own = self.own.contains(&error.key);
+        // Of what the list has its columns are told, of the rest its keys.
+        let named = |(place, piece): (usize, &str)| match place % 2 {
+            1 if self.own.contains(&piece) => format!("the column {piece}"),
+            1 => format!("`{piece}`"),
+            _ => piece.to_string(),
+        };
+        let problem: String = error.problem.split('`').enumerate().map(named).collect();
         let problem = match own {
-            true => error.problem.clone(),
-            false => format!("{}: `{}`: {}", shown(&self.name), error.key, error.problem),
+            true => problem,
+            false => format!("{}: `{}`: {problem}", shown(&self.name), error.key),
         };
         DevicesError { line: self.line, column: own.then(|| error.key.into()), problem }
     }

@@ -171,6 +171,11 @@ impl ComparisonRequest {
     }
 }
 
+/// True of a column that has percentiles and is not in the table already.
+pub fn is_further(column: Column) -> bool {
+    is_number(column) && !matches!(column, Column::MaxU | Column::StrokeV)
+}
+
 /// True of a column of numbers.
 fn is_number(column: Column) -> bool {
     matches!(column.entry().kind, ColumnKind::Number | ColumnKind::Count)

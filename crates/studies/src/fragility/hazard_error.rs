@@ -46,6 +46,14 @@ pub enum HazardError {
         /// The measure.
         measure: String,
     },
+    /// A heading that says another thing than what is read below it.
+    #[error("the heading `{heading}`: {problem}")]
+    Heading {
+        /// Its word.
+        heading: String,
+        /// What is wrong, and what to do.
+        problem: String,
+    },
     /// The text says another unit than the caller.
     #[error("its levels are in {said}, not in {asked}; leave the units out")]
     Contradicts {

@@ -2,6 +2,8 @@
 
 use super::hazard::HazardCurve;
 use super::hazard_error::HazardError;
+use super::hazard_heading::{self, Rates};
+use crate::suites::delimited;
 use crate::suites::intensity::Intensity;
 use topple::Written;
 use topple::scene::GRAVITY;
@@ -33,6 +35,8 @@ pub fn read(
         return Err(HazardError::NoAcceleration { measure: measure.to_string() });
     }
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // A line may end as on any system.
+    let text = text.replace("\r\n", "\n").replace('\r', "\n");
     let lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
     let lines: Vec<(usize, &str)> = lines.collect();
     match lines.iter().find(|(_, line)| !line.starts_with('#')) {
@@ -57,9 +61,13 @@ fn table(
     asked: Option<Units>,
 ) -> Result<HazardText, HazardError> {
     let mut lines = lines.iter().filter(|(_, line)| !line.starts_with('#')).peekable();
-    let number = |text: &str| text.parse::<f64>().ok();
+    let number = |text: &str| delimited::number(text);
     let header = lines.next_if(|(_, line)| columns(line).into_iter().all(|c| number(c).is_none()));
     let said = header.and_then(|(_, line)| unit_of(columns(line)[0]));
+    let rates = match header {
+        Some((_, line)) => hazard_heading::judged(&columns(line), measure)?,
+        None => Rates::Annual,
+    };
     if let (Some(said), Some(asked)) = (said, asked)
         && said != asked
     {
@@ -78,7 +86,12 @@ fn table(
             let number = number(text).filter(|n| *n > 0.0 && n.is_finite());
             number.ok_or_else(|| HazardError::Number { line, name, text: shown(text) })
         };
-        points.push((line, [scale * positive("level", level)?, positive("rate", rate)?]));
+        let level = scale * positive("level", level)?;
+        let rate = match rates {
+            Rates::Annual => positive("rate", rate)?,
+            Rates::Periods => 1.0 / positive("return period", rate)?,
+        };
+        points.push((line, [level, rate]));
     }
     let curve = HazardCurve::of(&points)?;
     Ok(HazardText { curve, unit, assumed: acceleration && units.is_none() })
@@ -165,9 +178,10 @@ fn told<'a>(comment: &'a str, name: &str) -> Option<&'a str> {
     Some(&rest[..end])
 }
 
-/// The parts of a line.
+/// The parts of a line; beside semicolons or tabs commas are decimal ones.
 fn columns(line: &str) -> Vec<&str> {
-    line.split([',', ';', '\t']).map(|part| part.trim().trim_matches('"').trim()).collect()
+    let separator = [';', '\t'].into_iter().find(|one| line.contains(*one)).unwrap_or(',');
+    line.split(separator).map(|part| part.trim().trim_matches('"').trim()).collect()
 }
 
 /// The unit of accelerations that a header's words tell, in brackets or after an underscore: `PGA [g]`, `sa (m/s2)`, `pga_g`.
@@ -221,7 +235,7 @@ mod tests {
             ("level,rate\n", "m/s²", 1.0, true),
             ("", "m/s²", 1.0, true),
             ("PGA (g);annual rate of exceedance\n", "g", GRAVITY, false),
-            ("sa [m/s2],lambda\n", "m/s2", 1.0, false),
+            ("acc [m/s2],lambda\n", "m/s2", 1.0, false),
             ("pga_g,afe\n", "g", GRAVITY, false),
             ("\u{feff}# of a site\nim,mafe\n", "m/s²", 1.0, true),
         ] {
@@ -275,5 +289,40 @@ mod tests {
         assert!(two.starts_with("it has 3 sites"), "{two}");
         let bare: String = SITE.lines().skip(1).map(|line| format!("{line}\n")).collect();
         assert!(of(&bare, Intensity::Sa(0.5), None).contains("investigation_time"));
+    }
+
+    #[test]
+    fn a_heading_that_says_another_thing_is_refused_and_periods_are_converted() {
+        let rows = "0.1,0.01\n0.2,0.001\n";
+        for (heading, wanted) in [
+            ("pga,probability of exceedance in 50 years", "these are probabilities"),
+            ("pga,poe", "these are probabilities"),
+            ("annual rate,pga", "the levels come first"),
+            ("lambda,PGA (g)", "the levels come first"),
+            ("sa(1.0),rate", "these are levels of sa, not of pga"),
+            ("PGV (cm/s),rate", "these are levels of pgv, not of pga"),
+            ("pga (mg),rate", "levels in mg are not read"),
+            ("pga [%g],rate", "levels in %g are not read"),
+        ] {
+            let said = error(&format!("{heading}\n{rows}"));
+            assert!(
+                said.starts_with("the heading `") && said.contains(wanted),
+                "{heading}: {said}"
+            );
+        }
+        let periods =
+            read("pga (g);Return period [years]\r0,1;475\r0,2;2475\r", Intensity::Pga, None)
+                .unwrap();
+        let rates = read(
+            "pga (g),rate\n0.1,0.00210526315789\n0.2,0.00040404040404\n",
+            Intensity::Pga,
+            None,
+        );
+        let step = Lognormal { theta: 1.3, beta: 0.3 };
+        let [one, other] = [periods, rates.unwrap()].map(|text| text.curve.rate(&step).rate);
+        assert!((one / other - 1.0).abs() < 1.0e-9, "{one} {other}");
+        let velocities =
+            read("PGV (cm/s),rate\n10,0.01\n20,0.001\n", Intensity::Pgv, None).unwrap_err();
+        assert!(velocities.to_string().contains("give m/s"), "{velocities}");
     }
 }

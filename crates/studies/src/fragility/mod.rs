@@ -17,6 +17,7 @@ pub mod export;
 pub mod fit;
 pub mod hazard;
 mod hazard_error;
+mod hazard_heading;
 mod hazard_integrals;
 mod hazard_segment;
 pub mod hazard_text;

@@ -26,7 +26,7 @@ impl DrawnGroups {
     /// The interval of 95 % of a share, which is the mean of the records' `parts` by their weights. Groups are drawn, not
     /// records, and the ends are corrected for bias and acceleration ([`ends`]). Where all parts are 0, or all 1, each set has
     /// the same share: then the interval is that of as many independent trials as there are groups (Clopper & Pearson 1934,
-    /// Biometrika 26(4), 404-413). None of one group with both kinds.
+    /// Biometrika 26(4), 404-413), and no other share has a closer end on that side. None of one group with both kinds.
     pub fn interval(&self, parts: &[f64], weights: &[f64]) -> [Option<f64>; 2] {
         let mut sums = vec![[0.0; 2]; self.count];
         for ((group, part), weight) in self.of.iter().zip(parts).zip(weights) {
@@ -56,7 +56,9 @@ impl DrawnGroups {
         let without = (0..self.count)
             .filter_map(|left| share(&|group| f64::from(u8::from(group != left))))
             .collect::<Vec<_>>();
-        ends(drawn.collect(), estimate, acceleration(&without))
+        let [low, high] = ends(drawn.collect(), estimate, acceleration(&without));
+        // A share with failures has no smaller upper end than one without.
+        [low.map(|low| low.min(1.0 - one_kind)), high.map(|high| high.max(one_kind))]
     }
 }
 
@@ -99,6 +101,10 @@ mod tests {
         let drawn = DrawnGroups::of(&groups, 20, &SETS);
         near(drawn.interval(&[0.0; 20], &[1.0; 20]), 0.0, 0.168_43, 1.0e-5);
         near(drawn.interval(&[1.0; 20], &[0.5; 20]), 0.831_57, 1.0, 1.0e-5);
+        // One of 20 says no less than none.
+        let one: Vec<f64> = groups.iter().map(|k| if *k == 0 { 1.0 } else { 0.0 }).collect();
+        let [_, high] = drawn.interval(&one, &[1.0; 20]);
+        assert!(high.unwrap() >= 0.168_43, "{high:?}");
         assert_eq!(drawn.interval(&[0.0; 20], &[0.0; 20]), [None; 2]);
         let one = DrawnGroups::of(&[0, 0], 1, &SETS);
         assert_eq!(one.interval(&[1.0, 0.0], &[1.0; 2]), [None; 2]);

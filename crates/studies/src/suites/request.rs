@@ -48,7 +48,7 @@ impl SuiteRequest {
             return Err(SceneError::new(key, problem));
         }
         if self.scene.numbers.has(Parameter::Friction) {
-            let problem = "contact forces are not computed under a suite; leave it out, and look at single motions with \
+            let problem = "a friction is not judged under a suite; leave it out, and look at single motions with \
                            `topple seismic`";
             return Err(SceneError::new(Parameter::Friction.entry().key, problem));
         }

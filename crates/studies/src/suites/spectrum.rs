@@ -1,9 +1,9 @@
-//! Response spectra: the exact solution between samples, where the ground's acceleration is linear (Nigam & Jennings
-//! 1969, "Calculation of response spectra from strong-motion earthquake records").
+//! Response spectra, by the exact motion of an oscillator.
 
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
+use topple::scene::record::oscillator::{Motion, Step};
 
 /// Share of the critical damping.
 pub const DAMPING: f64 = 0.05;
@@ -32,7 +32,7 @@ pub fn pseudo_acceleration(samples: &[f64], dt: f64, period: f64, damping: f64) 
             (u, du) = step.end(&motion);
             from += slope;
             peak = peak.max(u.abs());
-            peak = step.peak(&motion, (0.0, before), (step.h, u), HALVINGS, peak);
+            peak = largest((&step, &motion), (0.0, before), (step.h, u), HALVINGS, peak);
         }
     }
     omega * omega * peak
@@ -43,88 +43,27 @@ pub fn spectrum(samples: &[f64], dt: f64, periods: &[f64]) -> Vec<f64> {
     periods.par_iter().map(|period| pseudo_acceleration(samples, dt, *period, DAMPING)).collect()
 }
 
-/// What takes an oscillator over a step of linear acceleration.
-struct Step {
-    /// exp(-xi omega h) times the sine and the cosine of the damped phase.
-    sine: f64,
-    cosine: f64,
-    omega: f64,
-    damping: f64,
-    damped: f64,
-    h: f64,
-}
-
-/// The motion within a step, p + q t + exp(-xi omega t) (x cos(omega_d t) + y sin(omega_d t)): the particular solution is
-/// linear as the acceleration is, the rest swings freely.
-struct Motion {
-    p: f64,
-    q: f64,
-    x: f64,
-    y: f64,
-    /// No |u''| in the step is larger.
-    bend: f64,
-}
-
-impl Step {
-    fn of(omega: f64, damping: f64, h: f64) -> Step {
-        let damped = omega * (1.0 - damping * damping).sqrt();
-        let decay = (-damping * omega * h).exp();
-        let (sine, cosine) = (damped * h).sin_cos();
-        Step { sine: decay * sine, cosine: decay * cosine, omega, damping, damped, h }
+/// The largest |u| so far, after a part of the step between two times with their u. Within the part |u| is no more than
+/// the larger of its ends and |u''| t^2/8: where this is not above the largest value so far by more than the tolerance
+/// the part is left alone, else it is halved.
+fn largest(
+    (step, motion): (&Step, &Motion),
+    from: (f64, f64),
+    to: (f64, f64),
+    left: u32,
+    peak: f64,
+) -> f64 {
+    let length = to.0 - from.0;
+    let most = from.1.abs().max(to.1.abs()) + 0.125 * length * length * motion.bend;
+    // Not by the other comparison: one that is no number ends it, too.
+    if !(most > peak * (1.0 + TOLERANCE)) || left == 0 {
+        return peak;
     }
-
-    /// The derivative of a free swing with these factors of the cosine and the sine.
-    fn derivative(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let Step { omega, damping, damped, .. } = *self;
-        [damped * y - damping * omega * x, -damped * x - damping * omega * y]
-    }
-
-    /// The motion of u'' + 2 xi omega u' + omega^2 u = -a with a linear from `from` to `to`.
-    fn motion(&self, u: f64, du: f64, from: f64, to: f64) -> Motion {
-        let Step { omega, damping, damped, h, .. } = *self;
-        let square = omega * omega;
-        let slope = (to - from) / h;
-        let q = -slope / square;
-        let p = (-from - 2.0 * damping * omega * q) / square;
-        let (x, dx) = (u - p, du - q);
-        let y = (dx + damping * omega * x) / damped;
-        let [a, b] = self.derivative(self.derivative([x, y]));
-        // Of a cos + b sin: in a short step the sine stays small.
-        let bend = (a * a + b * b).sqrt().min(a.abs() + b.abs() * damped * h);
-        Motion { p, q, x, y, bend }
-    }
-
-    /// u and u' at the step's end.
-    fn end(&self, motion: &Motion) -> (f64, f64) {
-        let Motion { p, q, x, y, .. } = *motion;
-        let [a, b] = self.derivative([x, y]);
-        let of = |cosine: f64, sine: f64| cosine * self.cosine + sine * self.sine;
-        (p + q * self.h + of(x, y), q + of(a, b))
-    }
-
-    /// u at a time of the step.
-    fn at(&self, motion: &Motion, t: f64) -> f64 {
-        let Motion { p, q, x, y, .. } = *motion;
-        let (sine, cosine) = (self.damped * t).sin_cos();
-        p + q * t + (-self.damping * self.omega * t).exp() * (x * cosine + y * sine)
-    }
-
-    /// The largest |u| so far, after a part of the step between two times with their u. Within the part |u| is no more than
-    /// the larger of its ends and |u''| t^2/8: where this is not above the largest value so far by more than the tolerance
-    /// the part is left alone, else it is halved.
-    fn peak(&self, motion: &Motion, from: (f64, f64), to: (f64, f64), left: u32, peak: f64) -> f64 {
-        let length = to.0 - from.0;
-        let most = from.1.abs().max(to.1.abs()) + 0.125 * length * length * motion.bend;
-        // Not by the other comparison: one that is no number ends it, too.
-        if !(most > peak * (1.0 + TOLERANCE)) || left == 0 {
-            return peak;
-        }
-        let t = 0.5 * (from.0 + to.0);
-        let middle = (t, self.at(motion, t));
-        let peak = peak.max(middle.1.abs());
-        let peak = self.peak(motion, from, middle, left - 1, peak);
-        self.peak(motion, middle, to, left - 1, peak)
-    }
+    let t = 0.5 * (from.0 + to.0);
+    let middle = (t, step.at(motion, t));
+    let peak = peak.max(middle.1.abs());
+    let peak = largest((step, motion), from, middle, left - 1, peak);
+    largest((step, motion), middle, to, left - 1, peak)
 }
 
 #[cfg(test)]
