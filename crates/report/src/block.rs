@@ -2,7 +2,7 @@
 
 use topple::results::colour::BLACK;
 use topple::scene::record::rounded;
-use topple::scene::{Case, Grid, Scene, SceneBuilder};
+use topple::scene::{Case, Grid, Scene};
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
@@ -10,19 +10,21 @@ use topple_pictures::drawing::{COLUMN, FONT};
 /// Largest width and height of the block, points.
 const MOST: (f64, f64) = (120.0, 170.0);
 /// Left and right of the block room for the dimensions, above it for the width's.
-const ABOVE: f64 = 30.0;
+const ABOVE: f64 = 42.0;
 /// Heights of a plate, of rollers and of springs.
 const PLATE: f64 = 7.0;
-const ROLLER: f64 = 9.0;
+const ROLLER: f64 = 13.0;
 const SPRING: f64 = 20.0;
 const STONE: [u8; 3] = [0xe4, 0xdf, 0xd4];
 const STEEL: [u8; 3] = [0xa9, 0xb4, 0xc0];
 
-/// The numbers of a scene's first cell; none of numbers that no scene accepts.
+/// The numbers of a scene's first cell; none of a block that no scene has.
 pub fn case(scene: &Scene) -> Option<Case> {
-    let again = SceneBuilder::again(scene, None);
-    let scene = again.check_under(scene.excitation.clone()).ok()?;
-    Some(Grid::of(&scene).case(0))
+    let case = Grid::of(scene).case(0);
+    let is_length = |length: f64| length.is_finite() && length > 0.0;
+    let block = &case.block;
+    let stands = block.offset().is_finite() && block.offset().abs() < block.half_width;
+    (is_length(block.half_width) && is_length(block.height) && stands).then_some(case)
 }
 
 /// Draws the block of a scene's first cell on its base, as SVG.
@@ -51,13 +53,14 @@ pub fn draw(case: &Case) -> String {
         }
         canvas.text((0.5 * (from + to), y - 4.0), style(FONT).middle(), text);
     };
-    across(&mut canvas, top - 8.0, (left, right), &metres("2B", 2.0 * block.half_width));
+    across(&mut canvas, top - 20.0, (left, right), &metres("2B", 2.0 * block.half_width));
     if block.offset() != 0.0 {
-        let ends = (middle.min(centre.0), middle.max(centre.0));
-        let y = centre.1 + 14.0;
-        canvas.line([(centre.0, centre.1), (centre.0, y + 3.0)], thin);
+        let (ends, y) = ((middle, centre.0), top - 7.0);
+        canvas.line([centre, (centre.0, y - 2.5)], dashed(BLACK, 0.3, (1.5, 1.5)));
+        canvas.line([(middle, top), (middle, y - 2.5)], thin);
         canvas.line([(ends.0, y), (ends.1, y)], stroke(BLACK, 0.9));
-        canvas.text((middle, y + 11.0), style(FONT).middle(), &metres("e", block.offset()));
+        let name = metres("e", block.offset().abs());
+        canvas.text((right + 4.0, y + MIDDLE * FONT), style(FONT), &name);
     }
     let x = right + 12.0;
     canvas.line([(x, centre.1), (x, foot)], thin);

@@ -27,8 +27,8 @@ pub fn percent(share: f64) -> String {
 fn meaning(kind: Kind, name: &str) -> &'static str {
     match (kind, name) {
         (Kind::History, _) => {
-            "The motion of the block and of its base over time: one calculation. φ is the block's angle over its critical angle: at 1 or \
-             -1 it would tip over by its own weight."
+            "The motion of the block and of its base over time: one calculation. φ is the block's angle, which overturns \
+             at the dotted line; u and v are the displacements of the base; the marks are the moments at which the block lifts and hits."
         }
         (Kind::Suite, _) => "The ground motions of the suite.",
         (Kind::Envelope, _) => {
@@ -115,7 +115,7 @@ fn outcome(key: &str) -> &str {
 
 fn outcomes(folder: &Folder) -> Vec<Piece> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations. The block"))];
+    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
     let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
         let share = count.as_f64()? / cells;

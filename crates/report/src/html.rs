@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use topple_pictures::drawing::text::{self, Piece as Letters};
+
 use super::CREATOR;
 use super::document::{Document, Piece};
 
@@ -35,14 +37,14 @@ fn push(page: &mut String, piece: &Piece) {
             let level = level + 1;
             writeln!(page, "<h{level}>{}</h{level}>", escaped(text))
         }
-        Piece::Text(text) => writeln!(page, "<p>{}</p>", escaped(text)),
+        Piece::Text(text) => writeln!(page, "<p>{}</p>", marked_up(text)),
         Piece::List(lines) => {
-            let lines = lines.iter().map(|line| format!("<li>{}</li>\n", escaped(line)));
+            let lines = lines.iter().map(|line| format!("<li>{}</li>\n", marked_up(line)));
             writeln!(page, "<ul>\n{}</ul>", lines.collect::<String>())
         }
         Piece::Table(names, rows) => {
             let row = |cells: &[String], tag: &str| {
-                let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell)));
+                let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", marked_up(cell)));
                 format!("<tr>{}</tr>\n", cells.collect::<String>())
             };
             let rows = rows.iter().map(|cells| row(cells, "td")).collect::<String>();
@@ -53,15 +55,27 @@ fn push(page: &mut String, piece: &Piece) {
             )
         }
         Piece::Picture(svg, meaning) => {
-            let (data, meaning) = (STANDARD.encode(svg), escaped(meaning));
+            let (data, plain) = (STANDARD.encode(svg), escaped(meaning));
             writeln!(
                 page,
-                "<figure>\n<img alt=\"{meaning}\" src=\"data:image/svg+xml;base64,{data}\">\n\
-                 <figcaption>{meaning}</figcaption>\n</figure>"
+                "<figure>\n<img alt=\"{plain}\" src=\"data:image/svg+xml;base64,{data}\">\n\
+                 <figcaption>{}</figcaption>\n</figure>",
+                marked_up(meaning)
             )
         }
         Piece::Code(lines) => writeln!(page, "<pre>{}</pre>", escaped(&lines.join("\n"))),
     };
+}
+
+/// A text with its symbols' indices below the line.
+fn marked_up(text: &str) -> String {
+    let pieces = text::pieces(text).into_iter().map(|piece| match piece {
+        Letters::Plain(letter) => escaped(letter.encode_utf8(&mut [0; 4])),
+        Letters::Dotted(letter) => format!("{}\u{308}", escaped(letter.encode_utf8(&mut [0; 4]))),
+        Letters::Index(index) => format!("<sub>{}</sub>", escaped(index)),
+        Letters::Power(power) => format!("<sup>{}</sup>", escaped(power)),
+    });
+    pieces.collect()
 }
 
 /// A text without what HTML reads as its own.

@@ -17,12 +17,13 @@ const WIDE: f64 = PAGE.0 - 2.0 * MARGIN;
 /// Sizes of letters.
 const TEXT: f64 = 9.5;
 const SMALL: f64 = 8.0;
+const HEADING: f64 = 13.0;
 const CELL: f64 = 7.0;
 /// From one line to the next, over the size of its letters, and between two parts.
 const LEADING: f64 = 1.4;
 const GAP: f64 = 7.0;
 /// A picture takes no more of a page's height.
-const MOST: f64 = 0.72 * (PAGE.1 - 2.0 * MARGIN);
+const MOST: f64 = 0.6 * (PAGE.1 - 2.0 * MARGIN);
 /// Space within the cells of a table.
 const PAD: f64 = 3.0;
 
@@ -38,11 +39,38 @@ pub fn mark() -> String {
 pub fn write(document: &Document) -> Result<Vec<u8>, FigureError> {
     let mut paper = Paper::new();
     paper.text(&document.title, 17.0, 0.0);
-    for piece in &document.pieces {
+    let mut pieces = document.pieces.iter().peekable();
+    while let Some(piece) = pieces.next() {
+        if let (Piece::Heading(..), Some(Piece::Picture(svg, meaning))) = (piece, pieces.peek()) {
+            // A heading goes with its picture.
+            paper.need(Picture::of(svg, meaning)?.height() + 3.0 * HEADING);
+        }
         paper.put(piece)?;
     }
     paper.turn();
     pdf::pages(&paper.pages, PAGE, (&document.title, CREATOR))
+}
+
+/// A picture on a page.
+struct Picture {
+    size: (f64, f64),
+    scale: f64,
+    /// Height of what is said below it.
+    words: f64,
+}
+
+impl Picture {
+    fn of(svg: &str, meaning: &str) -> Result<Picture, FigureError> {
+        let (width, height) = render::size(svg)?;
+        let scale = (WIDE / width).min(MOST / height).min(1.0);
+        let words = wrapped(meaning, SMALL, WIDE).len() as f64 * LEADING * SMALL;
+        Ok(Picture { size: (width, height), scale, words })
+    }
+
+    /// Height of it and of what is said below it.
+    fn height(&self) -> f64 {
+        self.scale * self.size.1 + self.words + 2.0 * GAP
+    }
 }
 
 /// Pages, and the one that is written on.
@@ -91,7 +119,7 @@ impl Paper {
     fn put(&mut self, piece: &Piece) -> Result<(), FigureError> {
         match piece {
             Piece::Heading(level, text) => {
-                let size = if *level == 1 { 13.0 } else { 11.0 };
+                let size = if *level == 1 { HEADING } else { 11.0 };
                 // Not alone at the foot of a page.
                 self.need(8.0 * size);
                 self.y += GAP;
@@ -113,10 +141,9 @@ impl Paper {
     }
 
     fn picture(&mut self, svg: &str, meaning: &str) -> Result<(), FigureError> {
-        let (width, height) = render::size(svg)?;
-        let scale = (WIDE / width).min(MOST / height).min(1.25);
-        let words = wrapped(meaning, SMALL, WIDE).len() as f64 * LEADING * SMALL;
-        self.need(scale * height + words + 2.0 * GAP);
+        let picture = Picture::of(svg, meaning)?;
+        let Picture { size: (width, height), scale, .. } = picture;
+        self.need(picture.height());
         let x = MARGIN + 0.5 * (WIDE - scale * width);
         self.pictures.push(Placed { svg: svg.into(), x, y: self.y, scale });
         self.y += scale * height + 2.0;

@@ -24,7 +24,7 @@ static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
-/// An SVG as a PNG of 300 pixels an inch.
+/// An SVG as a PNG of 300 pixels an inch, which it says itself: a layout program places it in the SVG's size.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -33,7 +33,7 @@ pub fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
     let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
     // The paper is white and opaque: no pixel's colour is scaled by its opacity.
     let (pixels, _) = pixmap.data().as_chunks::<4>();
-    raster::encode((width, height), pixels, Compression::High)
+    raster::encode((width, height), pixels, Compression::High, Some(PRINT))
 }
 
 /// The pixels of an SVG that is a frame of an animation, with 150 an inch: red, green, blue and opacity.
