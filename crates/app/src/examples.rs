@@ -115,6 +115,14 @@ Examples:
     topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log \
 --resample recording --export nrml,pelicun";
 
+/// Of `topple report`.
+pub const REPORT: &str = "\
+Examples:
+  A map, and the fragility of one of its bases, as a page:
+    topple report map fragility --out report.html
+  The same to be printed:
+    topple report map fragility --out report.pdf";
+
 /// Of `topple compare`.
 pub const COMPARE: &str = "\
 DEVICES is a CSV. Its heading has device, a name, and keys of a scene (docs/parameters.md), such as t_h, psi, u_y, isolation or \

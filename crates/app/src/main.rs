@@ -44,6 +44,7 @@ mod ratios;
 mod record;
 mod refined;
 mod repetition;
+mod report;
 mod results_directory;
 mod run;
 mod save;
@@ -94,6 +95,8 @@ enum Command {
     Fragility(Box<fragility::FragilityCommand>),
     /// Compare the devices of a list under every motion of a suite: shares, strokes, reserve, annual rates
     Compare(Box<compare::CompareCommand>),
+    /// Write a report of runs for who decides and reads no code, as HTML or PDF
+    Report(report::ReportCommand),
     /// Join the shards of a map made with --tile
     Merge(merge::MergeCommand),
     /// Integrate the motion of one cell: every parameter a single number
@@ -138,6 +141,7 @@ fn run() -> anyhow::Result<()> {
         Some(Command::Envelope(command)) => command.run(),
         Some(Command::Fragility(command)) => command.run(),
         Some(Command::Compare(command)) => command.run(),
+        Some(Command::Report(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),
         Some(Command::Run(command)) => command.run(),

@@ -1,10 +1,11 @@
 //! The commands of pages, run in their order in an empty directory, and the files that the page names.
 
 /// The pages of docs whose commands stand alone.
-const PAGES: [&str; 2] = ["first-hour", "compare"];
+const PAGES: [&str; 3] = ["first-hour", "compare", "report"];
 
 /// Endings of the files that a page may name.
-const ENDINGS: [&str; 7] = [".csv", ".npz", ".png", ".svg", ".json", ".toml", ".at2"];
+const ENDINGS: [&str; 9] =
+    [".csv", ".npz", ".png", ".svg", ".json", ".toml", ".at2", ".html", ".pdf"];
 
 fn page(name: &str) -> String {
     let path = format!("{}/../../docs/{name}.md", env!("CARGO_MANIFEST_DIR"));

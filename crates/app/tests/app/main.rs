@@ -32,6 +32,7 @@ mod pictures;
 mod records;
 mod refined;
 mod repair;
+mod reports;
 mod resampled;
 mod shards;
 mod stated_columns;

@@ -162,3 +162,21 @@ fn a_records_name_stands_on_its_maps() {
         is_printable(&svg, name);
     }
 }
+
+/// A layout program that reads the PNG places it in the size of the SVG.
+#[test]
+fn a_png_says_how_large_it_is_in_print() {
+    let out = TempDir::new().unwrap();
+    topple(&MAP, out.path());
+    let file = std::io::BufReader::new(fs::File::open(out.path().join("map.png")).unwrap());
+    let reader = png::Decoder::new(file).read_info().unwrap();
+    let size = reader.info().pixel_dims.unwrap();
+    assert_eq!(size.unit, png::Unit::Meter);
+    assert_eq!((size.xppu, size.yppu), (11_811, 11_811), "300 pixels an inch");
+    let wide = f64::from(reader.info().width) / f64::from(size.xppu) * 1000.0;
+    let svg = svg(out.path(), "map");
+    let width = svg.split("width=\"").nth(1).unwrap().split("mm").next().unwrap();
+    let stated: f64 = width.parse().unwrap();
+    // Half a pixel at each side.
+    assert!((wide - stated).abs() < 0.1, "{wide} mm, {stated} mm");
+}

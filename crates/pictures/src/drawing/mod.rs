@@ -10,6 +10,7 @@ pub mod error;
 pub(crate) mod font;
 pub mod frame;
 pub mod legend;
+pub mod pdf;
 pub mod raster;
 pub mod render;
 pub(crate) mod scale;

@@ -4,13 +4,15 @@ use std::collections::HashMap;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use png::{BitDepth, ColorType, Compression, Encoder};
+use png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, Unit};
 
 use super::error::FigureError;
 
 /// Red, green, blue and opacity.
 pub type Rgba = [u8; 4];
 
+/// Metres of an inch.
+const METRES: f32 = 0.0254;
 /// Most colours of a table.
 const COLOURS: usize = 256;
 
@@ -26,11 +28,11 @@ pub fn png(
     for row in 0..height {
         pixels.extend((0..width).map(|column| pixel(column, row)));
     }
-    encode((width, height), &pixels, Compression::Fast)
+    encode((width, height), &pixels, Compression::Fast, None)
 }
 
 /// Pixels as a PNG. Of more than 256 colours the rarest, which soften the edges of letters and lines,
-/// become those nearest to them.
+/// become those nearest to them. What is to be printed has so many pixels an inch.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -38,6 +40,7 @@ pub fn encode(
     (width, height): (usize, usize),
     pixels: &[Rgba],
     compression: Compression,
+    per_inch: Option<f32>,
 ) -> Result<Vec<u8>, FigureError> {
     let failed = |e: &dyn std::fmt::Display| FigureError::Encode(e.to_string());
     let side = |n: usize| u32::try_from(n).map_err(|e| failed(&e));
@@ -47,6 +50,10 @@ pub fn encode(
     encoder.set_color(ColorType::Indexed);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(compression);
+    encoder.set_pixel_dims(per_inch.map(|per_inch| {
+        let per_metre = (per_inch / METRES).round() as u32;
+        PixelDimensions { xppu: per_metre, yppu: per_metre, unit: Unit::Meter }
+    }));
     encoder.set_palette(table.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect::<Vec<u8>>());
     if table.iter().any(|[.., opacity]| *opacity < 255) {
         encoder.set_trns(table.iter().map(|colour| colour[3]).collect::<Vec<u8>>());

@@ -4,13 +4,16 @@ use std::sync::{Arc, LazyLock};
 
 use png::Compression;
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, fontdb};
+use resvg::usvg::{ImageHrefResolver, Options, Tree, WriteOptions, fontdb};
 
 use super::error::FigureError;
 use super::{font, raster};
 
 /// Pixels an inch of a picture's PNG: what journals ask for.
 const PRINT: f32 = 300.0;
+/// Units an inch of a tree in points, and in the pixels of CSS.
+pub(super) const POINTS: f32 = 72.0;
+const CSS: f32 = 96.0;
 /// Pixels an inch of an animation, which is shown on a screen.
 const SCREEN: f32 = 150.0;
 
@@ -21,7 +24,7 @@ static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
-/// An SVG as a PNG of 300 pixels an inch.
+/// An SVG as a PNG of 300 pixels an inch, which it says itself: a layout program places it in the SVG's size.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -30,7 +33,7 @@ pub fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
     let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
     // The paper is white and opaque: no pixel's colour is scaled by its opacity.
     let (pixels, _) = pixmap.data().as_chunks::<4>();
-    raster::encode((width, height), pixels, Compression::High)
+    raster::encode((width, height), pixels, Compression::High, Some(PRINT))
 }
 
 /// The pixels of an SVG that is a frame of an animation, with 150 an inch: red, green, blue and opacity.
@@ -43,12 +46,43 @@ pub fn frame(svg: &str) -> Result<Pixmap, FigureError> {
 
 fn pixels(svg: &str, dpi: f32) -> Result<Pixmap, FigureError> {
     let failed = |e: String| FigureError::Encode(e);
-    let options = Options { fontdb: Arc::clone(&FONTS), dpi, ..Options::default() };
-    let tree = Tree::from_str(svg, &options).map_err(|e| failed(e.to_string()))?;
+    let tree = tree(svg, dpi)?;
     let size = tree.size();
     let mut pixmap = Pixmap::new(size.width().round() as u32, size.height().round() as u32)
         .ok_or_else(|| failed("no memory for the picture".into()))?;
     pixmap.fill(resvg::tiny_skia::Color::WHITE);
     resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
     Ok(pixmap)
+}
+
+/// An SVG as it is drawn, of so many units an inch. Images that are files of their own are not read.
+pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
+    let resolver =
+        ImageHrefResolver { resolve_string: Box::new(|_, _| None), ..ImageHrefResolver::default() };
+    let options = Options {
+        fontdb: Arc::clone(&FONTS),
+        dpi,
+        image_href_resolver: resolver,
+        ..Options::default()
+    };
+    Tree::from_str(svg, &options).map_err(|e| FigureError::Encode(e.to_string()))
+}
+
+/// The same picture without text: its letters are paths, so that it needs no font. Nothing that acts or points out of the
+/// document is left in it.
+///
+/// # Errors
+/// [`FigureError::Encode`]: no SVG.
+pub fn outlined(svg: &str) -> Result<String, FigureError> {
+    let options = WriteOptions { coordinates_precision: 3, ..WriteOptions::default() };
+    Ok(tree(svg, CSS)?.to_string(&options))
+}
+
+/// Width and height of a picture, points.
+///
+/// # Errors
+/// [`FigureError::Encode`]: no SVG.
+pub fn size(svg: &str) -> Result<(f64, f64), FigureError> {
+    let size = tree(svg, POINTS)?.size();
+    Ok((size.width().into(), size.height().into()))
 }

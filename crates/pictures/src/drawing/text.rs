@@ -67,7 +67,7 @@ const DOTS: char = '\u{308}';
 const DIAERESIS: char = '¨';
 
 /// A piece of a text.
-enum Piece<'a> {
+pub enum Piece<'a> {
     /// On the line.
     Plain(char),
     /// With two dots, the sign of a second derivative, which the font has for a u but not for a v.
@@ -79,7 +79,7 @@ enum Piece<'a> {
 }
 
 /// The pieces of a text: a symbol's index is lowered, what stands in `^{...}` is raised.
-fn pieces(text: &str) -> Vec<Piece<'_>> {
+pub fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut pieces = Vec::new();
     let mut before = ' ';
     let mut rest = text;

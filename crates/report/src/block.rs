@@ -1,0 +1,157 @@
+//! The block on its base: the block to scale, what carries it as symbols.
+
+use topple::results::colour::BLACK;
+use topple::scene::record::rounded;
+use topple::scene::{Case, Grid, Scene};
+use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
+use topple_pictures::drawing::text::{MIDDLE, style};
+use topple_pictures::drawing::{COLUMN, FONT};
+
+/// Largest width and height of the block, points.
+const MOST: (f64, f64) = (120.0, 170.0);
+/// Left and right of the block room for the dimensions, above it for the width's.
+const ABOVE: f64 = 42.0;
+/// Heights of a plate, of rollers and of springs.
+const PLATE: f64 = 7.0;
+const ROLLER: f64 = 13.0;
+const SPRING: f64 = 20.0;
+const STONE: [u8; 3] = [0xe4, 0xdf, 0xd4];
+const STEEL: [u8; 3] = [0xa9, 0xb4, 0xc0];
+
+/// The numbers of a scene's first cell; none of a block that no scene has.
+pub fn case(scene: &Scene) -> Option<Case> {
+    let case = Grid::of(scene).case(0);
+    let is_length = |length: f64| length.is_finite() && length > 0.0;
+    let block = &case.block;
+    let stands = block.offset().is_finite() && block.offset().abs() < block.half_width;
+    (is_length(block.half_width) && is_length(block.height) && stands).then_some(case)
+}
+
+/// Draws the block of a scene's first cell on its base, as SVG.
+pub fn draw(case: &Case) -> String {
+    let (block, base) = (&case.block, &case.isolation);
+    let scale = (MOST.0 / (2.0 * block.half_width)).min(MOST.1 / (2.0 * block.height));
+    let (wide, high) = (2.0 * block.half_width * scale, 2.0 * block.height * scale);
+    let mut canvas = Canvas::new(COLUMN);
+    let thin = stroke(BLACK, 0.5);
+    let line = stroke(BLACK, 0.8);
+    let middle = 0.5 * COLUMN - 10.0;
+    let (left, right, top) = (middle - 0.5 * wide, middle + 0.5 * wide, ABOVE);
+    let foot = top + high;
+    let body = Place { x: left, y: top, width: wide, height: high };
+    canvas.fill(body, STONE);
+    canvas.outline(body, line);
+    let centre = (middle + block.offset() * scale, foot - block.height * scale);
+    canvas.line([(middle, top), (middle, foot)], dashed(BLACK, 0.4, (3.0, 2.0)));
+    canvas.disc(centre, 2.2, BLACK);
+    canvas.text((centre.0 + 4.0, centre.1 - 3.0), style(FONT), "C");
+    // Between ends, a dimension and its name.
+    let across = |canvas: &mut Canvas, y: f64, (from, to): (f64, f64), text: &str| {
+        canvas.line([(from, y), (to, y)], thin);
+        for x in [from, to] {
+            canvas.line([(x, y - 2.5), (x, y + 2.5)], thin);
+        }
+        canvas.text((0.5 * (from + to), y - 4.0), style(FONT).middle(), text);
+    };
+    across(&mut canvas, top - 20.0, (left, right), &metres("2B", 2.0 * block.half_width));
+    if block.offset() != 0.0 {
+        let (ends, y) = ((middle, centre.0), top - 7.0);
+        canvas.line([centre, (centre.0, y - 2.5)], dashed(BLACK, 0.3, (1.5, 1.5)));
+        canvas.line([(middle, top), (middle, y - 2.5)], thin);
+        canvas.line([(ends.0, y), (ends.1, y)], stroke(BLACK, 0.9));
+        let name = metres("e", block.offset().abs());
+        canvas.text((right + 4.0, y + MIDDLE * FONT), style(FONT), &name);
+    }
+    let x = right + 12.0;
+    canvas.line([(x, centre.1), (x, foot)], thin);
+    for y in [centre.1, foot] {
+        canvas.line([(x - 2.5, y), (x + 2.5, y)], thin);
+    }
+    canvas.line([(centre.0 + 3.0, centre.1), (x, centre.1)], dashed(BLACK, 0.3, (1.5, 1.5)));
+    let place = (x + 5.0, 0.5 * (centre.1 + foot) + MIDDLE * FONT);
+    canvas.text(place, style(FONT), &metres("H", block.height));
+    let mut y = foot;
+    let wider = 12.0;
+    let plate = |canvas: &mut Canvas, y: f64, text: String| {
+        let place = Place { x: left - wider, y, width: wide + 2.0 * wider, height: PLATE };
+        canvas.fill(place, STEEL);
+        canvas.outline(place, stroke(BLACK, 0.6));
+        canvas.text((place.right() + 4.0, y + 0.5 * PLATE + MIDDLE * FONT), style(FONT), &text);
+    };
+    let beside = |canvas: &mut Canvas, y: f64, text: String| {
+        canvas.text((right + wider + 4.0, y + MIDDLE * FONT), style(FONT), &text);
+    };
+    if let Some(vertical) = &base.vertical {
+        plate(&mut canvas, y, format!("m_v = {} kg", short(base.plate_v)));
+        y += PLATE;
+        for x in [left, right] {
+            let turns = 6;
+            let step = SPRING / f64::from(turns);
+            let points = (0..=turns).map(|k| {
+                let side = match k {
+                    0 => 0.0,
+                    k if k == turns => 0.0,
+                    k if k % 2 == 0 => -4.0,
+                    _ => 4.0,
+                };
+                (x + side, y + step * f64::from(k))
+            });
+            canvas.line(points, line);
+        }
+        beside(&mut canvas, y + 0.5 * SPRING, format!("T_v = {} s", short(vertical.t_v)));
+        y += SPRING;
+    }
+    if let Some(horizontal) = &base.horizontal {
+        plate(&mut canvas, y, format!("m_h = {} kg", short(base.plate_h)));
+        y += PLATE;
+        for x in [left, middle, right] {
+            canvas.ring((x, y + 0.5 * ROLLER), 0.5 * ROLLER - 0.4, line);
+        }
+        beside(&mut canvas, y + 0.5 * ROLLER, format!("T_h = {} s", short(horizontal.t_h)));
+        y += ROLLER;
+    }
+    let (from, to) = (left - 2.5 * wider, right + 2.5 * wider);
+    canvas.line([(from, y), (to, y)], stroke(BLACK, 1.0));
+    let mut x = from;
+    while x < to - 4.0 {
+        canvas.line([(x, y + 5.0), (x + 5.0, y)], stroke(BLACK, 0.4));
+        x += 6.0;
+    }
+    let below = y + 8.0 + FONT;
+    let words = "the ground, which moves as the motion says";
+    canvas.text((middle, below), style(FONT).middle(), words);
+    canvas.finish(below + 6.0)
+}
+
+fn metres(name: &str, value: f64) -> String {
+    format!("{name} = {} m", short(value))
+}
+
+fn short(value: f64) -> String {
+    rounded(value, 4).to_string()
+}
+
+/// What the picture shows, and what of it is not to scale.
+pub fn caption(scene: &Scene, case: &Case) -> String {
+    let mut text = "The block on its base. The block is drawn to scale; the plates, springs and rollers of the base are symbols. B is half \
+                    the width, H the height of the centre of mass C above the base: a block of even density is twice as high, as drawn."
+        .to_string();
+    if case.block.offset() != 0.0 {
+        let side = if case.block.offset() > 0.0 { "right" } else { "left" };
+        text += &format!(" C lies to the {side} of the middle by e.");
+    }
+    text += match (case.isolation.horizontal.is_some(), case.isolation.vertical.is_some()) {
+        (true, true) => {
+            " The base moves horizontally (T_h) on the ground, and the upper plate vertically (T_v) on springs."
+        }
+        (true, false) => " The base moves horizontally (T_h) on the ground, not vertically.",
+        (false, true) => " The plate moves vertically (T_v) on springs, not horizontally.",
+        (false, false) => " The block stands on the ground itself.",
+    };
+    let swept = scene.swept();
+    if !swept.is_empty() {
+        let symbols: Vec<&str> = swept.iter().map(|one| one.entry().symbol).collect();
+        text += &format!(" Of {}, which vary, the first values are drawn.", symbols.join(", "));
+    }
+    text
+}

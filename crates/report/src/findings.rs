@@ -1,0 +1,332 @@
+//! What a run found, in sentences, tables and its pictures.
+
+use topple::results::earlier::Kind;
+use topple::scene::record::rounded;
+use topple_studies::suites::intensity::Intensity;
+
+use super::document::Piece;
+use super::folder::{Folder, ReportError, Rows};
+
+/// Most rows of a table that are printed; the whole table lies in the run's directory.
+const ROWS: usize = 24;
+
+/// A number for readers: three digits.
+pub fn number(value: f64) -> String {
+    rounded(value, 3).to_string()
+}
+
+/// A share as a percentage.
+pub fn percent(share: f64) -> String {
+    match 100.0 * share {
+        some if some > 0.0 && some < 0.1 => "less than 0.1 %".into(),
+        share => format!("{share:.1} %"),
+    }
+}
+
+/// What a picture shows, by its name and the kind of the run.
+fn meaning(kind: Kind, name: &str) -> &'static str {
+    match (kind, name) {
+        (Kind::History, _) => {
+            "The motion of the block and of its base over time: one calculation. φ is the block's angle, which overturns \
+             at the dotted line; u and v are the displacements of the base; the marks are the moments at which the block lifts and hits."
+        }
+        (Kind::Suite, _) => "The ground motions of the suite.",
+        (Kind::Envelope, _) => {
+            "All motions of the suite together. Where all limits are kept the base would do; the axes are the numbers of the base or \
+             of the block that were varied."
+        }
+        (Kind::Fragility, _) => {
+            "How likely the block fails, over the strength of the ground motion. A curve that lies further to the right belongs to a \
+             safer base. Marks are counted motions; the bands show how far so few motions leave the curve open."
+        }
+        (Kind::Comparison, _) => {
+            "The devices side by side: under which share of the motions the block stands, how far each base moves, and how much \
+             stronger the motions may become."
+        }
+        (Kind::Probability, _) => {
+            "How likely the block overturns where numbers are not known exactly: each point is the share of many calculations."
+        }
+        (Kind::Map, "displacement_u") => {
+            "The largest horizontal displacement of the base. So much room is needed on each side."
+        }
+        (Kind::Map, "displacement_v") => {
+            "The largest vertical displacement of the base, the deflection under the weight included."
+        }
+        (Kind::Map, "stroke_v") => {
+            "The largest vertical stroke of the base about its place at rest: what a spring or a damper must allow."
+        }
+        (Kind::Map, "contact") => {
+            "The force between block and base: how small it becomes, and how much friction is needed so that the block does not slide."
+        }
+        (Kind::Map, _) => {
+            "A map of what becomes of the block. Each point is one calculation with the numbers of its axes; the legend says what the \
+             colours mean and how much of the map they take."
+        }
+    }
+}
+
+/// What a run was to find out, in a sentence.
+pub fn question(folder: &Folder) -> String {
+    match folder.kind {
+        Kind::Map => {
+            "Does the block stay in contact with its base, rock, or overturn, and how does that depend on the numbers of the map's axes?"
+        }
+        Kind::History => "How does the block move in one case?",
+        Kind::Suite => "Which ground motions are used, and how strong are they?",
+        Kind::Envelope => "Which base keeps the block standing under the motions of a suite, and within which strokes?",
+        Kind::Fragility => "How likely is it that the block overturns, given the strength of the ground motion?",
+        Kind::Comparison => "Which of the devices of a list keeps the block standing, and how far does each move?",
+        Kind::Probability => "How likely is it that the block overturns, where some numbers are not known exactly?",
+    }
+    .into()
+}
+
+/// The pictures and tables of a run, each with what it means.
+///
+/// # Errors
+/// [`ReportError`]: a file that cannot be read.
+pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let mut pieces = match folder.kind {
+        Kind::Map => outcomes(folder),
+        Kind::History => history(folder),
+        Kind::Suite => suite(folder)?,
+        Kind::Envelope => envelope(folder)?,
+        Kind::Fragility => fragility(folder)?,
+        Kind::Comparison => comparison(folder)?,
+        Kind::Probability => probability(folder),
+    };
+    for (name, svg) in folder.pictures()? {
+        pieces.push(Piece::Picture(svg, meaning(folder.kind, name).into()));
+    }
+    Ok(pieces)
+}
+
+/// What an outcome is, in words.
+fn outcome(key: &str) -> &str {
+    match key {
+        "full_contact" => "stays in full contact with its base",
+        "rocking" => "rocks and stays standing",
+        "overturned_left" => "overturns about the left corner",
+        "overturned_right" => "overturns about the right corner",
+        "unresolved" => "not decided by the calculation",
+        other => other,
+    }
+}
+
+fn outcomes(folder: &Folder) -> Vec<Piece> {
+    let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
+    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
+    let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
+    let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
+        let share = count.as_f64()? / cells;
+        (share > 0.0).then(|| vec![outcome(key).to_string(), percent(share)])
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    pieces.push(Piece::Table(vec!["the block".into(), "share of the map".into()], rows));
+    pieces.push(Piece::Text(
+        "A share of the map is no probability: it says how much of the area of the map has this outcome."
+            .into(),
+    ));
+    if let Some(tensile) = folder.number("tensile_cells").filter(|count| *count > 0.0) {
+        pieces.push(Piece::Text(format!(
+            "In {} of the map the base would have to pull at the block. There the model does not hold; the map is hatched.",
+            percent(tensile / cells)
+        )));
+    }
+    pieces
+}
+
+fn history(folder: &Folder) -> Vec<Piece> {
+    let of = |key: &str| folder.run.get("outcome").and_then(|outcome| outcome.get(key));
+    let value = |key: &str| of(key).and_then(|value| value.as_f64());
+    let class = of("class").and_then(|class| class.as_str()).unwrap_or_default();
+    let mut text = format!("The block {}.", outcome(class));
+    let numbers = [
+        ("impacts", " It hits its base", " times."),
+        ("max_u", " The base moves horizontally by up to", " m."),
+        ("stroke_v", " Its vertical stroke is up to", " m."),
+    ];
+    for (key, before, after) in numbers {
+        if let Some(value) = value(key) {
+            text += &format!("{before} {}{after}", number(value));
+        }
+    }
+    vec![Piece::Text(text)]
+}
+
+/// A cell of a table as a reader wants it: numbers with three digits.
+fn shown(row: &std::collections::BTreeMap<String, String>, column: &str) -> String {
+    let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { return "–".into() };
+    text.parse().map_or_else(|_| text.clone(), number)
+}
+
+/// Columns of a table under names of their own, no more than [`ROWS`] rows of it.
+fn table(rows: &Rows, columns: &[(&str, &str)]) -> Vec<Piece> {
+    let there = |column: &str| rows.first().is_some_and(|row| row.contains_key(column));
+    let columns: Vec<&(&str, &str)> = columns.iter().filter(|(column, _)| there(column)).collect();
+    let names = columns.iter().map(|(_, name)| name.to_string()).collect();
+    let some = rows.iter().take(ROWS);
+    let cells = some.map(|row| columns.iter().map(|(column, _)| shown(row, column)).collect());
+    let mut pieces = vec![Piece::Table(names, cells.collect())];
+    if rows.len() > ROWS {
+        let text =
+            format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
+        pieces.push(Piece::Text(text));
+    }
+    pieces
+}
+
+fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let rows = folder.table("suite.csv")?.unwrap_or_default();
+    let mut pieces = vec![Piece::Text(format!(
+        "The suite has {} motions. Its peaks and durations are those after scaling.",
+        rows.len()
+    ))];
+    let columns = [
+        ("id", "motion"),
+        ("event", "event"),
+        ("station", "station"),
+        ("duration", "duration [s]"),
+        ("pga_h", "horizontal peak [m/s²]"),
+        ("pga_v", "vertical peak [m/s²]"),
+        ("pgv", "peak velocity [m/s]"),
+    ];
+    pieces.extend(table(&rows, &columns));
+    let left_out = folder.run.get("left_out").and_then(|left| left.as_object());
+    let left_out: Vec<String> = left_out
+        .into_iter()
+        .flatten()
+        .map(|(name, why)| format!("{name} is left out: {}", why.as_str().unwrap_or_default()))
+        .collect();
+    if !left_out.is_empty() {
+        pieces.push(Piece::List(left_out));
+    }
+    Ok(pieces)
+}
+
+/// What a base must keep, in a sentence.
+fn limits(folder: &Folder) -> String {
+    let share = folder.number("standing").unwrap_or(1.0);
+    let mut text = match share {
+        1.0 => "The block is to stand under all motions".to_string(),
+        share => format!("The block is to stand under {} of the motions", percent(share)),
+    };
+    for (key, what) in [("limit_u", "horizontally"), ("limit_v", "vertically")] {
+        if let Some(limit) = folder.number(key) {
+            text += &format!(", the base to move {what} by no more than {limit} m");
+        }
+    }
+    text + "."
+}
+
+fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let motions = folder.run.get("motions").and_then(|all| all.as_array()).map_or(0, Vec::len);
+    let mut text = format!("{} Each base is tried under {motions} motions.", limits(folder));
+    if let (Some(feasible), Some(cells)) = (folder.number("feasible"), folder.number("cells")) {
+        text += &match cells {
+            1.0 if feasible == 1.0 => " The base keeps all limits.".to_string(),
+            1.0 => " The base does not keep all limits.".to_string(),
+            cells => format!(" {feasible} of {cells} bases keep all limits."),
+        };
+    }
+    let mut pieces = vec![Piece::Text(text)];
+    let rows = folder.table("envelope.csv")?.unwrap_or_default();
+    if rows.len() == 1 {
+        pieces.extend(table(&rows, &STROKES));
+    }
+    Ok(pieces)
+}
+
+/// Columns of what becomes of a base under a suite.
+const STROKES: [(&str, &str); 10] = [
+    ("device", "device"),
+    ("standing", "share of the motions under which the block stands"),
+    ("lifted", "share that lifts it"),
+    ("max_u_50", "|u| not exceeded under 50 % [m]"),
+    ("max_u_84", "84 %"),
+    ("max_u_100", "100 %"),
+    ("stroke_v_100", "largest vertical stroke [m]"),
+    ("reserve", "keeps all limits up to so many times the motions"),
+    ("rate", "overturns so often a year"),
+    ("feasible", "keeps all limits (1: yes)"),
+];
+
+fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let rows = folder.table("compare.csv")?.unwrap_or_default();
+    let mut pieces =
+        vec![Piece::Text(format!("{} u is the displacement of the base.", limits(folder)))];
+    pieces.extend(table(&rows, &STROKES));
+    Ok(pieces)
+}
+
+fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let measure = folder.text("im").and_then(|text| text.parse::<Intensity>().ok());
+    let label = measure.map_or("the ground motion's strength".into(), Intensity::label);
+    let axes: Vec<(String, String)> = axes(folder);
+    let mut columns: Vec<(&str, &str)> =
+        axes.iter().map(|(key, name)| (key.as_str(), name.as_str())).collect();
+    columns.push(("limit_state", "the block fails by"));
+    columns.push(("estimator", "estimated by"));
+    let mut fits = columns.clone();
+    let median = format!("half fail at {label} (θ)");
+    fits.extend([
+        ("theta", median.as_str()),
+        ("theta_low", "95 %: from"),
+        ("theta_high", "to"),
+        ("beta", "spread (β)"),
+    ]);
+    let mut pieces = vec![Piece::Text(format!(
+        "The motions of the suite are scaled to levels of {label}. θ is the level at which half of the motions make the block fail, \
+         β how wide the step from none to all is."
+    ))];
+    pieces.extend(table(&folder.table("fits.csv")?.unwrap_or_default(), &fits));
+    if let Some(rows) = folder.table("rates.csv")? {
+        let mut rates = columns;
+        rates.extend([
+            ("rate", "so often a year"),
+            ("rate_low", "95 %: from"),
+            ("rate_high", "to"),
+            ("in_50_years", "probability in 50 years"),
+            ("rate_empirical", "a year, by counted motions alone"),
+            ("share_without_failures", "share from levels without a failure"),
+        ]);
+        pieces.push(Piece::Text(
+            "Together with the hazard of the site, which says how often a year such ground motions come, this is how often the block is \
+             expected to fail. Where a large share comes from levels at which no motion fails, the rate rests on the shape of a curve, \
+             not on a calculation."
+                .into(),
+        ));
+        pieces.extend(table(&rows, &rates));
+    }
+    Ok(pieces)
+}
+
+/// The axes of a run, by their keys, and how they are labelled.
+fn axes(folder: &Folder) -> Vec<(String, String)> {
+    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
+    swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
+}
+
+fn probability(folder: &Folder) -> Vec<Piece> {
+    let mut text = String::from(
+        "Some numbers are not known exactly; each point of the map is calculated with many values of them",
+    );
+    if let Some(samples) = folder.number("samples") {
+        text += &format!(", {samples} in all");
+    }
+    text += ".";
+    if let Some(mean) = folder.number("mean_probability") {
+        text += &format!(
+            " Over the whole map the block overturns in {} of the calculations.",
+            percent(mean)
+        );
+    }
+    let varied = folder.run.get("vary").and_then(|vary| vary.as_array());
+    let varied: Vec<String> =
+        varied.into_iter().flatten().filter_map(|one| one.as_str().map(String::from)).collect();
+    let mut pieces = vec![Piece::Text(text)];
+    if !varied.is_empty() {
+        pieces.push(Piece::Code(varied));
+    }
+    pieces
+}

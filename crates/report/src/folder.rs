@@ -1,0 +1,126 @@
+//! The files of a run, as run.json names them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde_json::Value;
+use topple::results::earlier::{Kind, RUN};
+use topple::scene::{Scene, bounded};
+use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::render;
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// A folder that holds no run.
+    #[error(
+        "{0}: no results of topple: {1}; give the directory that a command of topple wrote with --out"
+    )]
+    NoRun(PathBuf, String),
+    /// A file that run.json names and that is not as the run wrote it.
+    #[error("{0}: {1}; run the command again that wrote the directory")]
+    File(PathBuf, String),
+    /// A picture that cannot be made.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+}
+
+/// Of run.json what every run has.
+#[derive(Deserialize)]
+struct Written {
+    kind: Kind,
+    version: String,
+    scene: Option<Scene>,
+    files: Vec<String>,
+}
+
+/// A run: its directory and its run.json.
+#[derive(Debug)]
+pub struct Folder {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What it is of.
+    pub kind: Kind,
+    /// The version of topple that wrote it.
+    pub version: String,
+    /// The scene, where it has one.
+    pub scene: Option<Scene>,
+    /// All of run.json.
+    pub run: Value,
+    /// Names of the files beside it.
+    files: Vec<String>,
+}
+
+/// A table of a run: each row by the names of the columns.
+pub type Rows = Vec<BTreeMap<String, String>>;
+
+impl Folder {
+    /// Reads the run.json of a directory, and looks whether all files are there that it names.
+    ///
+    /// # Errors
+    /// [`ReportError`]: no run, or one that lacks a file.
+    pub fn read(path: &Path) -> Result<Folder, ReportError> {
+        let none = |why: String| ReportError::NoRun(path.into(), why);
+        let text = bounded::text(&path.join(RUN), bounded::DOCUMENT)
+            .map_err(|error| none(format!("{RUN}: {error}")))?;
+        let read = || -> serde_json::Result<(Written, Value)> {
+            Ok((serde_json::from_str(&text)?, serde_json::from_str(&text)?))
+        };
+        let (written, run) = read().map_err(|error| none(format!("{RUN}: {error}")))?;
+        let Written { kind, version, scene, files } = written;
+        let folder = Folder { path: path.into(), kind, version, scene, run, files };
+        for name in &folder.files {
+            if Path::new(name).file_name().is_none_or(|only| only != name.as_str()) {
+                return Err(none(format!("{RUN} names {name:?}, which is no file beside it")));
+            }
+            if !path.join(name).exists() {
+                let problem = format!("{RUN} names it, and it is not there");
+                return Err(ReportError::File(path.join(name), problem));
+            }
+        }
+        Ok(folder)
+    }
+
+    /// The pictures, by their names without an ending, as documents that need no font.
+    ///
+    /// # Errors
+    /// [`ReportError::File`]: one that cannot be read.
+    pub fn pictures(&self) -> Result<Vec<(&str, String)>, ReportError> {
+        let names = self.files.iter().filter_map(|name| name.strip_suffix(".svg"));
+        names.map(|name| Ok((name, self.picture(name)?))).collect()
+    }
+
+    fn picture(&self, name: &str) -> Result<String, ReportError> {
+        let path = self.path.join(format!("{name}.svg"));
+        let text = bounded::text(&path, bounded::DOCUMENT)
+            .map_err(|error| ReportError::File(path.clone(), error.to_string()))?;
+        render::outlined(&text).map_err(|error| ReportError::File(path, error.to_string()))
+    }
+
+    /// The rows of a table; none where the run has none of this name.
+    ///
+    /// # Errors
+    /// [`ReportError::File`]: one that cannot be read.
+    pub fn table(&self, name: &str) -> Result<Option<Rows>, ReportError> {
+        if !self.files.iter().any(|file| file == name) {
+            return Ok(None);
+        }
+        let path = self.path.join(name);
+        let failed = |error: String| ReportError::File(path.clone(), error);
+        let bytes = bounded::read(&path, bounded::DOCUMENT).map_err(|e| failed(e.to_string()))?;
+        let mut reader = csv::Reader::from_reader(bytes.as_slice());
+        let rows = reader.deserialize().collect::<Result<Rows, csv::Error>>();
+        rows.map(Some).map_err(|error| failed(error.to_string()))
+    }
+
+    /// A number of run.json.
+    pub fn number(&self, key: &str) -> Option<f64> {
+        self.run.get(key)?.as_f64()
+    }
+
+    /// A text of run.json.
+    pub fn text(&self, key: &str) -> Option<&str> {
+        self.run.get(key)?.as_str()
+    }
+}

@@ -1,0 +1,118 @@
+//! A report as one page of HTML: no network, no scripts, and it prints to A4.
+
+use std::fmt::Write as _;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use topple_pictures::drawing::text::{self, Piece as Letters};
+
+use super::CREATOR;
+use super::document::{Document, Piece};
+
+const STYLE: &str = include_str!("report.css");
+
+/// How a page of a report says what it is.
+pub fn mark() -> String {
+    format!("<meta name=\"generator\" content=\"{CREATOR}\">")
+}
+
+/// The page.
+pub fn write(document: &Document) -> String {
+    let title = escaped(&document.title);
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
+        mark()
+    );
+    document.pieces.iter().for_each(|piece| push(&mut page, piece));
+    page + "</main>\n</body>\n</html>\n"
+}
+
+/// Writes a part. Writing into a string cannot fail.
+fn push(page: &mut String, piece: &Piece) {
+    let _ = match piece {
+        Piece::Heading(level, text) => {
+            let level = level + 1;
+            writeln!(page, "<h{level}>{}</h{level}>", escaped(text))
+        }
+        Piece::Text(text) => writeln!(page, "<p>{}</p>", marked_up(text)),
+        Piece::List(lines) => {
+            let lines = lines.iter().map(|line| format!("<li>{}</li>\n", marked_up(line)));
+            writeln!(page, "<ul>\n{}</ul>", lines.collect::<String>())
+        }
+        Piece::Table(names, rows) => {
+            let row = |cells: &[String], tag: &str| {
+                let cells = cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", marked_up(cell)));
+                format!("<tr>{}</tr>\n", cells.collect::<String>())
+            };
+            let rows = rows.iter().map(|cells| row(cells, "td")).collect::<String>();
+            let head = row(names, "th");
+            writeln!(
+                page,
+                "<div class=\"wide\"><table>\n<thead>{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>"
+            )
+        }
+        Piece::Picture(svg, meaning) => {
+            let (data, plain) = (STANDARD.encode(svg), escaped(meaning));
+            writeln!(
+                page,
+                "<figure>\n<img alt=\"{plain}\" src=\"data:image/svg+xml;base64,{data}\">\n\
+                 <figcaption>{}</figcaption>\n</figure>",
+                marked_up(meaning)
+            )
+        }
+        Piece::Code(lines) => writeln!(page, "<pre>{}</pre>", escaped(&lines.join("\n"))),
+    };
+}
+
+/// A text with its symbols' indices below the line.
+fn marked_up(text: &str) -> String {
+    let pieces = text::pieces(text).into_iter().map(|piece| match piece {
+        Letters::Plain(letter) => escaped(letter.encode_utf8(&mut [0; 4])),
+        Letters::Dotted(letter) => format!("{}\u{308}", escaped(letter.encode_utf8(&mut [0; 4]))),
+        Letters::Index(index) => format!("<sub>{}</sub>", escaped(index)),
+        Letters::Power(power) => format!("<sup>{}</sup>", escaped(power)),
+    });
+    pieces.collect()
+}
+
+/// A text without what HTML reads as its own.
+fn escaped(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => plain.push_str("&amp;"),
+            '<' => plain.push_str("&lt;"),
+            '>' => plain.push_str("&gt;"),
+            '"' => plain.push_str("&quot;"),
+            '\'' => plain.push_str("&#39;"),
+            c if c.is_control() && c != '\n' => plain.push(char::REPLACEMENT_CHARACTER),
+            c => plain.push(c),
+        }
+    }
+    plain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::{Document, Piece};
+    use super::write;
+
+    #[test]
+    fn no_text_becomes_markup() {
+        let text = "<script>alert('1')</script> \"&\"".to_string();
+        let pieces = vec![
+            Piece::Heading(1, text.clone()),
+            Piece::Text(text.clone()),
+            Piece::List(vec![text.clone()]),
+            Piece::Table(vec![text.clone()], vec![vec![text.clone()]]),
+            Piece::Picture("<svg/>".into(), text.clone()),
+            Piece::Code(vec![text.clone()]),
+        ];
+        let page = write(&Document { title: text.clone(), pieces });
+        assert!(!page.contains("<script"), "{page}");
+        assert_eq!(page.matches("&lt;script&gt;alert(&#39;1&#39;)").count(), 10, "{page}");
+    }
+}
