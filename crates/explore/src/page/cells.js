@@ -6,6 +6,7 @@ import { announce, byId, make, say, still, symbol } from './dom.js';
 import { drawHistories, timeAxis } from './histories.js';
 import { largest, tellingEnd } from './motion.js';
 import { read } from './numbers.js';
+import { cellValues } from './readout.js';
 import { axesOf, cellNumber, cellScene, motionKey, parameterOf } from './scene.js';
 import { suggestion } from './suggest.js';
 
@@ -60,7 +61,8 @@ export function createCells(engine, store, explorer, change, tell) {
   function act(values, second) {
     const axes = axesOf(store.state);
     if (!axes || store.state.suite) return;
-    const at = values.map((value, k) => cellNumber(about, axes[k], value));
+    const own = cellValues(explorer.map, values);
+    const at = own ?? values.map((value, k) => cellNumber(about, axes[k], value));
     change(second && store.state.cell ? { cell2: at } : { cell: at }, true);
   }
 
@@ -93,21 +95,21 @@ export function createCells(engine, store, explorer, change, tell) {
   /** Asks for a motion; the newest wins, one at a time. */
   function ask(slot, state, at, again) {
     const scene = cellScene(state, at);
-    slot.wanted = { scene, again: again || slot.wanted?.again, at };
-    if (!slot.running) send(slot, state.precision || 'auto');
+    const place = [state.scene.x, state.scene.y].map((key, k) => ({ ...parameterOf(about, key), text: read(at[k], 6) }));
+    slot.wanted = { scene, precision: state.precision || 'auto', again: again || slot.wanted?.again, place };
+    if (!slot.running) send(slot);
   }
 
-  function send(slot, precision) {
-    const { scene, again, at } = slot.wanted;
+  function send(slot) {
+    const { scene, precision, again, place } = slot.wanted;
     slot.wanted = null;
     const controller = new AbortController();
     slot.running = controller;
-    const place = [store.state.scene.x, store.state.scene.y].map((key, k) => ({ ...parameterOf(about, key), text: read(at[k], 6) }));
     const done = (act) => (result) => {
       if (slot.running !== controller) return;
       slot.running = null;
       act(result);
-      if (slot.wanted) send(slot, precision);
+      if (slot.wanted) send(slot);
     };
     engine.cell({ scene, precision, motion: true }, controller.signal).then(
       done((cell) => fill(slot, cell, place, again)),

@@ -38,6 +38,17 @@ export function openDialog(title, ...body) {
 /** The map's canvas as a file. */
 const shot = () => new Promise((done) => byId('picture').toBlob(done, 'image/png'));
 
+/** Copies a text; a page that did not come over https has no clipboard, and its text is selected instead. */
+async function copiedBy(text, element) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return 'Copied';
+  } catch {
+    getSelection().selectAllChildren(element);
+    return document.execCommand('copy') ? 'Copied' : 'Selected: copy it';
+  }
+}
+
 /** Ties the buttons to the engine. */
 export function createDialogs(engine, store, explorer, tell) {
   const view = () => {
@@ -62,11 +73,12 @@ export function createDialogs(engine, store, explorer, tell) {
     // A flag is not broken at its dashes.
     const words = text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
     const button = make('button', { type: 'button', click: async () => {
-      const done = await navigator.clipboard.writeText(text).then(() => 'Copied', () => 'Select the text and copy it');
+      const done = await copiedBy(text, shown);
       say(button, done);
       announce(done);
     } }, 'Copy');
-    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, ...words)];
+    const shown = make('pre', { tabindex: 0, role: 'group', 'aria-label': title }, ...words);
+    return [make('div', { class: 'choices' }, make('strong', {}, title), button), shown];
   }
 
   byId('save').onclick = () => {

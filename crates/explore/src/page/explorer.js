@@ -18,6 +18,9 @@ const LATE = 400;
 /** The column that a state shows. */
 export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
 
+/** True of a frame that has what is to be shown; under a suite that is no outcome. */
+const holds = (frame, show) => Boolean(show === 'outcome' ? frame.arrays.kind : frame.arrays[show]);
+
 /** What cells drawn at random say of those that were not run. */
 const probed = ({ probes, missed, share_missed_at_most: share }) =>
   `${missed || 'none'} of ${count(probes)} probes differed, at most ${percent(share)} of the cells not run do (95 %)`;
@@ -43,11 +46,15 @@ export function createExplorer(engine, store, tell) {
       if (busy) ran = { cells: 0, seconds: 0, told: '' };
       if (!busy && map.picture && map.host.dataset.stage !== 'stale') finish();
     },
-    frame(frame, request, current) {
-      map.show(frame, request.show, `${request.scene.x},${request.scene.y}`);
+    // A frame is drawn as what the state shows now, whatever was shown when it was asked for, and is new only where it is of the
+    // present numbers, too.
+    frame(frame, request, key) {
+      const show = shownOf(store.state);
+      if (!holds(frame, show)) return;
+      map.show(frame, show, `${request.scene.x},${request.scene.y}`);
       tell.refuse(null, null);
       tell.found();
-      if (current) {
+      if (key === pictureKey(store.state)) {
         fresh(frame.stage);
         shares();
         describe(frame);
@@ -138,7 +145,7 @@ export function createExplorer(engine, store, tell) {
     if (axes) map.view(axes, axes.map((axis) => parameterOf(about, axis.key).label));
     const show = shownOf(state);
     const changed = always || pictureKey(state) !== pictureKey(before);
-    const held = map.picture && (show === 'outcome' || map.picture.frame.arrays[show]);
+    const held = map.picture && holds(map.picture.frame, show);
     if (!changed && held) {
       if (map.picture.show !== show) {
         map.reshow(show);
@@ -151,7 +158,7 @@ export function createExplorer(engine, store, tell) {
     shares();
     const asked = request(state);
     askedCount = String(asked.count);
-    flow.ask(asked);
+    flow.ask(asked, pictureKey(state));
   }
 
   store.listen((state, before) => update(state, before));

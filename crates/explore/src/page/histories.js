@@ -6,7 +6,7 @@ import { largest, placeOf, stateAt } from './motion.js';
 import { read } from './numbers.js';
 
 /** Room left of and below the plots, in letters. */
-const LEFT = 3.6;
+const LEFT = 4.3;
 const BELOW = 2.5;
 const RIGHT = 0.6;
 /** Least span of a plot, in its unit: what is smaller is rest. */
