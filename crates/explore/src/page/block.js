@@ -7,6 +7,8 @@ import { largest, stateAt } from './motion.js';
 const short = (value) => value.toFixed(4).replace('-', '−');
 /** Least width of a picture with numbers, in letters. */
 const ROOM = 17;
+/** Share of the ground's largest acceleration below which it rests. */
+const REST = 0.01;
 /** Bends of a spring. */
 const BENDS = 8;
 
@@ -80,7 +82,8 @@ function drawGround(context, place, sizes, now, cell, unit, ink) {
   const half = sizes.half;
   line(context, [place(-half, 0), place(half, 0)], ink, 0.13 * unit);
   const most = largest(cell.ground.a_h ?? []);
-  if (!most) return;
+  // Ground that rests has no arrow.
+  if (!(Math.abs(now.ah) > REST * most)) return;
   const length = 0.5 * half * (now.ah / most);
   const [x0, y0] = place(0, -0.085 * sizes.h);
   const [x1] = place(length, 0);

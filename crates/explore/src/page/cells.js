@@ -15,6 +15,7 @@ const SLOTS = ['cell', 'cell2'];
 const NEAR = 1e-4;
 const ONE = 'Click a cell of the map: its block rocks here in its own time. Click with Shift to set a second one beside it.';
 const MANY = 'Under a suite a cell has a motion for each of its records. To see one, shake the base by a pulse or by one record.';
+const STORED = 'Motions are computed, and this browser computes none here: it has no WebGPU. topple explore shows them, and so does this page in a browser with WebGPU.';
 const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned' };
 
 /** Ties the open cells to the state. */
@@ -60,10 +61,12 @@ export function createCells(engine, store, explorer, change, tell) {
 
   function act(values, second) {
     const axes = axesOf(store.state);
-    if (!axes || store.state.suite) return;
+    if (!axes || store.state.suite || !engine.can.compute) return;
     const own = cellValues(explorer.map, values);
     const at = own ?? values.map((value, k) => cellNumber(about, axes[k], value));
     change(second && store.state.cell ? { cell2: at } : { cell: at }, true);
+    // On a phone the motion lies below the map.
+    if (matchMedia('(max-width: 46rem)').matches) byId('players').closest('.motion').scrollIntoView({ behavior: still() ? 'auto' : 'smooth' });
   }
 
   function update(state, before) {
@@ -157,8 +160,9 @@ export function createCells(engine, store, explorer, change, tell) {
     const wanted = slots.filter((slot) => slot.at);
     byId('players').hidden = wanted.length === 0;
     byId('motion-hint').hidden = wanted.length > 0;
-    say(byId('motion-words'), store.state.suite ? MANY : ONE);
-    byId('suggest').hidden = Boolean(store.state.suite);
+    const none = !engine.can.compute;
+    say(byId('motion-words'), none ? STORED : store.state.suite ? MANY : ONE);
+    byId('suggest').hidden = none || Boolean(store.state.suite);
     const pair = byId('pair');
     wanted.forEach((slot, k) => {
       if (pair.children[k] !== slot.element) pair.insertBefore(slot.element, pair.children[k] ?? null);

@@ -21,6 +21,18 @@ export const shownOf = (state) => state.show || (excitationOf(state) === 'suite'
 /** True of a frame that has what is to be shown; under a suite that is no outcome. */
 const holds = (frame, show) => Boolean(show === 'outcome' ? frame.arrays.kind : frame.arrays[show]);
 
+/** What is done for each picture, in words. */
+const DOING = { coarse: 'Drawing a first picture', fine: 'Drawing a finer picture', refined: 'Sharpening the boundaries' };
+
+/** What a picture is, in words. */
+function stateOf({ stage, shape, note, probes, cells }, seconds, last) {
+  if (!last) return stage === 'coarse' ? 'A first picture; a finer one comes.' : 'A finer picture; its boundaries are sharpened.';
+  const time = seconds ? ` in ${read(seconds, 2)} s` : '';
+  const all = count(shape[0] * shape[1]);
+  const rest = probes?.probes ? ' Cells inside an area of one colour are filled in from its cells; random checks found ' + (probes.missed ? `${probes.missed} of ${count(probes.probes)} wrong.` : 'no mistake.') : '';
+  return `Done: a picture of ${all} points${time}.${rest}${note && cells !== 0 ? ` ${note}.` : ''}`;
+}
+
 /** What cells drawn at random say of those that were not run. */
 const probed = ({ probes, missed, share_missed_at_most: share }) =>
   `${missed || 'none'} of ${count(probes)} probes differed, at most ${percent(share)} of the cells not run do (95 %)`;
@@ -44,7 +56,7 @@ export function createExplorer(engine, store, tell) {
       map.host.dataset.view = String(view);
       map.host.setAttribute('aria-busy', String(busy));
       if (busy) ran = { cells: 0, seconds: 0, told: '' };
-      if (!busy && map.picture && map.host.dataset.stage !== 'stale') finish();
+      if (!busy && map.picture && map.current()) finish();
     },
     // A frame is drawn as what the state shows now, whatever was shown when it was asked for, and is new only where it is of the
     // present numbers, too.
@@ -63,6 +75,7 @@ export function createExplorer(engine, store, tell) {
       }
     },
     progress({ stage: name, done, of }) {
+      say(byId('state'), `${DOING[name] ?? DOING.coarse} … ${Math.floor((100 * done) / of)} %`);
       const now = `${name} picture: ${Math.floor((100 * done) / of)} % of ${count(of)} cells`;
       say(byId('status'), [ran.told, now].filter(Boolean).join(' · '));
     },
@@ -71,6 +84,7 @@ export function createExplorer(engine, store, tell) {
       stage(error.lost ? 'lost' : 'error');
       old(map.picture ? 'picture of the earlier numbers' : 'no picture');
       if (!error.lost) tell.refuse(error.key, error.line);
+      say(byId('state'), error.lost ? 'No server.' : 'Not computed.');
       say(byId('status'), error.lost ? 'no server' : 'not computed');
       announce(error.line);
     },
@@ -101,6 +115,7 @@ export function createExplorer(engine, store, tell) {
 
   function finish() {
     const told = shares();
+    say(byId('state'), stateOf(map.picture.frame, ran.seconds, true));
     announce(`Map over ${map.names.join(' and ')}: ${told}.`);
   }
 
@@ -123,6 +138,7 @@ export function createExplorer(engine, store, tell) {
     const picture = `${name}, ${shape[0]} × ${shape[1]}${probes?.probes ? `: ${probed(probes)}` : ''}`;
     ran.told = [[where, precision].filter(Boolean).join(', '), speed, picture, note].filter(Boolean).join(' · ');
     say(byId('status'), ran.told);
+    say(byId('state'), stateOf({ stage: name, shape, note, probes, cells }, ran.seconds, false));
   }
 
   /** The request of what the state shows. */

@@ -58,7 +58,7 @@ export function createRow(parameter, { change, axis }) {
     name.setAttribute('aria-expanded', String(!help.hidden));
   };
   const asks = { class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short };
-  const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol));
+  const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol), ' ', short);
   const set = (text, resting) => change({ [key]: text }, resting);
   const first = /^[\d.-]+/.exec(parameter.default)?.[0] ?? '';
   const slide = () => set(String(numberAt(parameter, Number(slider.value))), false);
