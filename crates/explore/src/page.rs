@@ -47,6 +47,7 @@ pub const FILES: &[File] = files![
     "histories.js": SCRIPT,
     "ink.js": SCRIPT,
     "legend.js": SCRIPT,
+    "loop.js": SCRIPT,
     "main.js": SCRIPT,
     "map.js": SCRIPT,
     "marks.js": SCRIPT,

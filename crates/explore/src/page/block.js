@@ -56,6 +56,8 @@ export function drawBlock(canvas, cell, sizes, t, moves) {
       for (const x of [-0.7, 0, 0.7]) disc(context, ...place(shift + x * plate, roll / 2), (roll / 2) * scale, ink);
       const wall = -Math.max(plate + largest(cell.motion.u) + 0.1 * sizes.h, 0.8 * sizes.half);
       line(context, [place(wall, 0), place(wall, 0.2 * sizes.h)], ink, 2 * thin);
+      const gap = cell.base?.stop?.gap;
+      if (gap) for (const side of [-1, 1]) line(context, [place(side * (plate + gap), 0), place(side * (plate + gap), under + 1.5 * thick)], colour('curve-2'), 3 * thin);
       spring(context, place(wall, under + thick / 2), place(shift - plate, under + thick / 2), 0.02 * sizes.h * scale, ink, thin);
     }
     for (const x of [-0.6, 0.6]) {

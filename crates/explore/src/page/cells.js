@@ -2,8 +2,10 @@
 import { applies } from './applies.js';
 import { drawBlock, sizesOf } from './block.js';
 import { createClock } from './clock.js';
+import { deviceOf } from './device.js';
 import { announce, byId, make, say, still, symbol } from './dom.js';
 import { drawHistories, timeAxis } from './histories.js';
+import { drawLoop, forcesOf, hitsOf } from './loop.js';
 import { largest, tellingEnd } from './motion.js';
 import { read } from './numbers.js';
 import { cellValues } from './readout.js';
@@ -16,7 +18,7 @@ const NEAR = 1e-4;
 const ONE = 'Click a cell of the map: its block rocks here in its own time. Click with Shift to set a second one beside it.';
 const MANY = 'Under a suite a cell has a motion for each of its records. To see one, shake the base by a pulse or by one record.';
 const STORED = 'Motions are computed, and this browser computes none here: it has no WebGPU. topple explore shows them, and so does this page in a browser with WebGPU.';
-const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned' };
+const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned', stop: 'meets the end stop' };
 
 /** Ties the open cells to the state. */
 export function createCells(engine, store, explorer, change, tell) {
@@ -37,8 +39,10 @@ export function createCells(engine, store, explorer, change, tell) {
     const block = make('canvas', { class: 'block', role: 'img' });
     const histories = make('canvas', { class: 'histories', role: 'img' });
     const close = make('button', { type: 'button', class: 'close', 'aria-label': `Close cell ${'AB'[k]}`, click: () => shut(k) }, '×');
-    const element = make('article', { class: 'cell' }, make('header', {}, make('div', {}, title, words), close), block, histories);
-    const slot = { key, element, title, words, block, histories, cell: null, at: null, running: null, wanted: null };
+    const loop = make('canvas', { class: 'loop', role: 'img', 'aria-label': 'Force of the device over its displacement', hidden: true });
+    const both = make('div', { class: 'both' }, block, loop);
+    const element = make('article', { class: 'cell' }, make('header', {}, make('div', {}, title, words), close), both, histories);
+    const slot = { key, element, title, words, block, loop, histories, cell: null, at: null, running: null, wanted: null };
     const seek = (event) => {
       const box = histories.getBoundingClientRect();
       const [from, to] = timeAxis(histories);
@@ -140,7 +144,11 @@ export function createCells(engine, store, explorer, change, tell) {
   }
 
   function fill(slot, cell, place, again) {
+    cell.events = [...cell.events, ...hitsOf(cell)].sort((a, b) => a.t - b.t);
+    // Of a spring with a period the histories tell all.
+    cell.forces = deviceOf(store.state.scene) !== 'spring' || cell.base?.stop ? forcesOf(cell) : null;
     slot.cell = cell;
+    slot.loop.hidden = !cell.forces;
     const named = entitle(slot, place);
     const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.backgroundColor = about.kinds[cell.kind]?.colour ?? 'transparent';
@@ -177,9 +185,10 @@ export function createCells(engine, store, explorer, change, tell) {
     const shown = open();
     if (shown.length === 0) return;
     const sizes = sizesOf(shown.map((slot) => slot.cell));
-    for (const { cell, block, histories } of shown) {
+    for (const { cell, block, loop, histories } of shown) {
       const moves = movesOf(cell);
       drawBlock(block, cell, sizes, t, moves);
+      if (cell.forces) drawLoop(loop, cell, t);
       drawHistories(histories, cell, clock.end, t, moves);
     }
     say(byId('event'), eventAt(shown, t));

@@ -43,7 +43,7 @@ function run(engine) {
     if (resting) store.rest();
   };
 
-  const fields = createFields(about, store, { change, own, masses });
+  const fields = createFields(about, store, { change, own, masses: () => masses() });
   const tell = {
     refuse(key, line) {
       const seen = [fields.refuse(key, line), files.refuse(key, line)];
