@@ -16,9 +16,8 @@ use topple::model::precision::Precision;
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Shown;
 use topple::results::palette::Kind;
-use topple::scene::Pressure;
-use topple::scene::case::Case;
 use topple::scene::isolation::KelvinVoigt;
+use topple::scene::{Case, Pressure};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::motion_of_cell::{self as motion, What};
 

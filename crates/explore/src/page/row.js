@@ -48,7 +48,9 @@ const put = (input, text) => {
  */
 export function createRow(parameter, { change, axis }) {
   const { key, unit, meaning } = parameter;
-  const short = meaning.split(/[;:,]/)[0];
+  // The first part in words: e/B is none.
+  const told = meaning.split(/[;:,]/);
+  const short = (told.find((part) => / /.test(part.trim())) ?? told[0]).trim();
   const title = `${parameter.symbol}: ${short}${unit ? `, ${unit}` : ''}`;
   const [helpId, problemId] = [`help-${key}`, `problem-${key}`];
   const described = { 'aria-describedby': problemId };
