@@ -78,7 +78,7 @@ function run(engine) {
     return engine.cell({ scene: cellScene(store.state, at), precision: 'f32', motion: false });
   };
   /** What the base carries, kg. */
-  const masses = () => middle().then((cell) => cell.mass, () => 1000);
+  const masses = () => middle().then((cell) => cell.base.mass, () => 1000);
 
   /** A block of the reader's own begins with the sizes of the one that is shown. */
   async function own() {
