@@ -73,7 +73,7 @@ export function createDialogs(engine, store, explorer, tell) {
 
   function copied(title, text) {
     // A flag is not broken at its dashes.
-    const words = text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
+    const words = text.includes('\n') ? [text] : text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
     const button = make('button', { type: 'button', click: async () => {
       const done = await copiedBy(text, shown);
       say(button, done);

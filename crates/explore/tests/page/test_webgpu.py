@@ -598,3 +598,11 @@ def test_the_exported_page_shows_a_stored_map_without_webgpu(plain, address):
         page.wait_for_selector("#map[data-stage=stored]")
         assert page.locator(".problem:visible").count() == 0
     page.close()
+
+
+def test_an_exported_page_that_is_opened_as_a_file_says_what_to_do(plain):
+    page = plain.new_page()
+    page.goto((EXPORTED / "page/index.html").as_uri())
+    page.wait_for_timeout(4500)
+    assert page.locator("#unopened").is_visible() and "python -m http.server" in page.inner_text("#unopened")
+    page.close()
