@@ -46,9 +46,9 @@ export function createFields(about, store, act) {
     for (const word of [...about.words, FORCE].filter((entry) => entry.section === key)) {
       const made = createWord(word);
       words.push(made);
+      if (word.key === 'pressure') body.append(device.element);
       body.append(made.element);
     }
-    if (key === 'base') body.append(device.element);
     for (const parameter of about.parameters.filter((entry) => entry.section === key)) {
       const row = createRow(parameter, { change, axis });
       rows.push(row);

@@ -20,7 +20,7 @@ function plotsOf(cell, moves) {
   const input = [{ t: ground.t, y: ground.a_h, style: 'curve' }];
   if (ground.a_v && largest(ground.a_v) > 0) input.push({ t: ground.t, y: ground.a_v, style: 'curve-2', dash: true });
   const plots = [{ name: 'a [m/s²]', key: 'ah', curves: input, levels: [] }];
-  if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: gap ? [gap, -gap] : [] });
+  if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: gap ? [gap, -gap] : [], events: true });
   if (moves.v) plots.push({ name: 'v [m]', key: 'v', curves: [{ t: motion.t, y: motion.v, style: 'curve' }], levels: [] });
   const rotation = [{ t: motion.t, y: motion.phi, style: 'curve' }];
   plots.push({ name: 'φ [rad]', key: 'phi', curves: rotation, levels: [left, -Math.abs(right)], events: true });
@@ -70,7 +70,10 @@ function drawPlot(context, plot, at) {
   }
   for (const curve of plot.curves) drawCurve(context, curve, x, y, end, unit);
   line(context, [[x(t), top], [x(t), bottom]], ink, 0.1 * unit);
-  if (plot.events) for (const event of apart(cell.events, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
+  if (plot.events) {
+    const own = cell.events.filter(({ what }) => (what === 'stop') === (plot.key === 'u'));
+    for (const event of apart(own, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t)[plot.key]), unit);
+  }
   disc(context, x(t), y(now[plot.key]), 0.22 * unit, colour('curve'), colour('surface'), 0.08 * unit);
   context.restore();
   context.strokeStyle = colour('edge');
