@@ -1,5 +1,6 @@
 //! A cell of a map: its numbers, and its motion.
 
+use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Deserialize;
@@ -16,6 +17,7 @@ use topple::results::column_set::ColumnSet;
 use topple::results::columns::Shown;
 use topple::results::palette::Kind;
 use topple::scene::isolation::KelvinVoigt;
+use topple::scene::{Case, Pressure};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::motion_of_cell::{self as motion, What};
 
@@ -76,6 +78,7 @@ pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Resul
             "height": block.height,
             "eccentricity": block.eccentricity,
         },
+        "base": base(&case),
         "critical": [case.overturning_angle(1.0), case.overturning_angle(-1.0)],
         "deflection": case.isolation.vertical.as_ref().map_or(0.0, KelvinVoigt::deflection),
         "t_max": case.t_max,
@@ -96,6 +99,31 @@ pub fn run(session: &Session, request: &CellRequest, stop: &AtomicBool) -> Resul
         told["events"] = events(&rows, &outcome);
     }
     Ok(told)
+}
+
+/// The base of a cell, by which its device's force is drawn: what it carries, its laws over that mass, its end stop.
+fn base(case: &Case) -> Value {
+    let isolation = &case.isolation;
+    let mass = case.block.mass + isolation.plate_h + isolation.plate_v;
+    let horizontal = isolation.horizontal.as_ref();
+    let vertical = isolation.vertical.as_ref();
+    json!({
+        "mass": mass,
+        "plate": isolation.plate_h / mass,
+        "horizontal": horizontal.map(|law| json!({
+            "omega": TAU / law.t_h,
+            "psi": law.psi,
+            "xi": law.xi_h,
+            "u_y": law.u_y,
+            "follows": law.pressure == Some(Pressure::Follows),
+        })),
+        "stop": isolation.stop.map(|stop| json!({
+            "gap": stop.gap, "stiffness": stop.stiffness, "damping": stop.damping,
+        })),
+        "vertical": vertical.map(|law| json!({
+            "omega": TAU / law.t_v, "xi": law.xi_v, "hardening": law.hardening,
+        })),
+    })
 }
 
 /// The columns of a cell by their names.

@@ -8,11 +8,14 @@ use serde_json::{Value, json};
 use super::asked::{self, AskedPrecision, Flat, SYNTHETIC};
 use super::refused::Refused;
 use super::session::Session;
-use super::stages::Stages;
+use super::stage::AskedLimits;
+use super::stages::{Stages, at_most};
+use super::suite::FINEST;
 use topple::model::precision::Precision;
 use topple::scene::keys;
 use topple::scene::parameters::{PARAMETERS, Section};
 use topple::scene::{Grid, Scene, SceneBuilder, Values};
+use topple_studies::suites::envelope::Limits;
 
 /// A request for what a view is, or for its files.
 #[derive(Debug, Clone, Deserialize)]
@@ -24,6 +27,12 @@ pub struct MapRequest {
     /// Number type.
     #[serde(default)]
     pub precision: AskedPrecision,
+    /// The suite, where the view is one of shares over its motions.
+    #[serde(default)]
+    pub suite: Option<String>,
+    /// What a base must do under it.
+    #[serde(default)]
+    pub limits: AskedLimits,
 }
 
 /// The command line and the file that make the map in view.
@@ -34,6 +43,14 @@ pub fn run(session: &Session, request: &MapRequest) -> Result<Value, Refused> {
     // The cells of the view at its finest.
     let count = Stages::of(&request.scene, request.count)?.count(0);
     let given = asked::builder(&request.scene, Some(count))?;
+    if request.suite.is_some() {
+        let count = at_most(&request.scene, request.count, FINEST)?;
+        let given = asked::builder(&request.scene, Some(count))?;
+        return Ok(json!({
+            "command": envelope(session, &given, &request.limits.read()?),
+            "toml": toml(session, &given)?,
+        }));
+    }
     let scene = session.records.check(&given)?;
     let precision = request.precision.of(&Grid::of(&scene));
     Ok(json!({
@@ -124,6 +141,21 @@ fn map(session: &Session, given: &SceneBuilder, scene: &Scene, precision: Precis
     });
     let flags = flags(session, given).into_iter();
     line(command, flags.chain(axes.into_iter().flatten()).chain(precise(precision)))
+}
+
+/// The command line that makes the map of a suite. Where its files lay before they were dropped is not known.
+fn envelope(session: &Session, given: &SceneBuilder, limits: &Limits) -> String {
+    let suite = [String::from("--suite=RECORDS")];
+    let numbers = [
+        ("limit-u", limits.u),
+        ("limit-v", limits.v),
+        ("standing", Some(limits.standing).filter(|share| *share < 1.0)),
+    ];
+    let numbers =
+        numbers.into_iter().filter_map(|(name, value)| Some(format!("--{name}={}", value?)));
+    let axes = [("x", given.x), ("y", given.y)];
+    let axes = axes.into_iter().filter_map(|(name, key)| Some(format!("--{name}={}", key?.key())));
+    line("envelope", flags(session, given).into_iter().chain(axes).chain(suite).chain(numbers))
 }
 
 /// The command line that makes the history of a cell.

@@ -4,6 +4,7 @@ use axum::extract::{FromRequest, Multipart, Request};
 
 use super::refused::Refused;
 use super::session::Session;
+use super::suites::is_of_a_suite;
 
 /// The files of a request: names with contents.
 ///
@@ -33,11 +34,15 @@ pub fn suite(session: &Session, files: &[(String, Vec<u8>)]) -> Result<String, R
     Ok(session.suites.add(&session.records.folder()?, files)?.to_string())
 }
 
-/// Keeps files as records; what the first one is, and each of them, in JSON.
+/// Keeps files as records; what the first one is, and each of them, in JSON. Where a zip or a list of records is among them they
+/// are a suite, by whatever name.
 ///
 /// # Errors
-/// Those of a record's file, and of the disk.
+/// Those of a record's file, of a suite's, and of the disk.
 pub fn records(session: &Session, files: &[(String, Vec<u8>)]) -> Result<String, Refused> {
+    if files.iter().any(|(_, bytes)| is_of_a_suite(bytes)) {
+        return suite(session, files);
+    }
     let records = &session.records;
     let told = files.iter().map(|(name, bytes)| records.told(&records.add(name, bytes)?));
     let told = told.collect::<Result<Vec<_>, Refused>>()?;

@@ -28,6 +28,9 @@ use super::{about, cell, command, dropped, page, save, section, suite, verify, v
 
 /// The header of the page's own requests.
 const MARK: HeaderName = HeaderName::from_static("x-topple");
+/// What it says in an answer: a request that is refused. A browser would tell any status of an error in its console, as if the page
+/// were broken.
+const REFUSED: &str = "refused";
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 /// Bytes of a request without files at most.
 const LARGEST: usize = 1 << 20;
@@ -205,7 +208,7 @@ async fn run(
 /// An error as the page reads it.
 fn refused(error: Refused) -> Response {
     let text = serde_json::to_string(&error).unwrap_or_default();
-    (StatusCode::BAD_REQUEST, [(CONTENT_TYPE, "application/json")], text).into_response()
+    ([(CONTENT_TYPE, "application/json"), (MARK, REFUSED)], text).into_response()
 }
 
 /// Computes a view; its frames are sent as they are made.

@@ -13,7 +13,8 @@ use super::stages::Stages;
 use super::view::{sweep, whole};
 use topple::results::{csv, npz};
 use topple_pictures::drawing::render;
-use topple_pictures::map::figure::main;
+use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
+use topple_pictures::map::figure::{field, main};
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -43,6 +44,9 @@ pub struct SaveRequest {
     pub precision: AskedPrecision,
     /// Which one.
     pub kind: Kind,
+    /// The column that a picture shows as a shade, or outcome.
+    #[serde(default)]
+    pub show: Option<String>,
 }
 
 /// The bytes of a file, and what a browser calls it.
@@ -63,7 +67,17 @@ pub fn run(
     }
     let ready = session.ready(scene, count, *precision)?;
     let map = sweep(&ready, stop)?;
-    let svg = || -> Result<String, Refused> { Ok(main::draw(&whole(&map)?, "")?) };
+    let shown = FIELDS.iter().chain(&CONTACT);
+    let mut shown =
+        shown.filter(|field| request.show.as_deref() == Some(field.column.entry().name));
+    let field = shown.next();
+    let svg = || -> Result<String, Refused> {
+        let map = whole(&map)?;
+        Ok(match field {
+            Some(field) => field::draw(&map, field, "")?,
+            None => main::draw(&map, "")?,
+        })
+    };
     let mut file = Cursor::new(Vec::new());
     match request.kind {
         Kind::Png => return Ok((render::png(&svg()?)?, "image/png")),

@@ -15,7 +15,9 @@ use topple_studies::suites::envelope::{CellEnvelope, Envelope, EnvelopeSettings}
 use topple_studies::suites::request::SuiteRequest;
 
 /// Cells along an axis of the coarse and of the fine picture of a suite.
-const COUNTS: [(&str, u32); 2] = [("coarse", 13), ("fine", 49)];
+const COUNTS: [(&str, u32); 2] = [("coarse", 13), ("fine", FINEST)];
+/// Cells along an axis of the finest picture of a suite.
+pub const FINEST: u32 = 49;
 
 /// Computes a view of a scene under a suite: `send` and `tell` are handed frames as those of [`super::view::run`] are.
 ///

@@ -2,58 +2,66 @@
 
 use std::collections::{HashMap, VecDeque};
 use std::fs;
-use std::path::Path;
+use std::path::{MAIN_SEPARATOR, Path};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::records::plain_name;
 use super::refused::Refused;
-use topple_studies::suites::SuiteError;
-use topple_studies::suites::read::Suite;
+use topple_studies::suites::read::{Suite, is_list};
 
-/// Samples of all suites that are kept, 4 GiB with both components: two suites that are as large as one may be.
-const KEPT: usize = 1 << 28;
-/// Most suites that are kept: of each the files lie on the disk, too.
+/// Most suites whose files are kept.
 const MOST: usize = 16;
+/// A suite that is not asked for is let go from memory after this time.
+const UNUSED: Duration = Duration::from_secs(60);
 
-/// A suite, and the folder of its files, which goes with it.
+/// The files of a suite in a folder, which goes with it, and the suite while it is used.
 struct Kept {
     id: String,
-    suite: Arc<Suite>,
-    samples: usize,
-    _folder: TempDir,
+    files: Vec<String>,
+    suite: Option<Arc<Suite>>,
+    used: Instant,
+    folder: TempDir,
 }
 
 /// The suites of a session, the oldest first. Where they are too many the oldest go.
 #[derive(Default)]
 pub struct Suites(Mutex<VecDeque<Kept>>);
 
-/// A suite in a folder of dropped files: a zip, a list beside its files, or the files themselves.
-fn read(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<Suite, SuiteError> {
-    let ends = |name: &str, ending: &str| name.to_ascii_lowercase().ends_with(ending);
-    if let [(name, _)] = files
-        && ends(name, ".zip")
-    {
-        return Suite::read(&folder.join(plain_name(name)), false);
-    }
-    let lists = files.iter().filter(|(name, _)| ends(name, ".csv"));
-    let mut as_list = lists.map(|(name, _)| Suite::read(&folder.join(plain_name(name)), false));
-    as_list.find_map(Result::ok).map_or_else(|| Suite::read(folder, false), Ok)
+/// True of a file that is more than a record: a zip, or a list of records.
+pub fn is_of_a_suite(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || is_list(bytes)
 }
 
-/// Leaves out the oldest until there are so many samples at most; the newest stays.
-fn leave_out(kept: &mut VecDeque<Kept>, most: usize) {
-    let samples = |kept: &VecDeque<Kept>| kept.iter().map(|kept| kept.samples).sum::<usize>();
-    while kept.len() > 1 && (kept.len() > MOST || samples(kept) > most) {
-        kept.pop_front();
+/// A suite in a folder of dropped files: a zip, a list beside its files, or the files themselves; `whole` names the zip or the list.
+fn read(folder: &Path, whole: &[String]) -> Result<Suite, Refused> {
+    let mut read = whole.iter().map(|name| Suite::read(&folder.join(name), false));
+    let found = match (read.next(), read.find_map(Result::ok)) {
+        (None, _) => Suite::read(folder, false),
+        (Some(first), other) => first.or_else(|error| other.ok_or(error)),
+    };
+    // A file is told by its name, not by where it lies.
+    found.map_err(|error| {
+        let place = folder.display().to_string();
+        let within = format!("{place}{MAIN_SEPARATOR}");
+        let told = error.to_string().replace(&within, "").replace(&place, "these files");
+        Refused::of("suite", told)
+    })
+}
+
+/// Lets go of the suites that were not asked for during a time: their files are read again.
+fn let_go(kept: &mut VecDeque<Kept>, unused: Duration) {
+    for own in kept.iter_mut().filter(|own| own.used.elapsed() >= unused) {
+        own.suite = None;
     }
 }
 
 impl Suites {
-    /// Reads a suite from dropped files, names with contents, and keeps it; a folder is made for them in `folder`. Where
-    /// there is more than is kept the oldest suites go.
+    /// Reads a suite from dropped files, names with contents, and keeps them in a folder that is made for them in `folder`.
+    /// Where there are more than are kept the oldest go.
     ///
     /// # Errors
     /// That they are none, or have no motion; those of the disk.
@@ -74,7 +82,9 @@ impl Suites {
             fs::create_dir_all(&place)?;
             fs::write(place.join(name), bytes)?;
         }
-        let suite = read(own, files)?;
+        let whole = files.iter().filter(|(_, bytes)| is_of_a_suite(bytes));
+        let whole: Vec<String> = whole.map(|(name, _)| plain_name(name)).collect();
+        let suite = read(own, &whole)?;
         let motions = suite.motions().count();
         if motions == 0 {
             let why = suite.left_out().next().map_or("", |(_, why)| why);
@@ -82,10 +92,14 @@ impl Suites {
         }
         let left_out = suite.left_out().count();
         // What is stored is whole, whoever panicked.
-        let samples = suite.motions().map(|(_, motion)| motion.pair.len()).sum();
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.push_back(Kept { id: id.clone(), suite: Arc::new(suite), samples, _folder: folder });
-        leave_out(&mut kept, KEPT);
+        // One suite is looked at: the others are read again when they are.
+        let_go(&mut kept, Duration::ZERO);
+        let (suite, used) = (Some(Arc::new(suite)), Instant::now());
+        kept.push_back(Kept { id: id.clone(), files: whole, suite, used, folder });
+        while kept.len() > MOST {
+            kept.pop_front();
+        }
         let line = match left_out {
             0 => format!("{motions} motions"),
             _ => format!("{motions} motions, {left_out} left out"),
@@ -96,12 +110,24 @@ impl Suites {
     /// A suite by its name here.
     ///
     /// # Errors
-    /// The key `suite`: a name that is not known.
+    /// The key `suite`: a name that is not known; files that have gone since.
     pub fn get(&self, id: &str) -> Result<Arc<Suite>, Refused> {
-        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let problem = || format!("{id} is not here; drop the suite's files on the page");
-        let known = kept.iter().find(|known| known.id == id);
-        known.map(|known| Arc::clone(&known.suite)).ok_or_else(|| Refused::of("suite", problem()))
+        let known = kept.iter_mut().find(|known| known.id == id);
+        let known = known.ok_or_else(|| Refused::of("suite", problem()))?;
+        let suite = match &known.suite {
+            Some(suite) => Arc::clone(suite),
+            None => Arc::new(read(known.folder.path(), &known.files)?),
+        };
+        (known.suite, known.used) = (Some(Arc::clone(&suite)), Instant::now());
+        let_go(&mut kept, UNUSED);
+        Ok(suite)
+    }
+
+    /// Lets go of what is not used, from memory: asked for while something else is looked at.
+    pub fn rest(&self) {
+        let_go(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner), UNUSED);
     }
 }
 
@@ -131,16 +157,27 @@ mod tests {
         let line = suites.get(&ids[0]).map(|_| ()).unwrap_err().line;
         assert!(line.contains("drop the suite's files on the page"), "{line}");
         assert!(suites.get(&ids[1]).is_ok() && folder.path().join(&ids[1]).exists());
-        // Each has three samples.
-        leave_out(&mut suites.0.lock().unwrap(), 7);
-        assert!(suites.get(&ids[MOST - 2]).is_err());
-        assert!(suites.get(&ids[MOST - 1]).is_ok() && suites.get(&ids[MOST]).is_ok());
-        // The newest stays, whatever it has.
-        leave_out(&mut suites.0.lock().unwrap(), 0);
-        assert!(suites.get(&ids[MOST]).is_ok());
+        // In memory there is what was just asked for, and nothing once it is not used; it comes back from its files.
+        let in_memory =
+            || suites.0.lock().unwrap().iter().filter(|own| own.suite.is_some()).count();
+        add();
+        assert_eq!(in_memory(), 1);
+        let_go(&mut suites.0.lock().unwrap(), Duration::ZERO);
+        assert_eq!(in_memory(), 0);
+        assert_eq!(suites.get(&ids[MOST]).unwrap().motions().count(), 1);
         // What is no suite leaves nothing.
         let before = fs::read_dir(folder.path()).unwrap().count();
         assert!(suites.add(folder.path(), &[("a.txt".into(), b"x".to_vec())]).is_err());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), before);
+    }
+
+    #[test]
+    fn what_is_wrong_names_no_place_of_the_server() {
+        let folder = tempfile::tempdir().unwrap();
+        for text in ["nothing", "horizontal,dt\nmissing.txt,0.01\n"] {
+            let files = [("a.csv".to_string(), text.as_bytes().to_vec())];
+            let line = Suites::default().add(folder.path(), &files).unwrap_err().line;
+            assert!(!line.contains(&*folder.path().to_string_lossy()), "{line}");
+        }
     }
 }

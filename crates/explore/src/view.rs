@@ -57,6 +57,7 @@ pub fn run(
     tell: &(dyn Fn(Vec<u8>) + Sync),
 ) -> Result<(), Refused> {
     let ViewRequest { scene, count, precision, columns, .. } = request;
+    session.suites.rest();
     let grids = Stages::of(scene, *count)?;
     let levels = grids.levels;
     // All stages are of one number type: it does not depend on the count.

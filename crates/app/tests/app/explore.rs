@@ -147,6 +147,9 @@ fn by_library(count: u32, columns: [Column; 2]) -> Vec<ColumnValues> {
         .into()
 }
 
+/// What an answer says of a request that is refused.
+const REFUSED: &str = "x-topple: refused";
+
 #[test]
 fn nobody_is_let_in_but_the_page() {
     let server = Server::start(&[]);
@@ -450,12 +453,12 @@ fn what_is_wrong_is_one_line_with_its_key() {
         assert!(error["line"].as_str().is_some_and(|line| !line.contains('\n')), "{error}");
         assert_eq!(error["key"], key, "{error}");
         let answer = server.post("command", &request);
-        assert_eq!(answer.status, 400);
+        assert!(answer.headers.contains(REFUSED), "{}", answer.headers);
         let told: Value = serde_json::from_slice(&answer.body).unwrap();
         assert_eq!(told["key"], key, "{told}");
     }
     for body in [json!({}), json!([1]), json!({ "scene": 1, "count": [9, 9] })] {
-        assert_eq!(server.post("map", &body).status, 400, "{body}");
+        assert!(server.post("map", &body).headers.contains(REFUSED), "{body}");
     }
 }
 
@@ -477,7 +480,7 @@ fn a_dropped_record_shakes_the_base() {
     let told = server.send(&head, body.as_bytes()).json();
     assert_eq!(told["needs"], json!(["dt", "units"]), "{told}");
     let no_record = server.send(&head, body.replace(&file, "no numbers at all").as_bytes());
-    assert_eq!(no_record.status, 400);
+    assert!(no_record.headers.contains(REFUSED), "{}", no_record.headers);
     let mut scene = json!({
         "object": "1", "horizontal": "one.txt", "dt": "0.01", "units": "m/s2",
         "t_h": "0.5:4", "t_v": "0.1:2", "x": "t_h", "y": "t_v",

@@ -7,6 +7,8 @@ import { largest, stateAt } from './motion.js';
 const short = (value) => value.toFixed(4).replace('-', '−');
 /** Least width of a picture with numbers, in letters. */
 const ROOM = 17;
+/** Share of the ground's largest acceleration below which it rests. */
+const REST = 0.01;
 /** Bends of a spring. */
 const BENDS = 8;
 
@@ -54,6 +56,8 @@ export function drawBlock(canvas, cell, sizes, t, moves) {
       for (const x of [-0.7, 0, 0.7]) disc(context, ...place(shift + x * plate, roll / 2), (roll / 2) * scale, ink);
       const wall = -Math.max(plate + largest(cell.motion.u) + 0.1 * sizes.h, 0.8 * sizes.half);
       line(context, [place(wall, 0), place(wall, 0.2 * sizes.h)], ink, 2 * thin);
+      const gap = cell.base?.stop?.gap;
+      if (gap) for (const side of [-1, 1]) line(context, [place(side * (plate + gap), 0), place(side * (plate + gap), under + 1.5 * thick)], colour('curve-2'), 3 * thin);
       spring(context, place(wall, under + thick / 2), place(shift - plate, under + thick / 2), 0.02 * sizes.h * scale, ink, thin);
     }
     for (const x of [-0.6, 0.6]) {
@@ -80,7 +84,8 @@ function drawGround(context, place, sizes, now, cell, unit, ink) {
   const half = sizes.half;
   line(context, [place(-half, 0), place(half, 0)], ink, 0.13 * unit);
   const most = largest(cell.ground.a_h ?? []);
-  if (!most) return;
+  // Ground that rests has no arrow.
+  if (!(Math.abs(now.ah) > REST * most)) return;
   const length = 0.5 * half * (now.ah / most);
   const [x0, y0] = place(0, -0.085 * sizes.h);
   const [x1] = place(length, 0);

@@ -2,10 +2,13 @@
 import { applies } from './applies.js';
 import { drawBlock, sizesOf } from './block.js';
 import { createClock } from './clock.js';
+import { deviceOf } from './device.js';
 import { announce, byId, make, say, still, symbol } from './dom.js';
 import { drawHistories, timeAxis } from './histories.js';
+import { drawLoop, forcesOf, hitsOf } from './loop.js';
 import { largest, tellingEnd } from './motion.js';
 import { read } from './numbers.js';
+import { cellValues } from './readout.js';
 import { axesOf, cellNumber, cellScene, motionKey, parameterOf } from './scene.js';
 import { suggestion } from './suggest.js';
 
@@ -14,7 +17,8 @@ const SLOTS = ['cell', 'cell2'];
 const NEAR = 1e-4;
 const ONE = 'Click a cell of the map: its block rocks here in its own time. Click with Shift to set a second one beside it.';
 const MANY = 'Under a suite a cell has a motion for each of its records. To see one, shake the base by a pulse or by one record.';
-const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned' };
+const STORED = 'Motions are computed, and this browser computes none here: it has no WebGPU. topple explore shows them, and so does this page in a browser with WebGPU.';
+const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned', stop: 'meets the end stop' };
 
 /** Ties the open cells to the state. */
 export function createCells(engine, store, explorer, change, tell) {
@@ -35,8 +39,10 @@ export function createCells(engine, store, explorer, change, tell) {
     const block = make('canvas', { class: 'block', role: 'img' });
     const histories = make('canvas', { class: 'histories', role: 'img' });
     const close = make('button', { type: 'button', class: 'close', 'aria-label': `Close cell ${'AB'[k]}`, click: () => shut(k) }, '×');
-    const element = make('article', { class: 'cell' }, make('header', {}, make('div', {}, title, words), close), block, histories);
-    const slot = { key, element, title, words, block, histories, cell: null, at: null, running: null, wanted: null };
+    const loop = make('canvas', { class: 'loop', role: 'img', 'aria-label': 'Force of the device over its displacement', hidden: true });
+    const both = make('div', { class: 'both' }, block, loop);
+    const element = make('article', { class: 'cell' }, make('header', {}, make('div', {}, title, words), close), both, histories);
+    const slot = { key, element, title, words, block, loop, histories, cell: null, at: null, running: null, wanted: null };
     const seek = (event) => {
       const box = histories.getBoundingClientRect();
       const [from, to] = timeAxis(histories);
@@ -59,9 +65,12 @@ export function createCells(engine, store, explorer, change, tell) {
 
   function act(values, second) {
     const axes = axesOf(store.state);
-    if (!axes || store.state.suite) return;
-    const at = values.map((value, k) => cellNumber(about, axes[k], value));
+    if (!axes || store.state.suite || !engine.can.compute) return;
+    const own = cellValues(explorer.map, values);
+    const at = own ?? values.map((value, k) => cellNumber(about, axes[k], value));
     change(second && store.state.cell ? { cell2: at } : { cell: at }, true);
+    // On a phone the motion lies below the map.
+    if (matchMedia('(max-width: 46rem)').matches) byId('players').closest('.motion').scrollIntoView({ behavior: still() ? 'auto' : 'smooth' });
   }
 
   function update(state, before) {
@@ -93,21 +102,21 @@ export function createCells(engine, store, explorer, change, tell) {
   /** Asks for a motion; the newest wins, one at a time. */
   function ask(slot, state, at, again) {
     const scene = cellScene(state, at);
-    slot.wanted = { scene, again: again || slot.wanted?.again, at };
-    if (!slot.running) send(slot, state.precision || 'auto');
+    const place = [state.scene.x, state.scene.y].map((key, k) => ({ ...parameterOf(about, key), text: read(at[k], 6) }));
+    slot.wanted = { scene, precision: state.precision || 'auto', again: again || slot.wanted?.again, place };
+    if (!slot.running) send(slot);
   }
 
-  function send(slot, precision) {
-    const { scene, again, at } = slot.wanted;
+  function send(slot) {
+    const { scene, precision, again, place } = slot.wanted;
     slot.wanted = null;
     const controller = new AbortController();
     slot.running = controller;
-    const place = [store.state.scene.x, store.state.scene.y].map((key, k) => ({ ...parameterOf(about, key), text: read(at[k], 6) }));
     const done = (act) => (result) => {
       if (slot.running !== controller) return;
       slot.running = null;
       act(result);
-      if (slot.wanted) send(slot, precision);
+      if (slot.wanted) send(slot);
     };
     engine.cell({ scene, precision, motion: true }, controller.signal).then(
       done((cell) => fill(slot, cell, place, again)),
@@ -135,7 +144,11 @@ export function createCells(engine, store, explorer, change, tell) {
   }
 
   function fill(slot, cell, place, again) {
+    cell.events = [...cell.events, ...hitsOf(cell)].sort((a, b) => a.t - b.t);
+    // Of a spring with a period the histories tell all.
+    cell.forces = deviceOf(store.state.scene) !== 'spring' || cell.base?.stop ? forcesOf(cell) : null;
     slot.cell = cell;
+    slot.loop.hidden = !cell.forces;
     const named = entitle(slot, place);
     const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
     swatch.style.backgroundColor = about.kinds[cell.kind]?.colour ?? 'transparent';
@@ -155,8 +168,9 @@ export function createCells(engine, store, explorer, change, tell) {
     const wanted = slots.filter((slot) => slot.at);
     byId('players').hidden = wanted.length === 0;
     byId('motion-hint').hidden = wanted.length > 0;
-    say(byId('motion-words'), store.state.suite ? MANY : ONE);
-    byId('suggest').hidden = Boolean(store.state.suite);
+    const none = !engine.can.compute;
+    say(byId('motion-words'), none ? STORED : store.state.suite ? MANY : ONE);
+    byId('suggest').hidden = none || Boolean(store.state.suite);
     const pair = byId('pair');
     wanted.forEach((slot, k) => {
       if (pair.children[k] !== slot.element) pair.insertBefore(slot.element, pair.children[k] ?? null);
@@ -171,9 +185,10 @@ export function createCells(engine, store, explorer, change, tell) {
     const shown = open();
     if (shown.length === 0) return;
     const sizes = sizesOf(shown.map((slot) => slot.cell));
-    for (const { cell, block, histories } of shown) {
+    for (const { cell, block, loop, histories } of shown) {
       const moves = movesOf(cell);
       drawBlock(block, cell, sizes, t, moves);
+      if (cell.forces) drawLoop(loop, cell, t);
       drawHistories(histories, cell, clock.end, t, moves);
     }
     say(byId('event'), eventAt(shown, t));

@@ -1,5 +1,6 @@
 // Dialogs and buttons about what is in view: its command, its files, its verification, the keys.
 import { announce, byId, download, make, say } from './dom.js';
+import { tourButton } from './tour.js';
 
 const KINDS = {
   png: 'PNG, the picture in pixels',
@@ -8,8 +9,9 @@ const KINDS = {
   csv: 'CSV, all columns as a table',
   toml: 'TOML, the scene',
 };
-const AGAIN = 'The map is computed again at the resolution of the screen, with its legend.';
+const AGAIN = 'The map is computed again at the resolution of the screen, with its legend; pictures show what the page shows.';
 const SHOWN = 'The map as it is shown. Files of data are saved by topple explore.';
+const OF_SUITE = 'The map as it is shown. Files of data of a suite are written by the command line.';
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
@@ -38,11 +40,22 @@ export function openDialog(title, ...body) {
 /** The map's canvas as a file. */
 const shot = () => new Promise((done) => byId('picture').toBlob(done, 'image/png'));
 
+/** Copies a text; a page that did not come over https has no clipboard, and its text is selected instead. */
+async function copiedBy(text, element) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return 'Copied';
+  } catch {
+    getSelection().selectAllChildren(element);
+    return document.execCommand('copy') ? 'Copied' : 'Selected: copy it';
+  }
+}
+
 /** Ties the buttons to the engine. */
 export function createDialogs(engine, store, explorer, tell) {
   const view = () => {
-    const { scene, count, precision } = explorer.request();
-    return { scene, count, precision };
+    const { columns, ...asked } = explorer.request();
+    return asked;
   };
   const failed = (error) => {
     if (error.lost) tell.lost(error);
@@ -60,20 +73,25 @@ export function createDialogs(engine, store, explorer, tell) {
 
   function copied(title, text) {
     // A flag is not broken at its dashes.
-    const words = text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
+    const words = text.includes('\n') ? [text] : text.split(/(?<=\s)/).map((word) => make('span', { class: 'whole' }, word));
     const button = make('button', { type: 'button', click: async () => {
-      const done = await navigator.clipboard.writeText(text).then(() => 'Copied', () => 'Select the text and copy it');
+      const done = await copiedBy(text, shown);
       say(button, done);
       announce(done);
     } }, 'Copy');
-    return [make('div', { class: 'choices' }, make('strong', {}, title), button), make('pre', { tabindex: 0 }, ...words)];
+    const shown = make('pre', { tabindex: 0, role: 'group', 'aria-label': title }, ...words);
+    return [make('div', { class: 'choices' }, make('strong', {}, title), button), shown];
   }
+
+  /** A map of a suite's shares is saved as it is shown. */
+  const savesWhole = () => engine.can.save && !store.state.suite;
 
   byId('save').onclick = () => {
     const line = make('p', { role: 'status' });
-    const kinds = Object.entries(KINDS).filter(([kind]) => engine.can.save || kind === 'png');
+    const whole = savesWhole();
+    const kinds = Object.entries(KINDS).filter(([kind]) => whole || kind === 'png');
     const buttons = kinds.map(([kind, text]) => make('button', { type: 'button', click: () => save(kind, line) }, text));
-    const hint = make('p', { class: 'hint' }, engine.can.save ? AGAIN : SHOWN);
+    const hint = make('p', { class: 'hint' }, whole ? AGAIN : engine.can.save ? OF_SUITE : SHOWN);
     openDialog('Save the map in view', hint, make('div', { class: 'choices' }, ...buttons), line);
   };
 
@@ -81,7 +99,7 @@ export function createDialogs(engine, store, explorer, tell) {
     say(line, 'computing …');
     line.className = '';
     try {
-      download(engine.can.save ? await engine.save(view(), kind) : await shot(), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
+      download(savesWhole() ? await engine.save(view(), kind) : await shot(), kind === 'toml' ? 'scene.toml' : `map.${kind}`);
       say(line, `map.${kind} is saved`.replace('map.toml', 'scene.toml'));
     } catch (error) {
       line.className = 'problem';
@@ -109,6 +127,7 @@ export function createDialogs(engine, store, explorer, tell) {
   byId('keys').onclick = () => {
     const entries = Object.entries(HELP).flatMap(([key, text]) => [make('dt', {}, key), make('dd', {}, text)]);
     const { version, backend, adapter } = engine.about;
-    openDialog('What hands and keys do', make('dl', {}, ...entries), make('p', { class: 'hint' }, `topple ${version}, ${adapter ?? backend}`));
+    const tour = make('div', { class: 'choices' }, tourButton(() => byId('dialog').close()));
+    openDialog('What hands and keys do', make('dl', {}, ...entries), tour, make('p', { class: 'hint' }, `topple ${version}, ${adapter ?? backend}`));
   };
 }

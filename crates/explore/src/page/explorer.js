@@ -18,6 +18,21 @@ const LATE = 400;
 /** The column that a state shows. */
 export const shownOf = (state) => state.show || (excitationOf(state) === 'suite' ? 'overturned' : 'outcome');
 
+/** True of a frame that has what is to be shown; under a suite that is no outcome. */
+const holds = (frame, show) => Boolean(show === 'outcome' ? frame.arrays.kind : frame.arrays[show]);
+
+/** What is done for each picture, in words. */
+const DOING = { coarse: 'Drawing a first picture', fine: 'Drawing a finer picture', refined: 'Sharpening the boundaries' };
+
+/** What a picture is, in words. */
+function stateOf({ stage, shape, note, probes, cells }, seconds, last) {
+  if (!last) return stage === 'coarse' ? 'A first picture; a finer one comes.' : 'A finer picture; its boundaries are sharpened.';
+  const time = seconds ? ` in ${read(seconds, 2)} s` : '';
+  const all = count(shape[0] * shape[1]);
+  const rest = probes?.probes ? ' Cells inside an area of one colour are filled in from its cells; random checks found ' + (probes.missed ? `${probes.missed} of ${count(probes.probes)} wrong.` : 'no mistake.') : '';
+  return `Done: a picture of ${all} points${time}.${rest}${note && cells !== 0 ? ` ${note}.` : ''}`;
+}
+
 /** What cells drawn at random say of those that were not run. */
 const probed = ({ probes, missed, share_missed_at_most: share }) =>
   `${missed || 'none'} of ${count(probes)} probes differed, at most ${percent(share)} of the cells not run do (95 %)`;
@@ -41,13 +56,17 @@ export function createExplorer(engine, store, tell) {
       map.host.dataset.view = String(view);
       map.host.setAttribute('aria-busy', String(busy));
       if (busy) ran = { cells: 0, seconds: 0, told: '' };
-      if (!busy && map.picture && map.host.dataset.stage !== 'stale') finish();
+      if (!busy && map.picture && map.current()) finish();
     },
-    frame(frame, request, current) {
-      map.show(frame, request.show, `${request.scene.x},${request.scene.y}`);
+    // A frame is drawn as what the state shows now, whatever was shown when it was asked for, and is new only where it is of the
+    // present numbers, too.
+    frame(frame, request, key) {
+      const show = shownOf(store.state);
+      if (!holds(frame, show)) return;
+      map.show(frame, show, `${request.scene.x},${request.scene.y}`);
       tell.refuse(null, null);
       tell.found();
-      if (current) {
+      if (key === pictureKey(store.state)) {
         fresh(frame.stage);
         shares();
         describe(frame);
@@ -56,6 +75,7 @@ export function createExplorer(engine, store, tell) {
       }
     },
     progress({ stage: name, done, of }) {
+      say(byId('state'), `${DOING[name] ?? DOING.coarse} … ${Math.floor((100 * done) / of)} %`);
       const now = `${name} picture: ${Math.floor((100 * done) / of)} % of ${count(of)} cells`;
       say(byId('status'), [ran.told, now].filter(Boolean).join(' · '));
     },
@@ -64,6 +84,7 @@ export function createExplorer(engine, store, tell) {
       stage(error.lost ? 'lost' : 'error');
       old(map.picture ? 'picture of the earlier numbers' : 'no picture');
       if (!error.lost) tell.refuse(error.key, error.line);
+      say(byId('state'), error.lost ? 'No server.' : 'Not computed.');
       say(byId('status'), error.lost ? 'no server' : 'not computed');
       announce(error.line);
     },
@@ -94,6 +115,7 @@ export function createExplorer(engine, store, tell) {
 
   function finish() {
     const told = shares();
+    say(byId('state'), stateOf(map.picture.frame, ran.seconds, true));
     announce(`Map over ${map.names.join(' and ')}: ${told}.`);
   }
 
@@ -116,6 +138,7 @@ export function createExplorer(engine, store, tell) {
     const picture = `${name}, ${shape[0]} × ${shape[1]}${probes?.probes ? `: ${probed(probes)}` : ''}`;
     ran.told = [[where, precision].filter(Boolean).join(', '), speed, picture, note].filter(Boolean).join(' · ');
     say(byId('status'), ran.told);
+    say(byId('state'), stateOf({ stage: name, shape, note, probes, cells }, ran.seconds, false));
   }
 
   /** The request of what the state shows. */
@@ -138,7 +161,7 @@ export function createExplorer(engine, store, tell) {
     if (axes) map.view(axes, axes.map((axis) => parameterOf(about, axis.key).label));
     const show = shownOf(state);
     const changed = always || pictureKey(state) !== pictureKey(before);
-    const held = map.picture && (show === 'outcome' || map.picture.frame.arrays[show]);
+    const held = map.picture && holds(map.picture.frame, show);
     if (!changed && held) {
       if (map.picture.show !== show) {
         map.reshow(show);
@@ -151,7 +174,7 @@ export function createExplorer(engine, store, tell) {
     shares();
     const asked = request(state);
     askedCount = String(asked.count);
-    flow.ask(asked);
+    flow.ask(asked, pictureKey(state));
   }
 
   store.listen((state, before) => update(state, before));

@@ -2,6 +2,7 @@
 import { applies, axisChange, choicesIn } from './applies.js';
 import { isBeside } from './choices.js';
 import { byId, make } from './dom.js';
+import { createDevice } from './device.js';
 import { createRow } from './row.js';
 
 /** Values of words where none is given. */
@@ -11,6 +12,14 @@ const NAMES = { object: 'Block', isolation: 'Moves', pressure: 'Pendulum pressed
 const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
 /** A choice that is the page's own. */
 const FORCE = { key: 'force', section: 'run', values: [{ value: 'false', label: 'are refused' }, { value: 'true', label: 'are accepted' }] };
+/** Numbers that few scenes have, in groups that are closed until they are needed. */
+const GROUPS = {
+  'Another measure of it': ['offset', 'size', 'slenderness', 'inertia'],
+  'When it yields': ['psi', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'],
+  'End stop': ['stop_gap', 'stop_stiffness', 'stop_xi'],
+  'Vertical spring that hardens': ['v_hardening', 'static_deflection'],
+};
+const groupOf = (key) => Object.keys(GROUPS).find((name) => GROUPS[name].includes(key));
 /** Sections that are closed at first. */
 const CLOSED = new Set(['run']);
 
@@ -19,21 +28,32 @@ export function createFields(about, store, act) {
   const rows = [];
   const words = [];
   const sections = [];
+  const groups = [];
+  const device = createDevice(about, act.change, act.masses);
   const change = (scene, resting) => act.change({ scene }, resting);
   const axis = (which, key) => act.change(axisChange(about, store.state, which, key), true);
 
   for (const section of about.sections) {
     const { key, heading } = section;
     const body = make('div', { class: 'rows' });
+    const within = {};
+    const group = (name) => {
+      within[name] ??= make('details', { class: 'sub' }, make('summary', {}, name));
+      if (!within[name].parentElement) groups.push(within[name]);
+      body.append(within[name]);
+      return within[name];
+    };
     for (const word of [...about.words, FORCE].filter((entry) => entry.section === key)) {
       const made = createWord(word);
       words.push(made);
+      if (word.key === 'pressure') body.append(device.element);
       body.append(made.element);
     }
     for (const parameter of about.parameters.filter((entry) => entry.section === key)) {
       const row = createRow(parameter, { change, axis });
       rows.push(row);
-      body.append(row.element);
+      const name = groupOf(parameter.key);
+      (name ? group(name) : body).append(row.element);
     }
     const details = make('details', { class: 'section', open: !CLOSED.has(key), 'data-section': key }, make('summary', {}, heading), body);
     sections.push({ section, details });
@@ -55,8 +75,6 @@ export function createFields(about, store, act) {
       element,
       update(scene) {
         select.value = scene[key] ?? FIRST[key] ?? '';
-        // Nothing presses on another device.
-        element.hidden = key === 'pressure' && !scene.radius;
       },
       refuse(line) {
         problem.hidden = !line;
@@ -69,7 +87,16 @@ export function createFields(about, store, act) {
     update(state) {
       for (const item of [...rows, ...words]) {
         item.update(state.scene);
-        item.element.hidden = !applies(about, state, item.key) && state.scene[item.key] === undefined;
+        const is = state.scene[item.key] !== undefined;
+        item.element.hidden = !is && !(applies(about, state, item.key) && device.has(state.scene, item.key));
+      }
+      device.update(state);
+      for (const group of groups) {
+        const own = [...group.querySelectorAll('.row')];
+        group.hidden = own.every((row) => row.hidden);
+        const isSet = own.some((row) => row.classList.contains('is-set'));
+        if (isSet && group.dataset.set !== 'yes') group.open = true;
+        group.dataset.set = isSet ? 'yes' : '';
       }
       for (const { section, details } of sections) details.hidden = !isBeside(section, choicesIn(state));
     },
@@ -81,8 +108,7 @@ export function createFields(about, store, act) {
         item.refuse(here ? line : null);
         if (here) {
           found = true;
-          const details = item.element.closest('details');
-          if (details) details.open = true;
+          for (let part = item.element.closest('details'); part; part = part.parentElement.closest('details')) part.open = true;
         }
       }
       return found;

@@ -83,12 +83,7 @@ export function createFiles(engine, store, change, tell) {
   async function take(files) {
     refuse('');
     if (files.length === 0) return;
-    const table = files.some((file) => /\.(csv|zip)$/i.test(file.name));
-    if (files.length === 2 && !table) {
-      askRoles(files);
-      return;
-    }
-    await guarded(table || files.length > 2 ? () => addSuite(files) : () => addRecord(files));
+    await guarded(() => (files.length > 2 ? addSuite(files) : addRecord(files)));
   }
 
   async function guarded(act) {
@@ -103,15 +98,24 @@ export function createFiles(engine, store, change, tell) {
   }
 
   async function addSuite(files) {
-    const told = await engine.suite(files);
+    shakeBySuite(await engine.suite(files));
+  }
+
+  function shakeBySuite(told) {
     suite = told.id;
     titles.set(suite, told.line);
     change({ suite, show: '', scene: NONE, cell: null, cell2: null, line: null }, true);
   }
 
+  /** Files are records, a pair of them, or a suite: the engine knows by what they hold. */
   async function addRecord(files) {
     const told = await engine.record(files);
-    const parts = told.files ?? [told];
+    if (told.motions) shakeBySuite(told);
+    else if (files.length === 2) askRoles(files, told.files);
+    else askForRest(told.files);
+  }
+
+  function askForRest(parts) {
     for (const part of parts) titles.set(part.id, part.line);
     const scene = { horizontal: parts[0].id, vertical: parts[1]?.id ?? '', dt: '', units: '' };
     const needs = [...new Set(parts.flatMap((part) => part.needs ?? []))];
@@ -125,7 +129,7 @@ export function createFiles(engine, store, change, tell) {
   }
 
   /** Two files are a pair, or a suite of two. */
-  function askRoles(files) {
+  function askRoles(files, told) {
     const upright = VERTICAL.test(files[0].name) && !VERTICAL.test(files[1].name) ? 0 : 1;
     const select = (first) => {
       const option = (value) => make('option', { value, selected: value === first }, value);
@@ -135,13 +139,13 @@ export function createFiles(engine, store, change, tell) {
     const rows = files.map((file, k) => make('div', { class: 'choices' }, make('label', {}, `${file.name} is `, selects[k])));
     const words = make('p', { class: 'problem', role: 'alert' });
     const pair = make('button', { type: 'button', click: () => {
-      const of = (role) => files.filter((_, k) => selects[k].value === role);
+      const of = (role) => told.filter((_, k) => selects[k].value === role);
       if (of('horizontal').length !== 1 || of('vertical').length > 1) {
         say(words, 'One file is the horizontal component; the other one is vertical or not used.');
         return;
       }
       dialog.close();
-      guarded(() => addRecord([...of('horizontal'), ...of('vertical')]));
+      askForRest([...of('horizontal'), ...of('vertical')]);
     } }, 'Shake the base with them');
     const both = make('button', { type: 'button', click: () => {
       dialog.close();

@@ -4,8 +4,8 @@
 const PATIENCE = 500;
 
 /**
- * Asks for pictures. `on.frame(frame, request, current)` has each frame of the newest request that was sent, with whether
- * nothing newer is asked; `on.progress(progress)`, `on.busy(busy)` and `on.error(error, request)` tell the rest.
+ * Asks for pictures. `on.frame(frame, request, key)` has each frame of the newest request that was sent, with the key that it was
+ * asked with; `on.progress(progress)`, `on.busy(busy)` and `on.error(error)` tell the rest.
  */
 export function createFlow(engine, on) {
   const tab = crypto.randomUUID?.() ?? String(Math.random()).slice(2);
@@ -13,8 +13,8 @@ export function createFlow(engine, on) {
   let waiting = null;
   let running = null;
 
-  function ask(request) {
-    waiting = request;
+  function ask(request, key) {
+    waiting = { request, key };
     if (!running) send();
     else if (running.frames > 0 || performance.now() - running.since > PATIENCE) replace();
   }
@@ -25,7 +25,8 @@ export function createFlow(engine, on) {
   }
 
   function send() {
-    const request = { ...waiting, tab, view: (view += 1) };
+    const { key } = waiting;
+    const request = { ...waiting.request, tab, view: (view += 1) };
     waiting = null;
     const run = { view, frames: 0, since: performance.now(), controller: new AbortController() };
     running = run;
@@ -37,15 +38,15 @@ export function createFlow(engine, on) {
         return;
       }
       run.frames += 1;
-      on.frame(frame, request, waiting === null);
+      on.frame(frame, request, key);
       if (waiting && running === run) replace();
     };
     engine
       .map(request, onFrame, run.controller.signal)
-      .then(() => end(run, null, request), (error) => end(run, error, request));
+      .then(() => end(run, null), (error) => end(run, error));
   }
 
-  function end(run, error, request) {
+  function end(run, error) {
     if (running !== run) return;
     running = null;
     if (waiting) {
@@ -53,7 +54,7 @@ export function createFlow(engine, on) {
       return;
     }
     on.busy(false, run.view);
-    if (error && error.name !== 'AbortError') on.error(error, request);
+    if (error && error.name !== 'AbortError') on.error(error);
   }
 
   return { ask };

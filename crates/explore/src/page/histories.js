@@ -6,7 +6,7 @@ import { largest, placeOf, stateAt } from './motion.js';
 import { read } from './numbers.js';
 
 /** Room left of and below the plots, in letters. */
-const LEFT = 3.6;
+const LEFT = 4.3;
 const BELOW = 2.5;
 const RIGHT = 0.6;
 /** Least span of a plot, in its unit: what is smaller is rest. */
@@ -16,10 +16,11 @@ const LEAST = 1e-3;
 function plotsOf(cell, moves) {
   const { motion, ground } = cell;
   const [left, right] = cell.critical;
+  const gap = cell.base?.stop?.gap;
   const input = [{ t: ground.t, y: ground.a_h, style: 'curve' }];
   if (ground.a_v && largest(ground.a_v) > 0) input.push({ t: ground.t, y: ground.a_v, style: 'curve-2', dash: true });
   const plots = [{ name: 'a [m/s²]', key: 'ah', curves: input, levels: [] }];
-  if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: [] });
+  if (moves.h) plots.push({ name: 'u [m]', key: 'u', curves: [{ t: motion.t, y: motion.u, style: 'curve' }], levels: gap ? [gap, -gap] : [], events: true });
   if (moves.v) plots.push({ name: 'v [m]', key: 'v', curves: [{ t: motion.t, y: motion.v, style: 'curve' }], levels: [] });
   const rotation = [{ t: motion.t, y: motion.phi, style: 'curve' }];
   plots.push({ name: 'φ [rad]', key: 'phi', curves: rotation, levels: [left, -Math.abs(right)], events: true });
@@ -69,7 +70,10 @@ function drawPlot(context, plot, at) {
   }
   for (const curve of plot.curves) drawCurve(context, curve, x, y, end, unit);
   line(context, [[x(t), top], [x(t), bottom]], ink, 0.1 * unit);
-  if (plot.events) for (const event of apart(cell.events, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t).phi), unit);
+  if (plot.events) {
+    const own = cell.events.filter(({ what }) => (what === 'stop') === (plot.key === 'u'));
+    for (const event of apart(own, x, 0.25 * unit)) drawEvent(context, event, x(event.t), y(stateAt(cell, event.t)[plot.key]), unit);
+  }
   disc(context, x(t), y(now[plot.key]), 0.22 * unit, colour('curve'), colour('surface'), 0.08 * unit);
   context.restore();
   context.strokeStyle = colour('edge');
@@ -129,11 +133,14 @@ function drawCurve(context, { t, y: values, style, dash }, x, y, end, unit) {
   context.setLineDash([]);
 }
 
-/** An uplift is a triangle, an impact a disc, the overturning a cross, the rest a ring. */
+/** A hit on the end stop is a square, an uplift a triangle, an impact a disc, the overturning a cross, the rest a ring. */
 function drawEvent(context, { what }, x, y, unit) {
   const r = 0.24 * unit;
   const [ink, paper] = [colour('ink'), colour('surface')];
-  if (what === 'impact') disc(context, x, y, 0.8 * r, ink, paper, 0.06 * unit);
+  if (what === 'stop') {
+    context.fillStyle = colour('curve-2');
+    context.fillRect(x - 0.7 * r, y - 0.7 * r, 1.4 * r, 1.4 * r);
+  } else if (what === 'impact') disc(context, x, y, 0.8 * r, ink, paper, 0.06 * unit);
   else if (what === 'rest') disc(context, x, y, 0.8 * r, paper, ink, 0.08 * unit);
   else if (what === 'overturned') {
     const style = colour('curve-2');

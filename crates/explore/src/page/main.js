@@ -9,6 +9,7 @@ import { axesOf, axesPatch, caption, cellScene, excitationOf, homeRange, motionK
 import { titleOf } from './shades.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
+import { startTour } from './tour.js';
 import { followHand } from './view.js';
 import { createCells } from './cells.js';
 import { createSection } from './section.js';
@@ -20,6 +21,7 @@ async function begin() {
   try {
     const engine = await openEngine();
     byId('banner').hidden = true;
+    byId('unopened')?.remove();
     run(engine);
   } catch (error) {
     say(byId('banner-text'), error.line ?? error.message);
@@ -41,7 +43,7 @@ function run(engine) {
     if (resting) store.rest();
   };
 
-  const fields = createFields(about, store, { change, own });
+  const fields = createFields(about, store, { change, own, masses: () => masses() });
   const tell = {
     refuse(key, line) {
       const seen = [fields.refuse(key, line), files.refuse(key, line)];
@@ -69,13 +71,18 @@ function run(engine) {
     section.retry();
   }
 
-  /** A block of the reader's own begins with the sizes of the one that is shown. */
-  async function own() {
+  /** A cell in the midst of the map, without its motion. */
+  const middle = () => {
     const axes = axesOf(store.state);
     const at = axes ? axes.map((axis) => (axis.start + axis.stop) / 2) : [1, 1];
-    const block = await engine
-      .cell({ scene: cellScene(store.state, at), precision: 'f32', motion: false })
-      .then((cell) => cell.block, () => ({ half_width: 0.175, height: 0.95 }));
+    return engine.cell({ scene: cellScene(store.state, at), precision: 'f32', motion: false });
+  };
+  /** What the base carries, kg. */
+  const masses = () => middle().then((cell) => cell.base.mass, () => 1000);
+
+  /** A block of the reader's own begins with the sizes of the one that is shown. */
+  async function own() {
+    const block = await middle().then((cell) => cell.block, () => ({ half_width: 0.175, height: 0.95 }));
     change({ scene: { object: '', half_width: String(block.half_width), height: String(block.height) } }, true);
   }
 
@@ -131,10 +138,23 @@ function run(engine) {
     section.redraw();
   });
   writeReadout(null);
-  byId('notice').hidden = !about.notice;
-  say(byId('notice'), about.notice ?? '');
+  showNotice(engine, store);
+  startTour();
   store.start();
   explorer.again();
+}
+
+/** What is missing here; where maps are stored and none can be computed, buttons choose among them. */
+function showNotice({ about, can }, store) {
+  byId('notice').hidden = !about.notice;
+  byId('notice').replaceChildren(make('p', {}, about.notice ?? ''));
+  if (can.compute) return;
+  for (const part of document.querySelectorAll('#sections, #shaken, #precision')) part.inert = true;
+  const show = (scene) => {
+    const none = Object.fromEntries(Object.keys(store.state.scene).map((key) => [key, '']));
+    store.change({ scene: { ...none, ...scene }, show: '', cell: null, cell2: null, line: null });
+  };
+  byId('notice').append(...about.stored.map(({ title, scene }) => make('button', { type: 'button', click: () => show(scene) }, title)));
 }
 
 function fillPrecision(about, store, change) {

@@ -107,11 +107,7 @@ export function createMap(about, cellsFor) {
   };
   /** Shows another column of the same frame. */
   map.reshow = (show) => {
-    if (map.picture && (show === 'outcome' || map.picture.frame.arrays[show])) {
-      map.picture = { ...createPicture(map.picture.frame, about, show), keys: map.picture.keys };
-      map.overlay = null;
-      map.redraw();
-    }
+    map.show(map.picture.frame, show, map.picture.keys);
   };
   map.host = host;
   new ResizeObserver(() => {

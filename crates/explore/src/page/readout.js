@@ -1,16 +1,32 @@
 // The numbers of the cell under the crosshair, from the frame that is shown.
 import { byId, make, symbol } from './dom.js';
-import { read } from './numbers.js';
+import { measure, value } from './axis.js';
+import { plain, read } from './numbers.js';
 import { cellAt } from './plot.js';
 import { parameterOf } from './scene.js';
+
+/** The values of the frame's cell at a place, to the digits that make it the same cell again; null where there is none. */
+export function cellValues(map, at) {
+  const cell = map.picture && map.plot && map.current() ? cellAt(map.picture.frame, map.plot.axes, at) : null;
+  if (!cell) return null;
+  const { frame } = map.picture;
+  return [frame.x, frame.y].map((ends, k) => {
+    const axis = map.plot.axes[k];
+    const [from, to] = ends.map((end) => measure(axis, end));
+    const share = [cell.i, cell.j][k] / (frame.shape[k] - 1);
+    return Number(plain(value(axis, from + share * (to - from))));
+  });
+}
 
 /** What the crosshair's cell says: a list of names and texts, with the class's colour. */
 export function readCell(about, state, map, at) {
   const { picture, plot } = map;
   if (!at || !plot) return null;
+  // The numbers are those of the cell, which lies beside the pointer.
+  const own = cellValues(map, at) ?? at;
   const items = [state.scene.x, state.scene.y].map((key, k) => {
     const parameter = parameterOf(about, key);
-    return { name: parameter.symbol, text: `${read(at[k], 5)} ${parameter.unit}`.trim() };
+    return { name: parameter.symbol, text: `${read(own[k], 5)} ${parameter.unit}`.trim() };
   });
   const cell = picture && map.current() ? cellAt(picture.frame, plot.axes, at) : null;
   if (!cell) return { items, kind: null };

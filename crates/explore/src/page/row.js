@@ -48,7 +48,9 @@ const put = (input, text) => {
  */
 export function createRow(parameter, { change, axis }) {
   const { key, unit, meaning } = parameter;
-  const short = meaning.split(/[;:,]/)[0];
+  // The first part in words: e/B is none.
+  const told = meaning.split(/[;:,]/);
+  const short = (told.find((part) => / /.test(part.trim())) ?? told[0]).trim();
   const title = `${parameter.symbol}: ${short}${unit ? `, ${unit}` : ''}`;
   const [helpId, problemId] = [`help-${key}`, `problem-${key}`];
   const described = { 'aria-describedby': problemId };
@@ -58,7 +60,7 @@ export function createRow(parameter, { change, axis }) {
     name.setAttribute('aria-expanded', String(!help.hidden));
   };
   const asks = { class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short };
-  const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol));
+  const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol), ' ', short);
   const set = (text, resting) => change({ [key]: text }, resting);
   const first = /^[\d.-]+/.exec(parameter.default)?.[0] ?? '';
   const slide = () => set(String(numberAt(parameter, Number(slider.value))), false);

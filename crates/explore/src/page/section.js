@@ -31,7 +31,7 @@ export function createSection(engine, store, explorer, change, tell) {
 
   /** The key L: the first time the line begins, the second time it ends. */
   section.mark = (values) => {
-    if (store.state.suite) return;
+    if (button.disabled) return;
     if (!begun) {
       begun = values;
       announce('The line of the cross-section begins here. Move the crosshair and press L again.');
@@ -55,7 +55,7 @@ export function createSection(engine, store, explorer, change, tell) {
   }
 
   function update(state, before) {
-    button.disabled = Boolean(state.suite);
+    button.disabled = Boolean(state.suite) || !engine.can.compute;
     const { line } = state;
     map.marks.line = line;
     byId('section').hidden = !line;

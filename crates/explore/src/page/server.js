@@ -11,7 +11,7 @@ export async function open() {
   const json = async (path, request, signal) => (await post(path, request, signal)).json();
   return {
     about,
-    can: { records: true, suites: true, verify: true, save: true, f64: about.precision.includes('f64'), ...about.can },
+    can: { compute: true, records: true, suites: true, verify: true, save: true, f64: about.precision.includes('f64'), ...about.can },
     async map(request, onFrame, signal) {
       const response = await post('map', request, signal);
       await followed(readFrames(response.body, onFrame));
@@ -38,10 +38,10 @@ async function upload(path, files, signal) {
 /** A response that is well; else the engine's error, or the loss of the server. */
 async function ask(path, options) {
   const response = await followed(fetch(path, options));
+  if (response.headers.get('X-Topple') === 'refused') throw new EngineError(await response.json());
   if (response.ok) return response;
   const refused = response.status === 403 ? REFUSED : `the server answers with status ${response.status}`;
-  const problem = await response.json().catch(() => ({ key: null, problem: refused, line: refused }));
-  throw new EngineError(problem);
+  throw new EngineError({ line: refused });
 }
 
 /** What fails on the way means that the server is lost, unless it was ended here. */

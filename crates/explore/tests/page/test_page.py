@@ -40,7 +40,7 @@ def test_the_first_picture_comes_after_the_load(open_page, server):
     for _ in range(9):
         page = open_page(**LARGE)
         page.settle()
-        assert CELLS in page.page.inner_text("#status"), "the window gives a map of another size"
+        assert CELLS in page.page.text_content("#status"), "the window gives a map of another size"
         asked = [url.removeprefix(server.url) for url in page.requests]
         twice = {name for name in asked if asked.count(name) > 1}
         assert twice <= {"icon.svg"}, "only the icon has two places"
@@ -59,7 +59,7 @@ def test_the_first_picture_comes_after_the_load(open_page, server):
 def test_a_slider_is_answered(open_page):
     page = open_page(**LARGE)
     page.settle()
-    assert CELLS in page.page.inner_text("#status"), "the window gives a map of another size"
+    assert CELLS in page.page.text_content("#status"), "the window gives a map of another size"
     times = {"coarse": [], "fine": []}
     for k in range(12):
         since = page.page.evaluate("() => { window.stages.length = 0; return performance.now(); }")
@@ -249,7 +249,7 @@ def expect_refused(page, key, selector, text):
 def test_bad_input_is_told_at_every_field(open_page):
     page = open_page()
     page.settle()
-    page.page.locator('details[data-section="run"]').evaluate("details => { details.open = true; }")
+    page.page.evaluate("() => document.querySelectorAll('details').forEach((details) => { details.open = true; })")
     keys = page.page.locator(".row:visible").evaluate_all("rows => rows.map((row) => row.dataset.key)")
     assert len(keys) > 15
     for key in keys:
@@ -375,7 +375,7 @@ def test_whole_numbers_are_shown_one_by_one(open_page):
     page = open_page("#object=1&t_h=1.75&t_v=0.75&omega=4&a_h=0.1:9&bouc_wen_n=1:4&x=bouc_wen_n&y=a_h&t_max=3", **SMALL)
     page.settle()
     assert "refined" not in page.data()["stage"]
-    shape = page.page.inner_text("#status")
+    shape = page.page.text_content("#status")
     assert "coarse, 4 ×" in shape
     page.page.click("#zoom-in")
     page.settle()

@@ -110,6 +110,11 @@ impl Suite {
     }
 }
 
+/// True of a file that is a list of records: PEER's, or one whose header names its columns.
+pub fn is_list(bytes: &[u8]) -> bool {
+    text::decoded(bytes).is_ok_and(|text| peer::matches(&text) || list::matches(&text))
+}
+
 /// A number that two motions do not share unless their samples are the same.
 fn checksum(pair: &Pair) -> u64 {
     let mut hasher = DefaultHasher::new();

@@ -7,6 +7,8 @@ import { motionOf } from './motion.js';
 import { kindOf } from './outcome.js';
 import { sceneOf } from './scene.js';
 
+const TAU = 2 * Math.PI;
+
 // What became of a cell, in a sentence. Twin: src/sweep/motion_of_cell.rs.
 export function wordsOf(outcome) {
   const impacts = outcome.impacts === 1 ? '1 impact' : `${outcome.impacts} impacts`;
@@ -25,6 +27,20 @@ export function wordsOf(outcome) {
   }
 }
 
+// The base of a cell, by which its device's force is drawn. Twin: src/cell.rs.
+function baseOf({ block, base }) {
+  const { horizontal, stop, vertical, plateH, plateV } = base;
+  const mass = block.mass + plateH + plateV;
+  const { tH, psi, xiH: xi, uY, pressure } = horizontal ?? {};
+  return {
+    mass,
+    plate: plateH / mass,
+    horizontal: horizontal && { omega: TAU / tH, psi, xi, u_y: uY, follows: pressure === 'follows' },
+    stop,
+    vertical: vertical && { omega: TAU / vertical.tV, xi: vertical.xiV, hardening: vertical.hardening ?? null },
+  };
+}
+
 // Runs a cell.
 export async function cellOf(device, request, signal) {
   const scene = sceneOf(request.scene, null);
@@ -36,6 +52,7 @@ export async function cellOf(device, request, signal) {
     kind: kindOf(outcome),
     words: wordsOf(outcome),
     block: { half_width: block.halfWidth, height: block.height, eccentricity: block.eccentricity },
+    base: baseOf(cell),
     critical: [overturning(cell, 1), overturning(cell, -1)],
     deflection: deflection(cell),
     t_max: cell.tMax,

@@ -11,7 +11,7 @@ import { sceneOf } from './scene.js';
 import { StoredMaps, WITHOUT } from './stored.js';
 import { mapOf, sectionOf } from './view.js';
 
-const CAN = { records: false, suites: false, verify: false, save: false, f64: false };
+const CAN = { compute: true, records: false, suites: false, verify: false, save: false, f64: false };
 
 async function fetched(name) {
   let response;
@@ -75,6 +75,7 @@ export class Engine {
     const device = await Device.open(this.source);
     this.device = device;
     this.pace = new Pace();
+    this.can.compute = Boolean(device);
     const told = device ? { backend: 'gpu', adapter: device.adapter, notice: '' } : { backend: null, adapter: null, notice: WITHOUT };
     Object.assign(this.about, told);
     return device;
