@@ -12,8 +12,11 @@ pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct More(usize);
 
+/// What a column has of the forces at a row.
+type OfForces = fn(&Forces) -> f64;
+
 /// Those columns.
-const MORE: [(&str, fn(&Forces) -> f64); 7] = [
+const MORE: [(&str, OfForces); 7] = [
     ("ground_h", |forces| forces.ground_h),
     ("ground_v", |forces| forces.ground_v),
     ("acc_plate", |forces| forces.acc_plate),
