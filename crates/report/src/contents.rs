@@ -96,7 +96,12 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
         text += &format!(" Varied: {}.", ranges.collect::<Vec<_>>().join("; "));
     }
     if folder.kind != Kind::Comparison {
-        text += &format!(" Fixed: {}.", words::line(scene));
+        // The scene of a suite's runs has the peaks of its first motion.
+        let fixed = match folder.run.get("motions") {
+            Some(_) => words::fixed(scene),
+            None => words::parameters(scene),
+        };
+        text += &format!(" Fixed: {}.", fixed.join(", "));
     }
     text
 }
@@ -196,10 +201,11 @@ fn checked(folder: &Folder) -> String {
                 return none;
             }
             format!(
-                "{second} {sampled} of {} calculations; the outcome differs in {differ} ({}). Half of the repeated ones were chosen where \
-                 outcomes are hardest to tell.",
+                "{second} {sampled} of {} calculations; the outcome differs in {differ} ({}). {} of the repeated ones lie beside \
+                 another outcome, where outcomes are hardest to tell.",
                 folder.number("cells").unwrap_or(sampled),
-                percent(differ / sampled)
+                percent(differ / sampled),
+                count(of, "beside_boundary")
             )
         }
         (_, Some(of)) if of.is_object() => {

@@ -52,7 +52,7 @@ pub(super) struct Rows {
 }
 
 /// What is wrong with a row of so many columns.
-fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
+pub(super) fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
     let hint = match line.contains(',') {
         true => "; if its commas are decimal ones, write points",
         false => "",

@@ -100,6 +100,12 @@ impl Table {
     }
 }
 
+/// True of a row whose commas may be decimal ones: they stand within words that blanks part.
+fn has_decimal_commas(line: &str) -> bool {
+    let within = |word: &str| word.trim_matches(',').contains(',');
+    line.split_whitespace().count() > 1 && line.split_whitespace().any(within)
+}
+
 /// The names of the columns: of the last line above the rows that has as many, and neither their units alone nor a
 /// statement such as `dt = 0.01`.
 fn names(text: &str, first: usize, width: usize) -> Option<(usize, Vec<String>)> {
@@ -125,6 +131,10 @@ pub(super) fn read(
     hints: &RecordHints,
     told: Told,
 ) -> Result<Raw, RecordError> {
+    let line = text.lines().nth(first - 1).unwrap_or_default();
+    if !line.contains(';') && has_decimal_commas(line) {
+        return Err(super::rows::too_many(first, super::free(line).len(), line));
+    }
     let table = Table::read(text, first)?;
     let names = names(text, first, table.width);
     // Some programs count the rows before the times.
@@ -294,5 +304,9 @@ mod tests {
         });
         let error = read(&text, &RecordHints::default()).unwrap_err().to_string();
         assert!(error.starts_with("line 21: another count of columns"), "{error}");
+        let text = rows("", |k| format!("{},5 0,{k}", k).replace(' ', "\t"));
+        let error = read(&text, &RecordHints::default()).unwrap_err().to_string();
+        assert!(error.contains("if its commas are decimal ones, write points"), "{error}");
+        assert!(!has_decimal_commas("0.1, 2, 3") && !has_decimal_commas("0.1,2,3 "));
     }
 }
