@@ -17,6 +17,8 @@ from playwright.sync_api import Page, sync_playwright
 SIZE = {"width": 1280, "height": 800}
 # A cell that rocks through several impacts, in shares of the map.
 CELL = (0.62, 0.28)
+# The tour of a first visit would hide what the pictures show.
+NO_TOUR = "localStorage.setItem('topple-tour', 'seen')"
 # Time between two pictures of the recording, ms.
 PACE = 120
 
@@ -59,6 +61,7 @@ def take(address: str, folder: Path) -> None:
             executable_path=os.environ.get("TOPPLE_CHROMIUM", "/usr/bin/chromium"), args=["--no-sandbox"]
         )
         page = browser.new_page(viewport=SIZE, color_scheme="light")
+        page.add_init_script(NO_TOUR)
         page.goto(address)
         settled(page)
         recording = Recording(page)
@@ -76,6 +79,7 @@ def take(address: str, folder: Path) -> None:
         recording.write(folder / "explore.gif")
         page.screenshot(path=folder / "explore.png")
         dark = browser.new_page(viewport=SIZE, color_scheme="dark")
+        dark.add_init_script(NO_TOUR)
         dark.goto(page.url)
         dark.wait_for_selector("#players:not([hidden])")
         settled(dark)
