@@ -53,7 +53,7 @@ const LEFT_OUT: [&str; 7] = [
     "The block and the plates are rigid, and so is the ground below. A block that bends, cracks or has loose parts behaves otherwise.",
     "The block does not slide on its base. Where a map of the friction that is needed is given, compare it with the friction there is.",
     "The block is lifted at a sharp corner and loses speed at each impact by a formula, not by a measured value.",
-    "The base does not pull at the block. Where it would have to, results are marked.",
+    "The base does not pull at the block. Maps mark where it would have to; comparisons and fragilities do not look for it.",
     "Rocking depends on small differences: one single calculation says little of one real event. Shares over many motions say more.",
     "Whether the ground motions are right for the site, and whether devices keep their numbers over the years, is not examined here.",
 ];
@@ -143,23 +143,35 @@ fn scenes(folder: &Folder) -> Vec<Scene> {
 
 /// What shook the base.
 fn motions(folders: &[Folder]) -> Vec<Piece> {
-    let mut lines: Vec<String> = Vec::new();
+    let mut lines: Vec<(String, String)> = Vec::new();
     for folder in folders {
         let line = match (folder.run.get("motions").and_then(Value::as_array), &folder.scene) {
             (Some(all), _) => {
                 let names: Vec<&str> = all.iter().filter_map(Value::as_str).take(NAMED).collect();
                 let more = if all.len() > NAMED { ", …" } else { "" };
                 let suite = folder.text("suite").unwrap_or_default();
-                format!("{} motions of the suite {suite}: {}{more}.", all.len(), names.join(", "))
+                let left_out = folder.run.get("left_out").and_then(Value::as_object);
+                let left_out = match left_out.map_or(0, |left_out| left_out.len()) {
+                    0 => String::new(),
+                    count => format!(" {count} motions of it are left out."),
+                };
+                format!(
+                    "{} motions of the suite {suite}: {}{more}.{left_out}",
+                    all.len(),
+                    names.join(", ")
+                )
             }
             (None, Some(scene)) => shaking(scene),
             (None, None) => continue,
         };
-        let line = format!("{}: {line}", title(folder));
-        if !lines.contains(&line) {
-            lines.push(line);
+        // Runs under the same motions share a line.
+        match lines.iter_mut().find(|(_, told)| *told == line) {
+            Some((titles, _)) => *titles += &format!(", {}", title(folder)),
+            None => lines.push((title(folder), line)),
         }
     }
+    let mut lines: Vec<String> =
+        lines.into_iter().map(|(titles, line)| format!("{titles}: {line}")).collect();
     if lines.is_empty() {
         lines.push("They are listed below.".into());
     }
@@ -194,6 +206,10 @@ fn checked(folder: &Folder) -> String {
     let second = "A second, independent and slower calculation has repeated";
     let count = |of: &Value, key: &str| of.get(key).and_then(Value::as_f64).unwrap_or(0.0);
     let none = "nothing was calculated a second time.".to_string();
+    let repeated_of = |sampled: f64, differ: f64| match sampled {
+        0.0 => none.clone(),
+        _ => format!("{second} {sampled} of the calculations; the outcome differs in {differ}."),
+    };
     match (folder.run.get("verification"), folder.run.get("verified")) {
         (Some(of), _) if of.is_object() => {
             let (sampled, differ) = (count(of, "sampled"), count(of, "differ"));
@@ -208,16 +224,11 @@ fn checked(folder: &Folder) -> String {
                 count(of, "beside_boundary")
             )
         }
-        (_, Some(of)) if of.is_object() => {
-            let (sampled, differ) = (count(of, "sampled"), count(of, "differ"));
-            format!("{second} {sampled} of the calculations; the outcome differs in {differ}.")
-        }
+        (_, Some(of)) if of.is_object() => repeated_of(count(of, "sampled"), count(of, "differ")),
         (_, Some(Value::Array(of))) => {
             let of: Vec<f64> = of.iter().filter_map(Value::as_f64).collect();
             match of[..] {
-                [sampled, differ] => format!(
-                    "{second} {sampled} of the calculations; the outcome differs in {differ}."
-                ),
+                [sampled, differ] => repeated_of(sampled, differ),
                 _ => none,
             }
         }

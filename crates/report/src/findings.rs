@@ -1,7 +1,10 @@
 //! What a run found, in sentences, tables and its pictures.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use topple::results::earlier::Kind;
 use topple::scene::record::rounded;
+use topple::scene::{Scene, words};
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
@@ -36,12 +39,12 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
              of the block that were varied."
         }
         (Kind::Fragility, _) => {
-            "How likely the block fails, over the strength of the ground motion. A curve that lies further to the right belongs to a \
-             safer base. Marks are counted motions; the bands show how far so few motions leave the curve open."
+            "How likely the block fails, over the strength of the ground motion: the further to the right a curve lies, the stronger \
+             the motions that the block survives. Marks are counted motions; the bands show how far so few motions leave the curve open."
         }
         (Kind::Comparison, _) => {
-            "The devices side by side: under which share of the motions the block stands, how far each base moves, and how much \
-             stronger the motions may become."
+            "The devices side by side: under which share of the motions the block stands, how far each base moves and, where factors \
+             on the motions were tried, how much stronger they may become."
         }
         (Kind::Probability, _) => {
             "How likely the block overturns where numbers are not known exactly: each point is the share of many calculations."
@@ -155,7 +158,7 @@ fn history(folder: &Folder) -> Vec<Piece> {
 }
 
 /// A cell of a table as a reader wants it: numbers with three digits.
-fn shown(row: &std::collections::BTreeMap<String, String>, column: &str) -> String {
+fn shown(row: &BTreeMap<String, String>, column: &str) -> String {
     let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { return "–".into() };
     text.parse().map_or_else(|_| text.clone(), number)
 }
@@ -238,9 +241,12 @@ fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 }
 
 /// Columns of what becomes of a base under a suite.
-const STROKES: [(&str, &str); 10] = [
+const STROKES: [(&str, &str); 13] = [
     ("device", "device"),
     ("standing", "share of the motions under which the block stands"),
+    ("overturned", "probability that a motion overturns it"),
+    ("overturned_low", "95 %: from"),
+    ("overturned_high", "to"),
     ("lifted", "share that lifts it"),
     ("max_u_50", "|u| not exceeded under 50 % [m]"),
     ("max_u_84", "84 %"),
@@ -253,9 +259,26 @@ const STROKES: [(&str, &str); 10] = [
 
 fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let rows = folder.table("compare.csv")?.unwrap_or_default();
-    let mut pieces =
-        vec![Piece::Text(format!("{} u is the displacement of the base.", limits(folder)))];
-    pieces.extend(table(&rows, &STROKES));
+    let mut pieces = vec![Piece::Text(format!(
+        "{} u is the displacement of the base, of the motions under which the block stands: one that overturns it is not counted.",
+        limits(folder)
+    ))];
+    let devices = folder.run.get("devices").and_then(|devices| devices.as_array());
+    let numbers = devices.into_iter().flatten().filter_map(|device| {
+        let scene: Scene = serde_json::from_value(device.get("scene")?.clone()).ok()?;
+        Some(format!("{}: {}", scene.title, words::fixed(&scene).join(", ")))
+    });
+    pieces.push(Piece::List(numbers.collect()));
+    // Columns that were asked for have their own names.
+    let of_tables = ["records", "stroke_v_50", "stroke_v_84"];
+    let known = |column: &str| {
+        of_tables.contains(&column) || STROKES.iter().any(|(known, _)| *known == column)
+    };
+    let asked = rows.iter().flat_map(|row| row.keys()).filter(|column| !known(column));
+    let asked: BTreeSet<&String> = asked.collect();
+    let mut columns = STROKES.to_vec();
+    columns.extend(asked.iter().map(|column| (column.as_str(), column.as_str())));
+    pieces.extend(table(&rows, &columns));
     Ok(pieces)
 }
 
@@ -266,7 +289,6 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let mut columns: Vec<(&str, &str)> =
         axes.iter().map(|(key, name)| (key.as_str(), name.as_str())).collect();
     columns.push(("limit_state", "the block fails by"));
-    columns.push(("estimator", "estimated by"));
     let mut fits = columns.clone();
     let median = format!("half fail at {label} (θ)");
     fits.extend([
@@ -279,8 +301,29 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         "The motions of the suite are scaled to levels of {label}. θ is the level at which half of the motions make the block fail, \
          β how wide the step from none to all is."
     ))];
-    pieces.extend(table(&folder.table("fits.csv")?.unwrap_or_default(), &fits));
-    if let Some(rows) = folder.table("rates.csv")? {
+    let mut rows = folder.table("fits.csv")?.unwrap_or_default();
+    // The stripes use each level's count of failures; the other estimates are in the run's directory.
+    rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
+    let open = |row: &&mut BTreeMap<String, String>| {
+        row.get("beta").is_some_and(String::is_empty)
+            && row.get("theta").is_some_and(|theta| !theta.is_empty())
+    };
+    let mut about = false;
+    for row in rows.iter_mut().filter(open) {
+        for column in ["theta", "theta_low", "theta_high"] {
+            row.insert(column.into(), "not known".into());
+        }
+        about = true;
+    }
+    pieces.extend(table(&rows, &fits));
+    if about {
+        pieces.push(Piece::Text(
+            "Not known: motions that fail and motions that do not meet at one level alone. More levels, or higher ones, would tell it."
+                .into(),
+        ));
+    }
+    if let Some(mut rows) = folder.table("rates.csv")? {
+        rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
         let mut rates = columns;
         rates.extend([
             ("rate", "so often a year"),
