@@ -69,6 +69,32 @@ pub(super) fn component(words: &str) -> Option<Component> {
     found.iter().all(|one| *one == first).then_some(first)
 }
 
+/// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
+pub(super) fn of_column(name: &str) -> Option<Component> {
+    let lower = name.to_lowercase();
+    let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+    if has(&["down", "dwn"]) && !has(&["up"]) {
+        return Some(Component::Down);
+    }
+    if has(&["vert", "updown", "up-down", "up/down"]) {
+        return Some(Component::Up);
+    }
+    let plain = without_brackets(name);
+    let plain = plain.trim();
+    let numbered = |word: &str| word.trim_end_matches(['1', '2']).to_string();
+    let told = |word: &str| {
+        let word = word.trim_end_matches("comp").trim_end_matches('.');
+        Component::named(word)
+            .or_else(|| Component::named(&numbered(word)))
+            .or_else(|| Component::of_channel(word))
+    };
+    let prefixes = ["accel", "acc", "ACC", "Acc"];
+    let bare = prefixes.iter().find_map(|prefix| plain.strip_prefix(prefix)).unwrap_or(plain);
+    let bare = bare.trim_start_matches(['-', '_', '.', ' ', ':']);
+    let last = bare.rsplit(['.', '_', ' ', ':']).next().unwrap_or_default();
+    component(name).or_else(|| told(bare)).or_else(|| told(last))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -66,16 +66,36 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         if let (Some(empty), false) = (empty, rows.are_none()) {
             return Err(empty_row(empty));
         }
-        if rows.are_none() && numbers.len() > 2 {
-            let mut raw = table::read(text, at, hints, told)?;
-            raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
-            return Ok(titled(raw, title));
+        let several = numbers.len() > 2 || numbers.len() == 2 && table::is_pair(text, at);
+        if rows.are_none() && several {
+            return of_table(text, at, hints, told, title, commas);
         }
         rows.add(at, line, &fields, numbers)?;
+    }
+    // A count of rows of several columns.
+    if let Some(at) = rows.counted_table() {
+        return of_table(text, at, hints, told, title, commas);
     }
     let mut raw = rows.record(&told, hints.dt)?;
     raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
     told.complete(titled(raw, title))
+}
+
+/// The record in rows of several columns, from line `at` on.
+fn of_table(
+    text: &str,
+    at: usize,
+    hints: &RecordHints,
+    told: Told,
+    title: String,
+    commas: bool,
+) -> Result<Raw, RecordError> {
+    let mut raw = table::read(text, at, hints, told)?;
+    raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
+    // Names of columns are no title.
+    let names = table::names_line(text, at).unwrap_or_default();
+    let title = if !title.is_empty() && names.starts_with(&title) { String::new() } else { title };
+    Ok(titled(raw, title))
 }
 
 /// A record with its title, and what that states: without a place and a component it is a heading of columns.

@@ -41,6 +41,8 @@ pub(super) struct Rows {
     /// All values after the first row, row by row, and the fewest and the most of a row.
     values: Vec<f64>,
     rows: usize,
+    /// The line of the first row after the first one.
+    second: usize,
     narrowest: usize,
     widest: usize,
     /// The last row of as many values as none before it had, and its line.
@@ -93,6 +95,7 @@ impl Rows {
             return Err(too_many(at, columns, line));
         }
         if self.rows == 0 {
+            self.second = at;
             (self.narrowest, self.widest) = (columns, columns);
         }
         if columns != self.widest && columns != self.narrowest || columns > self.widest {
@@ -114,9 +117,16 @@ impl Rows {
         Ok(())
     }
 
+    /// The line after a count that is the count of the rows that follow, of several columns each.
+    pub fn counted_table(&self) -> Option<usize> {
+        let (count, _) = self.first.as_ref()?.as_count()?;
+        let several = self.narrowest == self.widest && self.widest > 2;
+        (several && self.rows as f64 == count).then_some(self.second)
+    }
+
     /// The record in the rows: whether the first one is a count is told by the others.
     pub fn record(self, told: &Told, given: Option<f64>) -> Result<Raw, RecordError> {
-        let Rows { first, mut values, rows, narrowest, widest, odd, times, points } = self;
+        let Rows { first, mut values, rows, narrowest, widest, odd, times, points, .. } = self;
         let Some(first) = first else { return Ok(Raw::default()) };
         let two = narrowest == 2 && widest == 2;
         if let Some((count, step)) = first.as_count() {

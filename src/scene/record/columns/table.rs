@@ -6,7 +6,7 @@ use super::super::hints::RecordHints;
 use super::super::lines::MOST_SAMPLES;
 use super::super::numbers::number;
 use super::super::times::Times;
-use super::super::{Component, Raw, RecordError, Units};
+use super::super::{Raw, RecordError, Units};
 use super::told::Told;
 use super::{COMMENT, Row, directions, words};
 use crate::scene::shown::shown;
@@ -16,6 +16,12 @@ const WIDEST: usize = 64;
 
 /// Part of the change from row to row below which values that follow each other in a row change, where they run on.
 const RUN_ON: f64 = 0.8;
+
+/// Most that the change from row to row and that within a row are apart, where values run on.
+const BETWEEN: f64 = 2.0;
+
+/// Fewest values of a row that runs on: three may be the components of a motion.
+const FEWEST: usize = 4;
 
 /// The rows: as many numbers in each, but for the last one, which may have fewer.
 struct Table {
@@ -89,14 +95,21 @@ impl Table {
         self.column(column).is_sorted_by(|before, next| before < next)
     }
 
-    /// True of values that run on from row to row: a motion changes less from one sample to the next than over a row.
+    /// True of values that run on from row to row: a motion changes less from one sample to the next than over a row, and
+    /// no more from a row's last to the next one's first.
     fn runs_on(&self) -> bool {
-        let change = |apart: usize| {
-            let pairs = self.values.iter().zip(self.values.iter().skip(apart));
-            let count = self.values.len().saturating_sub(apart).max(1);
-            pairs.map(|(one, other)| (other - one).abs()).sum::<f64>() / count as f64
+        let apart = |apart: usize, counts: &dyn Fn(usize) -> bool| {
+            let pairs = self.values.iter().zip(self.values.iter().skip(apart)).enumerate();
+            let changes = pairs.filter(|(at, _)| counts(*at)).map(|(_, (a, b))| (b - a).abs());
+            let (sum, count) =
+                changes.fold((0.0, 0), |(sum, count), change| (sum + change, count + 1));
+            sum / f64::from(count.max(1))
         };
-        self.short.is_some() || change(1) < RUN_ON * change(self.width)
+        let ends = |at: usize| at % self.width + 1 == self.width;
+        let (within, between) = (apart(1, &|at| !ends(at)), apart(1, &ends));
+        within < RUN_ON * apart(self.width, &|_| true)
+            && between < BETWEEN * within
+            && within < BETWEEN * between
     }
 }
 
@@ -118,10 +131,48 @@ fn names(text: &str, first: usize, width: usize) -> Option<(usize, Vec<String>)>
     })
 }
 
-/// True of a name of velocities or displacements.
-fn is_integral(name: &str) -> bool {
-    let name = name.trim().to_lowercase();
-    name.starts_with("vel") || name.starts_with("dis") || matches!(&*name, "v" | "u" | "d")
+/// The line that names the columns of the rows from line `first` on.
+pub(super) fn names_line(text: &str, first: usize) -> Option<&str> {
+    let row = Row::new(text.lines().nth(first - 1)?.trim());
+    let (line, _) = names(text, first, row.fields().len())?;
+    text.lines().nth(line - 1).map(str::trim)
+}
+
+/// True where words stand above the rows that state nothing known: names of columns that are not understood.
+fn is_headed(text: &str, first: usize) -> bool {
+    let above = text.lines().take(first - 1).map(str::trim);
+    above.filter(|line| !line.is_empty()).any(|line| {
+        let plain = line.trim_start_matches(COMMENT);
+        let is_comment = plain.len() < line.len();
+        !is_comment && super::numbers(&super::free(line)).is_none() || words::names_columns(plain)
+    })
+}
+
+/// True of a pair of columns that a heading names as two accelerations, neither of them a time.
+pub(super) fn is_pair(text: &str, first: usize) -> bool {
+    let named = names(text, first, 2);
+    named.is_some_and(|(_, names)| names.iter().all(|name| words::is_channel(name)))
+}
+
+/// The columns that are accelerations by their names: where one says so, only those that do; else those whose names are
+/// directions.
+fn channels<'a>(names: &'a [String], hints: &RecordHints) -> Vec<Channel<'a>> {
+    let says = names.iter().any(|name| words::says_acceleration(name));
+    let asked = hints.channel.as_deref().is_some_and(|asked| asked.trim().parse::<u32>().is_ok());
+    let is_channel = |name: &str| match says {
+        true => words::says_acceleration(name),
+        // One that is chosen by its number need not be understood.
+        false => words::is_channel(name) || asked && !words::says_integral(name),
+    };
+    let numbered = (1..).zip(names).filter(|(_, name)| is_channel(name));
+    let channel = |(number, name): (u32, &'a String)| Channel {
+        number: Some(number),
+        word: words::direction(name),
+        component: directions::of_column(name),
+        before: 0,
+        text: name,
+    };
+    numbered.map(channel).collect()
 }
 
 /// The record in a text whose first row of numbers, of more than two, stands in line `first`.
@@ -154,9 +205,15 @@ pub(super) fn read(
         }
         None => 0,
     };
+    if let (Some(short), true) = (table.short, table.grows(0)) {
+        let problem =
+            "fewer columns than in the rows above; complete this row, or cut the record before it";
+        return Err(RecordError::line(short, problem));
+    }
+    let headed = is_headed(text, first);
     if timed.is_none() && (names.is_none() || table.short.is_some()) {
         let known = hints.dt.is_some() || told.has_step();
-        if !known || !table.runs_on() {
+        if !known || headed || table.width < FEWEST || !table.runs_on() {
             let problem = format!(
                 "{} columns here; one of values, or a time and values, are read. If the values run on from row to row, \
                  write their count and step above them, as in '4000 0.01'; else name the columns",
@@ -168,26 +225,35 @@ pub(super) fn read(
         raw.values = table.values;
         return told.complete(raw);
     }
-    let (line, names) = names.unwrap_or((first, vec![String::new(); table.width]));
-    let mut channels = Vec::new();
-    for (number, name) in (1..).zip(&names[from..]) {
-        if !is_integral(name) {
-            let word = words::direction(name);
-            let component = directions::component(name).or_else(|| Component::named(word));
-            channels.push(Channel { number: Some(number), word, component, before: 0, text: name });
-        }
+    let key = hints.channel_key();
+    if headed && names.is_none() && hints.channel.is_none() {
+        let problem = format!(
+            "the lines above do not name {} columns; name each, or choose one by `{key}` (1 is the first behind the times)",
+            table.width
+        );
+        return Err(RecordError::line(first, problem));
     }
+    let named = names.is_some();
+    // Without names each column may be one.
+    let (line, names) = names.unwrap_or((first, vec!["acc".to_string(); table.width]));
+    let channels = channels(&names[from..], hints);
     if channels.is_empty() {
-        let problem = "no column of accelerations by the heading; give the file of accelerations";
+        let problem = format!(
+            "no column is an acceleration by its name; name one acc or by its direction, or choose one by `{key}` (1 is the \
+             first behind the times)"
+        );
         return Err(RecordError::line(line, problem));
     }
+    let lone = channels.len() == 1;
     let (channel, note) = choose(channels, hints, &mut raw.stated)?;
     raw.notes.extend(note);
-    raw.stated.component = channel.component;
     let column = from + channel.number.map_or(0, |number| number as usize - 1);
     raw.values = table.column(column);
     let own = words::bracket(channel.text).map(|words| (line, words.to_string()));
+    let component = channel.component;
     let mut raw = told.complete(raw)?;
+    // What is told of the whole file may be of another column.
+    raw.stated.component = component.or(raw.stated.component.filter(|_| lone || !named));
     if let Some((line, words)) = own {
         if Units::named(&words).is_none() && !Units::are_meant(&words) {
             let problem = format!("'{}' is no unit of a column of accelerations", shown(&words));
@@ -202,6 +268,7 @@ pub(super) fn read(
 mod tests {
     use super::super::read;
     use super::*;
+    use crate::scene::record::Component;
     use std::fmt::Write as _;
 
     /// A motion of 2 Hz in steps of 0.01 s, in m/s2.
@@ -246,6 +313,82 @@ mod tests {
         let up = RecordHints { vertical: Some(true), ..RecordHints::default() };
         assert_eq!(read(&text, &up).unwrap().stated.component, Some(Component::Up));
         assert!(read(&text, &channel("T")).is_err());
+    }
+
+    #[test]
+    fn what_a_heading_does_not_name_as_an_acceleration_is_not_taken() {
+        let of = |heading: &str, channel: Option<&str>| {
+            let text = rows(heading, |k| {
+                format!(
+                    "{:.2},{},{},{}",
+                    0.01 * k as f64,
+                    motion(k),
+                    2.0 * motion(k),
+                    3.0 * motion(k)
+                )
+            });
+            let channel = channel.map(String::from);
+            read(&text, &RecordHints { channel, vertical: Some(false), ..RecordHints::default() })
+        };
+        for (heading, factor) in [
+            ("t,NS,EW,UD\n", 1.0),
+            ("t,UD,NS,EW,\n", 2.0),
+            ("t,Down,NS,EW\n", 2.0),
+            ("time,HNZ,HNN,HNE\n", 2.0),
+            ("t,acc-UD,acc-NS,acc-EW\n", 2.0),
+            ("t,Up-Down,UD2,IWT010.EW\n", 3.0),
+            ("t,ground velocity,force,ground acceleration\n", 3.0),
+            ("t,d_ns,v_ns,a_ns\n", 3.0),
+            ("t,PSA,error,acc\n", 3.0),
+            ("t,udot,u,acc EW\n", 3.0),
+            ("200 0.01\nTime (s),Z (down),vert.,NS (g)\n", 3.0),
+        ] {
+            let raw = of(heading, None).unwrap_or_else(|error| panic!("{heading}: {error}"));
+            assert_eq!(raw.values[9], factor * motion(9), "{heading}");
+            assert_eq!(raw.step.unwrap().seconds, 0.01, "{heading}");
+        }
+        for heading in [
+            "Time,UD,NS\n",
+            "a station of three words\n",
+            "t,force,temperature,flag\n",
+            "t,EW_vel,NS_vel,UD_vel\n",
+            "Time,desplazamiento,geschwindigkeit,x\n",
+            "Period (s),SA (g),SD (cm),PSV\n",
+            "depth (m),acc,acc2,acc3\n",
+            "# response spectrum, 5% damping\n",
+        ] {
+            assert!(of(heading, None).is_err(), "{heading}");
+        }
+        assert_eq!(of("t,force,CH1,CH2\n", Some("2")).unwrap().values[9], 2.0 * motion(9));
+        assert!(of("t,force,vel,CH2\n", Some("2")).is_err());
+    }
+
+    #[test]
+    fn two_named_columns_without_a_time_are_channels() {
+        let text = rows("# dt = 0.01\nNS (g), EW (g)\n", |k| {
+            format!("{}, {}", motion(k), 2.0 * motion(k))
+        });
+        let raw = read(&text, &channel("EW")).unwrap();
+        assert_eq!((raw.values[4], raw.step.unwrap().seconds), (2.0 * motion(4), 0.01));
+    }
+
+    #[test]
+    fn a_row_that_is_cut_off_is_no_sign_of_values_that_run_on() {
+        let hints = RecordHints { dt: Some(0.01), ..RecordHints::default() };
+        for heading in ["Time (s),NS (g),EW (g)\n", ""] {
+            let text = rows(heading, |k| match k {
+                199 => "1.99,0.5".into(),
+                k => format!("{:.2},{},{}", 0.01 * k as f64, motion(k), motion(k)),
+            });
+            let error = read(&text, &hints).unwrap_err().to_string();
+            assert!(error.contains("fewer columns than in the rows above"), "{error}");
+        }
+        // Channels alike, side by side, in which the change within a row is least.
+        let alike = rows("", |k| match k {
+            199 => "0.5 0.5".into(),
+            k => format!("{0} {0} {0} {0} {0}", motion(k)),
+        });
+        assert!(read(&alike, &hints).is_err());
     }
 
     #[test]

@@ -63,12 +63,7 @@ impl Told {
     /// # Errors
     /// A heading of velocities or displacements, and one that contradicts a line before.
     pub fn by_heading(&mut self, at: usize, line: &str) -> Result<bool, RecordError> {
-        let lower = line.to_lowercase();
-        let names = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-        if names(&["veloc", "displac"]) && !names(&["acc"]) {
-            let problem = "this is no acceleration by its heading; give the file of accelerations";
-            return Err(RecordError::line(at, problem));
-        }
+        refuse_others(at, line)?;
         let units = words::units(line);
         let found = units.is_some();
         self.put_units(at, units)?;
@@ -84,6 +79,9 @@ impl Told {
     /// One that contradicts a line before.
     pub fn by_comment(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
         let of_columns = words::names_columns(words);
+        if of_columns || words.to_lowercase().contains("response spectr") {
+            refuse_others(at, words)?;
+        }
         let units = if of_columns { words::units(words) } else { words::after_units(words) };
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
@@ -217,6 +215,24 @@ impl Told {
         raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
         Ok(raw)
     }
+}
+
+/// Refuses what is no acceleration over time by the words above it.
+fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
+    let lower = words.to_lowercase();
+    let names = |of: &[&str]| of.iter().any(|word| lower.contains(word));
+    let is_acceleration = names(&["acc", "beschl", "acel"]);
+    if !is_acceleration && (names(&["veloc", "displac"]) || words::are_integrals(words)) {
+        let problem = "this is no acceleration by its heading; give the file of accelerations";
+        return Err(RecordError::line(at, problem));
+    }
+    let first = words.split([',', ';', '\t', '(', '[', ' ']).next().unwrap_or_default();
+    let other = ["period", "periods", "freq", "frequency", "depth", "distance"];
+    if names(&["response spectr"]) || other.contains(&&*first.trim().to_lowercase()) {
+        let problem = "by its heading this is no motion over time; give the file of accelerations";
+        return Err(RecordError::line(at, problem));
+    }
+    Ok(())
 }
 
 /// What a first column in no stated unit is by the step that is given: times in ms or µs, or a count.

@@ -72,6 +72,8 @@ pub(super) fn names_columns(words: &str) -> bool {
 pub(super) fn columns(line: &str) -> Vec<String> {
     let plain = |name: &str| name.trim().trim_matches('"').trim().to_string();
     if line.contains([',', ';', '\t']) {
+        // A spreadsheet leaves separators at the end of a row.
+        let line = line.trim_end().trim_end_matches([',', ';', '\t']);
         return line.split([',', ';', '\t']).map(plain).collect();
     }
     let mut names: Vec<String> = Vec::new();
@@ -98,6 +100,46 @@ pub(super) fn columns(line: &str) -> Vec<String> {
 /// What stands in the last bracket of a name.
 pub(super) fn bracket(name: &str) -> Option<&str> {
     in_brackets(name).pop()
+}
+
+/// The parts of a column's name, its brackets left out: `EW`, `acc` of `EW_acc (g)`.
+fn parts(name: &str) -> Vec<String> {
+    let plain = without_brackets(name).to_lowercase();
+    let apart = |c: char| c.is_whitespace() || matches!(c, '_' | '.' | '-' | '/' | ':');
+    plain.split(apart).filter(|part| !part.is_empty()).map(String::from).collect()
+}
+
+/// True of a column's name that says that it is an acceleration.
+pub(super) fn says_acceleration(name: &str) -> bool {
+    let is_one = |part: &String| is_acceleration(part) || matches!(&**part, "a" | "ag");
+    parts(name).iter().any(is_one) && !says_integral(name)
+}
+
+/// True of a column's name that says that it is a velocity, a displacement, or a spectrum.
+pub(super) fn says_integral(name: &str) -> bool {
+    const BEGIN: [&str; 9] =
+        ["vel", "disp", "desp", "depl", "dépl", "spost", "geschw", "versch", "vit"];
+    let spectral = ["sa", "psa", "sd", "sv", "psv", "spectrum", "spectral"];
+    parts(name).iter().any(|part| {
+        BEGIN.iter().any(|begins| part.starts_with(begins))
+            || part.ends_with("dot")
+            || spectral.contains(&&**part)
+    })
+}
+
+/// True of names of columns of which all but the times are velocities, displacements or spectra.
+pub(super) fn are_integrals(line: &str) -> bool {
+    let names = columns(line);
+    names.len() > 1
+        && names.len() <= 12
+        && names.iter().any(|name| says_integral(name))
+        && names.iter().all(|name| says_integral(name) || TIMES.contains(&&*parts(name).join(" ")))
+}
+
+/// True of a column's name that is an acceleration's or a direction's, and nothing besides.
+pub(super) fn is_channel(name: &str) -> bool {
+    let other = says_integral(name) || TIMES.contains(&&*name.trim().to_lowercase());
+    !other && (says_acceleration(name) || super::directions::of_column(name).is_some())
 }
 
 /// The word of a name that tells its direction: the last one before its bracket, `NS` of `acc_NS (g)`.
