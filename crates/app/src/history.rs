@@ -22,6 +22,7 @@ use topple_pictures::map::figure::history as figure;
 use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
+use super::picture_flags::PictureFlags;
 use super::record::RecordFlags;
 use super::results_directory::Place;
 use super::save::save;
@@ -59,6 +60,8 @@ struct Manifest<'a> {
     #[serde(flatten)]
     method: Method,
     outcome: &'a Outcome,
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
 }
 
 impl HistoryCommand {
@@ -93,6 +96,7 @@ impl HistoryCommand {
 /// Runs a cell and writes its history.
 pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     options.set_threads()?;
+    let print = options.pictures.print()?;
     if let Some(swept) = scene.swept().first() {
         let flag = swept.entry().flag();
         let problem = format!("{flag}: a history is of one cell; give a single number");
@@ -119,7 +123,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
     };
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
-    let svg = figure::draw(scene, &case, &rows, &outcome)?;
+    let svg = figure::draw(scene, &case, &rows, &outcome, print)?;
     let png = render::png(&svg)?;
     out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
     out.write("history.csv", |w| table::write(&rows, w))?;
@@ -132,6 +136,7 @@ pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
         record: scene.excitation.provenance(),
         method: options.method(),
         outcome: &outcome,
+        pictures: &options.pictures,
     };
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);

@@ -36,6 +36,7 @@ mod merge;
 mod named;
 mod numbers;
 mod options;
+mod picture_flags;
 mod print;
 mod probability;
 mod progress;

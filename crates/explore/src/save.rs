@@ -12,6 +12,7 @@ use super::session::Session;
 use super::stages::Stages;
 use super::view::{sweep, whole};
 use topple::results::{csv, npz};
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::map::figure::main;
 
@@ -63,7 +64,8 @@ pub fn run(
     }
     let ready = session.ready(scene, count, *precision)?;
     let map = sweep(&ready, stop)?;
-    let svg = || -> Result<String, Refused> { Ok(main::draw(&whole(&map)?, "")?) };
+    let svg =
+        || -> Result<String, Refused> { Ok(main::draw(&whole(&map)?, "", Print::default())?) };
     let mut file = Cursor::new(Vec::new());
     match request.kind {
         Kind::Png => return Ok((render::png(&svg()?)?, "image/png")),

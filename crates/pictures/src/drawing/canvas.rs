@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::raster::data_url;
 use super::text::{self, Anchor, Style};
-use super::{LEADING, MILLIMETRE};
+use super::{LEADING, MARGIN, MILLIMETRE};
 use topple::results::colour::Colour;
 
 /// A place in a document, points from its upper left corner.
@@ -60,6 +60,7 @@ pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
 #[derive(Debug, Clone)]
 pub struct Canvas {
     width: f64,
+    scale: f64,
     body: String,
     clips: usize,
 }
@@ -108,19 +109,29 @@ impl Stroke {
 impl Canvas {
     /// An empty document of a width, points.
     pub fn new(width: f64) -> Canvas {
-        Canvas { width, body: String::new(), clips: 0 }
+        Canvas::scaled(width, 1.0)
     }
 
-    /// Its width, points.
+    /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say.
+    pub fn scaled(width: f64, scale: f64) -> Canvas {
+        Canvas { width: width / scale, scale, body: String::new(), clips: 0 }
+    }
+
+    /// Its width in its coordinates.
     pub fn width(&self) -> f64 {
         self.width
     }
 
-    /// The document on white paper of a height, points.
+    /// The same without its margins.
+    pub fn inner(&self) -> f64 {
+        self.width - 2.0 * MARGIN
+    }
+
+    /// The document on white paper of a height in its coordinates.
     pub fn finish(self, height: f64) -> String {
-        let Canvas { width, body, .. } = self;
+        let Canvas { width, scale, body, .. } = self;
         let (w, h) = (short(width), short(height));
-        let (mm_w, mm_h) = (short(width / MILLIMETRE), short(height / MILLIMETRE));
+        let (mm_w, mm_h) = (short(scale * width / MILLIMETRE), short(scale * height / MILLIMETRE));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_w}mm\" height=\"{mm_h}mm\" \
              viewBox=\"0 0 {w} {h}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{body}</svg>\n"

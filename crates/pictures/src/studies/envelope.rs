@@ -1,15 +1,16 @@
 //! The picture of an envelope: the share of the motions under which the block stands, the limits, and what is
 //! feasible.
 
-use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
+use crate::drawing::canvas::{Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
-use crate::map::figure::layout::{SIDE, frame};
+use crate::map::figure::layout::{frame, side};
 use topple::results::colour::BLACK;
 use topple::results::palette::{FEASIBLE, LIMITS};
 use topple::scene::words;
@@ -27,16 +28,20 @@ const LIMIT_V: Stroke = dashed(LIMITS[1], 0.9, (1.2, 1.6));
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureError> {
+pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<String>, FigureError> {
     let grid = &envelope.sweep.grid;
     let (columns, rows) = grid.shape();
     if grid.axes().len() != 2 || columns < 2 || rows < 2 {
         return Ok(None);
     }
-    let most = COLUMN - 2.0 * MARGIN;
-    let mut canvas = Canvas::new(COLUMN);
-    let top = caption::titled(&mut canvas, title, &words::fixed(&envelope.sweep.scene)) + MARGIN;
-    let (x, side) = SIDE;
+    let mut canvas = print.canvas(COLUMN);
+    let most = canvas.inner();
+    let top = caption::titled(
+        &mut canvas,
+        print.title.unwrap_or(title),
+        &words::fixed(&envelope.sweep.scene),
+    ) + MARGIN;
+    let (x, side) = side(&canvas);
     let place = Place { x, y: top, width: side, height: side };
     let frame = frame(place, grid);
     // From a tenth below the least share on, so that large ones are told apart.

@@ -4,10 +4,11 @@ use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
-use crate::map::figure::layout::{GAP, SIDE, frame};
+use crate::map::figure::layout::{GAP, frame, side};
 use topple::results::colour::{Colour, WHITE};
 use topple::results::palette::CURVES;
 use topple::results::ramp;
@@ -44,12 +45,16 @@ fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn draw(all: &Probabilities, uncertainty: &Uncertainty) -> Result<Option<String>, FigureError> {
-    let most = COLUMN - 2.0 * MARGIN;
-    let mut canvas = Canvas::new(COLUMN);
-    let title = format!("{}: {NAME}", all.scene.title);
+pub fn draw(
+    all: &Probabilities,
+    uncertainty: &Uncertainty,
+    print: Print,
+) -> Result<Option<String>, FigureError> {
+    let mut canvas = print.canvas(COLUMN);
+    let most = canvas.inner();
+    let title = format!("{}: {NAME}", print.title.unwrap_or(&all.scene.title));
     let y = caption::titled(&mut canvas, &title, &said(&all.scene, uncertainty)) + GAP;
-    let (x, side) = SIDE;
+    let (x, side) = side(&canvas);
     let grid = &all.grid;
     let place = Place { x, y, width: side, height: side };
     let bottom = match grid.line() {

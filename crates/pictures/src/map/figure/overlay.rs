@@ -11,6 +11,8 @@ use topple::stepping::outcome::Class;
 
 /// Pixels of a point of the picture.
 const DENSITY: f64 = 6.0;
+/// Most pixels along an edge: a wide picture with small letters has fewer a point.
+const MOST: f64 = 8192.0;
 /// Width of the light edge of a hatch's lines, over theirs: it shows them on dark colours.
 const EDGE: f64 = 0.6;
 
@@ -58,7 +60,8 @@ impl Overlay {
             return Ok(None);
         }
         let (columns, rows) = map.grid.shape();
-        let pixels = |length: f64| (length * DENSITY).round().max(1.0) as usize;
+        let density = DENSITY.min(MOST / place.width.max(place.height));
+        let pixels = |length: f64| (length * density).round().max(1.0) as usize;
         let (width, height) = (pixels(place.width), pixels(place.height));
         let (pitch, line) = (pixels(PITCH), pixels(WIDTH * std::f64::consts::SQRT_2));
         let (edge, apart) = (line + pixels(EDGE * WIDTH), pixels(DOTS));
@@ -72,7 +75,7 @@ impl Overlay {
             let middle = |at: usize| at as f64 + 0.5 - 0.5 * apart as f64;
             let dx = middle((x + shift) % apart);
             let dy = middle(y - row * apart);
-            dx.hypot(dy) <= DOT * DENSITY
+            dx.hypot(dy) <= DOT * density
         };
         let image = png((width, height), |x, y| {
             let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
