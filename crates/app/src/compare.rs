@@ -118,7 +118,7 @@ impl CompareCommand {
     /// Runs the sweep and writes the comparison.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let print = options.pictures.print()?;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Comparison)?;
         let im = self.im.unwrap_or(Intensity::Pga);
         let hazard = self.hazard.read(im)?;

@@ -23,7 +23,7 @@ use super::results_directory::{Place, picture_files};
 use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{examples, suite};
+use super::{InputError, examples, suite};
 
 /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
 #[derive(clap::Args)]
@@ -87,7 +87,7 @@ impl EnvelopeCommand {
     /// Runs the sweeps and writes the envelope.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let print = options.pictures.print()?;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
         let limits = self.limits.limits();

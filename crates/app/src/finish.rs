@@ -17,6 +17,7 @@ use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
 use topple_studies::Sharpness;
 
+use super::InputError;
 use super::beside;
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
@@ -148,7 +149,7 @@ fn files<'a>(
         None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes, asked)?,
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
-    let print = to.pictures.print()?;
+    let print = to.pictures.print().map_err(InputError)?;
     let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.refined.is_some());
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);

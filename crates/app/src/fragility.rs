@@ -28,13 +28,14 @@ use super::hazard::HazardFlags;
 use super::limits::IntervalFlags;
 use super::map_files::Figure;
 use super::named::{estimator, export};
+use super::number_text::number;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{examples, suite};
+use super::{InputError, examples, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
@@ -161,7 +162,7 @@ impl FragilityCommand {
     /// Runs the sweeps and writes the fragility.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
-        let print = options.pictures.print()?;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Fragility)?;
         let hazard = self.hazard.read(self.im)?;
         let text = self.common.text(Some("Fragility"), self.record.placed());

@@ -96,7 +96,7 @@ impl HistoryCommand {
 /// Runs a cell and writes its history.
 pub fn run_cell(scene: &Scene, options: &RunOptions) -> anyhow::Result<()> {
     options.set_threads()?;
-    let print = options.pictures.print()?;
+    let print = options.pictures.print().map_err(InputError)?;
     if let Some(swept) = scene.swept().first() {
         let flag = swept.entry().flag();
         let problem = format!("{flag}: a history is of one cell; give a single number");

@@ -34,6 +34,7 @@ mod map_files;
 mod memory;
 mod merge;
 mod named;
+mod number_text;
 mod numbers;
 mod options;
 mod picture_flags;

@@ -66,7 +66,7 @@ impl MergeCommand {
     /// Joins the shards.
     pub fn run(&self) -> anyhow::Result<()> {
         interrupt::listen();
-        self.pictures.print()?;
+        self.pictures.print().map_err(InputError)?;
         // What is wrong with the shards is wrong with what was given.
         let bar = Bar::checking(self.quiet);
         let joined = Shards::join(&self.shards, &bar);

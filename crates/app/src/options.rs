@@ -22,6 +22,7 @@ use topple::work::threads::too_many;
 
 use super::errors::sweep_error;
 use super::map_file::{Besides, MapFile};
+use super::number_text::number;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
 use super::picture_flags::PictureFlags;
 use super::uncertain::UncertainFlags;
@@ -357,7 +358,7 @@ impl MapOptions {
     /// # Errors
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
-        self.run.pictures.print()?;
+        self.run.pictures.print().map_err(InputError)?;
         if self.tile.is_some() && !self.run.pictures.is_plain() {
             let problem =
                 format!("a shard has no pictures; give {} to topple merge", PictureFlags::NAMES);
@@ -466,11 +467,6 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
         format!("no number has this key; there are {}", known.join(", "))
     })
-}
-
-/// A number by itself.
-pub fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "no number such as 0.0004 or 4e-4; give it without its unit".into())
 }
 
 /// A number of threads.

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 use topple_pictures::drawing::print::{Print, PrintError};
 
-use super::InputError;
-use super::options::number;
+use super::number_text::number;
 
 /// How pictures are printed: the flags, and what run.json says of them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
@@ -38,18 +37,16 @@ impl PictureFlags {
     ///
     /// # Errors
     /// A width or a size out of bounds, or letters too large for the width.
-    pub fn print(&self) -> Result<Print<'_>, InputError> {
-        let mut print = Print::new(self.width, self.font_size).map_err(|error| {
-            InputError(match error {
-                PrintError::Width(_) => format!("--width: {error}; give it in mm"),
-                PrintError::FontSize(_) => format!("--font-size: {error}; give it in points"),
-                PrintError::Narrow { .. } if self.width.is_some() => {
-                    format!("--width: {error}; give a larger one or a smaller --font-size")
-                }
-                PrintError::Narrow { .. } => {
-                    format!("--font-size: {error}; give a smaller one or a larger --width")
-                }
-            })
+    pub fn print(&self) -> Result<Print<'_>, String> {
+        let mut print = Print::new(self.width, self.font_size).map_err(|error| match error {
+            PrintError::Width(_) => format!("--width: {error}; give it in mm"),
+            PrintError::FontSize(_) => format!("--font-size: {error}; give it in points"),
+            PrintError::Narrow { .. } if self.width.is_some() => {
+                format!("--width: {error}; give a larger one or a smaller --font-size")
+            }
+            PrintError::Narrow { .. } => {
+                format!("--font-size: {error}; give a smaller one or a larger --width")
+            }
         })?;
         print.title = self.title.as_deref();
         Ok(print)

@@ -13,6 +13,7 @@ use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
 
+use super::InputError;
 use super::errors::sweep_error;
 use super::memory;
 use super::options::{MapOptions, Verify};
@@ -82,7 +83,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     let all = swept.map_err(sweep_error)?;
     let began = Instant::now();
     let mut files = vec![TABLE.to_string()];
-    let svg = picture::draw(&all, &uncertainty, options.run.pictures.print()?)?;
+    let svg = picture::draw(&all, &uncertainty, options.run.pictures.print().map_err(InputError)?)?;
     if svg.is_some() {
         files.extend(picture_files(PICTURE));
     }

@@ -68,7 +68,7 @@ const SHOWN: usize = 10;
 impl SuiteCommand {
     /// Reads the suite and writes its table.
     pub fn run(&self) -> anyhow::Result<()> {
-        let print = self.pictures.print()?;
+        let print = self.pictures.print().map_err(InputError)?;
         let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
         let place = Place::of(&self.out, Kind::Suite)?;
         let say = Reporter::unless(self.quiet);
