@@ -1,9 +1,11 @@
 //! What is asked of the pictures of a command.
 
 use serde::{Deserialize, Serialize};
+use topple::results::print_palette::Palette;
 use topple_pictures::drawing::print::{Print, PrintError};
 
 use super::number_text::number;
+use super::written::one_of;
 
 /// How pictures are printed: the flags, and what run.json says of them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
@@ -22,11 +24,15 @@ pub struct PictureFlags {
     #[arg(long, value_name = "PT", value_parser = number, allow_negative_numbers = true)]
     #[serde(skip_serializing_if = "Option::is_none")]
     font_size: Option<f64>,
+    /// Colours of the pictures [default: colour]
+    #[arg(long, value_name = "NAME", value_parser = one_of::<Palette>())]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    palette: Option<Palette>,
 }
 
 impl PictureFlags {
     /// Their names, for messages.
-    pub const NAMES: &str = "--title, --width, --font-size";
+    pub const NAMES: &str = "--title, --width, --font-size, --palette";
 
     /// True where nothing is asked.
     pub fn is_plain(&self) -> bool {
@@ -49,6 +55,7 @@ impl PictureFlags {
             }
         })?;
         print.title = self.title.as_deref();
+        print.palette = self.palette.unwrap_or_default();
         Ok(print)
     }
 
@@ -57,6 +64,7 @@ impl PictureFlags {
         self.title = self.title.take().or(earlier.title);
         self.width = self.width.or(earlier.width);
         self.font_size = self.font_size.or(earlier.font_size);
+        self.palette = self.palette.or(earlier.palette);
     }
 }
 

@@ -338,3 +338,37 @@ fn what_cannot_be_printed_is_refused_before_anything_is_made() {
     let said = refused(&[&MAP[..], &["--tile", "1/2", "--width", "90"], &to].concat());
     assert!(said.contains("--tile: a shard has no pictures"), "{said}");
 }
+
+/// In greys nothing has a hue, in letters, lines and images; a repetition keeps them.
+#[test]
+fn a_grey_print_has_no_colours() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let hues = |name: &str| {
+        let file = std::io::BufReader::new(fs::File::open(at(name).join("map.png")).unwrap());
+        let mut decoder = png::Decoder::new(file);
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        let samples = info.color_type.samples();
+        assert!(samples >= 3, "{samples}");
+        pixels.chunks(samples).filter(|pixel| pixel[0] != pixel[1] || pixel[1] != pixel[2]).count()
+    };
+    let record =
+        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
+    for (name, command) in [("pulse", &MAP[..]), ("record", &record)] {
+        topple(command, &at(name));
+        assert!(hues(name) > 1000, "{name}");
+        topple(&[command, &["--palette", "grey"]].concat(), &at(name));
+        assert_eq!(hues(name), 0, "{name}");
+        topple(&["run", at(name).to_str().unwrap()], &at("again"));
+        assert_eq!(hues("again"), 0, "{name}");
+    }
+    // Dark red and black, which are one in a grey print of the colours, differ: one of them has lines.
+    let said = words(&svg(&at("pulse"), "map"));
+    assert!(said.contains("0 impacts, right corner"), "{said}");
+    let said =
+        refused(&[&MAP[..], &["--palette", "red", "--out", at("none").to_str().unwrap()]].concat());
+    assert!(said.contains("--palette"), "{said}");
+}

@@ -35,6 +35,9 @@ mod number_text;
 #[allow(dead_code)]
 #[path = "../../src/picture_flags.rs"]
 mod picture_flags;
+#[allow(dead_code)]
+#[path = "../../src/written.rs"]
+mod written;
 
 #[test]
 fn any_damaged_file_is_read_or_refused_in_one_line() {

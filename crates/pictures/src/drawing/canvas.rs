@@ -6,6 +6,7 @@ use super::raster::data_url;
 use super::text::{self, Anchor, Style};
 use super::{LEADING, MARGIN, MILLIMETRE};
 use topple::results::colour::Colour;
+use topple::results::print_palette::Palette;
 
 /// A place in a document, points from its upper left corner.
 pub type Point = (f64, f64);
@@ -61,6 +62,7 @@ pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
 pub struct Canvas {
     width: f64,
     scale: f64,
+    palette: Palette,
     body: String,
     clips: usize,
 }
@@ -98,23 +100,33 @@ fn path(points: impl IntoIterator<Item = Point>) -> String {
 }
 
 impl Stroke {
-    fn attributes(&self) -> String {
+    fn attributes(&self, palette: Palette) -> String {
         let dash = self.dash.map_or(String::new(), |(dash, gap)| {
             format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap))
         });
-        format!("stroke=\"{}\" stroke-width=\"{}\"{dash}", hex(self.colour), short(self.width))
+        format!(
+            "stroke=\"{}\" stroke-width=\"{}\"{dash}",
+            hex(palette.of(self.colour)),
+            short(self.width)
+        )
     }
 }
 
 impl Canvas {
     /// An empty document of a width, points.
     pub fn new(width: f64) -> Canvas {
-        Canvas::scaled(width, 1.0)
+        Canvas::printed(width, 1.0, Palette::default())
     }
 
-    /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say.
-    pub fn scaled(width: f64, scale: f64) -> Canvas {
-        Canvas { width: width / scale, scale, body: String::new(), clips: 0 }
+    /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say, in
+    /// the colours of a palette.
+    pub fn printed(width: f64, scale: f64, palette: Palette) -> Canvas {
+        Canvas { width: width / scale, scale, palette, body: String::new(), clips: 0 }
+    }
+
+    /// Its colours, which those who draw an image choose themselves.
+    pub fn palette(&self) -> Palette {
+        self.palette
     }
 
     /// Its width in its coordinates.
@@ -156,7 +168,7 @@ impl Canvas {
             opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
         };
         let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        let fill = hex(colour);
+        let fill = hex(self.palette.of(colour));
         self.push(&format!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{through}/>"
         ));
@@ -168,7 +180,7 @@ impl Canvas {
         let (x, y, width, height) = (short(x), short(y), short(width), short(height));
         self.push(&format!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"none\" {}/>",
-            stroke.attributes()
+            stroke.attributes(self.palette)
         ));
     }
 
@@ -176,7 +188,7 @@ impl Canvas {
     pub fn line(&mut self, points: impl IntoIterator<Item = Point>, stroke: Stroke) {
         let path = path(points);
         if !path.is_empty() {
-            let attributes = stroke.attributes();
+            let attributes = stroke.attributes(self.palette);
             self.push(&format!(
                 "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>"
             ));
@@ -185,7 +197,11 @@ impl Canvas {
 
     /// A filled polygon.
     pub fn polygon(&mut self, points: impl IntoIterator<Item = Point>, colour: Colour) {
-        self.push(&format!("<path d=\"{}Z\" fill=\"{}\"/>", path(points), hex(colour)));
+        self.push(&format!(
+            "<path d=\"{}Z\" fill=\"{}\"/>",
+            path(points),
+            hex(self.palette.of(colour))
+        ));
     }
 
     /// A filled circle.
@@ -193,14 +209,14 @@ impl Canvas {
         let (x, y, radius) = (short(x), short(y), short(radius));
         self.push(&format!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{}\"/>",
-            hex(colour)
+            hex(self.palette.of(colour))
         ));
     }
 
     /// The outline of a circle.
     pub fn ring(&mut self, (x, y): Point, radius: f64, stroke: Stroke) {
         let (x, y, radius) = (short(x), short(y), short(radius));
-        let attributes = stroke.attributes();
+        let attributes = stroke.attributes(self.palette);
         self.push(&format!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"none\" {attributes}/>"
         ));
@@ -231,7 +247,7 @@ impl Canvas {
         } else {
             String::new()
         };
-        let (size, fill) = (short(style.size), hex(style.colour));
+        let (size, fill) = (short(style.size), hex(self.palette.of(style.colour)));
         let text = text::marked_up(text, style.size);
         self.push(&format!(
             "<text x=\"{x}\" y=\"{y}\" font-family=\"{}\" font-weight=\"300\" font-size=\"{size}\" \

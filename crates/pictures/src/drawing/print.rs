@@ -1,7 +1,8 @@
-//! How a picture is printed: its title, how wide it is, and how large its letters are.
+//! How a picture is printed: its title, how wide it is, how large its letters are, and its colours.
 
 use super::canvas::Canvas;
 use super::{COLUMN, FONT, MILLIMETRE};
+use topple::results::print_palette::Palette;
 
 /// Widths that a picture may have, mm. An image of the widest takes a quarter of a gigabyte.
 const WIDTHS: [f64; 2] = [40.0, 600.0];
@@ -19,6 +20,8 @@ pub struct Print<'a> {
     width: Option<f64>,
     /// Size of letters, points.
     font_size: Option<f64>,
+    /// The colours.
+    pub palette: Palette,
 }
 
 /// What cannot be printed.
@@ -60,12 +63,12 @@ impl Print<'_> {
         if wide < least {
             return Err(PrintError::Narrow { size, width: wide, least });
         }
-        Ok(Print { title: None, width, font_size })
+        Ok(Print { title: None, width, font_size, palette: Palette::default() })
     }
 
     /// An empty picture, so many points wide where no width is asked for.
     pub fn canvas(self, usual: f64) -> Canvas {
         let width = self.width.map_or(usual, |width| width * MILLIMETRE);
-        Canvas::scaled(width, self.font_size.map_or(1.0, |size| size / FONT))
+        Canvas::printed(width, self.font_size.map_or(1.0, |size| size / FONT), self.palette)
     }
 }

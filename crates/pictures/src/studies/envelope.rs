@@ -13,12 +13,15 @@ use crate::map::boundaries::{Line, contours};
 use crate::map::figure::layout::{frame, side};
 use topple::results::colour::BLACK;
 use topple::results::palette::{FEASIBLE, LIMITS};
+use topple::results::print_palette::Palette;
 use topple::scene::words;
 use topple_studies::suites::envelope::{Best, Envelope};
 
 /// Greys of a share of none and of all motions.
 const NONE: f64 = 70.0;
 const ALL: f64 = 248.0;
+/// The same of all motions in greys, where what is feasible is white.
+const ALL_IN_GREYS: f64 = 205.0;
 /// Lines of the limits.
 const STANDING: Stroke = stroke(BLACK, 0.9);
 const LIMIT_U: Stroke = dashed(LIMITS[0], 0.9, (3.2, 2.0));
@@ -47,11 +50,15 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     // From a tenth below the least share on, so that large ones are told apart.
     let least = envelope.cells.iter().map(|cell| cell.standing).fold(1.0, f64::min);
     let from = ((10.0 * least).floor() / 10.0).min(0.9);
-    let grey = |share: f64| (NONE + (ALL - NONE) * (share - from) / (1.0 - from)) as u8;
+    let palette = canvas.palette();
+    let all = if palette == Palette::Grey { ALL_IN_GREYS } else { ALL };
+    let grey = move |share: f64| (NONE + (all - NONE) * (share - from) / (1.0 - from)) as u8;
+    let [r, g, b] = palette.of(FEASIBLE.0);
+    let feasible = [r, g, b, 255];
     let image = png((columns, rows), |column, row| {
         let cell = &envelope.cells[(rows - 1 - row) * columns + column];
         match cell.feasible {
-            true => [FEASIBLE.0[0], FEASIBLE.0[1], FEASIBLE.0[2], 255],
+            true => feasible,
             false => [grey(cell.standing), grey(cell.standing), grey(cell.standing), 255],
         }
     })?;

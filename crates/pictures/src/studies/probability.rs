@@ -71,7 +71,11 @@ pub fn draw(
 
 /// Draws cells in colours, and their scale; returns where it ends.
 fn field(canvas: &mut Canvas, all: &Probabilities, place: Place) -> Result<f64, FigureError> {
-    let opaque = |[r, g, b]: Colour| [r, g, b, 255];
+    let palette = canvas.palette();
+    let opaque = |colour: Colour| {
+        let [r, g, b] = palette.of(colour);
+        [r, g, b, 255]
+    };
     let (columns, rows) = all.grid.shape();
     let image = png((columns, rows), |column, row| {
         opaque(ramp::probability(all.overturns((rows - 1 - row) * columns + column)))

@@ -167,17 +167,17 @@ pub fn paint(
     greys: &Greys,
     frame: &Frame,
 ) -> Result<Shown, FigureError> {
-    let place = frame.place;
+    let (place, palette) = (frame.place, canvas.palette());
     let colour = |cell: &Outcome| -> Colour {
         match cell.class {
             Class::Unresolved => WHITE,
             _ if Field::counts(cell) => [greys.shade((field.value)(cell)); 3],
-            _ => FALLEN,
+            _ => palette.of(FALLEN),
         }
     };
     canvas.image(place, &overturning::cells(map, colour)?, true);
     let overlay = Overlay::of(map, false);
-    if let Some(image) = overlay.image(map, place)? {
+    if let Some(image) = overlay.image(map, place, palette)? {
         canvas.image(place, &image, false);
     }
     let mut shown = Shown {

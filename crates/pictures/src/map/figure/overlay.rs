@@ -5,8 +5,10 @@ use super::super::Map;
 use crate::drawing::canvas::Place;
 use crate::drawing::error::FigureError;
 use crate::drawing::raster::{Rgba, png};
-use crate::drawing::swatch::{DOT, DOTS, PITCH, WIDTH};
+use crate::drawing::swatch::{DOT, DOTS, PITCH, TEXTURE, WIDTH};
+use topple::results::colour::Colour;
 use topple::results::palette::{Kind, dots, is_dotted};
+use topple::results::print_palette::{Palette, Texture};
 use topple::stepping::outcome::Class;
 
 /// Pixels of a point of the picture.
@@ -30,6 +32,8 @@ pub struct Overlay {
     pub crossed: bool,
     /// Some cells overturn about the right corner after impacts.
     pub dotted: bool,
+    /// Colours tell outcomes: a palette may have lines over them.
+    pub classes: bool,
 }
 
 impl Overlay {
@@ -39,6 +43,7 @@ impl Overlay {
             hatched: map.has_beyond_the_model(),
             crossed: map.outcomes.iter().any(|cell| cell.class == Class::Unresolved),
             dotted: outcomes && map.outcomes.iter().any(is_dotted),
+            classes: outcomes,
         }
     }
 
@@ -48,15 +53,22 @@ impl Overlay {
             hatched: self.hatched || other.hatched,
             crossed: self.crossed || other.crossed,
             dotted: self.dotted || other.dotted,
+            classes: self.classes || other.classes,
         }
     }
 
-    /// The image of it for a place; none where there is nothing.
+    /// The image of it for a place, over the colours of a palette; none where there is nothing.
     ///
     /// # Errors
     /// [`FigureError::Encode`].
-    pub fn image(self, map: &Map, place: Place) -> Result<Option<Vec<u8>>, FigureError> {
-        if self == Overlay::default() {
+    pub fn image(
+        self,
+        map: &Map,
+        place: Place,
+        palette: Palette,
+    ) -> Result<Option<Vec<u8>>, FigureError> {
+        let lined = self.classes && palette != Palette::Colour;
+        if !(self.hatched || self.crossed || self.dotted || lined) {
             return Ok(None);
         }
         let (columns, rows) = map.grid.shape();
@@ -77,6 +89,8 @@ impl Overlay {
             let dy = middle(y - row * apart);
             dx.hypot(dy) <= DOT * density
         };
+        let texture = pixels(TEXTURE);
+        let opaque = |[r, g, b]: Colour| [r, g, b, 255];
         let image = png((width, height), |x, y| {
             let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
             let outcome = &map.outcomes[cell];
@@ -87,8 +101,16 @@ impl Overlay {
                 _ if beyond[cell] && rising < line => HATCH,
                 _ if beyond[cell] && rising < edge => LIGHT,
                 _ if self.dotted && is_dotted(outcome) && within(x, y) => {
-                    let [r, g, b] = dots(Kind::of(outcome).colour());
-                    [r, g, b, 255]
+                    opaque(dots(palette.of(Kind::of(outcome).colour())))
+                }
+                _ if lined => {
+                    let colour = Kind::of(outcome).colour();
+                    let on_line = match palette.texture(colour) {
+                        Texture::Plain => false,
+                        Texture::Across => y % texture < line,
+                        Texture::Upright => x % texture < line,
+                    };
+                    if on_line { opaque(dots(palette.of(colour))) } else { NONE }
                 }
                 _ => NONE,
             }

@@ -47,8 +47,9 @@ pub fn paint<K: PartialEq>(
     kind: impl Fn(&Outcome) -> K,
     colour: impl Fn(K) -> Colour,
 ) -> Result<usize, FigureError> {
-    canvas.image(place, &cells(map, |cell| colour(kind(cell)))?, true);
-    if let Some(image) = overlay.image(map, place)? {
+    let palette = canvas.palette();
+    canvas.image(place, &cells(map, |cell| palette.of(colour(kind(cell))))?, true);
+    if let Some(image) = overlay.image(map, place, palette)? {
         canvas.image(place, &image, false);
     }
     let rings = islands(map, place, kind);
