@@ -26,6 +26,7 @@ pub mod npz;
 pub mod outcomes;
 pub mod own;
 pub mod palette;
+pub mod print_palette;
 pub mod ramp;
 pub mod reader;
 pub(crate) mod replaced;

@@ -119,6 +119,7 @@ impl CompareCommand {
     /// Runs the sweep and writes the comparison.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Comparison)?;
         let im = self.im.unwrap_or(Intensity::Pga);
         let hazard = self.hazard.read(im)?;
@@ -164,7 +165,7 @@ impl CompareCommand {
         let mut compared = Comparison::of(swept, settings);
         let devices = suite::counted(compared.devices.len(), "device");
         let motions = suite::counted(compared.records(), "motion");
-        let svg = picture::draw(&compared, &format!("{devices} under {motions}"));
+        let svg = picture::draw(&compared, &format!("{devices} under {motions}"), print);
         let mut files = vec![TABLE.to_string()];
         files.extend(svg.iter().flat_map(|_| picture_files(PICTURE)));
         out.begin(files, &say)?;

@@ -16,6 +16,7 @@ use topple::sweep::settings::Method;
 use topple_studies::uncertain::Uncertainty;
 
 use super::map_file::{Besides, MapFile};
+use super::picture_flags::PictureFlags;
 
 /// What was run.
 pub struct EarlierRun {
@@ -46,6 +47,9 @@ struct Written {
     refined: Option<Refined>,
     /// How sharp its boundaries are: that it was asked for is enough.
     sharpness: Option<IgnoredAny>,
+    /// How its pictures are printed.
+    #[serde(default)]
+    pictures: PictureFlags,
     /// Names of the files beside run.json.
     #[serde(default)]
     files: Vec<String>,
@@ -204,12 +208,14 @@ impl Written {
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
         let kind = self.kind.unwrap_or(Kind::Map);
-        let Written { method, backend, uncertainty, refined, sharpness, files, .. } = self;
+        let Written { method, backend, uncertainty, refined, sharpness, files, pictures, .. } =
+            self;
         let besides = Besides {
             refine: refined.as_ref().map(|refined| refined.levels.len() as u32),
             smooth: refined.and_then(|refined| refined.smooth),
             sharpness: sharpness.is_some(),
             files: MapFile::among(&files),
+            pictures,
         };
         Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
     }

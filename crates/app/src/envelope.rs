@@ -23,7 +23,7 @@ use super::results_directory::{Place, picture_files};
 use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{examples, suite};
+use super::{InputError, examples, suite};
 
 /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
 #[derive(clap::Args)]
@@ -87,6 +87,7 @@ impl EnvelopeCommand {
     /// Runs the sweeps and writes the envelope.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Envelope)?;
         let text = self.common.text(Some("Envelope"), self.record.placed());
         let limits = self.limits.limits();
@@ -117,8 +118,8 @@ impl EnvelopeCommand {
         let title = format!("Envelope of {} motions", envelope.records());
         let mut files = [TABLE, ZETA].map(String::from).to_vec();
         let svg = match swept.grid.line() {
-            Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title)),
-            None => envelope_picture::draw(&envelope, &title)?,
+            Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title, print)),
+            None => envelope_picture::draw(&envelope, &title, print)?,
         };
         if svg.is_some() {
             files.extend(picture_files(PICTURE));

@@ -17,11 +17,13 @@ use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
 use topple_studies::Sharpness;
 
+use super::InputError;
 use super::beside;
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
 use super::map_files;
 use super::options::Talk;
+use super::picture_flags::PictureFlags;
 use super::print::print_line;
 use super::progress::Screen;
 use super::refined;
@@ -42,6 +44,8 @@ pub struct Finish<'a> {
     pub tag: Option<u32>,
     /// How sharp the boundaries are is asked for.
     pub sharpness: bool,
+    /// How its pictures are printed.
+    pub pictures: &'a PictureFlags,
     /// What is printed besides.
     pub talk: Talk,
 }
@@ -145,11 +149,12 @@ fn files<'a>(
         None => slices::of(&map.plan.scene, &map.grid, &*map.outcomes, asked)?,
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
+    let print = to.pictures.print().map_err(InputError)?;
     let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.refined.is_some());
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);
     let (pictures, tables) = rayon::join(
-        || (map_files::pictures(out, &slices), began.elapsed()),
+        || (map_files::pictures(out, &slices, print), began.elapsed()),
         || map_files::tables(out, whole, &slices, files, screen),
     );
     if tables.is_err() && super::interrupt::asked() {
@@ -172,7 +177,8 @@ fn files<'a>(
     took.writing = began.elapsed().as_secs_f64();
     let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
-    let facts = Facts { tally, steps, drawn, tag: to.tag, refined, sharpness };
+    let facts =
+        Facts { tally, steps, drawn, tag: to.tag, refined, sharpness, pictures: to.pictures };
     results.finish(Manifest::of(map, &facts, *took))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());

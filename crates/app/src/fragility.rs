@@ -7,6 +7,7 @@ use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
 use topple::scene::{Values, path_text};
 use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;
 use topple_studies::fragility::limit_state::LimitState;
@@ -27,13 +28,14 @@ use super::hazard::HazardFlags;
 use super::limits::IntervalFlags;
 use super::map_files::Figure;
 use super::named::{estimator, export};
+use super::number_text::number;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, flag_error, number};
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{examples, suite};
+use super::{InputError, examples, suite};
 
 /// How likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
@@ -160,6 +162,7 @@ impl FragilityCommand {
     /// Runs the sweeps and writes the fragility.
     pub fn run(&self) -> anyhow::Result<()> {
         let options = &self.options;
+        let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Fragility)?;
         let hazard = self.hazard.read(self.im)?;
         let text = self.common.text(Some("Fragility"), self.record.placed());
@@ -192,7 +195,7 @@ impl FragilityCommand {
         screen.clear();
         let swept = &study.sweep;
         let mut out = place.open()?;
-        let figures = self.figures(&study)?;
+        let figures = self.figures(&study, print)?;
         let varies = study.settings.unknown.is_some();
         let mut files = vec![COUNTS, FITS];
         files.extend(if varies { &[SENSITIVITY, POINTS][..] } else { &[CAPACITIES] });
@@ -292,17 +295,17 @@ impl FragilityCommand {
     }
 
     /// The pictures of a study.
-    fn figures(&self, study: &Study) -> Result<Vec<Figure>, FigureError> {
+    fn figures(&self, study: &Study, print: Print) -> Result<Vec<Figure>, FigureError> {
         let grid = &study.sweep.grid;
         let finish = |name: String, svg: String| -> Result<Figure, FigureError> {
             let png = render::png(&svg)?;
             Ok((name, svg, png))
         };
         if grid.len() == 1 {
-            return Ok(vec![finish(PICTURE.into(), picture::curves(study, self.im))?]);
+            return Ok(vec![finish(PICTURE.into(), picture::curves(study, self.im, print))?]);
         }
         if let Some(axis) = grid.line() {
-            return Ok(vec![finish(PICTURE.into(), picture::along(study, axis, self.im))?]);
+            return Ok(vec![finish(PICTURE.into(), picture::along(study, axis, self.im, print))?]);
         }
         if grid.axes().len() != 2 {
             return Ok(Vec::new());
@@ -314,7 +317,7 @@ impl FragilityCommand {
                 fit.map(|fit| fit.rate.as_ref()?.at_most()).collect()
             });
             let target = rates.as_deref().zip(self.target);
-            finish(picture_of(state), picture::maps(study, number, self.im, target)?)
+            finish(picture_of(state), picture::maps(study, number, self.im, target, print)?)
         };
         states.map(figure).collect()
     }

@@ -22,6 +22,7 @@ use topple_pictures::map::figure::history as figure;
 use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
+use super::picture_flags::PictureFlags;
 use super::record::RecordFlags;
 use super::results_directory::Place;
 use super::save::save;
@@ -63,6 +64,8 @@ struct Manifest<'a> {
     #[serde(flatten)]
     method: Method,
     outcome: &'a Outcome,
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
 }
 
 impl HistoryCommand {
@@ -120,6 +123,7 @@ fn largest(scene: &Scene, outcome: &Outcome) -> String {
 /// Runs a cell and writes its history.
 pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyhow::Result<()> {
     options.set_threads()?;
+    let print = options.pictures.print().map_err(InputError)?;
     if let Some(swept) = scene.swept().first() {
         let flag = swept.entry().flag();
         let problem = format!("{flag}: a history is of one cell; give a single number");
@@ -146,7 +150,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
     };
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
-    let svg = figure::draw(scene, &case, &rows, &outcome)?;
+    let svg = figure::draw(scene, &case, &rows, &outcome, print)?;
     let png = render::png(&svg)?;
     out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
     let forces = if more.is_empty() { Vec::new() } else { motion::forces(scene, &case, &rows) };
@@ -161,6 +165,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
         record: scene.excitation.provenance(),
         method: options.method(),
         outcome: &outcome,
+        pictures: &options.pictures,
     };
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);

@@ -4,8 +4,8 @@ use topple_studies::suites::Resample;
 use topple_studies::suites::envelope::Limits;
 
 use super::named::resample;
+use super::number_text::number;
 use super::numbers::seed;
-use super::options::number;
 
 /// What a base must do.
 #[derive(clap::Args)]

@@ -21,6 +21,8 @@ use topple::sweep::settings::Method;
 use topple::sweep::verification::Verification;
 use topple_studies::Sharpness;
 
+use super::picture_flags::PictureFlags;
+
 /// Everything about a run that its data do not hold.
 #[derive(Debug, Serialize)]
 pub struct Manifest<'a> {
@@ -69,6 +71,9 @@ pub struct Manifest<'a> {
     pub model: Reduced,
     /// The sample that the reference ran again; none before, and where none was asked for.
     pub verification: Option<&'a Verification>,
+    /// How the pictures are printed, where that was asked for.
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pub pictures: &'a PictureFlags,
     /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
     pub drawn: (usize, usize),
     /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
@@ -127,12 +132,14 @@ pub struct Facts<'a> {
     pub refined: Option<&'a RefineReport>,
     /// How sharp its boundaries are, where that was asked for.
     pub sharpness: Option<Sharpness>,
+    /// How its pictures are printed.
+    pub pictures: &'a PictureFlags,
 }
 
 impl<'a> Manifest<'a> {
     /// What is known of a map; `took` has the times of what came beside the sweep.
     pub fn of(map: &'a MapSweep, facts: &'a Facts<'a>, took: Timings) -> Manifest<'a> {
-        let Facts { tally, steps, drawn, tag, refined, sharpness } = facts;
+        let Facts { tally, steps, drawn, tag, refined, sharpness, pictures } = facts;
         let MapSweep { plan, grid, method, shards, .. } = map;
         let sum = |of: fn(&Report) -> f64| shards.iter().map(|(_, report)| of(report)).sum::<f64>();
         let resumed_cells = shards.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -170,6 +177,7 @@ impl<'a> Manifest<'a> {
             sharpness: sharpness.as_ref(),
             model: Reduced::of(plan, tally),
             verification: map.verification.as_ref(),
+            pictures,
             drawn: *drawn,
             shards: shards
                 .iter()

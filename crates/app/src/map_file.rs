@@ -2,6 +2,8 @@
 
 use topple::results::own;
 
+use super::picture_flags::PictureFlags;
+
 /// A file that holds a whole map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum MapFile {
@@ -46,6 +48,8 @@ pub struct Besides {
     pub sharpness: bool,
     /// Its files.
     pub files: Vec<MapFile>,
+    /// How its pictures are printed.
+    pub pictures: PictureFlags,
 }
 
 /// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.

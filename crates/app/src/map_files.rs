@@ -12,6 +12,7 @@ use topple::sweep::map::MapSweep;
 use topple::work::observed::ObservedOutcomes;
 use topple::work::observer::{Observer, Phase};
 use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::map::figure::fields::Field;
 use topple_pictures::map::figure::{field, fields, main};
@@ -58,13 +59,13 @@ fn names_of_pictures(scene: &Scene, grid: &Grid, asked: ColumnSet) -> Vec<String
 }
 
 /// Draws the slices of a map.
-fn draw(slices: &[Slice]) -> Result<Vec<Figure>, FigureError> {
+fn draw(slices: &[Slice], print: Print) -> Result<Vec<Figure>, FigureError> {
     match slices {
-        [whole] => figures(&whole.map),
+        [whole] => figures(&whole.map, print),
         slices => slices
             .par_iter()
             .enumerate()
-            .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number)))
+            .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number), print))
             .collect(),
     }
 }
@@ -109,8 +110,8 @@ pub fn tables(
 }
 
 /// Draws the slices of a map and writes the pictures; the paths of those that stand for it.
-pub fn pictures(out: &Directory, slices: &[Slice]) -> anyhow::Result<Vec<PathBuf>> {
-    let figures = draw(slices)?;
+pub fn pictures(out: &Directory, slices: &[Slice], print: Print) -> anyhow::Result<Vec<PathBuf>> {
+    let figures = draw(slices, print)?;
     for (name, svg, png) in &figures {
         write_picture(out, name, svg, png)?;
     }
@@ -139,15 +140,15 @@ fn contact(asked: ColumnSet) -> Vec<&'static Field> {
 }
 
 /// The picture of a map that stands for all of it.
-fn main_figure(map: &Map, at: &str, name: &str) -> Result<Figure, FigureError> {
-    let svg = main::draw(map, at)?;
+fn main_figure(map: &Map, at: &str, name: &str, print: Print) -> Result<Figure, FigureError> {
+    let svg = main::draw(map, at, print)?;
     let png = render::png(&svg)?;
     Ok((name.into(), svg, png))
 }
 
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
-fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
-    let mut figures = vec![main_figure(map, "", MAIN)?];
+fn figures(map: &Map, print: Print) -> Result<Vec<Figure>, FigureError> {
+    let mut figures = vec![main_figure(map, "", MAIN, print)?];
     if map.scene.excitation.record().is_none() || map.grid.line().is_some() {
         return Ok(figures);
     }
@@ -158,14 +159,15 @@ fn figures(map: &Map) -> Result<Vec<Figure>, FigureError> {
     let shown: Vec<_> = fields_of(map.scene, map.columns).collect();
     let others: Vec<Figure> = shown
         .into_par_iter()
-        .map(|field| finish(field.name, field::draw(map, field, "")?))
+        .map(|field| finish(field.name, field::draw(map, field, "", print)?))
         .collect::<Result<_, _>>()?;
     figures.extend(others);
     let contact = contact(map.columns);
     if let Some(first) = contact.first() {
         let titles: Vec<&str> = contact.iter().map(|field| field.title).collect();
-        let title = format!("{}: {}", map.scene.title, titles.join(" and "));
-        figures.push(finish(first.name, field::beside(map, &contact, &title)?)?);
+        let title =
+            format!("{}: {}", print.title.unwrap_or(&map.scene.title), titles.join(" and "));
+        figures.push(finish(first.name, field::beside(map, &contact, &title, print)?)?);
     }
     Ok(figures)
 }

@@ -18,6 +18,7 @@ use super::errors::sweep_error;
 use super::finish::{self, Finish};
 use super::map_file::MapFile;
 use super::options::{Talk, Verify, flag_error, share};
+use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
 use super::results_directory::Place;
 use super::words::{self, Reporter, with_flags};
@@ -57,12 +58,15 @@ pub struct MergeCommand {
     quiet: bool,
     #[command(flatten)]
     talk: Talk,
+    #[command(flatten)]
+    pictures: PictureFlags,
 }
 
 impl MergeCommand {
     /// Joins the shards.
     pub fn run(&self) -> anyhow::Result<()> {
         interrupt::listen();
+        self.pictures.print().map_err(InputError)?;
         // What is wrong with the shards is wrong with what was given.
         let bar = Bar::checking(self.quiet);
         let joined = Shards::join(&self.shards, &bar);
@@ -122,7 +126,8 @@ impl MergeCommand {
         let files = &files[..];
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
         let refined = refined.as_ref();
-        let to = Finish { files, refined, verify, estimate, tag, sharpness, talk };
+        let pictures = &self.pictures;
+        let to = Finish { files, refined, verify, estimate, tag, sharpness, pictures, talk };
         finish::write(map, &mut results, &to, &say, &screen)
     }
 }

@@ -22,7 +22,9 @@ use topple::work::threads::too_many;
 
 use super::errors::sweep_error;
 use super::map_file::{Besides, MapFile};
+use super::number_text::number;
 use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
+use super::picture_flags::PictureFlags;
 use super::uncertain::UncertainFlags;
 use super::words::with_flags;
 use super::written::one_of;
@@ -61,6 +63,8 @@ pub struct RunOptions {
     /// Print nothing but warnings and errors
     #[arg(short, long)]
     pub quiet: bool,
+    #[command(flatten)]
+    pub pictures: PictureFlags,
 }
 
 /// What a map prints besides.
@@ -278,6 +282,10 @@ impl MapOptions {
             self.columns =
                 earlier.map(|earlier| earlier.columns).filter(|columns| !columns.is_all());
         }
+        // A shard has no pictures.
+        if !shard {
+            self.run.pictures.adopt(besides.pictures.clone());
+        }
         // A shard, a sample and probabilities have no files of a map.
         if self.files.is_empty() && !shard && !unknown {
             self.files.clone_from(&besides.files);
@@ -315,8 +323,17 @@ impl MapOptions {
 
     /// Of the flags that are given those that a repetition of a run under a suite has not.
     pub fn not_of_a_repetition(&self) -> Vec<&'static str> {
-        let RunOptions { backend, adapter, precision, step, resolve, full_model, force, .. } =
-            &self.run;
+        let RunOptions {
+            backend,
+            adapter,
+            precision,
+            step,
+            resolve,
+            full_model,
+            force,
+            pictures,
+            ..
+        } = &self.run;
         let more = [
             ("--backend", backend.is_some()),
             ("--adapter", !adapter.is_empty()),
@@ -325,6 +342,7 @@ impl MapOptions {
             ("--resolve", *resolve),
             ("--full-model", *full_model),
             ("--force", *force),
+            (PictureFlags::NAMES, !pictures.is_plain()),
         ];
         let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
         self.not_of_a_history().into_iter().chain(more).collect()
@@ -340,6 +358,12 @@ impl MapOptions {
     /// # Errors
     /// Those of the plan, and of what is not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
+        self.run.pictures.print().map_err(InputError)?;
+        if self.tile.is_some() && !self.run.pictures.is_plain() {
+            let problem =
+                format!("a shard has no pictures; give {} to topple merge", PictureFlags::NAMES);
+            return Err(InputError(format!("--tile: {problem}")));
+        }
         self.run.plan(scene).map_err(|error| flag_error(&error))?;
         self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
@@ -443,11 +467,6 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         let known: Vec<&str> = PARAMETERS.iter().map(|entry| entry.key).collect();
         format!("no number has this key; there are {}", known.join(", "))
     })
-}
-
-/// A number by itself.
-pub fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "no number such as 0.0004 or 4e-4; give it without its unit".into())
 }
 
 /// A number of threads.

@@ -13,9 +13,11 @@ use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
 
+use super::InputError;
 use super::errors::sweep_error;
 use super::memory;
 use super::options::{MapOptions, Verify};
+use super::picture_flags::PictureFlags;
 use super::print::print_line;
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
@@ -42,6 +44,8 @@ struct Manifest<'a> {
     largest_standard_error: f64,
     /// Cells that the reference ran again, and those of another outcome.
     verified: [usize; 2],
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
 }
 
 /// The table, and the name of the picture.
@@ -79,7 +83,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     let all = swept.map_err(sweep_error)?;
     let began = Instant::now();
     let mut files = vec![TABLE.to_string()];
-    let svg = picture::draw(&all, &uncertainty)?;
+    let svg = picture::draw(&all, &uncertainty, options.run.pictures.print().map_err(InputError)?)?;
     if svg.is_some() {
         files.extend(picture_files(PICTURE));
     }
@@ -102,6 +106,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
         certain: all.certain(),
         largest_standard_error: all.largest_error(),
         verified: all.verified,
+        pictures: &options.run.pictures,
     };
     out.finish(&manifest)?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());

@@ -107,7 +107,8 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
             let refined =
                 refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
             let refined = refined.as_ref();
-            let to = Finish { files, refined, verify, estimate, tag, sharpness, talk };
+            let pictures = &options.run.pictures;
+            let to = Finish { files, refined, verify, estimate, tag, sharpness, pictures, talk };
             finish::write(*map, &mut results, &to, &say, &screen)
         }
         SweepResult::Shard(shard) => {

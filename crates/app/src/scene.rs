@@ -18,7 +18,7 @@ pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
 ///
 /// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
 /// the same backend (cpu or reference), with the same precision, step and shortcuts, repaired, refined and smooth as then,
-/// with its sharpness and its files where no flag says otherwise. map.npz and map.zarr tell the scene alone. An envelope, a
+/// with its sharpness, its files and its pictures' print where no flag says otherwise. map.npz and map.zarr tell the scene alone. An envelope, a
 /// fragility or a comparison is repeated by its own command; its suite, its hazard curve and its list of devices are looked for
 /// where they lay, beside the results and here.
 #[derive(clap::Args)]

@@ -11,6 +11,7 @@ use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::{Suite, SuiteError, table};
 
+use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{Reporter, with_columns};
 use super::{InputError, examples};
@@ -34,6 +35,8 @@ pub struct SuiteCommand {
     /// Print nothing but warnings and errors
     #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    pictures: PictureFlags,
 }
 
 /// run.json of a suite.
@@ -65,13 +68,14 @@ const SHOWN: usize = 10;
 impl SuiteCommand {
     /// Reads the suite and writes its table.
     pub fn run(&self) -> anyhow::Result<()> {
+        let print = self.pictures.print().map_err(InputError)?;
         let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
         let place = Place::of(&self.out, Kind::Suite)?;
         let say = Reporter::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
         place.refuse_foreign(&files.map(String::from))?;
         let mut out = place.open_alone()?;
-        let svg = picture::draw(&suite);
+        let svg = picture::draw(&suite, print);
         let png = render::png(&svg)?;
         out.begin(files.map(String::from).to_vec(), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;

@@ -12,6 +12,7 @@ use super::session::Session;
 use super::stages::Stages;
 use super::view::{sweep, whole};
 use topple::results::{csv, npz};
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 use topple_pictures::map::figure::{field, main};
@@ -74,8 +75,8 @@ pub fn run(
     let svg = || -> Result<String, Refused> {
         let map = whole(&map)?;
         Ok(match field {
-            Some(field) => field::draw(&map, field, "")?,
-            None => main::draw(&map, "")?,
+            Some(field) => field::draw(&map, field, "", Print::default())?,
+            None => main::draw(&map, "", Print::default())?,
         })
     };
     let mut file = Cursor::new(Vec::new());

@@ -15,6 +15,7 @@ use topple::model::precision::Precision;
 use topple::results::column_set::ColumnSet;
 use topple::scene::Grid;
 use topple::work::observer::Unwatched;
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::map::Map;
 use topple_pictures::map::figure::overturning;
@@ -26,8 +27,10 @@ fn pictures(c: &mut Criterion) {
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
     let map = Map { scene: &scene, grid, outcomes: outcomes.into(), columns: ColumnSet::ALL };
-    c.bench_function("svg, 128 x 128", |b| b.iter(|| overturning::draw(&map, "").unwrap()));
-    let svg = overturning::draw(&map, "").unwrap();
+    c.bench_function("svg, 128 x 128", |b| {
+        b.iter(|| overturning::draw(&map, "", Print::default()).unwrap())
+    });
+    let svg = overturning::draw(&map, "", Print::default()).unwrap();
     c.bench_function("png of the svg", |b| b.iter(|| render::png(&svg).unwrap()));
 }
 

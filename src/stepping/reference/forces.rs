@@ -37,9 +37,11 @@ impl ForcesOf {
         ForcesOf { system, stretches, mass: case.block.mass }
     }
 
-    /// At a time in a phase; at a jump of the ground those after it.
+    /// At a time in a phase; at a jump of the ground those after it, but a record's last sample is the record's.
     pub fn at(&mut self, t: f64, phase: Phase, y: &State) -> Forces {
-        let at = self.stretches.partition_point(|(end, _)| *end <= t);
+        let is_before =
+            |end: f64, drive: &Drive| end < t || end == t && !matches!(drive, Drive::Between(_));
+        let at = self.stretches.partition_point(|(end, drive)| is_before(*end, drive));
         let drive = self.stretches.get(at).map_or(Drive::Free, |(_, drive)| *drive);
         self.system.against = self.system.side_of_stop(y);
         let (ground_h, ground_v) = self.system.ground(t, drive);

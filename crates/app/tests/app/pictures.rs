@@ -6,6 +6,9 @@ use std::path::Path;
 use assert_cmd::Command;
 use tempfile::TempDir;
 
+use super::common::refused;
+use super::fragility::{BASE, suite};
+
 /// Points of a millimetre.
 const MILLIMETRE: f64 = 72.0 / 25.4;
 
@@ -179,4 +182,193 @@ fn a_png_says_how_large_it_is_in_print() {
     let stated: f64 = width.parse().unwrap();
     // Half a pixel at each side.
     assert!((wide - stated).abs() < 0.1, "{wide} mm, {stated} mm");
+}
+
+/// Width of a PNG, pixels.
+fn pixels(file: &Path) -> u32 {
+    let file = std::io::BufReader::new(fs::File::open(file).unwrap());
+    png::Decoder::new(file).read_info().unwrap().info().width
+}
+
+/// Holds a picture to a width in mm, to letters of a size in points, and to a title.
+fn is_printed(out: &Path, name: &str, (width, size): (f64, f64), title: &str) {
+    let svg = svg(out, name);
+    assert!(
+        svg.contains(&format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\""))
+    );
+    let view = svg.split("viewBox=\"0 0 ").nth(1).unwrap();
+    let view: f64 = view.split(' ').next().unwrap().parse().unwrap();
+    let points = width * MILLIMETRE / view;
+    // Most lines of a picture are in letters of that size; titles are larger, indices smaller.
+    let sizes: Vec<f64> = numbers(&svg, "font-size").iter().map(|own| own * points).collect();
+    let asked = sizes.iter().filter(|own| (*own - size).abs() < 0.01).count();
+    assert!(asked > 5, "{name}: {sizes:?}");
+    assert!(sizes.iter().all(|own| *own < 8.0 / 7.0 * size + 0.01), "{name}: {sizes:?}");
+    // Half a pixel at the end.
+    let wide = f64::from(pixels(&out.join(format!("{name}.png"))));
+    assert!((wide - width / 25.4 * 300.0).abs() <= 0.51, "{name}: {wide} pixels");
+    let said = words(&svg);
+    assert!(said.starts_with(title), "{name}: {said}");
+    // All of it lies on the paper.
+    assert!(numbers(&svg, "x").iter().all(|x| *x <= view), "{name}");
+}
+
+#[test]
+fn pictures_have_the_width_the_letters_and_the_title_asked_for() {
+    let (place, list) = suite();
+    let out = |name: &str| place.path().join(name);
+    let cell = ["--omega", "9", "--a-h", "8.4"];
+    let record = ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6"];
+    let cpu = ["--backend", "cpu"];
+    let under = ["--suite", &list, "--verify", "none", "--backend", "cpu"];
+    let grid = ["--t-h", "0.8:3:3", "--t-v", "0.3:1:2"];
+    let one = ["--t-h", "1.5", "--t-v", "0.5"];
+    let limits = ["--limit-u", "0.5", "--limit-v", "0.5"];
+    let levels = ["--im", "pga", "--levels", "0.1:0.6:3"];
+    let vary = ["--vary", "a_v=uniform(0,1)", "--samples", "8"];
+    let devices = out("devices.csv");
+    fs::write(&devices, "device,t_h,t_v\nsoft,2,0.5\nstiff,1,0.5\n").unwrap();
+    let compare = ["compare", devices.to_str().unwrap(), "--object", "1", "--u-y", "0.01"];
+    let commands: [(&str, Vec<&str>, &[(&str, &str)]); 10] = [
+        ("map", MAP.to_vec(), &[("map", "A &lt;title&gt; B")]),
+        (
+            "line",
+            [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9"], &cpu].concat(),
+            &[("map", "A &lt;title&gt; B")],
+        ),
+        (
+            "history",
+            [&["history"], &MAP[1..9], &cell].concat(),
+            &[("history", "A &lt;title&gt; B")],
+        ),
+        (
+            "record",
+            [&record[..], &cpu].concat(),
+            &[
+                ("map", "A &lt;title&gt;: rocking index Record"),
+                ("stroke_v", "A &lt;title&gt;: "),
+                ("contact", "A &lt;title&gt;: least contact force and friction needed"),
+            ],
+        ),
+        (
+            "vary",
+            [&MAP[..9], &["--omega", "0.2:15:4", "--a-h", "0.1:15:4"], &cpu, &vary].concat(),
+            &[("probability", "A &lt;title&gt;: probability of overturning")],
+        ),
+        ("suite", vec!["suite", &list], &[("suite", "A &lt;title&gt; Pseudo")]),
+        (
+            "envelope",
+            [&["envelope"], &BASE[..], &grid, &limits, &under].concat(),
+            &[("envelope", "A &lt;title&gt; B")],
+        ),
+        (
+            "fragility",
+            [&["fragility"], &BASE[..], &one, &levels, &under].concat(),
+            &[("fragility", "A &lt;title&gt; B")],
+        ),
+        (
+            "fragilities",
+            [&["fragility"], &BASE[..], &grid, &levels, &under].concat(),
+            &[("fragility", "A &lt;title&gt;: overturning B")],
+        ),
+        ("compare", [&compare[..], &under].concat(), &[("compare", "A &lt;title&gt; the block")]),
+    ];
+    for (folder, command, pictures) in commands {
+        for (width, size) in [(140.0, 9.0), (60.0, 7.0)] {
+            let [mm, pt] = [width, size].map(|number: f64| number.to_string());
+            let print = ["--title", "A <title>", "--width", &mm, "--font-size", &pt];
+            topple(&[&command[..], &print].concat(), &out(folder));
+            for (name, title) in pictures {
+                is_printed(&out(folder), name, (width, size), title);
+            }
+        }
+    }
+}
+
+/// What was asked of the pictures is in run.json, and asked again by a repetition, which can ask for something else.
+#[test]
+fn a_repeated_run_prints_its_pictures_alike() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let print = ["--title", "Its title", "--width", "100", "--font-size", "8"];
+    let cell = ["--omega", "9", "--a-h", "8.4"];
+    let map =
+        [&MAP[..9], &["--omega", "0.2:15:4", "--a-h", "0.1:15:4", "--backend", "cpu"]].concat();
+    let history = [&["history"], &MAP[1..9], &cell].concat();
+    for (name, command) in [("map", map), ("history", history)] {
+        topple(&[&command[..], &print].concat(), &at(name));
+        let first = fs::read(at(name).join(format!("{name}.png"))).unwrap();
+        let again = at(&format!("{name} again"));
+        topple(&["run", at(name).to_str().unwrap()], &again);
+        assert!(fs::read(again.join(format!("{name}.png"))).unwrap() == first, "{name}");
+        topple(&["run", at(name).to_str().unwrap(), "--width", "120"], &again);
+        is_printed(&again, name, (120.0, 8.0), "Its title B");
+    }
+}
+
+#[test]
+fn what_cannot_be_printed_is_refused_before_anything_is_made() {
+    let (place, list) = suite();
+    let out = place.path().join("out");
+    let to = ["--out", out.to_str().unwrap()];
+    let bad: [(&[&str], &str); 9] = [
+        (&["--width", "39.9"], "--width: a picture is 40 to 600 mm wide, not 39.9"),
+        (&["--width", "601"], "--width: a picture is 40 to 600 mm wide, not 601"),
+        (&["--width", "nan"], "--width: "),
+        (&["--font-size", "3.9"], "--font-size: letters are of 4 to 40 pt, not 3.9"),
+        (&["--font-size", "41"], "--font-size: letters are of 4 to 40 pt, not 41"),
+        (&["--font-size", "-1"], "--font-size: "),
+        (
+            &["--font-size", "20"],
+            "--font-size: letters of 20 pt need a picture that is 163 mm wide, not 90",
+        ),
+        (&["--width", "50"], "--width: letters of 7 pt need a picture that is 57 mm wide, not 50"),
+        (&["--title", " "], "--title"),
+    ];
+    for (print, problem) in bad {
+        let one = ["--t-h", "1.5", "--t-v", "0.5"];
+        let envelope = [&["envelope"], &BASE[..], &one, &["--suite", &list]].concat();
+        let history = [&["history"], &MAP[1..9], &["--omega", "5", "--a-h", "3"]].concat();
+        for command in [&MAP[..], &["suite", &list], &envelope, &history] {
+            let said = refused(&[command, print, &to].concat());
+            assert!(said.contains(problem), "{said}");
+            assert!(!out.exists(), "{print:?}");
+        }
+    }
+    let said = refused(&[&MAP[..], &["--tile", "1/2", "--width", "90"], &to].concat());
+    assert!(said.contains("--tile: a shard has no pictures"), "{said}");
+}
+
+/// In greys nothing has a hue, in letters, lines and images; a repetition keeps them.
+#[test]
+fn a_grey_print_has_no_colours() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let hues = |name: &str| {
+        let file = std::io::BufReader::new(fs::File::open(at(name).join("map.png")).unwrap());
+        let mut decoder = png::Decoder::new(file);
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        let samples = info.color_type.samples();
+        assert!(samples >= 3, "{samples}");
+        pixels.chunks(samples).filter(|pixel| pixel[0] != pixel[1] || pixel[1] != pixel[2]).count()
+    };
+    let record =
+        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
+    for (name, command) in [("pulse", &MAP[..]), ("record", &record)] {
+        topple(command, &at(name));
+        assert!(hues(name) > 1000, "{name}");
+        topple(&[command, &["--palette", "grey"]].concat(), &at(name));
+        assert_eq!(hues(name), 0, "{name}");
+        topple(&["run", at(name).to_str().unwrap()], &at("again"));
+        assert_eq!(hues("again"), 0, "{name}");
+    }
+    // Dark red and black, which are one in a grey print of the colours, differ: one of them has lines.
+    let said = words(&svg(&at("pulse"), "map"));
+    assert!(said.contains("0 impacts, right corner"), "{said}");
+    let said =
+        refused(&[&MAP[..], &["--palette", "red", "--out", at("none").to_str().unwrap()]].concat());
+    assert!(said.contains("--palette"), "{said}");
 }

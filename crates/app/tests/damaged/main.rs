@@ -30,6 +30,14 @@ mod earlier_run;
 #[allow(dead_code)]
 #[path = "../../src/map_file.rs"]
 mod map_file;
+#[path = "../../src/number_text.rs"]
+mod number_text;
+#[allow(dead_code)]
+#[path = "../../src/picture_flags.rs"]
+mod picture_flags;
+#[allow(dead_code)]
+#[path = "../../src/written.rs"]
+mod written;
 
 #[test]
 fn any_damaged_file_is_read_or_refused_in_one_line() {

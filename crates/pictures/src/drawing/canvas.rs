@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use super::raster::data_url;
 use super::text::{self, Anchor, Style};
-use super::{LEADING, MILLIMETRE};
+use super::{LEADING, MARGIN, MILLIMETRE};
 use topple::results::colour::Colour;
+use topple::results::print_palette::Palette;
 
 /// A place in a document, points from its upper left corner.
 pub type Point = (f64, f64);
@@ -60,6 +61,8 @@ pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
 #[derive(Debug, Clone)]
 pub struct Canvas {
     width: f64,
+    scale: f64,
+    palette: Palette,
     body: String,
     clips: usize,
 }
@@ -97,30 +100,50 @@ fn path(points: impl IntoIterator<Item = Point>) -> String {
 }
 
 impl Stroke {
-    fn attributes(&self) -> String {
+    fn attributes(&self, palette: Palette) -> String {
         let dash = self.dash.map_or(String::new(), |(dash, gap)| {
             format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap))
         });
-        format!("stroke=\"{}\" stroke-width=\"{}\"{dash}", hex(self.colour), short(self.width))
+        format!(
+            "stroke=\"{}\" stroke-width=\"{}\"{dash}",
+            hex(palette.of(self.colour)),
+            short(self.width)
+        )
     }
 }
 
 impl Canvas {
     /// An empty document of a width, points.
     pub fn new(width: f64) -> Canvas {
-        Canvas { width, body: String::new(), clips: 0 }
+        Canvas::printed(width, 1.0, Palette::default())
     }
 
-    /// Its width, points.
+    /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say, in
+    /// the colours of a palette.
+    pub fn printed(width: f64, scale: f64, palette: Palette) -> Canvas {
+        Canvas { width: width / scale, scale, palette, body: String::new(), clips: 0 }
+    }
+
+    /// Its colours, which those who draw an image choose themselves.
+    pub fn palette(&self) -> Palette {
+        self.palette
+    }
+
+    /// Its width in its coordinates.
     pub fn width(&self) -> f64 {
         self.width
     }
 
-    /// The document on white paper of a height, points.
+    /// The same without its margins.
+    pub fn inner(&self) -> f64 {
+        self.width - 2.0 * MARGIN
+    }
+
+    /// The document on white paper of a height in its coordinates.
     pub fn finish(self, height: f64) -> String {
-        let Canvas { width, body, .. } = self;
+        let Canvas { width, scale, body, .. } = self;
         let (w, h) = (short(width), short(height));
-        let (mm_w, mm_h) = (short(width / MILLIMETRE), short(height / MILLIMETRE));
+        let (mm_w, mm_h) = (short(scale * width / MILLIMETRE), short(scale * height / MILLIMETRE));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_w}mm\" height=\"{mm_h}mm\" \
              viewBox=\"0 0 {w} {h}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{body}</svg>\n"
@@ -145,7 +168,7 @@ impl Canvas {
             opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
         };
         let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        let fill = hex(colour);
+        let fill = hex(self.palette.of(colour));
         self.push(&format!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{through}/>"
         ));
@@ -157,7 +180,7 @@ impl Canvas {
         let (x, y, width, height) = (short(x), short(y), short(width), short(height));
         self.push(&format!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"none\" {}/>",
-            stroke.attributes()
+            stroke.attributes(self.palette)
         ));
     }
 
@@ -165,7 +188,7 @@ impl Canvas {
     pub fn line(&mut self, points: impl IntoIterator<Item = Point>, stroke: Stroke) {
         let path = path(points);
         if !path.is_empty() {
-            let attributes = stroke.attributes();
+            let attributes = stroke.attributes(self.palette);
             self.push(&format!(
                 "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>"
             ));
@@ -174,7 +197,11 @@ impl Canvas {
 
     /// A filled polygon.
     pub fn polygon(&mut self, points: impl IntoIterator<Item = Point>, colour: Colour) {
-        self.push(&format!("<path d=\"{}Z\" fill=\"{}\"/>", path(points), hex(colour)));
+        self.push(&format!(
+            "<path d=\"{}Z\" fill=\"{}\"/>",
+            path(points),
+            hex(self.palette.of(colour))
+        ));
     }
 
     /// A filled circle.
@@ -182,14 +209,14 @@ impl Canvas {
         let (x, y, radius) = (short(x), short(y), short(radius));
         self.push(&format!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{}\"/>",
-            hex(colour)
+            hex(self.palette.of(colour))
         ));
     }
 
     /// The outline of a circle.
     pub fn ring(&mut self, (x, y): Point, radius: f64, stroke: Stroke) {
         let (x, y, radius) = (short(x), short(y), short(radius));
-        let attributes = stroke.attributes();
+        let attributes = stroke.attributes(self.palette);
         self.push(&format!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"none\" {attributes}/>"
         ));
@@ -220,7 +247,7 @@ impl Canvas {
         } else {
             String::new()
         };
-        let (size, fill) = (short(style.size), hex(style.colour));
+        let (size, fill) = (short(style.size), hex(self.palette.of(style.colour)));
         let text = text::marked_up(text, style.size);
         self.push(&format!(
             "<text x=\"{x}\" y=\"{y}\" font-family=\"{}\" font-weight=\"300\" font-size=\"{size}\" \

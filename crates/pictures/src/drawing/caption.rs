@@ -28,7 +28,7 @@ pub fn bounded(text: &str, size: f64, most: f64) -> Vec<String> {
 
 /// Draws a title, the name of the record, and the parameters of a scene; returns where they end.
 pub fn heading(canvas: &mut Canvas, scene: &Scene, title: &str) -> f64 {
-    let most = canvas.width() - 2.0 * MARGIN;
+    let most = canvas.inner();
     let mut lines = Vec::new();
     if let Excitation::Record(pair) = &scene.excitation {
         lines.extend(bounded(&format!("Record: {}", pair.title), FONT, most));
@@ -39,13 +39,13 @@ pub fn heading(canvas: &mut Canvas, scene: &Scene, title: &str) -> f64 {
 
 /// Draws a title and a list of short parts below it; returns where they end.
 pub fn titled(canvas: &mut Canvas, title: &str, parts: &[String]) -> f64 {
-    let most = canvas.width() - 2.0 * MARGIN;
+    let most = canvas.inner();
     above(canvas, title, &wrapped(&listed(parts), FONT, most))
 }
 
 /// Draws a title above lines; returns where they end.
 fn above(canvas: &mut Canvas, title: &str, lines: &[String]) -> f64 {
-    let most = canvas.width() - 2.0 * MARGIN;
+    let most = canvas.inner();
     let y = write(canvas, (MARGIN, MARGIN), style(TITLE), &bounded(title, TITLE, most));
     write(canvas, (MARGIN, y + 1.0), style(FONT), lines)
 }

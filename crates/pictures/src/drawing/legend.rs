@@ -24,12 +24,15 @@ pub fn entry(swatch: Swatch, label: impl Into<String>) -> Entry {
 /// From a swatch to its label, and from one column to the next.
 const GAP: f64 = 4.0;
 const APART: f64 = 10.0;
+/// A column is no narrower where there is more than one.
+const NARROWEST: f64 = 60.0;
 /// From one entry to the next.
 const ROW: f64 = LEADING * FONT + 1.6;
 
-/// Draws entries in columns from the place `at` on, `wide` points across; returns where they end.
+/// Draws entries in so many columns, fewer where they have no room, from the place `at` on, `wide` points across; returns where they end.
 pub fn draw(canvas: &mut Canvas, entries: &[Entry], at: Point, wide: f64, columns: usize) -> f64 {
-    let count = columns.max(1);
+    let room = ((wide + APART) / (NARROWEST + APART)) as usize;
+    let count = columns.min(room).max(1);
     let column = (wide - APART * (count - 1) as f64) / count as f64;
     let lines = |entry: &Entry| {
         let share = entry.share.as_ref().map_or(0.0, |share| text::width(share, FONT) + GAP);

@@ -2,7 +2,8 @@
 //!
 //! A picture is an SVG in points of its printed size, [`COLUMN`] wide where it is to stand in a column of a
 //! journal, and a PNG of the same with 300 pixels an inch. Letters are of [`FONT`] or larger, indices of
-//! [`SMALLEST`], as journals ask for. The colours of outcomes are there for other pictures, too.
+//! [`SMALLEST`], as journals ask for, unless a [print](print::Print) asks for another width or size: coordinates
+//! are then in points of a picture whose letters are of [`FONT`]. The colours of outcomes are there for other pictures, too.
 
 pub mod canvas;
 pub mod caption;
@@ -11,6 +12,7 @@ pub(crate) mod font;
 pub mod frame;
 pub mod legend;
 pub mod pdf;
+pub mod print;
 pub mod raster;
 pub mod render;
 pub(crate) mod scale;

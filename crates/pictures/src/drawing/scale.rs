@@ -23,8 +23,9 @@ pub fn draw(
     colour: impl Fn(f64) -> Colour,
 ) -> Result<f64, FigureError> {
     let place = Place { x, y, width, height: HEIGHT };
+    let palette = canvas.palette();
     let image = png((COLUMNS, 1), |column, _| {
-        let [red, green, blue] = colour((column as f64 + 0.5) / COLUMNS as f64);
+        let [red, green, blue] = palette.of(colour((column as f64 + 0.5) / COLUMNS as f64));
         [red, green, blue, 255]
     })?;
     canvas.image(place, &image, true);

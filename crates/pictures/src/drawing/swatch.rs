@@ -3,6 +3,7 @@
 use super::canvas::{Canvas, Place, Point, Stroke, stroke};
 use topple::results::colour::{BLACK, Colour, WHITE};
 use topple::results::palette::dots;
+use topple::results::print_palette::Texture;
 
 /// Size of a swatch, points.
 pub const SIZE: (f64, f64) = (13.0, 7.0);
@@ -10,6 +11,8 @@ pub const SIZE: (f64, f64) = (13.0, 7.0);
 pub const PITCH: f64 = 4.5;
 /// Width of these lines.
 pub const WIDTH: f64 = 0.45;
+/// Distance of the lines over greys that classes share.
+pub const TEXTURE: f64 = 2.4;
 /// Distance of the dots over the cells that overturn about the right corner, and their radius.
 pub const DOTS: f64 = 3.0;
 /// See [`DOTS`].
@@ -95,6 +98,24 @@ fn lines(canvas: &mut Canvas, place: Place, rising: bool, colour: Colour) {
     });
 }
 
+/// The lines that a palette has over a colour.
+fn texture(canvas: &mut Canvas, place: Place, colour: Colour) {
+    let line = stroke(dots(canvas.palette().of(colour)), WIDTH);
+    let Place { x, y, width, height } = place;
+    let along = |length: f64| {
+        (0..).map(|k| TEXTURE * (0.5 + f64::from(k))).take_while(move |at| *at < length)
+    };
+    match canvas.palette().texture(colour) {
+        Texture::Plain => {}
+        Texture::Across => {
+            along(height).for_each(|at| canvas.line([(x, y + at), (x + width, y + at)], line));
+        }
+        Texture::Upright => {
+            along(width).for_each(|at| canvas.line([(x + at, y), (x + at, y + height)], line));
+        }
+    }
+}
+
 impl Swatch {
     /// Draws it with its upper left corner at a place.
     pub fn draw(self, canvas: &mut Canvas, (x, y): Point) {
@@ -107,12 +128,13 @@ impl Swatch {
             Swatch::None => {}
             Swatch::Fill(colour) => {
                 canvas.fill(place, colour);
+                texture(canvas, place, colour);
                 canvas.outline(place, edge);
             }
             Swatch::Dotted(colour) => {
                 canvas.fill(place, colour);
                 for x in [2.2, 6.5, 10.8] {
-                    canvas.disc((place.x + x, middle.1), DOT, dots(colour));
+                    canvas.disc((place.x + x, middle.1), DOT, dots(canvas.palette().of(colour)));
                 }
                 canvas.outline(place, edge);
             }

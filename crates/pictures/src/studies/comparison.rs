@@ -4,6 +4,7 @@
 use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{MIDDLE, shortened, style, width};
 use crate::drawing::{FONT, MARGIN, MILLIMETRE, caption};
@@ -16,8 +17,8 @@ use topple_studies::suites::envelope::{CellEnvelope, SHARES};
 pub const MOST: usize = 100;
 /// Width of the picture, points.
 const WIDTH: f64 = 140.0 * MILLIMETRE;
-/// Most of it that names take.
-const NAMES: f64 = 0.3 * WIDTH;
+/// Share of it that names take at most.
+const NAMES: f64 = 0.3;
 /// Height of a row, and of a bar in it.
 const ROW: f64 = 15.0;
 const BAR: f64 = 8.0;
@@ -46,17 +47,19 @@ struct Panel<'a> {
 }
 
 /// Draws a comparison as SVG; none of more devices than [`MOST`].
-pub fn draw(comparison: &Comparison, title: &str) -> Option<String> {
+pub fn draw(comparison: &Comparison, title: &str, print: Print) -> Option<String> {
     let count = comparison.devices.len();
     if count > MOST {
         return None;
     }
     let limits = comparison.settings.limits;
     let rows: Vec<(&str, &Compared)> = comparison.rows().collect();
-    let mut canvas = Canvas::new(WIDTH);
+    let mut canvas = print.canvas(WIDTH);
+    let whole = canvas.inner();
     let told = standing(limits.standing);
-    let top = caption::titled(&mut canvas, title, &[told]) + 2.0 * MARGIN;
-    let names: Vec<String> = rows.iter().map(|(name, _)| shortened(name, FONT, NAMES)).collect();
+    let top = caption::titled(&mut canvas, print.title.unwrap_or(title), &[told]) + 2.0 * MARGIN;
+    let names: Vec<String> =
+        rows.iter().map(|(name, _)| shortened(name, FONT, NAMES * canvas.width())).collect();
     let left = names.iter().map(|name| width(name, FONT)).fold(0.0, f64::max);
     let left = MARGIN + left + 4.0;
     let moves =
@@ -75,8 +78,7 @@ pub fn draw(comparison: &Comparison, title: &str) -> Option<String> {
     if !comparison.settings.scales.is_empty() {
         panels.push(Panel { name: "reserve", shown: Shown::Reserve });
     }
-    let wide =
-        (WIDTH - left - 2.0 * MARGIN - GAP * (panels.len() - 1) as f64) / panels.len() as f64;
+    let wide = (whole - left - GAP * (panels.len() - 1) as f64) / panels.len() as f64;
     let height = ROW * count as f64;
     for (at, name) in names.iter().enumerate() {
         let y = top + ROW * (at as f64 + 0.5) + MIDDLE * FONT;
@@ -87,7 +89,7 @@ pub fn draw(comparison: &Comparison, title: &str) -> Option<String> {
         paint(&mut canvas, comparison, panel, Place { x, y: top, width: wide, height });
     }
     let at = (MARGIN, top + height + BELOW + MARGIN);
-    let end = legend::draw(&mut canvas, &entries(&panels), at, WIDTH - 2.0 * MARGIN, 3);
+    let end = legend::draw(&mut canvas, &entries(&panels), at, whole, 3);
     Some(canvas.finish(end + MARGIN))
 }
 

@@ -1,23 +1,27 @@
 //! The picture of an envelope: the share of the motions under which the block stands, the limits, and what is
 //! feasible.
 
-use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
+use crate::drawing::canvas::{Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
-use crate::map::figure::layout::{SIDE, frame};
+use crate::map::figure::layout::{frame, side};
 use topple::results::colour::BLACK;
 use topple::results::palette::{FEASIBLE, LIMITS};
+use topple::results::print_palette::Palette;
 use topple::scene::words;
 use topple_studies::suites::envelope::{Best, Envelope};
 
 /// Greys of a share of none and of all motions.
 const NONE: f64 = 70.0;
 const ALL: f64 = 248.0;
+/// The same of all motions in greys, where what is feasible is white.
+const ALL_IN_GREYS: f64 = 205.0;
 /// Lines of the limits.
 const STANDING: Stroke = stroke(BLACK, 0.9);
 const LIMIT_U: Stroke = dashed(LIMITS[0], 0.9, (3.2, 2.0));
@@ -27,26 +31,34 @@ const LIMIT_V: Stroke = dashed(LIMITS[1], 0.9, (1.2, 1.6));
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn draw(envelope: &Envelope, title: &str) -> Result<Option<String>, FigureError> {
+pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<String>, FigureError> {
     let grid = &envelope.sweep.grid;
     let (columns, rows) = grid.shape();
     if grid.axes().len() != 2 || columns < 2 || rows < 2 {
         return Ok(None);
     }
-    let most = COLUMN - 2.0 * MARGIN;
-    let mut canvas = Canvas::new(COLUMN);
-    let top = caption::titled(&mut canvas, title, &words::fixed(&envelope.sweep.scene)) + MARGIN;
-    let (x, side) = SIDE;
+    let mut canvas = print.canvas(COLUMN);
+    let most = canvas.inner();
+    let top = caption::titled(
+        &mut canvas,
+        print.title.unwrap_or(title),
+        &words::fixed(&envelope.sweep.scene),
+    ) + MARGIN;
+    let (x, side) = side(&canvas);
     let place = Place { x, y: top, width: side, height: side };
     let frame = frame(place, grid);
     // From a tenth below the least share on, so that large ones are told apart.
     let least = envelope.cells.iter().map(|cell| cell.standing).fold(1.0, f64::min);
     let from = ((10.0 * least).floor() / 10.0).min(0.9);
-    let grey = |share: f64| (NONE + (ALL - NONE) * (share - from) / (1.0 - from)) as u8;
+    let palette = canvas.palette();
+    let all = if palette == Palette::Grey { ALL_IN_GREYS } else { ALL };
+    let grey = move |share: f64| (NONE + (all - NONE) * (share - from) / (1.0 - from)) as u8;
+    let [r, g, b] = palette.of(FEASIBLE.0);
+    let feasible = [r, g, b, 255];
     let image = png((columns, rows), |column, row| {
         let cell = &envelope.cells[(rows - 1 - row) * columns + column];
         match cell.feasible {
-            true => [FEASIBLE.0[0], FEASIBLE.0[1], FEASIBLE.0[2], 255],
+            true => feasible,
             false => [grey(cell.standing), grey(cell.standing), grey(cell.standing), 255],
         }
     })?;

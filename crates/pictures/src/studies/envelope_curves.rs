@@ -4,6 +4,7 @@
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption};
 use topple::results::colour::BLACK;
@@ -29,11 +30,11 @@ struct Panel<'a> {
 }
 
 /// Draws an envelope along the axis of its cells as SVG.
-pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
-    let most = COLUMN - 2.0 * MARGIN;
-    let mut canvas = Canvas::new(COLUMN);
+pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -> String {
+    let mut canvas = print.canvas(COLUMN);
+    let most = canvas.inner();
     let fixed = words::fixed(&envelope.sweep.scene);
-    let mut y = caption::titled(&mut canvas, title, &fixed) + MARGIN;
+    let mut y = caption::titled(&mut canvas, print.title.unwrap_or(title), &fixed) + MARGIN;
     let limits = envelope.settings.limits;
     let moves = envelope.sweep.scene.isolation;
     let mut panels = vec![Panel {
@@ -53,7 +54,7 @@ pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str) -> String {
     let count = panels.len();
     for (number, panel) in panels.iter().enumerate() {
         let x = MARGIN + LEFT;
-        let place = Place { x, y, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+        let place = Place { x, y, width: canvas.inner() - x, height: HEIGHT };
         paint(&mut canvas, envelope, axis, panel, place, number + 1 == count);
         y = place.bottom() + GAP;
     }

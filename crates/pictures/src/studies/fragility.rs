@@ -4,6 +4,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
 use topple::results::colour::BLACK;
@@ -28,8 +29,8 @@ const BEYOND: (f64, f64) = (3.2, 2.0);
 const FURTHER: f64 = 4.0;
 
 /// The title, what is fixed, and where the plot below begins.
-pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
-    let mut canvas = Canvas::new(COLUMN);
+pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
+    let mut canvas = print.canvas(COLUMN);
     let mut parts = words::fixed(&study.sweep.scene);
     if let Some(unknown) = &study.settings.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
@@ -41,11 +42,12 @@ pub(super) fn begin(study: &Study, title: &str) -> (Canvas, f64) {
 
 /// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
 /// estimator makes of them, dashed where no data are: below the lowest level at which a record fails, above the highest level.
-pub fn curves(study: &Study, intensity: Intensity) -> String {
+pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
     let title = format!("Fragility under {} motions", study.records().count());
-    let (mut canvas, top) = begin(study, &title);
+    let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
+    let wide = canvas.inner();
     let x = MARGIN + LEFT;
-    let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+    let place = Place { x, y: top, width: canvas.inner() - x, height: HEIGHT };
     let levels = study.settings.levels.iter().flatten();
     let (low, high) =
         levels.fold((f64::MAX, 0.0_f64), |(low, high), level| (low.min(*level), high.max(*level)));
@@ -123,7 +125,7 @@ pub fn curves(study: &Study, intensity: Intensity) -> String {
         "dashed below the lowest level at which a motion fails and above the highest level";
     entries.push(entry(Swatch::None, format!("{marks}Lines by {by}, {beyond}; bands: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
-    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 1);
+    let end = legend::draw(&mut canvas, &entries, at, wide, 1);
     canvas.finish(end + MARGIN)
 }
 
@@ -150,11 +152,12 @@ pub(super) fn digits(value: f64) -> String {
 }
 
 /// Draws theta of each limit state along an axis, with its interval.
-pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
+pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Print) -> String {
     let title = format!("Median fragility under {} motions", study.records().count());
-    let (mut canvas, top) = begin(study, &title);
+    let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
+    let wide = canvas.inner();
     let x = MARGIN + LEFT;
-    let place = Place { x, y: top, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+    let place = Place { x, y: top, width: canvas.inner() - x, height: HEIGHT };
     let fits = |state: usize| study.cells.iter().map(move |cell| &cell.states[state].estimates[0]);
     let states = &study.settings.states;
     let most = (0..states.len())
@@ -200,7 +203,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity) -> String {
     let by = study.settings.estimators[0].name();
     entries.push(entry(Swatch::None, format!("By {by}; bars: 95 % of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
-    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, at, wide, 2);
     canvas.finish(end + MARGIN)
 }
 
@@ -214,15 +217,20 @@ pub fn maps(
     state: usize,
     intensity: Intensity,
     target: Option<(&[Option<f64>], f64)>,
+    print: Print,
 ) -> Result<String, FigureError> {
     use super::shades::{Shades, paint};
     /// Between two plots.
     const APART: f64 = 14.0;
     let of = study.settings.states[state];
-    let title = format!("Fragility of {} under {} motions", of.words(), study.records().count());
-    let (mut canvas, top) = begin(study, &title);
+    let title = match print.title {
+        Some(title) => format!("{title}: {}", of.words()),
+        None => format!("Fragility of {} under {} motions", of.words(), study.records().count()),
+    };
+    let (mut canvas, top) = begin(study, &title, print);
+    let wide = canvas.inner();
     let top = top + FONT;
-    let width = (COLUMN - 2.0 * MARGIN - LEFT - APART - 6.0) / 2.0;
+    let width = (wide - LEFT - APART - 6.0) / 2.0;
     let grid = &study.sweep.grid;
     let fits = || study.cells.iter().map(|cell| &cell.states[state].estimates[0]);
     let thetas: Vec<Option<f64>> = fits().map(|fit| fit.theta).collect();
@@ -262,6 +270,6 @@ pub fn maps(
     }
     let by = study.settings.estimators[0].name();
     entries.push(entry(Swatch::None, format!("By {by}.")));
-    let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), wide, 2);
     Ok(canvas.finish(end + MARGIN))
 }

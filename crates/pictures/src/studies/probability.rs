@@ -4,10 +4,11 @@ use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
-use crate::map::figure::layout::{GAP, SIDE, frame};
+use crate::map::figure::layout::{GAP, frame, side};
 use topple::results::colour::{Colour, WHITE};
 use topple::results::palette::CURVES;
 use topple::results::ramp;
@@ -44,12 +45,16 @@ fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn draw(all: &Probabilities, uncertainty: &Uncertainty) -> Result<Option<String>, FigureError> {
-    let most = COLUMN - 2.0 * MARGIN;
-    let mut canvas = Canvas::new(COLUMN);
-    let title = format!("{}: {NAME}", all.scene.title);
+pub fn draw(
+    all: &Probabilities,
+    uncertainty: &Uncertainty,
+    print: Print,
+) -> Result<Option<String>, FigureError> {
+    let mut canvas = print.canvas(COLUMN);
+    let most = canvas.inner();
+    let title = format!("{}: {NAME}", print.title.unwrap_or(&all.scene.title));
     let y = caption::titled(&mut canvas, &title, &said(&all.scene, uncertainty)) + GAP;
-    let (x, side) = SIDE;
+    let (x, side) = side(&canvas);
     let grid = &all.grid;
     let place = Place { x, y, width: side, height: side };
     let bottom = match grid.line() {
@@ -66,7 +71,11 @@ pub fn draw(all: &Probabilities, uncertainty: &Uncertainty) -> Result<Option<Str
 
 /// Draws cells in colours, and their scale; returns where it ends.
 fn field(canvas: &mut Canvas, all: &Probabilities, place: Place) -> Result<f64, FigureError> {
-    let opaque = |[r, g, b]: Colour| [r, g, b, 255];
+    let palette = canvas.palette();
+    let opaque = |colour: Colour| {
+        let [r, g, b] = palette.of(colour);
+        [r, g, b, 255]
+    };
     let (columns, rows) = all.grid.shape();
     let image = png((columns, rows), |column, row| {
         opaque(ramp::probability(all.overturns((rows - 1 - row) * columns + column)))

@@ -1,10 +1,12 @@
 //! The picture of a suite: response spectra of its motions, their median and the band of 16 % to 84 %.
 
 use crate::drawing::canvas::{Canvas, Place, Point, stroke};
+use crate::drawing::caption::bounded;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
-use crate::drawing::text::style;
+use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE};
 use topple::results::palette::{CURVES, MANY};
 use topple::scene::record::Pair;
@@ -25,20 +27,29 @@ const HEIGHT: f64 = 130.0;
 type Component = fn(&Pair) -> &[f64];
 
 /// Draws the spectra of both components as SVG.
-pub fn draw(suite: &Suite) -> String {
-    let mut canvas = Canvas::new(COLUMN);
+pub fn draw(suite: &Suite, print: Print) -> String {
+    let mut canvas = print.canvas(COLUMN);
+    let wide = canvas.inner();
     let title = format!("Suite of {} motions", suite.motions().count());
-    canvas.text((MARGIN, MARGIN + 0.8 * TITLE), style(TITLE), &title);
-    let told = "Pseudo-acceleration at 5 % of the critical damping";
-    canvas.text((MARGIN, MARGIN + 2.2 * TITLE), style(FONT), told);
-    let mut y = MARGIN + 2.8 * TITLE;
+    let mut y = MARGIN + 0.8 * TITLE;
+    let title = bounded(print.title.unwrap_or(&title), TITLE, wide);
+    for line in &title {
+        canvas.text((MARGIN, y), style(TITLE), line);
+        y += LEADING * TITLE;
+    }
+    y += 0.1 * TITLE;
+    for line in wrapped("Pseudo-acceleration at 5 % of the critical damping", FONT, wide) {
+        canvas.text((MARGIN, y), style(FONT), &line);
+        y += LEADING * FONT;
+    }
+    y += 0.6 * TITLE - LEADING * FONT;
     let components: [(&str, Component); 2] =
         [("horizontal", |pair| &pair.horizontal), ("vertical", |pair| &pair.vertical)];
     for (number, (name, component)) in components.into_iter().enumerate() {
         y += LEADING * FONT;
         canvas.text((MARGIN + LEFT, y), style(FONT), name);
         let x = MARGIN + LEFT;
-        let place = Place { x, y: y + 3.0, width: COLUMN - x - 2.0 * MARGIN, height: HEIGHT };
+        let place = Place { x, y: y + 3.0, width: canvas.inner() - x, height: HEIGHT };
         panel(&mut canvas, place, suite, component, number == 1);
         y = place.bottom();
     }
@@ -50,7 +61,7 @@ pub fn draw(suite: &Suite) -> String {
         entries.push(entry(Swatch::Fill(MANY.1), "16 % to 84 % of the motions"));
     }
     let at = (MARGIN, y + BELOW + MARGIN);
-    let end = legend::draw(&mut canvas, &entries, at, COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, at, wide, 2);
     canvas.finish(end + MARGIN)
 }
 

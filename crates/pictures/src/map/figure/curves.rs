@@ -4,13 +4,14 @@ use std::borrow::Cow;
 
 use super::super::Map;
 use super::fields::{FIELDS, Field};
-use super::layout::{GAP, SIDE};
+use super::layout::{GAP, side};
 use super::overlay::Overlay;
 use super::{keys, overturning};
 use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::style;
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
@@ -33,15 +34,17 @@ const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
-    let mut canvas = Canvas::new(COLUMN);
+pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<String, FigureError> {
+    let mut canvas = print.canvas(COLUMN);
+    let wide = canvas.inner();
     let along = format!("Rocking index, displacements and outcomes along {}", axis.entry().symbol);
-    let title = match map.scene.title.as_str() {
+    let title = match (print.title, map.scene.title.as_str()) {
+        (Some(title), _) => title.into(),
         // What it is called where nobody names it is a map.
-        title if TITLES.contains(&title) => along,
-        title => format!("{title}: {}", along.replacen('R', "r", 1)),
+        (None, title) if TITLES.contains(&title) => along,
+        (None, title) => format!("{title}: {}", along.replacen('R', "r", 1)),
     };
-    let (x, width) = SIDE;
+    let (x, width) = side(&canvas);
     let mut y = caption::heading(&mut canvas, map.scene, &title) + GAP;
     let directions = map.scene.isolation;
     let shown = |field: &&Field| field.moves(directions) && map.columns.has(field.column);
@@ -61,7 +64,7 @@ pub fn draw(map: &Map, axis: &grid::Axis) -> Result<String, FigureError> {
     entries.extend(keys::overlay(&[&line], overlay));
     entries.extend(remarks(map));
     let top = place.bottom() + BELOW + GAP;
-    let end = legend::draw(&mut canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, top), wide, 2);
     Ok(canvas.finish(end + MARGIN))
 }
 

@@ -6,7 +6,7 @@ use super::fields::Field;
 use super::greys::Greys;
 use super::islands::islands;
 use super::labels::{Labels, length};
-use super::layout::{GAP, SIDE, frame, titled};
+use super::layout::{GAP, frame, side, titled};
 use super::overlay::Overlay;
 use super::{keys, overturning};
 use crate::drawing::canvas::write;
@@ -14,6 +14,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{BELOW, Frame, Written};
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::ticks::rounded;
@@ -101,35 +102,42 @@ impl Shown {
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, field: &Field, at: &str) -> Result<String, FigureError> {
-    let title = titled(&format!("{}: {}", map.scene.title, field.title), at);
-    beside(map, &[field], &title)
+pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<String, FigureError> {
+    let title =
+        titled(&format!("{}: {}", print.title.unwrap_or(&map.scene.title), field.title), at);
+    beside(map, &[field], &title, print)
 }
 
 /// Draws fields of a map beside each other, with one legend, as SVG.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn beside(map: &Map, fields: &[&Field], title: &str) -> Result<String, FigureError> {
+pub fn beside(
+    map: &Map,
+    fields: &[&Field],
+    title: &str,
+    print: Print,
+) -> Result<String, FigureError> {
     /// Between two plots.
     const APART: f64 = 12.0;
-    let mut canvas = Canvas::new(COLUMN);
+    let mut canvas = print.canvas(COLUMN);
     let mut top = caption::heading(&mut canvas, map.scene, title) + GAP;
-    let (left, whole) = SIDE;
+    let (left, whole) = side(&canvas);
     let count = fields.len().max(1) as f64;
     let side = (whole - APART * (count - 1.0)) / count;
-    if fields.len() > 1 {
-        top += LEADING * FONT;
-    }
+    let heads: Vec<Vec<String>> = match fields {
+        [_] => vec![Vec::new()],
+        several => several.iter().map(|field| wrapped(field.title, FONT, side)).collect(),
+    };
+    let lines = heads.iter().map(Vec::len).max().unwrap_or(0);
+    top += LEADING * FONT * lines as f64;
     let mut shown = Shown::default();
     let (mut end, mut scales) = (top, Vec::new());
     for (k, field) in fields.iter().enumerate() {
         let place =
             Place { x: left + k as f64 * (side + APART), y: top, width: side, height: side };
-        if fields.len() > 1 {
-            let title = wrapped(field.title, FONT, side);
-            write(&mut canvas, (place.x, top - LEADING * FONT), style(FONT), &title);
-        }
+        let head = &heads[k];
+        write(&mut canvas, (place.x, top - LEADING * FONT * head.len() as f64), style(FONT), head);
         let greys = Greys::over([map], field);
         let frame = frame(place, &map.grid);
         shown = shown.with(paint(&mut canvas, map, field, &greys, &frame)?);
@@ -143,7 +151,7 @@ pub fn beside(map: &Map, fields: &[&Field], title: &str) -> Result<String, Figur
         scales.push((field.label, greys.step()));
     }
     let entries = shown.entries(&[map], &scales);
-    let wide = COLUMN - 2.0 * MARGIN;
+    let wide = canvas.inner();
     let end = legend::draw(&mut canvas, &entries, (MARGIN, end + GAP), wide, 2);
     Ok(canvas.finish(end + MARGIN))
 }
@@ -159,17 +167,17 @@ pub fn paint(
     greys: &Greys,
     frame: &Frame,
 ) -> Result<Shown, FigureError> {
-    let place = frame.place;
+    let (place, palette) = (frame.place, canvas.palette());
     let colour = |cell: &Outcome| -> Colour {
         match cell.class {
             Class::Unresolved => WHITE,
             _ if Field::counts(cell) => [greys.shade((field.value)(cell)); 3],
-            _ => FALLEN,
+            _ => palette.of(FALLEN),
         }
     };
     canvas.image(place, &overturning::cells(map, colour)?, true);
     let overlay = Overlay::of(map, false);
-    if let Some(image) = overlay.image(map, place)? {
+    if let Some(image) = overlay.image(map, place, palette)? {
         canvas.image(place, &image, false);
     }
     let mut shown = Shown {

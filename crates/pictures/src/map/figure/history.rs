@@ -1,11 +1,12 @@
 //! One cell's motion against time, below what shakes it.
 
-use super::layout::{GAP, SIDE};
+use super::layout::{GAP, side};
 use crate::drawing::canvas::write;
-use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
+use crate::drawing::canvas::{Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::entry;
+use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
@@ -46,10 +47,12 @@ pub fn draw(
     case: &Case,
     rows: &[Row],
     outcome: &Outcome,
+    print: Print,
 ) -> Result<String, FigureError> {
-    let mut canvas = Canvas::new(COLUMN);
-    let mut y = caption::heading(&mut canvas, scene, &scene.title);
-    let said = wrapped(&motion_of_cell::told(outcome), FONT, COLUMN - 2.0 * MARGIN);
+    let mut canvas = print.canvas(COLUMN);
+    let wide = canvas.inner();
+    let mut y = caption::heading(&mut canvas, scene, print.title.unwrap_or(&scene.title));
+    let said = wrapped(&motion_of_cell::told(outcome), FONT, wide);
     y = write(&mut canvas, (MARGIN, y), style(FONT), &said) + GAP;
     let end = rows.last().map_or(1.0, |row| row.t).max(f64::MIN_POSITIVE);
     let [horizontal, vertical] = motion_of_cell::ground(scene, case, rows, end);
@@ -78,7 +81,7 @@ pub fn draw(
     let mut shows_critical = false;
     let count = strips.len();
     for (k, strip) in strips.iter().enumerate() {
-        let (x, width) = SIDE;
+        let (x, width) = side(&canvas);
         let place = Place { x, y, width, height: HEIGHT };
         let (low, high) = ends(&strip.points);
         let frame =
@@ -114,7 +117,7 @@ pub fn draw(
     let shown = marks.into_iter().filter(|(shown, ..)| *shown);
     let entries: Vec<_> = shown.map(|(_, swatch, label)| entry(swatch, label)).collect();
     let top = y - GAP + BELOW + GAP;
-    let bottom = legend::draw(&mut canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 3);
+    let bottom = legend::draw(&mut canvas, &entries, (MARGIN, top), wide, 3);
     Ok(canvas.finish(bottom + MARGIN))
 }
 

@@ -1,8 +1,9 @@
-//! Where the plot of a map lies in a picture of a column's width.
+//! Where the plot of a map lies in a picture.
 
 use super::super::Map;
 use crate::drawing::canvas::{Canvas, Place};
 use crate::drawing::frame::{Axis, Frame, LEFT};
+use crate::drawing::print::Print;
 use crate::drawing::{COLUMN, MARGIN, caption};
 use topple::scene::Grid;
 
@@ -12,7 +13,9 @@ const RIGHT: f64 = 8.0;
 pub const GAP: f64 = 5.0;
 
 /// Left end of a picture's plots, and their width.
-pub const SIDE: (f64, f64) = (MARGIN + LEFT, COLUMN - 2.0 * MARGIN - LEFT - RIGHT);
+pub fn side(canvas: &Canvas) -> (f64, f64) {
+    (MARGIN + LEFT, canvas.inner() - LEFT - RIGHT)
+}
 
 /// A title with what a map is a slice at.
 pub fn titled(title: &str, at: &str) -> String {
@@ -23,10 +26,10 @@ pub fn titled(title: &str, at: &str) -> String {
 }
 
 /// A picture with a title, and the place of its plot, a square.
-pub fn begin(map: &Map, title: &str) -> (Canvas, Place) {
-    let mut canvas = Canvas::new(COLUMN);
+pub fn begin(map: &Map, title: &str, print: Print) -> (Canvas, Place) {
+    let mut canvas = print.canvas(COLUMN);
     let y = caption::heading(&mut canvas, map.scene, title) + GAP;
-    let (x, width) = SIDE;
+    let (x, width) = side(&canvas);
     (canvas, Place { x, y, width, height: width })
 }
 

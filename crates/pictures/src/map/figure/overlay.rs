@@ -5,12 +5,16 @@ use super::super::Map;
 use crate::drawing::canvas::Place;
 use crate::drawing::error::FigureError;
 use crate::drawing::raster::{Rgba, png};
-use crate::drawing::swatch::{DOT, DOTS, PITCH, WIDTH};
+use crate::drawing::swatch::{DOT, DOTS, PITCH, TEXTURE, WIDTH};
+use topple::results::colour::Colour;
 use topple::results::palette::{Kind, dots, is_dotted};
+use topple::results::print_palette::{Palette, Texture};
 use topple::stepping::outcome::Class;
 
 /// Pixels of a point of the picture.
 const DENSITY: f64 = 6.0;
+/// Most pixels along an edge: a wide picture with small letters has fewer a point.
+const MOST: f64 = 8192.0;
 /// Width of the light edge of a hatch's lines, over theirs: it shows them on dark colours.
 const EDGE: f64 = 0.6;
 
@@ -28,6 +32,8 @@ pub struct Overlay {
     pub crossed: bool,
     /// Some cells overturn about the right corner after impacts.
     pub dotted: bool,
+    /// Colours tell outcomes: a palette may have lines over them.
+    pub classes: bool,
 }
 
 impl Overlay {
@@ -37,6 +43,7 @@ impl Overlay {
             hatched: map.has_beyond_the_model(),
             crossed: map.outcomes.iter().any(|cell| cell.class == Class::Unresolved),
             dotted: outcomes && map.outcomes.iter().any(is_dotted),
+            classes: outcomes,
         }
     }
 
@@ -46,19 +53,27 @@ impl Overlay {
             hatched: self.hatched || other.hatched,
             crossed: self.crossed || other.crossed,
             dotted: self.dotted || other.dotted,
+            classes: self.classes || other.classes,
         }
     }
 
-    /// The image of it for a place; none where there is nothing.
+    /// The image of it for a place, over the colours of a palette; none where there is nothing.
     ///
     /// # Errors
     /// [`FigureError::Encode`].
-    pub fn image(self, map: &Map, place: Place) -> Result<Option<Vec<u8>>, FigureError> {
-        if self == Overlay::default() {
+    pub fn image(
+        self,
+        map: &Map,
+        place: Place,
+        palette: Palette,
+    ) -> Result<Option<Vec<u8>>, FigureError> {
+        let lined = self.classes && palette != Palette::Colour;
+        if !(self.hatched || self.crossed || self.dotted || lined) {
             return Ok(None);
         }
         let (columns, rows) = map.grid.shape();
-        let pixels = |length: f64| (length * DENSITY).round().max(1.0) as usize;
+        let density = DENSITY.min(MOST / place.width.max(place.height));
+        let pixels = |length: f64| (length * density).round().max(1.0) as usize;
         let (width, height) = (pixels(place.width), pixels(place.height));
         let (pitch, line) = (pixels(PITCH), pixels(WIDTH * std::f64::consts::SQRT_2));
         let (edge, apart) = (line + pixels(EDGE * WIDTH), pixels(DOTS));
@@ -72,8 +87,10 @@ impl Overlay {
             let middle = |at: usize| at as f64 + 0.5 - 0.5 * apart as f64;
             let dx = middle((x + shift) % apart);
             let dy = middle(y - row * apart);
-            dx.hypot(dy) <= DOT * DENSITY
+            dx.hypot(dy) <= DOT * density
         };
+        let texture = pixels(TEXTURE);
+        let opaque = |[r, g, b]: Colour| [r, g, b, 255];
         let image = png((width, height), |x, y| {
             let cell = (rows - 1 - y * rows / height) * columns + x * columns / width;
             let outcome = &map.outcomes[cell];
@@ -84,8 +101,16 @@ impl Overlay {
                 _ if beyond[cell] && rising < line => HATCH,
                 _ if beyond[cell] && rising < edge => LIGHT,
                 _ if self.dotted && is_dotted(outcome) && within(x, y) => {
-                    let [r, g, b] = dots(Kind::of(outcome).colour());
-                    [r, g, b, 255]
+                    opaque(dots(palette.of(Kind::of(outcome).colour())))
+                }
+                _ if lined => {
+                    let colour = Kind::of(outcome).colour();
+                    let on_line = match palette.texture(colour) {
+                        Texture::Plain => false,
+                        Texture::Across => y % texture < line,
+                        Texture::Upright => x % texture < line,
+                    };
+                    if on_line { opaque(dots(palette.of(colour))) } else { NONE }
                 }
                 _ => NONE,
             }

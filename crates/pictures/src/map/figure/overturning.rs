@@ -8,8 +8,9 @@ use super::{keys, layout};
 use crate::drawing::canvas::{Canvas, Place};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{BELOW, BOTH};
+use crate::drawing::print::Print;
 use crate::drawing::raster::png;
-use crate::drawing::{COLUMN, MARGIN, legend, swatch};
+use crate::drawing::{MARGIN, legend, swatch};
 use topple::results::colour::Colour;
 use topple::results::palette::Kind;
 use topple::stepping::outcome::Outcome;
@@ -18,8 +19,10 @@ use topple::stepping::outcome::Outcome;
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, at: &str) -> Result<String, FigureError> {
-    let (mut canvas, place) = begin(map, &titled(&map.scene.title, at));
+pub fn draw(map: &Map, at: &str, print: Print) -> Result<String, FigureError> {
+    let (mut canvas, place) =
+        begin(map, &titled(print.title.unwrap_or(&map.scene.title), at), print);
+    let wide = canvas.inner();
     let overlay = Overlay::of(map, true);
     let rings = paint(&mut canvas, map, place, overlay, Kind::of, Kind::colour)?;
     frame(place, &map.grid).draw(&mut canvas, BOTH);
@@ -27,7 +30,7 @@ pub fn draw(map: &Map, at: &str) -> Result<String, FigureError> {
     entries.extend(keys::overlay(&[map], overlay));
     entries.extend((rings > 0).then(keys::ring));
     let top = place.bottom() + BELOW + layout::GAP;
-    let end = legend::draw(&mut canvas, &entries, (MARGIN, top), COLUMN - 2.0 * MARGIN, 2);
+    let end = legend::draw(&mut canvas, &entries, (MARGIN, top), wide, 2);
     Ok(canvas.finish(end + MARGIN))
 }
 
@@ -44,8 +47,9 @@ pub fn paint<K: PartialEq>(
     kind: impl Fn(&Outcome) -> K,
     colour: impl Fn(K) -> Colour,
 ) -> Result<usize, FigureError> {
-    canvas.image(place, &cells(map, |cell| colour(kind(cell)))?, true);
-    if let Some(image) = overlay.image(map, place)? {
+    let palette = canvas.palette();
+    canvas.image(place, &cells(map, |cell| palette.of(colour(kind(cell))))?, true);
+    if let Some(image) = overlay.image(map, place, palette)? {
         canvas.image(place, &image, false);
     }
     let rings = islands(map, place, kind);

@@ -1,0 +1,75 @@
+//! What is asked of the pictures of a command.
+
+use serde::{Deserialize, Serialize};
+use topple::results::print_palette::Palette;
+use topple_pictures::drawing::print::{Print, PrintError};
+
+use super::number_text::number;
+use super::written::one_of;
+
+/// How pictures are printed: the flags, and what run.json says of them.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
+#[command(next_help_heading = "Pictures")]
+#[serde(default)]
+pub struct PictureFlags {
+    /// Title of the pictures, in the place of their own; of one of several it is followed by what that shows
+    #[arg(long, value_name = "TEXT", value_parser = title)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    /// Width of the pictures in print, 40 to 600 mm [default: 90, of a comparison 140]
+    #[arg(long, value_name = "MM", value_parser = number, allow_negative_numbers = true)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    width: Option<f64>,
+    /// Size of the letters of the pictures, 4 to 40 points; lines and marks grow with them [default: 7]
+    #[arg(long, value_name = "PT", value_parser = number, allow_negative_numbers = true)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    font_size: Option<f64>,
+    /// Colours of the pictures [default: colour]
+    #[arg(long, value_name = "NAME", value_parser = one_of::<Palette>())]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    palette: Option<Palette>,
+}
+
+impl PictureFlags {
+    /// Their names, for messages.
+    pub const NAMES: &str = "--title, --width, --font-size, --palette";
+
+    /// True where nothing is asked.
+    pub fn is_plain(&self) -> bool {
+        *self == PictureFlags::default()
+    }
+
+    /// How pictures are printed.
+    ///
+    /// # Errors
+    /// A width or a size out of bounds, or letters too large for the width.
+    pub fn print(&self) -> Result<Print<'_>, String> {
+        let mut print = Print::new(self.width, self.font_size).map_err(|error| match error {
+            PrintError::Width(_) => format!("--width: {error}; give it in mm"),
+            PrintError::FontSize(_) => format!("--font-size: {error}; give it in points"),
+            PrintError::Narrow { .. } if self.width.is_some() => {
+                format!("--width: {error}; give a larger one or a smaller --font-size")
+            }
+            PrintError::Narrow { .. } => {
+                format!("--font-size: {error}; give a smaller one or a larger --width")
+            }
+        })?;
+        print.title = self.title.as_deref();
+        print.palette = self.palette.unwrap_or_default();
+        Ok(print)
+    }
+
+    /// Takes over what an earlier run asked for, where no flag says otherwise.
+    pub fn adopt(&mut self, earlier: PictureFlags) {
+        self.title = self.title.take().or(earlier.title);
+        self.width = self.width.or(earlier.width);
+        self.font_size = self.font_size.or(earlier.font_size);
+        self.palette = self.palette.or(earlier.palette);
+    }
+}
+
+/// A title: a line that says something.
+fn title(text: &str) -> Result<String, String> {
+    let is_line = !text.trim().is_empty() && !text.contains(char::is_control);
+    is_line.then(|| text.to_string()).ok_or_else(|| "must be one line of text".into())
+}
