@@ -123,6 +123,20 @@ fn forces_at_rows_are_within_those_of_the_outcome() {
 }
 
 #[test]
+fn the_last_row_has_the_last_sample_of_the_record() {
+    let folder = TempDir::new().unwrap();
+    let (out, record) = (folder.path().join("out"), folder.path().join("record.txt"));
+    let rows =
+        (0..101).map(|k| format!("{:.2} {}\n", 0.01 * f64::from(k), 0.5 + 0.01 * f64::from(k)));
+    fs::write(&record, rows.collect::<String>()).unwrap();
+    let line = "history --object 1 --isolation none --units m/s2 --columns ground_h --horizontal";
+    run(&format!("{line} {}", record.display()), &out);
+    let text = fs::read_to_string(out.join("history.csv")).unwrap();
+    let last = text.lines().last().and_then(|row| row.rsplit(',').next()).unwrap();
+    assert!((last.parse::<f64>().unwrap() - 1.5).abs() < 1e-9, "{last}");
+}
+
+#[test]
 fn a_column_of_another_name_is_refused() {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("out");
