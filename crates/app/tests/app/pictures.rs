@@ -213,6 +213,9 @@ fn is_printed(out: &Path, name: &str, (width, size): (f64, f64), title: &str) {
     assert!(numbers(&svg, "x").iter().all(|x| *x <= view), "{name}");
 }
 
+/// A run: the folder of its results, its arguments, and its pictures, each with what it shows.
+type Run<'a> = (&'a str, Vec<&'a str>, &'a [(&'a str, &'a str)]);
+
 #[test]
 fn pictures_have_the_width_the_letters_and_the_title_asked_for() {
     let (place, list) = suite();
@@ -229,7 +232,7 @@ fn pictures_have_the_width_the_letters_and_the_title_asked_for() {
     let devices = out("devices.csv");
     fs::write(&devices, "device,t_h,t_v\nsoft,2,0.5\nstiff,1,0.5\n").unwrap();
     let compare = ["compare", devices.to_str().unwrap(), "--object", "1", "--u-y", "0.01"];
-    let commands: [(&str, Vec<&str>, &[(&str, &str)]); 10] = [
+    let commands: [Run; 10] = [
         ("map", MAP.to_vec(), &[("map", "A &lt;title&gt; B")]),
         (
             "line",
