@@ -66,8 +66,9 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         if let (Some(empty), false) = (empty, rows.are_none()) {
             return Err(empty_row(empty));
         }
-        let several = numbers.len() > 2 || numbers.len() == 2 && table::is_pair(text, at);
-        if rows.are_none() && several {
+        // Asked of the first row alone: what looks at the lines above reads the text again.
+        let is_several = |columns: usize| columns > 2 || columns == 2 && table::is_pair(text, at);
+        if rows.are_none() && is_several(numbers.len()) {
             return of_table(text, at, hints, told, title, commas);
         }
         rows.add(at, line, &fields, numbers)?;
