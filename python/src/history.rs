@@ -4,7 +4,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
-use topple::backend::history::{Forces, Row, by_reference, by_steps, check_rows, forces};
+use topple::backend::history::{FORCE_COLUMNS, Row, by_reference, by_steps, check_rows, forces};
 use topple::scene::isolation::KelvinVoigt;
 use topple::{BackendRequest, Outcome, Precision};
 
@@ -58,18 +58,8 @@ pub fn history<'py>(
         columns.set_item(name, PyArray1::from_iter(py, rows.iter().map(of)))?;
     }
     columns.set_item("mode", rows.iter().map(|row| row.mode).collect::<Vec<_>>())?;
-    type OfForces = fn(&Forces) -> f64;
-    let more: [(&str, OfForces); 7] = [
-        ("ground_h", |forces| forces.ground_h),
-        ("ground_v", |forces| forces.ground_v),
-        ("acc_plate", |forces| forces.acc_plate),
-        ("acc_block", |forces| forces.acc_block),
-        ("acc_block_v", |forces| forces.acc_block_v),
-        ("n", |forces| forces.normal),
-        ("s", |forces| forces.shear),
-    ];
     let found = forces(&scene, &case, &rows);
-    for (name, of) in more {
+    for (name, of) in FORCE_COLUMNS {
         columns.set_item(name, PyArray1::from_iter(py, found.iter().map(of)))?;
     }
     let about = json!({

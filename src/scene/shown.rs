@@ -1,4 +1,4 @@
-//! What a message repeats of a text that was read: in one line, and not all of a long one.
+//! Texts that were read as a message or a command line repeats them: in one line, not all of a long one, or quoted.
 
 /// Most letters of a text that a message repeats: a checksum has as many.
 const SHOWN: usize = 64;
@@ -15,6 +15,15 @@ pub fn line(message: &str) -> String {
     cut(message, LINE)
 }
 
+/// A word of a command as a shell takes it.
+pub fn word(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:,=+".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.into();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}
+
 fn cut(text: &str, most: usize) -> String {
     let mut letters = text.chars();
     let plain = |letter: char| if letter.is_control() { ' ' } else { letter };
@@ -27,7 +36,16 @@ fn cut(text: &str, most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{line, shown};
+    use super::{line, shown, word};
+
+    #[test]
+    fn a_shell_takes_a_word_as_it_is() {
+        assert_eq!(word("--a-h=0.1:15:40"), "--a-h=0.1:15:40");
+        assert_eq!(word("a *.at2"), "'a *.at2'");
+        assert_eq!(word("*"), "'*'");
+        assert_eq!(word("it's"), r"'it'\''s'");
+        assert_eq!(word(""), "''");
+    }
 
     #[test]
     fn a_text_is_repeated_in_one_short_line() {

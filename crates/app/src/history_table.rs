@@ -2,47 +2,29 @@
 
 use std::io::Write;
 
-use topple::backend::history::{Event, Forces, Row};
+use topple::backend::history::{Event, FORCE_COLUMNS, Forces, OfForces, Row};
 use topple::results::csv::Number;
 
 /// Names of the columns.
 pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "dphi"];
 
-/// A column that is written where it is asked for, behind the others.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct More(usize);
-
-/// What a column has of the forces at a row.
-type OfForces = fn(&Forces) -> f64;
-
-/// Those columns.
-const MORE: [(&str, OfForces); 7] = [
-    ("ground_h", |forces| forces.ground_h),
-    ("ground_v", |forces| forces.ground_v),
-    ("acc_plate", |forces| forces.acc_plate),
-    ("acc_block", |forces| forces.acc_block),
-    ("acc_block_v", |forces| forces.acc_block_v),
-    ("n", |forces| forces.normal),
-    ("s", |forces| forces.shear),
-];
-
-/// Columns that are asked for, in the order of the table.
+/// Columns that are written where they are asked for, behind the others: which of [`FORCE_COLUMNS`].
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct MoreColumns(Vec<More>);
+pub struct MoreColumns([bool; FORCE_COLUMNS.len()]);
 
 impl std::str::FromStr for MoreColumns {
     type Err = String;
 
     fn from_str(text: &str) -> Result<MoreColumns, String> {
-        let mut wanted = [false; MORE.len()];
+        let mut wanted = [false; FORCE_COLUMNS.len()];
         for name in text.split(',').map(str::trim) {
-            match MORE.iter().position(|(own, _)| *own == name) {
+            match FORCE_COLUMNS.iter().position(|(own, _)| *own == name) {
                 Some(place) => wanted[place] = true,
-                None if name == "all" => wanted = [true; MORE.len()],
+                None if name == "all" => wanted = [true; FORCE_COLUMNS.len()],
                 // They are there in any case.
                 None if COLUMNS.contains(&name) => {}
                 None => {
-                    let names: Vec<&str> = MORE.iter().map(|(name, _)| *name).collect();
+                    let names = FORCE_COLUMNS.map(|(name, _)| name);
                     return Err(format!(
                         "{name:?} is no column; give all, or some of {}",
                         names.join(", ")
@@ -50,15 +32,22 @@ impl std::str::FromStr for MoreColumns {
                 }
             }
         }
-        let places = wanted.iter().enumerate().filter(|(_, wanted)| **wanted);
-        Ok(MoreColumns(places.map(|(place, _)| More(place)).collect()))
+        Ok(MoreColumns(wanted))
     }
 }
 
 impl MoreColumns {
     /// True where none is asked for.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.columns().next().is_none()
+    }
+
+    fn columns(&self) -> impl Iterator<Item = (&'static str, OfForces)> {
+        FORCE_COLUMNS
+            .into_iter()
+            .zip(self.0)
+            .filter(|(_, wanted)| *wanted)
+            .map(|(column, _)| column)
     }
 }
 
@@ -77,10 +66,10 @@ pub fn write(
     writer: impl Write,
 ) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(COLUMNS.iter().copied().chain(more.0.iter().map(|more| MORE[more.0].0)))?;
+    table.write_record(COLUMNS.into_iter().chain(more.columns().map(|(name, _)| name)))?;
     for (at, row) in rows.iter().enumerate() {
         let of = |forces: &Forces| -> Vec<Number> {
-            more.0.iter().map(|more| Number(MORE[more.0].1(forces))).collect()
+            more.columns().map(|(_, of)| Number(of(forces))).collect()
         };
         let more = forces.get(at).map(of).unwrap_or_default();
         table.serialize((Number(row.t), row.mode, numbers(row), more))?;

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use topple::results::files::Directory;
 use topple_report::{Folder, ReportError, html, print};
 
+use super::suite::counted;
 use super::words::Reporter;
 use super::{InputError, examples};
 
@@ -94,8 +95,7 @@ impl ReportCommand {
         let place = Directory::open(place.unwrap_or(Path::new(".")));
         let place = place.map_err(|error| InputError(format!("--out: {error}")))?;
         place.write(name, |w| w.write_all(&bytes))?;
-        let count = folders.len();
-        let of = if count == 1 { "1 run".into() } else { format!("{count} runs") };
+        let of = counted(folders.len(), "run");
         Reporter::unless(self.quiet).line("report", format!("{} of {of}", self.out.display()));
         Ok(())
     }

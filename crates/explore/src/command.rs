@@ -14,7 +14,7 @@ use super::suite::FINEST;
 use topple::model::precision::Precision;
 use topple::scene::keys;
 use topple::scene::parameters::{PARAMETERS, Section};
-use topple::scene::{Grid, Scene, SceneBuilder, Values};
+use topple::scene::{Grid, Scene, SceneBuilder, Values, shown};
 use topple_studies::suites::envelope::Limits;
 
 /// A request for what a view is, or for its files.
@@ -73,20 +73,11 @@ pub fn toml(session: &Session, given: &SceneBuilder) -> Result<String, Refused> 
     written.to_toml().map_err(Refused::told)
 }
 
-/// A word as a shell takes it.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:,=+".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        return word.into();
-    }
-    format!("'{}'", word.replace('\'', r"'\''"))
-}
-
 /// The flags of a scene, in the order of its sections.
 fn flags(session: &Session, given: &SceneBuilder) -> Vec<String> {
     let written = serde_json::to_value(given).unwrap_or_default();
     let mut flags = Vec::new();
-    let mut flag = |name: &str, value: &str| flags.push(quoted(&format!("--{name}={value}")));
+    let mut flag = |name: &str, value: &str| flags.push(shown::word(&format!("--{name}={value}")));
     for section in Section::ALL {
         for key in keys::words(section).iter().filter(|key| !matches!(**key, "x" | "y")) {
             let text = match &written[section.key()][key] {

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
-use topple::scene::{Excitation, GRAVITY, Scene, words};
+use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
 
 use super::document::{Document, Piece};
 use super::findings::{number, percent};
@@ -110,7 +110,7 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<String> = Vec::new();
     let mut pieces = Vec::new();
-    for scene in folders.iter().flat_map(scenes) {
+    for scene in folders.iter().flat_map(Folder::scenes) {
         let Some(case) = block::case(&scene) else { continue };
         let svg = block::draw(&case);
         if drawn.contains(&svg) || drawn.len() == BLOCKS {
@@ -129,17 +129,6 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
 
 /// Most blocks that are drawn.
 const BLOCKS: usize = 12;
-
-/// The scenes of a run: of a comparison one a device.
-fn scenes(folder: &Folder) -> Vec<Scene> {
-    let devices = folder.run.get("devices").and_then(|devices| devices.as_array());
-    let of_devices = devices.into_iter().flatten().filter_map(|device| {
-        let scene = device.get("scene")?;
-        serde_json::from_value(scene.clone()).ok()
-    });
-    let of_devices: Vec<Scene> = of_devices.collect();
-    if of_devices.is_empty() { folder.scene.iter().cloned().collect() } else { of_devices }
-}
 
 /// What shook the base.
 fn motions(folders: &[Folder]) -> Vec<Piece> {
@@ -248,21 +237,23 @@ fn repeated(folder: &Folder) -> Vec<Piece> {
     let arguments = command.and_then(Value::as_array);
     let mut lines = match arguments {
         Some(arguments) => {
-            let words = arguments.iter().filter_map(Value::as_str).map(quoted);
+            let words = arguments.iter().filter_map(Value::as_str).map(shown::word);
             vec![std::iter::once("topple".to_string()).chain(words).collect::<Vec<_>>().join(" ")]
         }
         None if matches!(folder.kind, Kind::Suite) => {
             vec![format!(
                 "topple suite {} --out again",
-                quoted(folder.text("suite").unwrap_or_default())
+                shown::word(folder.text("suite").unwrap_or_default())
             )]
         }
-        None => vec![format!("topple run {} --out again", quoted(&folder.path.to_string_lossy()))],
+        None => {
+            vec![format!("topple run {} --out again", shown::word(&folder.path.to_string_lossy()))]
+        }
     };
     if let Some(place) = folder.run.get("command").and_then(|command| command.get("directory"))
         && let Some(place) = place.as_str()
     {
-        lines.insert(0, format!("cd {}", quoted(place)));
+        lines.insert(0, format!("cd {}", shown::word(place)));
     }
     pieces.push(Piece::Code(lines));
     let mut hashes = Vec::new();
@@ -289,14 +280,5 @@ fn gather(value: &Value, hashes: &mut Vec<String>) {
     }
     if let Some(inner) = value.as_object() {
         inner.values().for_each(|value| gather(value, hashes));
-    }
-}
-
-/// A word of a command as a shell takes it.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_./:,=+@%*".contains(c);
-    match !word.is_empty() && word.chars().all(plain) {
-        true => word.into(),
-        false => format!("'{}'", word.replace('\'', "'\\''")),
     }
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use topple::results::earlier::Kind;
 use topple::scene::record::rounded;
-use topple::scene::{Scene, words};
+use topple::scene::words;
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
@@ -263,11 +263,9 @@ fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         "{} u is the displacement of the base, of the motions under which the block stands: one that overturns it is not counted.",
         limits(folder)
     ))];
-    let devices = folder.run.get("devices").and_then(|devices| devices.as_array());
-    let numbers = devices.into_iter().flatten().filter_map(|device| {
-        let scene: Scene = serde_json::from_value(device.get("scene")?.clone()).ok()?;
-        Some(format!("{}: {}", scene.title, words::fixed(&scene).join(", ")))
-    });
+    let scenes = folder.scenes();
+    let numbers =
+        scenes.iter().map(|scene| format!("{}: {}", scene.title, words::fixed(scene).join(", ")));
     pieces.push(Piece::List(numbers.collect()));
     // Columns that were asked for have their own names.
     let of_tables = ["records", "stroke_v_50", "stroke_v_84"];

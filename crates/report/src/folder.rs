@@ -114,6 +114,17 @@ impl Folder {
         rows.map(Some).map_err(|error| failed(error.to_string()))
     }
 
+    /// The scenes of the run: of a comparison one for each device.
+    pub fn scenes(&self) -> Vec<Scene> {
+        let devices = self.run.get("devices").and_then(Value::as_array);
+        let of_devices = devices.into_iter().flatten().filter_map(|device| {
+            let scene = device.get("scene")?;
+            serde_json::from_value(scene.clone()).ok()
+        });
+        let of_devices: Vec<Scene> = of_devices.collect();
+        if of_devices.is_empty() { self.scene.iter().cloned().collect() } else { of_devices }
+    }
+
     /// A number of run.json.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.run.get(key)?.as_f64()

@@ -91,20 +91,16 @@ fn of_table(
     title: String,
     commas: bool,
 ) -> Result<Raw, RecordError> {
-    let mut raw = table::read(text, at, hints, told)?;
+    let mut raw = table::read(text, at, hints, told, title)?;
     raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
-    // Names of columns are no title.
-    let names = table::names_line(text, at).unwrap_or_default();
-    let title = if !title.is_empty() && names.starts_with(&title) { String::new() } else { title };
-    Ok(titled(raw, title))
+    Ok(raw)
 }
 
 /// A record with its title, and what that states: without a place and a component it is a heading of columns.
 fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
     if !stated.event.is_empty() {
-        raw.stated =
-            Stated { channel: raw.stated.channel, channels: raw.stated.channels, ..stated };
+        raw.stated = stated;
     }
     raw.title = title;
     raw

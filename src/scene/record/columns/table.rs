@@ -86,13 +86,18 @@ impl Table {
         Ok(table)
     }
 
-    fn column(&self, column: usize) -> Vec<f64> {
-        self.values.iter().skip(column).step_by(self.width).copied().collect()
+    fn column(&self, column: usize) -> impl Iterator<Item = f64> {
+        self.values.iter().skip(column).step_by(self.width).copied()
     }
 
     /// True where each number of a column is above the one before it.
     fn grows(&self, column: usize) -> bool {
         self.column(column).is_sorted_by(|before, next| before < next)
+    }
+
+    /// True where a column counts the rows.
+    fn counts(&self, column: usize) -> bool {
+        self.column(column).is_sorted_by(|before, next| next - before == 1.0)
     }
 
     /// True of values that run on from row to row: a motion changes less from one sample to the next than over a row, and
@@ -129,13 +134,6 @@ fn names(text: &str, first: usize, width: usize) -> Option<(usize, Vec<String>)>
         let states = names.iter().any(|name| name.contains(['=', ':']) || number(name).is_some());
         (names.len() == width && !are_units && !states).then_some((index + 1, names))
     })
-}
-
-/// The line that names the columns of the rows from line `first` on.
-pub(super) fn names_line(text: &str, first: usize) -> Option<&str> {
-    let row = Row::new(text.lines().nth(first - 1)?.trim());
-    let (line, _) = names(text, first, row.fields().len())?;
-    text.lines().nth(line - 1).map(str::trim)
 }
 
 /// True where words stand above the rows that state nothing known: names of columns that are not understood.
@@ -175,12 +173,13 @@ fn channels<'a>(names: &'a [String], hints: &RecordHints) -> Vec<Channel<'a>> {
     numbered.map(channel).collect()
 }
 
-/// The record in a text whose first row of numbers, of more than two, stands in line `first`.
+/// The record in a text whose first row of several columns stands in line `first`; `title` is the first line of words.
 pub(super) fn read(
     text: &str,
     first: usize,
     hints: &RecordHints,
     told: Told,
+    title: String,
 ) -> Result<Raw, RecordError> {
     let line = text.lines().nth(first - 1).unwrap_or_default();
     if !line.contains(';') && has_decimal_commas(line) {
@@ -189,13 +188,24 @@ pub(super) fn read(
     let table = Table::read(text, first)?;
     let names = names(text, first, table.width);
     // Some programs count the rows before the times.
-    let timed = [1, 0].into_iter().find(|column| {
-        let counts =
-            |column: usize| table.column(column).windows(2).all(|pair| pair[1] - pair[0] == 1.0);
-        table.grows(*column) && (*column == 0 || counts(0))
-    });
-    let timed = timed.filter(|_| table.short.is_none() && table.values.len() > table.width);
-    let mut raw = Raw::default();
+    let grows = table.grows(0);
+    let timed = match grows {
+        true if table.counts(0) && table.grows(1) => Some(1),
+        true => Some(0),
+        false => None,
+    };
+    if let (Some(short), true) = (table.short, grows) {
+        let problem =
+            "fewer columns than in the rows above; complete this row, or cut the record before it";
+        return Err(RecordError::line(short, problem));
+    }
+    let timed = timed.filter(|_| table.values.len() > table.width);
+    // Names of columns are no title.
+    let is_of = |line: usize| {
+        text.lines().nth(line - 1).is_some_and(|line| line.trim().starts_with(&title))
+    };
+    let is_names = names.as_ref().is_some_and(|(line, _)| is_of(*line));
+    let mut raw = super::titled(Raw::default(), if is_names { String::new() } else { title });
     let from = match timed {
         Some(column) => {
             let (step, note) = told.step_of(&table.times[column], hints.dt, None)?;
@@ -205,11 +215,6 @@ pub(super) fn read(
         }
         None => 0,
     };
-    if let (Some(short), true) = (table.short, table.grows(0)) {
-        let problem =
-            "fewer columns than in the rows above; complete this row, or cut the record before it";
-        return Err(RecordError::line(short, problem));
-    }
     let headed = is_headed(text, first);
     if timed.is_none() && (names.is_none() || table.short.is_some()) {
         let known = hints.dt.is_some() || told.has_step();
@@ -248,11 +253,11 @@ pub(super) fn read(
     let (channel, note) = choose(channels, hints, &mut raw.stated)?;
     raw.notes.extend(note);
     let column = from + channel.number.map_or(0, |number| number as usize - 1);
-    raw.values = table.column(column);
+    raw.values = table.column(column).collect();
     let own = words::bracket(channel.text).map(|words| (line, words.to_string()));
     let component = channel.component;
     let mut raw = told.complete(raw)?;
-    // What is told of the whole file may be of another column.
+    // What is told of the whole file, its title's last word too, may be of another column.
     raw.stated.component = component.or(raw.stated.component.filter(|_| lone || !named));
     if let Some((line, words)) = own {
         if Units::named(&words).is_none() && !Units::are_meant(&words) {
@@ -361,6 +366,16 @@ mod tests {
         }
         assert_eq!(of("t,force,CH1,CH2\n", Some("2")).unwrap().values[9], 2.0 * motion(9));
         assert!(of("t,force,vel,CH2\n", Some("2")).is_err());
+    }
+
+    #[test]
+    fn a_title_says_nothing_of_the_direction_of_named_columns() {
+        let text = rows("Quake, 1/2/1990, Station, UP\nt,NS,EW,UD\n", |k| {
+            format!("{:.2},{},{},{}", 0.01 * k as f64, motion(k), motion(k), motion(k))
+        });
+        let raw = read(&text, &RecordHints::default()).unwrap();
+        assert_eq!(raw.stated.component, Some(Component::Horizontal));
+        assert_eq!((&*raw.stated.station, raw.stated.channels.len()), ("Station", 3));
     }
 
     #[test]
