@@ -37,6 +37,8 @@ pub struct Settings {
     /// Longest step, s: a pair of switches within a step is looked for at a quarter of it. A
     /// sixteenth of the base's shortest period bounds it too.
     pub longest: f64,
+    /// The same where nothing shakes the ground: nothing there is faster than the base.
+    pub longest_free: f64,
     /// |dphi| below which a landing block comes to rest, rad/s.
     pub rest_speed: f64,
     /// Steps after which a cell is given up.
@@ -45,7 +47,13 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { tolerance: 1.0e-10, longest: 0.01, rest_speed: 1.0e-5, most_steps: 20_000_000 }
+        Settings {
+            tolerance: 1.0e-10,
+            longest: 0.01,
+            longest_free: 0.01,
+            rest_speed: 1.0e-5,
+            most_steps: 20_000_000,
+        }
     }
 }
 

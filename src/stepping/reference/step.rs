@@ -2,7 +2,7 @@
 
 use super::cubic::Cubic;
 use super::guards::{Guard, first_guard};
-use super::system::State;
+use super::system::{Drive, State};
 use super::trial::Trial;
 use super::{EVENT_TIME, Settings};
 use crate::scene::Case;
@@ -26,7 +26,8 @@ pub struct AcceptedStep {
 pub struct Stepper {
     /// The step to try next, s.
     next: f64,
-    longest: f64,
+    /// Under a drive, and under none.
+    longest: [f64; 2],
 }
 
 impl Stepper {
@@ -36,15 +37,17 @@ impl Stepper {
         let base = &case.isolation;
         let periods = [base.horizontal.map(|law| law.t_h), base.vertical.map(|law| law.t_v)];
         let bound = |longest: f64, period: f64| longest.min(period / 16.0);
-        let longest = periods.into_iter().flatten().fold(settings.longest, bound);
-        Stepper { next: 0.1 * longest, longest }
+        let longest = [settings.longest, settings.longest_free]
+            .map(|longest| periods.into_iter().flatten().fold(longest, bound));
+        Stepper { next: 0.1 * longest[0], longest }
     }
 
     /// Takes a step towards the time `stop`, up to the first guard that happens.
     pub fn step(&mut self, trial: &Trial, stop: f64) -> AcceptedStep {
+        let longest = self.longest[usize::from(trial.drive == Drive::Free)];
         loop {
             let left = stop - trial.t;
-            let mut h = self.next.min(self.longest).min(left);
+            let mut h = self.next.min(longest).min(left);
             // The last step ends at `stop` exactly, and none is left over that is lost in t.
             let last = h >= left * (1.0 - 1.0e-9);
             if last {

@@ -2,7 +2,6 @@
 
 use std::sync::{Arc, LazyLock};
 
-use png::Compression;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{ImageHrefResolver, Options, Tree, WriteOptions, fontdb};
 
@@ -33,7 +32,7 @@ pub fn png(svg: &str) -> Result<Vec<u8>, FigureError> {
     let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
     // The paper is white and opaque: no pixel's colour is scaled by its opacity.
     let (pixels, _) = pixmap.data().as_chunks::<4>();
-    raster::encode((width, height), pixels, Compression::High, Some(PRINT))
+    raster::encode((width, height), pixels, Some(PRINT))
 }
 
 /// The pixels of an SVG that is a frame of an animation, with 150 an inch: red, green, blue and opacity.
