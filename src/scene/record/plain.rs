@@ -1,13 +1,13 @@
 //! Bytes of a text file in whatever encoding, with whatever line ends; and files of other programs by their first bytes.
 
+use crate::scene::bounded::{self, utf16};
+
 /// The bytes as text, its lines ended as they are here.
 pub(super) fn of(bytes: &[u8]) -> String {
     let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
         _ if is_wide(bytes, 1) => utf16(bytes, u16::from_le_bytes),
         _ if is_wide(bytes, 0) => utf16(bytes, u16::from_be_bytes),
-        _ => std::str::from_utf8(bytes).map_or_else(|_| western(bytes), String::from),
+        _ => bounded::unicode(bytes).unwrap_or_else(|| western(bytes)),
     };
     lines_of_here(text)
 }
@@ -63,12 +63,6 @@ fn lines_of_here(text: String) -> String {
         }
     }
     lines
-}
-
-fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
-    let (units, _) = bytes.as_chunks::<2>();
-    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
-    String::from_utf16_lossy(&units)
 }
 
 /// What to do with a file of another program, known by its first bytes.
