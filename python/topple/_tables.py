@@ -128,7 +128,7 @@ def _placed(
 
 
 def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
-    """Tables with a row a cell: a dimension an axis."""
+    """Tables with one row per cell: each axis becomes a dimension."""
     data_vars: dict[str, Any] = {}
     for text in tables:
         data_vars |= _placed(columns(text), about, {})[0]

@@ -84,7 +84,7 @@ fn a_real_gpu_or_the_cpu(_: Precision) -> OpenBackends {
     OpenBackends { backends: vec![Backend::Cpu], passed_over: Vec::new() }
 }
 
-/// The first kind of GPU of which one at least is opened, with all of it that are; the CPU where none is.
+/// Opens the first kind of GPU that has a working device, with all working devices of this kind; else the CPU.
 pub fn first_that_opens<T>(
     kinds: Vec<Vec<T>>,
     open: impl Fn(T) -> Result<Backend, BackendError>,

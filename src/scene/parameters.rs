@@ -460,7 +460,7 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "angular velocity after an impact over the one before, in place of the law; only without isolation",
         "the law's", "(17c)").moving(&[Directions::None]),
     entry(P::RestitutionFactor, ("restitution_factor", "r", ""), Run, NotNegative,
-        "times the law's angular velocity after an impact, linear momenta kept; up to where impacts would raise the energy",
+        "factor on the law's angular velocity after an impact; the linear momenta are kept; a factor with which an impact would raise the energy is refused",
         "1", "(15a), (15b), (17c)"),
 ];
 

@@ -1,4 +1,4 @@
-//! What a cell's motion is told by: what shakes it, its switches, and how it ends.
+//! The description of a cell's motion: its excitation, its switches, and its end.
 
 use crate::backend::history::Row;
 use crate::scene::{Case, Excitation, Scene, Shaking};
@@ -31,7 +31,7 @@ pub struct Switch {
 }
 
 /// What shakes a cell, m/s^2, up to an `end`, s: points of the horizontal and of the vertical acceleration of the
-/// ground. A pulse is told at the times of `rows`.
+/// ground. A pulse is given at the times of `rows`.
 pub fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>; 2] {
     match (&scene.excitation, case.shaking) {
         (Excitation::Record(pair), Shaking::Record { factor, .. }) => {

@@ -28,7 +28,7 @@ pub struct EarlierRun {
     pub method: Option<Method>,
     /// What they were computed on, where the results tell it.
     pub backend: Option<String>,
-    /// What was not known, of a probability map.
+    /// The distributions of a probability map.
     pub uncertainty: Option<Uncertainty>,
     /// What the map had besides.
     pub besides: Besides,

@@ -11,7 +11,7 @@ use super::InputError;
 use super::words;
 use super::written::one_of;
 
-/// Which hazard curve.
+/// The flags of the hazard curve.
 #[derive(clap::Args)]
 pub struct HazardFlags {
     /// Hazard curve: a CSV of levels and annual rates of exceedance, or a site's curve as OpenQuake exports it

@@ -7,7 +7,7 @@ use super::picture_flags::PictureFlags;
 /// A file that holds a whole map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum MapFile {
-    /// map.csv: a row a cell.
+    /// map.csv: one row per cell.
     Csv,
     /// map.npz: arrays for numpy.
     Npz,

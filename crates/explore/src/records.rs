@@ -194,7 +194,7 @@ impl Records {
         let peak =
             pga.map_or_else(Numbers::default, |pga| Numbers::default().with(Parameter::Pga, pga));
         let pair = check_record(&places, &peak, Path::new(""), force).map_err(|error| {
-            // A file is told by its name, not by where it lies.
+            // A file is identified by its name, not by its folder.
             let names =
                 [(&places.horizontal, &text.horizontal), (&places.vertical, &text.vertical)];
             let problem = names.into_iter().fold(error.problem, |problem, names| match names {

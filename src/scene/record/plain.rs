@@ -22,7 +22,7 @@ fn western(bytes: &[u8]) -> String {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).iter().map(letter).collect()
 }
 
-/// Letters by which a text in UTF-16 without a mark is told.
+/// Number of letters by which a text in UTF-16 without a byte order mark is recognised.
 const WIDE: usize = 32;
 
 /// True of a text in UTF-16 without a mark: every other byte of its beginning is a zero, from `zero` on.

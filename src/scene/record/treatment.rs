@@ -59,7 +59,7 @@ impl Treatment {
     /// Checks the numbers alone.
     ///
     /// # Errors
-    /// The key of one that makes no sense.
+    /// The key of an invalid one.
     pub fn check(&self) -> Result<(), SceneError> {
         for (key, value) in self.given() {
             let (holds, must) = match key {

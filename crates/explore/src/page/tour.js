@@ -2,7 +2,7 @@
 import { byId, make, say } from './dom.js';
 
 const KEY = 'topple-tour';
-/** What is told of each place, and the place. */
+/** The text for each place, and the place. */
 const STEPS = [
   ['.map', 'Each point of the map is one earthquake on one block: green stands, the other colours overturn. Drag and zoom it.'],
   ['.map', 'Click a point: the block rocks there in its own time, with every impact.'],

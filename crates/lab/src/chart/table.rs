@@ -1,4 +1,4 @@
-//! chart.csv: a row a trial.
+//! chart.csv: one row per trial.
 
 use std::io::{Read, Write};
 

@@ -89,7 +89,7 @@ pub fn least(
     Ok((brackets.into_iter().enumerate().map(least).collect(), word))
 }
 
-/// Writes boundaries: a row a frequency, with and without isolation.
+/// Writes boundaries: one row per frequency, with and without isolation.
 ///
 /// # Errors
 /// Those of the writer.

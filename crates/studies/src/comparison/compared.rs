@@ -14,12 +14,12 @@ use topple::results::columns::Column;
 use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
 
-/// Devices under a suite, with what is told of each.
+/// Devices under a suite, with the results of each.
 #[derive(Debug)]
 pub struct Comparison {
     /// The sweep of all devices, one after the other.
     pub sweep: SuiteSweep,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: ComparisonSettings,
     /// A device each, in the list's order.
     pub devices: Vec<Compared>,

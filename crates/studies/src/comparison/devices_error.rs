@@ -25,7 +25,7 @@ pub enum ComparisonError {
     /// A device makes no scene.
     #[error(transparent)]
     Devices(#[from] DevicesError),
-    /// A setting that makes no sense, or a sweep that failed.
+    /// An invalid setting, or a sweep that failed.
     #[error(transparent)]
     Sweep(#[from] SweepError),
 }

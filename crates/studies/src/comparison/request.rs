@@ -28,7 +28,7 @@ pub struct ComparisonRequest {
     pub suite: SuiteRequest,
     /// What each must do.
     pub limits: Limits,
-    /// Factors on the motions of which the reserve is told.
+    /// Factors on the motions for the reserve.
     pub scales: Option<Values>,
     /// Columns of a map whose percentiles are told, too.
     pub columns: Vec<Column>,
@@ -55,7 +55,7 @@ pub struct RateRequest {
 pub struct ComparisonJob {
     /// All devices under all motions.
     pub sweep: SuiteJob,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: ComparisonSettings,
 }
 

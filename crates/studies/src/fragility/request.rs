@@ -45,15 +45,15 @@ use topple::work::observer::Observer;
 pub struct FragilityRequest {
     /// The scene, its motions, and how they are run.
     pub suite: SuiteRequest,
-    /// The measure that the fragility is told over.
+    /// The measure of the fragility.
     pub im: Intensity,
     /// Levels of it, in SI units, that each motion is scaled to; each motion as it is without them.
     pub levels: Option<Values>,
-    /// The rocking index is not to exceed these.
+    /// Limits of the rocking index.
     pub limit_zeta: Vec<f64>,
-    /// max |u| is not to exceed these, m.
+    /// Limits of max |u|, m.
     pub limit_u: Vec<f64>,
-    /// The stroke of v is not to exceed these, m.
+    /// Limits of the stroke of v, m.
     pub limit_v: Vec<f64>,
     /// Estimators; all that the levels allow where none is named.
     pub estimators: Vec<Estimator>,

@@ -2,7 +2,7 @@
 //!
 //! Basin entropy is that of Daza et al. (2016), Scientific Reports 6:31416: in a box of cells with shares p of the
 //! outcomes S = -sum p ln p; S_b is the mean of all boxes, S_bb that of the boxes with two outcomes or more. A smooth
-//! boundary parts two outcomes and has S_bb <= ln 2: more is a sufficient sign of a fractal one, less decides nothing.
+//! boundary separates two outcomes and has S_bb <= ln 2: a larger value is a sufficient sign of a fractal one, a smaller one allows no conclusion.
 //!
 //! The uncertainty exponent is that of Grebogi et al. (1983), Physics Letters A 99:415-418: the share f of cells whose
 //! outcome another has at a distance of so many cells along an axis is proportional to the distance to the power
@@ -56,7 +56,7 @@ pub struct Sharpness {
     pub s_b: Option<Estimate>,
     /// Boundary basin entropy; none where too few boxes have two outcomes.
     pub s_bb: Option<Estimate>,
-    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False decides nothing.
+    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False allows no conclusion.
     pub above_ln_2: bool,
     /// Distances, in cells.
     pub distances: Vec<usize>,

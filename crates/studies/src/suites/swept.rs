@@ -94,7 +94,7 @@ impl SuiteJob {
             let problem = "no motion; give a suite that has one".into();
             return Err(SceneError { key: "suite", problem }.into());
         };
-        // As it is given: what varies is told by its own value.
+        // As it is given: its own value describes what varies.
         let first = WantedMotion { settings: Vec::new(), ..first.clone() }.under(scene)?;
         let grid = Grid::of(&first);
         check_size(&grid, &wanted, &settings)?;

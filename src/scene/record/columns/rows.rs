@@ -124,7 +124,7 @@ impl Rows {
         (several && self.rows as f64 == count).then_some(self.second)
     }
 
-    /// The record in the rows: whether the first one is a count is told by the others.
+    /// The record in the rows: the other rows show whether the first one is a count.
     pub fn record(self, told: &Told, given: Option<f64>) -> Result<Raw, RecordError> {
         let Rows { first, mut values, rows, narrowest, widest, odd, times, points, .. } = self;
         let Some(first) = first else { return Ok(Raw::default()) };

@@ -78,7 +78,7 @@ pub struct CellEnvelope {
 pub struct Envelope {
     /// The sweeps that it was made of.
     pub sweep: SuiteSweep,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: EnvelopeSettings,
     /// A cell each, in the grid's order.
     pub cells: Vec<CellEnvelope>,

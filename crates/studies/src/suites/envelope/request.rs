@@ -55,7 +55,7 @@ pub struct EnvelopeRequest {
 pub struct EnvelopeJob {
     /// The sweeps.
     pub sweep: SuiteJob,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: EnvelopeSettings,
 }
 
