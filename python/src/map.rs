@@ -179,7 +179,7 @@ struct Finish<'a> {
     /// The directory in which it is saved.
     saved: Option<&'a Path>,
     refining: Option<&'a RefineSettings>,
-    /// How sharp its boundaries are is asked for.
+    /// How sharp its boundaries are is requested.
     sharpness: bool,
 }
 

@@ -37,7 +37,7 @@ impl BackendRequest {
     /// `adapters` have numbers; one otherwise. Of a GPU, `auto` asks that it pass a small check.
     ///
     /// # Errors
-    /// A [`BackendError`] where a GPU was asked for and there is none, or not for this precision, or it
+    /// A [`BackendError`] where a GPU was requested and there is none, or not for this precision, or it
     /// gives no device.
     pub fn open(
         self,

@@ -8,7 +8,7 @@ pub use super::cell_value::{ColumnKind, STATUS_NAMES, Shown, class_code, status_
 use super::element::ColumnNumber;
 use crate::stepping::outcome::{Class, Outcome, Status};
 
-/// What is known of a column.
+/// The description of a column.
 pub struct Entry {
     /// Which one.
     pub column: Column,
@@ -210,10 +210,10 @@ columns! {
 }
 
 impl Column {
-    /// How many of the table a map has where nothing else is asked for: the first.
+    /// How many of the table a map has by default: the first.
     pub const BY_DEFAULT: usize = Column::TSimulated as usize + 1;
 
-    /// What is known of it.
+    /// Its description.
     pub fn entry(self) -> &'static Entry {
         &TABLE[self as usize]
     }

@@ -12,7 +12,7 @@ use std::time::Duration;
 use super::store_error::StoreError;
 use super::temporary;
 
-/// Times that a lock is asked for. A child of this process that is just being started holds what this
+/// How often a lock is tried. A child of this process that is just being started holds what this
 /// process held until it runs its own program: an instant.
 const ATTEMPTS: u32 = 10;
 /// Pause between them.

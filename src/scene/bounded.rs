@@ -10,7 +10,7 @@ pub const DOCUMENT: u64 = 32 << 20;
 /// The bytes of a file of `most` bytes at most.
 ///
 /// # Errors
-/// Those of the disk; [`ErrorKind::FileTooLarge`] of a larger file.
+/// Errors of the disk; [`ErrorKind::FileTooLarge`] of a larger file.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     // A device or a pipe has no length to be asked for.
     all(File::open(path)?, most)

@@ -1,4 +1,4 @@
-//! What shakes the base.
+//! The excitation of the base.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
 use crate::written::Written;
 
-/// What shakes the base.
+/// The excitation of the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {

@@ -221,7 +221,7 @@ impl fmt::Display for Legal {
     }
 }
 
-/// What is known of a number.
+/// The description of a number.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
     /// Which one.
@@ -478,7 +478,7 @@ impl Parameter {
     /// How many there are.
     pub const COUNT: usize = Parameter::RestitutionFactor as usize + 1;
 
-    /// What is known of it.
+    /// Its description.
     pub fn entry(self) -> &'static Entry {
         &PARAMETERS[self as usize]
     }

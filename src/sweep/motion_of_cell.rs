@@ -30,7 +30,7 @@ pub struct Switch {
     pub mode: &'static str,
 }
 
-/// What shakes a cell, m/s^2, up to an `end`, s: points of the horizontal and of the vertical acceleration of the
+/// The excitation of a cell, m/s^2, up to an `end`, s: points of the horizontal and of the vertical acceleration of the
 /// ground. A pulse is given at the times of `rows`.
 pub fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>; 2] {
     match (&scene.excitation, case.shaking) {
@@ -56,7 +56,7 @@ pub fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>
     }
 }
 
-/// What became of the cell, in a sentence.
+/// The outcome of the cell, in a sentence.
 pub fn told(outcome: &Outcome) -> String {
     let impacts = match outcome.impacts {
         1 => "1 impact".to_string(),

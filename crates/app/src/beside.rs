@@ -41,7 +41,7 @@ impl Observer for Beside<'_> {
     }
 }
 
-/// Runs `work`, and `verify` of so many cells, where there is one: at the same time if more threads than one are allowed.
+/// Runs `work`, and `verify` of a given number of cells, where there is one: at the same time if more threads than one are allowed.
 /// If the work fails, `verify` is asked to end.
 pub fn run<T, V: Send>(
     screen: &Screen,

@@ -98,7 +98,7 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     hazard_units: Option<&'static str>,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 

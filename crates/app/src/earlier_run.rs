@@ -45,7 +45,7 @@ struct Written {
     index: Option<Vec<Parameter>>,
     /// How a map was refined.
     refined: Option<Refined>,
-    /// How sharp its boundaries are: that it was asked for is enough.
+    /// How sharp its boundaries are: that it was requested is enough.
     sharpness: Option<IgnoredAny>,
     /// How its pictures are printed.
     #[serde(default)]
@@ -59,7 +59,7 @@ struct Written {
     uncertainty: Option<Uncertainty>,
 }
 
-/// Of a map's refinement what was asked for.
+/// Of a map's refinement what was requested.
 #[derive(Deserialize)]
 struct Refined {
     levels: Vec<IgnoredAny>,

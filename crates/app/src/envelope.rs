@@ -71,7 +71,7 @@ struct Manifest<'a> {
     seed: u32,
     vary: &'a [Varied],
     samples: Option<u32>,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 

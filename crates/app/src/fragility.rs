@@ -142,7 +142,7 @@ struct Manifest<'a> {
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 
@@ -270,7 +270,7 @@ impl FragilityCommand {
         tables.map(|name| name.to_string()).chain(exports).chain(pictures).collect()
     }
 
-    /// The formats that are asked for, each once.
+    /// The formats that are requested, each once.
     fn exports(&self) -> impl Iterator<Item = Export> {
         Export::ALL.into_iter().filter(|export| self.export.contains(export))
     }

@@ -23,7 +23,7 @@ pub struct HazardFlags {
 }
 
 impl HazardFlags {
-    /// Where it lies; none where no rates are asked for.
+    /// Where it lies; none where no rates are requested.
     pub fn path(&self) -> Option<&Path> {
         self.hazard.as_deref()
     }

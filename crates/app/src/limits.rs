@@ -1,4 +1,4 @@
-//! What a base must do under a suite, and what intervals are made of.
+//! The limits that a base must keep under a suite, and what intervals are made of.
 
 use topple_studies::suites::Resample;
 use topple_studies::suites::envelope::Limits;
@@ -29,7 +29,7 @@ pub struct LimitFlags {
 }
 
 impl LimitFlags {
-    /// As they are asked for.
+    /// As they are requested.
     pub fn limits(&self) -> Limits {
         Limits { standing: self.standing, u: self.limit_u, v: self.limit_v }
     }

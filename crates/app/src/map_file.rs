@@ -31,7 +31,7 @@ impl MapFile {
         all.filter(|file| names.iter().any(|name| name == file.name())).collect()
     }
 
-    /// Those of a map of so many cells, unless others are asked for.
+    /// Those of a map of a given number of cells, unless others are requested.
     pub fn of(cells: usize) -> Vec<MapFile> {
         if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
     }

@@ -129,7 +129,7 @@ pub struct MapOptions {
 pub struct Verify(VerifySettings);
 
 impl Verify {
-    /// As settings; those of a run that asks for none in particular where nothing is said.
+    /// As settings; those of a run that asks for none in particular by default.
     pub fn settings(asked: Option<Verify>) -> VerifySettings {
         asked.map_or_else(VerifySettings::default, |Verify(settings)| settings)
     }

@@ -139,7 +139,7 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
     Ok(place)
 }
 
-/// The map refined in so many levels, where that is asked for.
+/// The map refined in a given number of levels, where that is requested.
 pub fn refine(
     map: &MapSweep,
     backends: &[Backend],

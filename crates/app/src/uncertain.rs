@@ -41,7 +41,7 @@ pub struct UncertainFlags {
 }
 
 impl UncertainFlags {
-    /// True where probabilities are asked for.
+    /// True where probabilities are requested.
     pub fn asked(&self) -> bool {
         self.pixel || !self.vary.is_empty()
     }

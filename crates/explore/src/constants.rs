@@ -110,7 +110,7 @@ fn shape(shape: Shape) -> Value {
     })
 }
 
-/// What a scene has where nothing is said, read off one that was completed.
+/// What a scene has by default, read off one that was completed.
 fn defaults() -> Result<Value, SceneError> {
     use Parameter::{AH, Omega, TH, TV};
     let given = [(TH, 1.0), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];

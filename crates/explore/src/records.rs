@@ -72,7 +72,7 @@ impl Records {
     /// The folder that goes with the session.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn folder(&self) -> io::Result<PathBuf> {
         // What is stored is whole, whoever panicked.
         let mut folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
@@ -97,7 +97,7 @@ impl Records {
     /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
     ///
     /// # Errors
-    /// Those of the disk, and more bytes than a session keeps.
+    /// Errors of the disk, and more bytes than a session keeps.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
         let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);

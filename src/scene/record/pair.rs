@@ -28,7 +28,7 @@ pub struct Pair {
     pub pga_v: f64,
     /// The factor on what the files hold.
     pub factor: f64,
-    /// What had to be decided, in a sentence each.
+    /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
     /// Where it came from; none of a motion that was made. It is no part of a run's identity.
     #[serde(skip)]

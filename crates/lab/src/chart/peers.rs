@@ -81,7 +81,7 @@ pub struct Solved {
 /// Why another program's results were not taken.
 #[derive(Debug, thiserror::Error)]
 pub enum PeerError {
-    /// Not the table that was asked for.
+    /// Not the table that was requested.
     #[error("{0}")]
     Table(#[from] csv::Error),
     /// A cell that a scene does not have, or one of them twice or not at all.

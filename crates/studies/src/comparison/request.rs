@@ -26,7 +26,7 @@ pub struct ComparisonRequest {
     pub devices: Vec<Device>,
     /// Which motions each is swept under, and how; its scene is what all devices share.
     pub suite: SuiteRequest,
-    /// What each must do.
+    /// The limits that each must keep.
     pub limits: Limits,
     /// Factors on the motions for the reserve.
     pub scales: Option<Values>,
@@ -34,7 +34,7 @@ pub struct ComparisonRequest {
     pub columns: Vec<Column>,
     /// The site of which annual rates are told.
     pub rate: Option<RateRequest>,
-    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    /// What is resampled for the intervals; by default events if there are enough, else recordings.
     pub resample: Option<Resample>,
     /// Seed of the sets that are drawn.
     pub seed: u32,

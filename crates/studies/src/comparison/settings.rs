@@ -13,7 +13,7 @@ use topple::results::columns::Column;
 pub struct ComparisonSettings {
     /// The devices, each with as many motions of the sweep, one after the other.
     pub devices: Vec<Device>,
-    /// What each must do.
+    /// The limits that each must keep.
     pub limits: Limits,
     /// Factors for the reserve, the least first; none if no reserve is wanted.
     pub scales: Vec<f64>,

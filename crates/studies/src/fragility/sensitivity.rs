@@ -32,7 +32,7 @@ pub struct Sensitivity {
 }
 
 impl Unknown {
-    /// The design of so many samples.
+    /// The design of a given number of samples.
     pub fn of(varied: Vec<Varied>, samples: usize, seed: u32) -> Unknown {
         let design = Design::of(&varied, samples, seed);
         Unknown { varied, design }

@@ -28,7 +28,7 @@ pub struct StudySettings {
     pub drawn: usize,
     /// Numbers that are not known.
     pub unknown: Option<Unknown>,
-    /// What the block is not to do.
+    /// The limit states.
     pub states: Vec<LimitState>,
     /// How fragilities are estimated.
     pub estimators: Vec<Estimator>,

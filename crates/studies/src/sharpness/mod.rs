@@ -5,7 +5,7 @@
 //! boundary separates two outcomes and has S_bb <= ln 2: a larger value is a sufficient sign of a fractal one, a smaller one allows no conclusion.
 //!
 //! The uncertainty exponent is that of Grebogi et al. (1983), Physics Letters A 99:415-418: the share f of cells whose
-//! outcome another has at a distance of so many cells along an axis is proportional to the distance to the power
+//! outcome another has at a distance of a given number of cells along an axis is proportional to the distance to the power
 //! alpha, and the boundary's dimension is D = d - alpha over d axes.
 
 mod blocks;
@@ -29,7 +29,7 @@ use figures::of_blocks;
 
 /// Cells of a box along an axis.
 const BOX: usize = 5;
-/// The largest distance is at most this share of the shorter axis, and at most so many cells.
+/// The largest distance is at most this share of the shorter axis, and at most a given number of cells.
 const FARTHEST: (usize, usize) = (8, 32);
 
 /// A value, with an interval of 95 %.

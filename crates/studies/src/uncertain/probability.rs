@@ -37,7 +37,7 @@ pub struct Uncertainty {
     pub seed: u32,
 }
 
-/// What became of the cells of a grid in many sweeps.
+/// The outcomes of the cells of a grid in many sweeps.
 #[derive(Debug)]
 pub struct Probabilities {
     /// The scene, numbers that vary at their own values.
@@ -48,7 +48,7 @@ pub struct Probabilities {
     pub samples: u32,
     /// How often a cell had each outcome, in the order of [`Class::ALL`].
     pub counts: Vec<[u32; 5]>,
-    /// What ran them: gpu, cpu or reference.
+    /// The backend that ran them: gpu, cpu or reference.
     pub backend: String,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,

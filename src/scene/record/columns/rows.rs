@@ -53,7 +53,7 @@ pub(super) struct Rows {
     points: bool,
 }
 
-/// What is wrong with a row of so many columns.
+/// What is wrong with a row of a given number of columns.
 pub(super) fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
     let hint = match line.contains(',') {
         true => "; if its commas are decimal ones, write points",
