@@ -53,7 +53,21 @@ pub fn plain_name(name: &str) -> String {
         plain.push(letter);
     }
     let name = plain.trim_matches([' ', '.']).to_string();
-    if name.is_empty() { "record".into() } else { name }
+    match name {
+        name if name.is_empty() => "record".into(),
+        name if is_device(&name) => format!("record-{name}"),
+        name => name,
+    }
+}
+
+/// True of a name that opens a device on Windows, whatever stands behind its first dot.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_ascii_lowercase();
+    let numbered = stem.strip_prefix("com").or(stem.strip_prefix("lpt"));
+    ["con", "prn", "aux", "nul"].contains(&stem.as_str())
+        || numbered.is_some_and(|number| {
+            number.len() == 1 && number != "0" && number.parse::<u8>().is_ok()
+        })
 }
 
 /// The first name, of that given and those with numbers before it, that is free, or whose file `is_it`.
@@ -268,6 +282,11 @@ mod tests {
             ("a\0b.txt", "ab.txt"),
             ("H+90 (1).AT2", "H+90 (1).AT2"),
             ("", "record"),
+            ("nul", "record-nul"),
+            ("Aux .v2", "record-Aux .v2"),
+            ("com1.txt", "record-com1.txt"),
+            ("com0.txt", "com0.txt"),
+            ("console.txt", "console.txt"),
         ] {
             assert_eq!(plain_name(name), plain);
         }
