@@ -63,13 +63,10 @@ const LICENCES: [&str; 14] = [
 /// True where an SPDX expression of terms with AND, each in brackets or a choice with OR, can be kept by [`LICENCES`] alone.
 /// Older manifests write a choice with a slash.
 fn permits(expression: &str) -> bool {
-    let all = |terms: &mut dyn Iterator<Item = &str>| {
-        terms.all(|term| {
-            let term = term.trim_start_matches('(').trim_end_matches(')');
-            term.replace('/', " OR ").split(" OR ").any(|choice| LICENCES.contains(&choice.trim()))
-        })
-    };
-    all(&mut expression.split(" AND "))
+    expression.split(" AND ").all(|term| {
+        let term = term.trim_start_matches('(').trim_end_matches(')');
+        term.replace('/', " OR ").split(" OR ").any(|choice| LICENCES.contains(&choice.trim()))
+    })
 }
 
 #[test]

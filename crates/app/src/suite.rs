@@ -29,7 +29,7 @@ pub struct SuiteCommand {
     /// Directory for the results; created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
-    /// Refuse a suite in which anything is missing, ambiguous or unused
+    /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long)]
     strict: bool,
     /// Print only warnings and errors

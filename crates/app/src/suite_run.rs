@@ -30,7 +30,7 @@ pub struct SuiteFlags {
     /// Folder, zip or list of records, as for topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
     suite: PathBuf,
-    /// Refuse a suite in which anything is missing, ambiguous or unused
+    /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long, help_heading = "Suite")]
     strict: bool,
     /// Take each motion twice, its horizontal component in both directions
