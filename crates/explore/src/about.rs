@@ -14,7 +14,7 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
 use topple::results::column_set::ColumnSet;
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OPEN, OUTLINE, dots};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
 use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::description::{self, Description};
 use topple::scene::parameters::{Entry, PARAMETERS, Section};
@@ -100,7 +100,7 @@ fn kinds() -> Vec<Value> {
     let told = Kind::all().into_iter().map(|kind| {
         let colour = kind.colour();
         json!({
-            "label": label(kind),
+            "label": kind.label(),
             "colour": hex(colour),
             "dots": hex(dots(colour)),
             "overturns": overturns(kind),
@@ -123,17 +123,6 @@ fn parameters() -> Vec<Value> {
 /// True of the classes of blocks that overturn.
 fn overturns(kind: Kind) -> bool {
     matches!(kind, Kind::DirectLeft | Kind::DirectRight | Kind::Impacts(_) | Kind::More)
-}
-
-/// The line of a class in the page's legend, which says of each whether it overturns.
-fn label(kind: Kind) -> String {
-    let label = kind.label();
-    match kind {
-        Kind::DirectLeft | Kind::DirectRight => format!("overturns, {label}"),
-        Kind::Impacts(_) => format!("overturns after {label}"),
-        Kind::More => format!("overturns after {OPEN} or more impacts, or a rest"),
-        Kind::FullContact | Kind::Rocking | Kind::Unresolved => label,
-    }
 }
 
 /// The codes of the column `outcome` that the page draws in a colour of their own.

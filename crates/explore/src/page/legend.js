@@ -51,13 +51,19 @@ export function writeLegend(about, picture, axes) {
   const list = [];
   const spoken = [];
   if (picture.show === 'outcome') {
+    let headed = false;
     about.kinds.forEach((kind, k) => {
       if (!shares.counts[k]) return;
+      if (kind.overturns && !headed) list.push(make('li', { class: 'head' }, 'Overturns after'));
+      headed ||= kind.overturns;
       list.push(entry(filled(kind.colour, kind.unresolved ? 'cross' : ''), kind.label, part(shares.counts[k])));
-      spoken.push([shares.counts[k], `${kind.label} ${part(shares.counts[k])}`]);
+      spoken.push([shares.counts[k], `${kind.overturns ? 'overturns after ' : ''}${kind.label} ${part(shares.counts[k])}`]);
     });
     // Without a share, as in a figure: it says how to read colours whose shares stand above.
-    if (shares.dotted) list.push(entry(filled(about.shades.marked, 'dots'), about.dotted));
+    if (shares.dotted) {
+      list.push(entry(filled(about.shades.marked, 'dots'), about.dotted));
+      list.at(-1).classList.add('line');
+    }
   } else {
     const { arrays } = picture.frame;
     const outcomes = about.kinds.reduce((sum, { overturns }, k) => sum + (overturns ? shares.counts[k] : 0), 0);
