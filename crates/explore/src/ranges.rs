@@ -1,5 +1,7 @@
 //! The ranges of the page's sliders and of its new axes: those that are of use for most blocks. Fields take any number.
 
+use std::f64::consts::PI;
+
 use serde::Serialize;
 use topple::scene::Parameter;
 
@@ -54,7 +56,7 @@ pub fn handy(parameter: Parameter) -> Handy {
         AV => even(-10.0, 10.0),
         Cycles => even(0.5, 10.0),
         Gamma => even(1.0, 6.0),
-        Phase => even(-3.14, 3.14),
+        Phase => even(-PI, PI),
         Scale => log(0.1, 10.0),
         Pga => even(0.5, 20.0),
         TMax => even(5.0, 120.0),
