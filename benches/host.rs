@@ -65,7 +65,7 @@ fn input<R: Real>(tables: &CellTables<R>, tile: Range<usize>) -> Vec<Vec<u8>> {
     OwnClocks::of(tables, tile).map_or(Vec::new(), bytes)
 }
 
-/// The tiles of so many cells.
+/// The tiles of a given number of cells.
 fn tiles_of(cells: usize) -> impl Iterator<Item = Range<usize>> {
     (0..cells).step_by(TILE).map(move |first| first..cells.min(first + TILE))
 }

@@ -1,5 +1,5 @@
 //! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page; paths of the
-//! code that pages name exist.
+//! code that pages name exist; placeholders stand only where the page for contributors says so.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
@@ -10,9 +10,9 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The Markdown files of the repository's root and of docs.
+/// The Markdown files of the root, of docs and of its notes, and of the bench of a card.
 fn pages() -> Vec<PathBuf> {
-    let folders = [root().to_path_buf(), root().join("docs")];
+    let folders = ["", "docs", "docs/notes", "benches/card"].map(|folder| root().join(folder));
     let entries = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let paths = entries.map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> =
@@ -157,4 +157,40 @@ fn paths_of_the_pages_on_the_code_exist() {
         assert!(dead.is_empty(), "{page} names what is not there: {dead:?}");
     }
     assert_eq!(paths("`src/gone.rs` `--flag/x` src/x `crates`"), ["src/gone.rs", "crates"]);
+}
+
+/// What is to be filled in before a release.
+const PLACEHOLDERS: [&str; 7] =
+    ["<this repository>", "no public address", "TODO", "FIXME", "CHANGEME", "<your ", "<insert "];
+
+/// Files of text below a folder that have a placeholder. What a build or a run makes is passed over.
+fn with_placeholders(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() {
+            let made = ["target", "topple-out", "topple-chart", "topple-ratios", "shared"];
+            if !name.starts_with(".git") && !made.contains(&name.as_str()) {
+                with_placeholders(&path, found);
+            }
+        } else if !path.ends_with(file!())
+            && std::fs::read_to_string(&path)
+                .is_ok_and(|text| PLACEHOLDERS.iter().any(|words| text.contains(words)))
+        {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn placeholders_stand_where_the_page_for_contributors_says() {
+    let page = std::fs::read_to_string(root().join("CONTRIBUTING.md")).unwrap();
+    let line = page.lines().find(|line| line.starts_with("Placeholders stand in")).unwrap();
+    let mut said: Vec<PathBuf> =
+        line.split('`').skip(1).step_by(2).map(|path| root().join(path)).collect();
+    let mut found = Vec::new();
+    with_placeholders(root(), &mut found);
+    said.sort();
+    found.sort();
+    assert_eq!(found, said);
 }

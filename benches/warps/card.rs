@@ -106,7 +106,7 @@ impl<'a> Card<'a> {
         &self.traces.of(cell as usize)[self.done[cell as usize]..]
     }
 
-    /// Runs a list for a dispatch of so many turns, after which each cell goes on to the end of its
+    /// Runs a list for a dispatch of a given number of turns, after which each cell goes on to the end of its
     /// step: the list for the next dispatch, and the turns one after the other that it took.
     /// Workgroups begin in order, and those that end first come first in the new list.
     pub fn dispatch(&mut self, list: &[u32], work: usize) -> (Vec<u32>, usize) {

@@ -56,7 +56,7 @@ fn tile(traces: &Traces, columns: usize, cells: Range<usize>, choice: Choice) ->
     cells.into_iter().map(|cell| cell as u32).collect()
 }
 
-/// Sweeps the cells of a grid of so many columns; what the card did.
+/// Sweeps the cells of a grid of a given number of columns; what the card did.
 pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tally {
     let mut card = Card::new(traces, choice, kind.warps);
     let mut pace = Pace::default();

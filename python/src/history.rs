@@ -12,7 +12,7 @@ use crate::errors::{self, of_keyword, of_scene};
 use crate::keywords::Request;
 use crate::watch;
 
-/// Runs a cell: `(columns, about)`, a row a step or a switch; `about` is JSON.
+/// Runs a cell: `(columns, about)`, one row per step or switch; `about` is JSON.
 #[pyfunction]
 pub fn history<'py>(
     py: Python<'py>,

@@ -43,7 +43,7 @@ struct Arrays {
 /// What a call returns: columns by their names, and JSON.
 type Returned<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
-/// Runs a map: `(columns, about)`, a column a one-dimensional array in the grid's order, the first axis fastest;
+/// Runs a map: `(columns, about)`, each column a one-dimensional array in the grid's order, the first axis fastest;
 /// `about` is JSON. With `out` the columns lie there in map.zarr, and none is returned; of a shard `about` is None, too.
 /// With `refine` a column has a value a leaf, and `about` has `counts`.
 ///
@@ -179,7 +179,7 @@ struct Finish<'a> {
     /// The directory in which it is saved.
     saved: Option<&'a Path>,
     refining: Option<&'a RefineSettings>,
-    /// How sharp its boundaries are is asked for.
+    /// How sharp its boundaries are is requested.
     sharpness: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is not known of a map: the probability of each outcome, and how sharp its boundaries are.
+//! The probability of each outcome of a map, and the sharpness of its boundaries.
 
 use numpy::PyArray1;
 use pyo3::prelude::*;

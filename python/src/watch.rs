@@ -1,4 +1,4 @@
-//! Work on a thread of its own, while Python's is asked for Ctrl-C and told of progress.
+//! Work on a thread of its own, while Python's thread looks for Ctrl-C and shows progress.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import matplotlib
 import pytest
+import write_notebooks
 
 pytest.importorskip("xarray", reason="the page's lines need xarray")
 matplotlib.use("agg")
@@ -29,6 +30,12 @@ def test_the_page(command, tmp_path, monkeypatch):
                 program, *flags = shlex.split(line)
                 assert program == "topple"
                 command(*flags)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_notebooks_have_the_cells_of_the_scripts(example):
+    committed = example.with_suffix(".ipynb").read_text(encoding="utf-8")
+    assert committed == write_notebooks.text(example.stem), "run python python/tests/write_notebooks.py"
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)

@@ -34,7 +34,7 @@ SECTIONS = {
     "settings": "How a scene is run.",
     "method": "How a motion is integrated.",
     "refining": "How its map is refined.",
-    "uncertain": "What is not known of it.",
+    "uncertain": "Numbers that are not known.",
 }
 CALLS = {
     "PulseCall": ("under pulses", ["block", "base", "pulse", "run", "settings", "refining", "uncertain"]),

@@ -1,7 +1,7 @@
 """Overturning and rocking maps of rigid blocks on an isolated base.
 
 Every call takes the keywords of a scene: the keys of the parameter table (``topple.parameters()``), each a number, a
-sequence of numbers, or a range ``"start:stop:count"``. What has several values is an axis. SI units.
+sequence of numbers, or a range ``"start:stop:count"``. A keyword with several values is an axis. Units are SI.
 
 >>> import topple
 >>> ds = topple.pulse(object=1, eccentricity=0.2, t_h=1.75, t_v=0.75, omega="1:9:5", a_h=[2.0, 6.0, 10.0])
@@ -91,20 +91,20 @@ def pulse(*, progress: bool | Progress | None = None, **keywords: Unpack[PulseCa
     Parameters
     ----------
     progress : bool or callable, optional
-        False shows nothing; a function is called with (phase, done, total). By default a bar, where tqdm is installed.
+        False shows nothing; a function is called with (phase, done, total). By default a bar, if tqdm is installed.
     {keywords}
 
     Returns
     -------
     xarray.Dataset
-        A variable a column, a dimension an axis, the first axis last: ``[a_h, omega]``. Outcomes and statuses are
+        Each column is a variable, each axis a dimension, the first axis last: ``[a_h, omega]``. Outcomes and statuses are
         codes with ``flag_meanings``. Without xarray a `topple.Arrays`. With ``vary`` or ``pixel`` the variables are
         the outcomes, each with the share of the samples that has it.
 
     Raises
     ------
     ValueError
-        A keyword that makes no sense, in one line that begins with it.
+        An invalid keyword, in one line that begins with it.
     OSError
         A directory that cannot be written.
 
@@ -135,13 +135,13 @@ def seismic(*, progress: bool | Progress | None = None, **keywords: Unpack[Recor
     Parameters
     ----------
     progress : bool or callable, optional
-        As of `pulse`.
+        As for `pulse`.
     {keywords}
 
     Returns
     -------
     xarray.Dataset
-        As of `pulse`.
+        As for `pulse`.
 
     Examples
     --------
@@ -159,14 +159,14 @@ def run(scene: str | os.PathLike[str], *, progress: bool | Progress | None = Non
     Parameters
     ----------
     scene : path
-        The file, as of ``topple run``. Records are looked for beside it.
+        The file, as for ``topple run``. Records are looked for in its folder.
     **keywords
-        How it is run, and parameters in the place of the file's.
+        How it is run, and parameters that replace those of the file.
 
     Returns
     -------
     xarray.Dataset
-        As of `pulse`.
+        As for `pulse`.
     """
     known("run", keywords, SECTIONS["run"])
     return _map(False, {**keywords, "scene": scene_file(scene)}, progress)
@@ -190,16 +190,16 @@ def merge(
     out : path, optional
         A directory: the map is written there as map.zarr, and opened lazily.
     verify : int, optional
-        Cells that the reference runs again; 0 for none.
+        Number of cells that the reference computes again; 0 for none.
     sharpness : bool, optional
-        Tell in ``attrs`` how sharp the boundaries are, as of `pulse`.
+        Put the sharpness of the boundaries into ``attrs``, as for `pulse`.
     threads : int, optional
         Threads of the CPU; by default as many as it has cores.
 
     Returns
     -------
     xarray.Dataset
-        As of `pulse`.
+        As for `pulse`.
     """
     if isinstance(parts, (str, os.PathLike)) or not all(isinstance(part, (str, os.PathLike)) for part in parts):
         raise ValueError("parts: give a sequence of the shards' directories")
@@ -212,12 +212,12 @@ def merge(
 
 @listed(*SECTIONS["history"])
 def history(*, progress: bool | Progress | None = None, **keywords: Unpack[CellCall]) -> Any:
-    """Integrate the motion of one cell: every parameter a single number.
+    """Compute the motion of one cell; every parameter has a single value.
 
     Parameters
     ----------
     progress : optional
-        As other calls have it; one cell is soon done.
+        As for other calls; one cell takes little time.
     {keywords}
 
     Returns
@@ -252,7 +252,7 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
     path : path
         A folder, a zip or a list (CSV) of records.
     strict : bool
-        Refuse a suite in which anything is missing, ambiguous or unused.
+        Refuse a suite in which a file is missing, ambiguous or unused.
 
     Returns
     -------
@@ -265,7 +265,7 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
 
 
 def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
-    """Sweep a scene under every motion of a suite: where the block stands, within which strokes.
+    """Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
 
     Parameters
     ----------
@@ -274,7 +274,7 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     standing : float, optional
         Share of the motions under which the block must stand.
     limit_u, limit_v : float, optional
-        Room for max |u| and the stroke of v, m.
+        Limits of max |u| and of the stroke of v, m.
     best : str, optional
         What makes a feasible cell the best: ``reserve`` (the most steps of the grid from a cell that fails; the default),
         ``stroke_u`` or ``stroke_v`` (the least).
@@ -336,15 +336,15 @@ def compare(
     suite : path
         A folder, a zip or a list (CSV) of records.
     standing, limit_u, limit_v, both_directions, strict, resample, seed : optional
-        As of `envelope`.
+        As for `envelope`.
     scales : sequence of float or str, optional
-        Factors on the motions of which the reserve is told.
+        Factors on the motions for the reserve.
     columns : str or sequence of str, optional
         Columns of a map whose 50, 84 and 100 % are told, too.
     hazard, hazard_units, im, levels, units : optional
-        As of `fragility`: annual rates of overturning are told.
+        As for `fragility`: gives annual rates of overturning.
     out, resume, tile : optional
-        As of `envelope`.
+        As for `envelope`.
     **keywords
         What all devices share of the scene, and how it is run, as of `pulse`.
 
@@ -379,7 +379,7 @@ def compare(
 
 
 def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
-    """How likely a block falls under the motions of a suite, by their intensity.
+    """Estimate how likely a block falls under the motions of a suite, by their intensity.
 
     Parameters
     ----------
@@ -388,9 +388,9 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     im : str, optional
         Intensity measure: pga, pgv, arias, cav, sa:T, avg-sa:T, pga*, pgv*.
     levels : sequence of float or str, optional
-        Levels of it that each motion is scaled to, in SI units: m/s² of an acceleration, m/s of a velocity.
+        Levels of the measure to which each motion is scaled, in SI units: m/s² of an acceleration, m/s of a velocity.
     units : str, optional
-        Unit of the levels of an acceleration in the place of m/s²: g, m/s2 or cm/s2. The coordinate ``level`` is in m/s²
+        Unit of the levels of an acceleration, instead of m/s²: g, m/s2 or cm/s2. The coordinate ``level`` is in m/s²
         all the same; ``level_given`` has the levels as they were given.
     limit_zeta, limit_u, limit_v : float or sequence of float, optional
         Further limit states.
@@ -407,7 +407,7 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
     bootstrap, seed, samples, target, both_directions, strict : optional
         As of the command.
     out, resume, tile : optional
-        As of `envelope`.
+        As for `envelope`.
     **keywords
         The scene, as of `envelope`.
 
@@ -448,7 +448,7 @@ def open(path: str | os.PathLike[str]) -> Any:
     Returns
     -------
     xarray.Dataset
-        As of `pulse`. Of leaves a variable a column over the dimension ``leaf``, with the numbers of their first cells
+        As for `pulse`. Of leaves a variable a column over the dimension ``leaf``, with the numbers of their first cells
         (``cell``), ``level``, ``width`` and ``height``; the finest grid's axes are coordinates.
     """
     import numpy as np

@@ -1,4 +1,4 @@
-"""What every Dataset of topple has under the name ``topple``: pictures, and motions of cells."""
+"""The accessor ``topple`` of Datasets: pictures, and motions of cells."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Accessor:
         Returns
         -------
         xarray.Dataset
-            As of `topple.history`.
+            As for `topple.history`.
 
         Examples
         --------
@@ -111,7 +111,7 @@ class Accessor:
         speed : float, optional
             1 is the block's own time.
         **keywords
-            As of `history`.
+            As for `history`.
 
         Returns
         -------

@@ -11,7 +11,7 @@ from . import _topple
 
 @functools.cache
 def known_colours() -> dict[str, Any]:
-    """The colours of pictures by what they are of; not to be changed."""
+    """The colours of pictures by their meaning; not to be changed."""
     found: dict[str, Any] = json.loads(_topple.palette())
     return found
 

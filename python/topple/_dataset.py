@@ -14,7 +14,7 @@ from ._accessor import register
 
 @dataclass
 class Arrays:
-    """Arrays with dimensions, coordinates and attributes: what a Dataset is, for machines without xarray."""
+    """Arrays with dimensions, coordinates and attributes, in place of a Dataset where xarray is not installed."""
 
     data_vars: dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]
     coords: dict[str, tuple[tuple[str, ...], np.ndarray, dict[str, Any]]]
@@ -87,7 +87,7 @@ def axes(about: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def of_map(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
-    """A map: a variable a column, a dimension an axis, the first axis last."""
+    """A map: each column is a variable, each axis a dimension, the first axis last."""
     index = tuple(about["index"])
     shape = tuple(len(about["coordinates"][key]) for key in index)
     reshaped = {name: values.reshape(shape) for name, values in columns.items()}
@@ -95,7 +95,7 @@ def of_map(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
 
 
 def of_leaves(columns: Mapping[str, np.ndarray], about: Mapping[str, Any]) -> Any:
-    """The leaves of a refined map: a variable a column over their dimension, the finest grid's axes beside them."""
+    """The leaves of a refined map: each column is a variable over their dimension, with the axes of the finest grid."""
     return _of_cells(columns, tuple(about["index"]), {**about["columns"], **about["counts"]}, about)
 
 

@@ -1,4 +1,4 @@
-"""What help() tells of keywords, and what is said of one that is not known."""
+"""The text of help() on keywords, and the message about an unknown one."""
 
 from __future__ import annotations
 
@@ -137,7 +137,7 @@ def _nearest(word: str) -> str | None:
 
 
 def known(call: str, keywords: Mapping[str, Any], names: Iterable[str], *others: str) -> None:
-    """Refuses a keyword that a call has not, with the one that may be meant; `names` are its sections."""
+    """Refuses a keyword that a call does not have, and names the one that may be meant; `names` are its sections."""
     own = {key for name in names for key, *_ in sections()[name]} | {"title", *others}
     for key in keywords:
         if key in own:

@@ -178,8 +178,8 @@ class Run(TypedDict, total=False):
     # η_φ, angular velocity after an impact over the one before, in place of the law; only without isolation;
     # by default the law's
     restitution: Numbers
-    # r, times the law's angular velocity after an impact, linear momenta kept; up to where impacts would
-    # raise the energy; by default 1
+    # r, factor on the law's angular velocity after an impact; the linear momenta are kept; a factor with
+    # which an impact would raise the energy is refused; by default 1
     restitution_factor: Numbers
 
 
@@ -237,7 +237,7 @@ class Refining(TypedDict, total=False):
 
 
 class Uncertain(TypedDict, total=False):
-    """What is not known of it."""
+    """Numbers that are not known."""
 
     # numbers that are not known: ``{"eccentricity": "normal(0.1,0.02)"}``, or texts
     # ``"eccentricity=normal(0.1,0.02)"``; normal(MEAN,DEVIATION), uniform(LOW,HIGH) or

@@ -55,12 +55,12 @@ def classes(dataset: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def tells_beyond(dataset: Any) -> bool:
-    """Whether a map has the columns that tell where the model does not hold."""
+    """Whether a map has the columns that say where the model is not valid."""
     return "min_contact" in dataset and "friction_demand" in dataset
 
 
 def beyond(dataset: Any) -> np.ndarray:
-    """Where the model does not hold: tensile contact, or more friction asked for than there is. Nowhere where a map has not
+    """Where the model is not valid: tensile contact, or more friction needed than there is. Nowhere where a map has not
     the columns that tell it."""
     if not tells_beyond(dataset):
         return np.zeros(np.asarray(dataset["outcome"]).shape, dtype=bool)

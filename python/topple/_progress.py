@@ -33,7 +33,7 @@ class Bar:
 
 
 def listener(progress: bool | Progress | None) -> Progress | None:
-    """What hears of a call's progress: a function as given; a bar, where it is wanted and tqdm is there."""
+    """The listener of a call's progress: the given function; or a bar, if it is wanted and tqdm is installed."""
     if callable(progress):
         return progress
     if progress is False:
@@ -51,7 +51,7 @@ def listener(progress: bool | Progress | None) -> Progress | None:
 
 @contextmanager
 def heard(progress: bool | Progress | None) -> Iterator[Progress | None]:
-    """What hears of a call's progress while it goes on; a bar ends with it."""
+    """The listener of a call's progress while the call runs; a bar ends with the call."""
     hears = listener(progress)
     try:
         yield hears

@@ -1,4 +1,4 @@
-"""Records as Python has them: files, arrays, traces of other packages."""
+"""Records in Python: files, arrays, traces of other packages."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
 
 def factor(units: Any) -> float:
-    """What makes m/s^2 of values in these units."""
+    """The factor from these units to m/s^2."""
     name = str(units).strip().lower().replace("**", "").replace("^", "").replace("²", "2")
     name = name.replace("sec", "s").replace("/s/s", "/s2").replace("gals", "gal").rstrip(".")
     if name not in _UNITS:
@@ -190,7 +190,7 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def uncertain(keywords: dict[str, Any]) -> bool:
-    """True where keywords leave something of the scene open; a mapping in them becomes a dict."""
+    """True if keywords have numbers that are not known; a mapping in them becomes a dict."""
     if isinstance(keywords.get("vary"), Mapping):
         keywords["vary"] = dict(keywords["vary"])
     vary = keywords.get("vary")

@@ -43,14 +43,14 @@ def _attrs(name: str, about: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def of_suite(text: str, about: Mapping[str, Any]) -> Any:
-    """A suite: a dimension `id`, a variable a column."""
+    """A suite: each column is a variable over the dimension `id`."""
     of = {name: (("id",), values, _attrs(name, about)) for name, values in columns(text).items()}
     ids = of.pop("id")
     return dataset(of, {"id": ids}, attributes(about))
 
 
 def of_devices(text: str, about: Mapping[str, Any]) -> Any:
-    """A comparison: a dimension `device`, a variable a column."""
+    """A comparison: each column is a variable over the dimension `device`."""
     of = {name: (("device",), values, _attrs(name, about)) for name, values in columns(text).items()}
     names = of.pop("device")
     return dataset(of, {"device": names}, attributes(about))
@@ -128,7 +128,7 @@ def _placed(
 
 
 def of_cells(tables: list[str], about: Mapping[str, Any]) -> Any:
-    """Tables with a row a cell: a dimension an axis."""
+    """Tables with one row per cell: each axis becomes a dimension."""
     data_vars: dict[str, Any] = {}
     for text in tables:
         data_vars |= _placed(columns(text), about, {})[0]
@@ -197,7 +197,7 @@ def _rows(text: str, about: Mapping[str, Any]) -> Any:
 def of_fragility(
     tables: Mapping[str, str], about: Mapping[str, Any], factor: tuple[str, float] | None = None
 ) -> dict[str, Any]:
-    """The tables of a fragility by their names; of points that are drawn a row each."""
+    """The tables of a fragility by their names; the points of `vary` have one row each."""
     return {
         name: _pivoted(text, KEYS[name], about, factor) if name in KEYS else _rows(text, about)
         for name, text in tables.items()

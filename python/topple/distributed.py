@@ -40,12 +40,12 @@ def pulse(client: Client | None = None, **keywords: Any) -> Any:
     out : path, optional
         A directory of this machine: the map is written there as map.zarr, and opened lazily.
     **keywords
-        As of `topple.pulse`.
+        As for `topple.pulse`.
 
     Returns
     -------
     xarray.Dataset
-        As of `topple.pulse`.
+        As for `topple.pulse`.
     """
     return _map(client, "pulse", False, keywords)
 

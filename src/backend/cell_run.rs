@@ -1,4 +1,4 @@
-//! What a backend is asked for: cells of a plan's grid, and how they are run.
+//! What is requested of a backend: cells of a plan's grid, and how they are run.
 
 use std::borrow::Cow;
 
@@ -49,7 +49,7 @@ impl<'a> CellRun<'a> {
         CellRun::of(plan, grid, (0..grid.len()).collect::<Vec<usize>>(), precision)
     }
 
-    /// The same, its cells twice each where that is asked for.
+    /// The same, its cells twice each where that is requested.
     pub fn resolving(self, resolve: bool) -> CellRun<'a> {
         CellRun { resolve, ..self }
     }

@@ -234,7 +234,7 @@ struct Times {
     device: Option<Duration>,
 }
 
-/// The cells of the parts that a list of so many cells was run in, in the list's order.
+/// The cells of the parts that a list of a given number of cells was run in, in the list's order.
 fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Block>) -> Block {
     if ran.len() == 1 {
         // A part alone holds every cell, in order.

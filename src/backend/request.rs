@@ -37,7 +37,7 @@ impl BackendRequest {
     /// `adapters` have numbers; one otherwise. Of a GPU, `auto` asks that it pass a small check.
     ///
     /// # Errors
-    /// A [`BackendError`] where a GPU was asked for and there is none, or not for this precision, or it
+    /// A [`BackendError`] where a GPU was requested and there is none, or not for this precision, or it
     /// gives no device.
     pub fn open(
         self,
@@ -84,7 +84,7 @@ fn a_real_gpu_or_the_cpu(_: Precision) -> OpenBackends {
     OpenBackends { backends: vec![Backend::Cpu], passed_over: Vec::new() }
 }
 
-/// The first kind of GPU of which one at least is opened, with all of it that are; the CPU where none is.
+/// Opens the first kind of GPU that has a working device, with all working devices of this kind; else the CPU.
 pub fn first_that_opens<T>(
     kinds: Vec<Vec<T>>,
     open: impl Fn(T) -> Result<Backend, BackendError>,

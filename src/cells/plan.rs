@@ -41,7 +41,7 @@ pub struct Plan {
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub shortcuts: Shortcuts,
-    /// The largest and least values that are asked for: others are not looked for, and not a number in the outcomes.
+    /// The largest and least values that are requested: others are not looked for, and not a number in the outcomes.
     pub asked: Asked,
     /// The laws that all its cells have.
     pub(crate) laws: Laws,
@@ -106,7 +106,7 @@ impl Plan {
         plan
     }
 
-    /// The plan of a sweep of which only these largest and least values are asked for.
+    /// The plan of a sweep of which only these largest and least values are requested.
     pub fn asking(&self, asked: Asked) -> Plan {
         Plan { asked, ..self.clone() }
     }

@@ -17,7 +17,7 @@ const INVERSE_GRAVITY: f64 = 0.101_936_799_184_505_6;
 pub struct Variant {
     /// A record shakes the base, not a pulse.
     pub recorded: bool,
-    /// What the pulse looks like, where no record does.
+    /// The shape of the pulse, if there is one.
     pub pulse: Shape,
     /// It may have more than one cycle.
     pub cycles: bool,

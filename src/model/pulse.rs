@@ -11,7 +11,7 @@ use super::real::Vector;
 use crate::written::{Written, written};
 
 written! {
-    /// What a pulse looks like.
+    /// The shape of a pulse.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     pub enum Shape {
         /// sin Ωt for one cycle, or for as many as cycles gives: (22)
@@ -48,7 +48,7 @@ impl Shape {
     /// Those that gamma and nu make.
     pub const MODULATED: &[Shape] = &[Shape::MavroeidisPapageorgiou];
 
-    /// What it is called in captions and messages.
+    /// Its name in captions and messages.
     pub fn words(self) -> &'static str {
         match self {
             Shape::OneSine => "one-sine pulse",

@@ -59,7 +59,7 @@ pub struct Curve<'a> {
     pub within: f64,
 }
 
-/// What the reference says of a curve.
+/// The reference's results for a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReferenceWord {
     /// Points at which it was asked.

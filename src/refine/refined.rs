@@ -19,7 +19,7 @@ use crate::stepping::outcome::Outcome;
 /// Cells that were run, with their outcomes.
 pub struct RanCells {
     precision: Precision,
-    /// The columns that were asked for.
+    /// The requested columns.
     columns: ColumnSet,
     /// Their numbers in the finest grid.
     cells: Vec<usize>,

@@ -31,7 +31,7 @@ const SAVED: usize = 1 << 16;
 
 /// A map that is being refined.
 pub(super) struct Refiner<'a> {
-    /// What runs its cells.
+    /// The backend that runs its cells.
     pub(super) runner: Runner<'a>,
     /// Who hears of them.
     pub(super) observer: &'a dyn Observer,

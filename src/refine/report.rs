@@ -11,7 +11,7 @@ pub struct ProbeRound {
     pub probes: usize,
     /// Those with another outcome than was taken. What they lie in was refined then.
     pub missed: usize,
-    /// The largest share of the cells left alone that has another outcome, before what was found was mended: at 95 % over all
+    /// The largest share of the cells left alone that has another outcome, before corrections: at 95 % over all
     /// rounds of a level, however many are made.
     pub share_missed_at_most: f64,
     /// Where numbers are to be smooth: probes of the outcome that was taken whose numbers are off by more than the

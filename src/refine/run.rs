@@ -20,7 +20,7 @@ use crate::sweep::runner::Runner;
 use crate::sweep::settings::RunSettings;
 use crate::work::observer::Observer;
 
-/// The scene of a map with the gaps of its axes halved so many times.
+/// The scene of a map with the gaps of its axes halved a given number of times.
 fn finer(scene: &Scene, grid: &Grid, levels: u32) -> Scene {
     grid.axes().iter().fold(scene.clone(), |scene, axis| {
         // Axes that are lists are refused before.

@@ -38,7 +38,7 @@ pub fn between(corners: &[[f64; COUNT]; 4], [x, y]: [f64; 2]) -> [f64; COUNT] {
 pub struct Smooth {
     /// Of each number, in its unit.
     tolerances: [f64; COUNT],
-    /// Those that were asked for: others are not looked at.
+    /// Those that were requested: others are not looked at.
     asked: [bool; COUNT],
     numbers: HashMap<usize, [f64; COUNT]>,
 }

@@ -16,7 +16,7 @@ pub struct Source<'a> {
     pub scene: &'a Scene,
     /// The sweep's numbers: those of the columns are of the same type.
     pub precision: Precision,
-    /// The columns that were asked for.
+    /// The requested columns.
     pub columns: ColumnSet,
 }
 

@@ -126,7 +126,7 @@ pub(super) fn done(codes: &[u8]) -> Vec<Range<usize>> {
 }
 
 impl Block {
-    /// The columns of so many cells of which none has run.
+    /// The columns of a given number of cells of which none has run.
     pub fn pending(count: usize, precision: Precision) -> Block {
         match precision {
             Precision::F32 => Columns::<f32>::pending(count).into(),

@@ -49,7 +49,7 @@ fn is_whole(packed: &[u8]) -> bool {
 /// Whether a file is whole, of the run of a tag, and the one that belongs to a path in its group.
 ///
 /// # Errors
-/// What is wrong, in a few words.
+/// The fault, in a few words.
 pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
     if !is_whole(packed) {
         return Err("damaged");
@@ -104,7 +104,7 @@ pub type ArrayBytes<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E
 /// The values of a column, as they are held.
 type ValuesOf<C, F> = Vec<Stored<<C as ColumnType>::Value, F>>;
 
-/// The values of a column's first `count` cells from the bytes of its arrays, of chunks of so many cells; none where those
+/// The values of a column's first `count` cells from the bytes of its arrays, of chunks of a given number of cells; none where those
 /// are not whole, or have a code of nothing.
 ///
 /// # Errors
@@ -120,7 +120,7 @@ pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
     Ok(C::Value::of_file::<F>(&mut values, &proved).then_some(values))
 }
 
-/// The whole block of a chunk; its arrays are asked for in the order of [`zarr::columns`]. Columns that are not held
+/// The whole block of a chunk; its arrays are requested in the order of [`zarr::columns`]. Columns that are not held
 /// have what tells that they are not known.
 ///
 /// # Errors

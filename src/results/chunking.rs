@@ -30,7 +30,7 @@ impl Chunking {
         Chunking::large_enough(grid.axes().iter().rev().map(Axis::count).collect(), grid.len())
     }
 
-    /// The chunks of a list of so many cells.
+    /// The chunks of a list of a given number of cells.
     pub fn of_list(cells: usize) -> Chunking {
         Chunking::large_enough(vec![cells], cells)
     }
@@ -45,7 +45,7 @@ impl Chunking {
         Chunking::with(grid.axes().iter().rev().map(Axis::count).collect(), usize::MAX)
     }
 
-    /// The chunks of an array of a shape, of so many cells at most.
+    /// The chunks of an array of a shape, of at most a given number of cells.
     pub fn with(mut shape: Vec<usize>, most: usize) -> Chunking {
         if shape.is_empty() {
             shape.push(1);

@@ -37,7 +37,7 @@ impl ColumnSet {
         Column::TSimulated,
     ]);
 
-    /// What tells where the model does not hold.
+    /// What tells where the model is not valid.
     const FORCES: ColumnSet = ColumnSet::of(&[Column::MinContact, Column::Friction]);
 
     /// Those of a list.
@@ -83,7 +83,7 @@ impl ColumnSet {
         *self == ColumnSet::ALL
     }
 
-    /// What is known of them, in the table's order.
+    /// Their descriptions, in the table's order.
     pub fn entries(self) -> impl Iterator<Item = &'static Entry> {
         TABLE.iter().filter(move |entry| self.has(entry.column))
     }
@@ -93,7 +93,7 @@ impl ColumnSet {
         self.entries().map(|entry| entry.column)
     }
 
-    /// Those of map.csv: the time simulated only where it was asked for by its name.
+    /// Those of map.csv: the time simulated only where it was requested by its name.
     pub fn of_table(self) -> impl Iterator<Item = &'static Entry> {
         let whole = self.0 & ColumnSet::ALL.0 == ColumnSet::ALL.0;
         self.entries().filter(move |entry| !whole || entry.column != Column::TSimulated)
@@ -174,7 +174,7 @@ mod tests {
         assert!(more.of_table().all(|entry| entry.column != Column::TSimulated));
     }
 
-    /// Every number of an outcome that is looked for belongs to a group, and each group is asked for by its columns alone.
+    /// Every number of an outcome that is looked for belongs to a group, and each group is requested by its columns alone.
     #[test]
     fn what_is_looked_for_follows_from_the_columns() {
         assert_eq!(ColumnSet::ALL.asked(), Asked::ALL);

@@ -8,7 +8,7 @@ pub use super::cell_value::{ColumnKind, STATUS_NAMES, Shown, class_code, status_
 use super::element::ColumnNumber;
 use crate::stepping::outcome::{Class, Outcome, Status};
 
-/// What is known of a column.
+/// The description of a column.
 pub struct Entry {
     /// Which one.
     pub column: Column,
@@ -161,7 +161,7 @@ columns! {
         "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";
     /// The impacts.
     Impacts = impacts: u32, "impacts", "",
-        "impacts of a block that overturns; of another up to where those to come can change no other column of the map";
+        "number of impacts; of a block that stays up those until no later one can change another column of the map";
     /// The uplifts.
     Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact, counted as long as impacts are";
     /// The end, s.
@@ -210,10 +210,10 @@ columns! {
 }
 
 impl Column {
-    /// How many of the table a map has where nothing else is asked for: the first.
+    /// How many of the table a map has by default: the first.
     pub const BY_DEFAULT: usize = Column::TSimulated as usize + 1;
 
-    /// What is known of it.
+    /// Its description.
     pub fn entry(self) -> &'static Entry {
         &TABLE[self as usize]
     }
@@ -223,8 +223,8 @@ const HEAD: &str = "# Columns
 
 Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test app parameters::` writes this page again.
 
-`map.csv` has a row a cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
-the columns below in this order, but for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
+`map.csv` has one row per cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
+the columns below in this order, except for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
 axes f64. The array `proved`, which goes with `status`, is true for a cell that ended early: an energy bound shows that its results
 can no longer change (the impacts of a block that stays up are counted until then). `about` is a text in JSON: units, meanings, the

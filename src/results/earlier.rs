@@ -61,7 +61,7 @@ pub struct Earlier {
     files: Vec<String>,
 }
 
-/// Of a run.json of topple, what is asked for here. All of it must be there: other programs have a run.json, too.
+/// Of a run.json of topple, what is requested here. All of it must be there: other programs have a run.json, too.
 #[derive(Deserialize)]
 struct Written {
     kind: Kind,
@@ -173,7 +173,7 @@ impl Earlier {
 /// Writes run.json, which says that all files are there that [`Earlier::begin`] had said.
 ///
 /// # Errors
-/// Those of the disk.
+/// Errors of the disk.
 pub fn finish(out: &Directory, manifest: &impl Serialize) -> Result<(), WriteError> {
     out.write(RUN, |w| serde_json::to_writer_pretty(w, manifest))?;
     let begun = out.file(ABOUT_TO_WRITE);

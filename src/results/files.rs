@@ -1,11 +1,14 @@
 //! The directory that a run leaves its files in.
 
 use std::fs;
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use tempfile::NamedTempFile;
 
+use super::lock::is_busy;
 use super::own::{self, Kind};
 use super::temporary;
 
@@ -53,9 +56,9 @@ pub fn put(from: &Path, place: &Path) -> Result<PathBuf, WriteError> {
     if place.symlink_metadata().is_ok() {
         free(place)?;
         remove(&aside)?;
-        fs::rename(place, &aside).map_err(failed)?;
+        patiently(|| fs::rename(place, &aside)).map_err(failed)?;
     }
-    if let Err(error) = fs::rename(from, place) {
+    if let Err(error) = patiently(|| fs::rename(from, place)) {
         // What was there, if anything was.
         let _ = fs::rename(&aside, place);
         return Err(failed(error));
@@ -163,7 +166,7 @@ impl Directory {
         writer.flush().map_err(|e| failed(e.to_string()))?;
         drop(writer);
         file.as_file().sync_all().map_err(|e| failed(e.to_string()))?;
-        file.persist(&path).map_err(|e| failed(e.to_string()))?;
+        named(file, &path).map_err(|e| failed(e.to_string()))?;
         settle(&folder).map_err(|e| failed(e.to_string()))?;
         Ok(path)
     }
@@ -209,12 +212,39 @@ impl Directory {
     }
 }
 
+/// Gives a file that is whole its name.
+fn named(file: NamedTempFile, path: &Path) -> io::Result<()> {
+    let mut left = Some(file);
+    patiently(|| {
+        left.take().map_or(Ok(()), |file| {
+            file.persist(path).map(drop).map_err(|refused| {
+                left = Some(refused.file);
+                refused.error
+            })
+        })
+    })
+}
+
+/// Does what the system refuses while another program has a file open, for a second at most. On Windows a scanner of
+/// viruses opens each new file for a moment, in which neither the file nor its folder can be renamed.
+fn patiently<T>(mut attempt: impl FnMut() -> io::Result<T>) -> io::Result<T> {
+    for _ in 0..20 {
+        match attempt() {
+            Err(error) if is_busy(&error) => thread::sleep(Duration::from_millis(50)),
+            done => return done,
+        }
+    }
+    attempt()
+}
+
 /// Sees to it that a new name in a directory outlives a power cut.
 #[cfg(unix)]
 fn settle(directory: &Path) -> io::Result<()> {
     match fs::File::open(directory)?.sync_all() {
         // File systems that have no such call keep names in their own way.
-        Err(e) if matches!(e.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
+        Err(e) if matches!(e.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
+            Ok(())
+        }
         settled => settled,
     }
 }

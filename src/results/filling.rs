@@ -39,7 +39,7 @@ impl Block {
         with_columns!(self, columns => columns.slots(cells).put(0, outcomes));
     }
 
-    /// Takes the outcomes of so many cells from a place on, by all threads; `of` adds those of some cells, by their
+    /// Takes the outcomes of a given number of cells from a place on, by all threads; `of` adds those of some cells, by their
     /// numbers among them, to a list. They stay in a fast cache until they are in their columns.
     pub fn fill(
         &mut self,

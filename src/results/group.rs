@@ -42,7 +42,7 @@ pub struct ChunkFiles<'a> {
     pub chunking: &'a Chunking,
     /// What ties them to their run.
     pub tag: u32,
-    /// The columns that were asked for.
+    /// The requested columns.
     pub columns: ColumnSet,
 }
 

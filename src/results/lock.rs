@@ -12,7 +12,7 @@ use std::time::Duration;
 use super::store_error::StoreError;
 use super::temporary;
 
-/// Times that a lock is asked for. A child of this process that is just being started holds what this
+/// How often a lock is tried. A child of this process that is just being started holds what this
 /// process held until it runs its own program: an instant.
 const ATTEMPTS: u32 = 10;
 /// Pause between them.
@@ -48,7 +48,7 @@ pub fn lock(folder: &Path, place: &Path, holds: Holds) -> Result<Lock, StoreErro
             thread::sleep(PAUSE);
         }
         let file = match open(&path) {
-            Err(error) if is_going(&error) => continue,
+            Err(error) if is_busy(&error) => continue,
             file => file.map_err(failed)?,
         };
         let locked = match holds {
@@ -107,14 +107,14 @@ fn open(path: &Path) -> io::Result<File> {
         .open(path)
 }
 
-/// True of the error of a file that another run is just removing.
+/// True of the error of a file that another program has open for a moment, or that another run is just removing.
 #[cfg(not(windows))]
-fn is_going(_: &io::Error) -> bool {
+pub(super) fn is_busy(_: &io::Error) -> bool {
     false
 }
 
 #[cfg(windows)]
-fn is_going(error: &io::Error) -> bool {
+pub(super) fn is_busy(error: &io::Error) -> bool {
     const SHARING_VIOLATION: i32 = 32;
     error.raw_os_error() == Some(SHARING_VIOLATION) || error.kind() == ErrorKind::PermissionDenied
 }

@@ -121,7 +121,7 @@ struct Archive<'a, W: Write + Seek> {
 }
 
 impl<W: Write + Seek> Archive<'_, W> {
-    /// Adds the axes of a grid and the columns that were asked for.
+    /// Adds the axes of a grid and the requested columns.
     fn all(&mut self, grid: &Grid, source: Source) -> io::Result<()> {
         for axis in grid.axes() {
             self.axis(axis)?;

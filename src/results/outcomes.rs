@@ -19,13 +19,13 @@ pub trait Outcomes: Sync {
     /// The outcomes of some cells. Only the columns asked for are sure to be filled in.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>>;
 
-    /// All columns of so many cells, numbers of a type; outcomes in memory give theirs away.
+    /// All columns of a given number of cells, numbers of a type; outcomes in memory give theirs away.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     fn into_block(self: Box<Self>, cells: usize, precision: Precision) -> io::Result<Block> {
         let mut block = Block::pending(cells, precision);
         for first in (0..cells).step_by(BLOCK) {
@@ -74,7 +74,7 @@ pub fn each_block(
     each_block_of(grid.len(), outcomes, columns, see)
 }
 
-/// The same of so many outcomes.
+/// The same of a given number of outcomes.
 ///
 /// # Errors
 /// Those of reading, and of `see`.

@@ -136,7 +136,7 @@ impl Found {
 /// The first thing in a folder that no run wrote, or that which stands in the folder's place; none where nothing is there.
 ///
 /// # Errors
-/// Those of the disk.
+/// Errors of the disk.
 pub fn foreign(folder: &Path, kind: Kind) -> io::Result<Option<PathBuf>> {
     // A link may lead to a folder, such as one on another disk.
     match fs::metadata(folder) {
@@ -156,7 +156,7 @@ pub fn foreign(folder: &Path, kind: Kind) -> io::Result<Option<PathBuf>> {
 /// that stays, if any does.
 ///
 /// # Errors
-/// Those of the disk.
+/// Errors of the disk.
 pub fn remove(folder: &Path, kind: Kind) -> io::Result<Option<PathBuf>> {
     if folder.symlink_metadata().is_err_and(|error| error.kind() == ErrorKind::NotFound) {
         return Ok(None);

@@ -20,7 +20,7 @@ pub enum Kind {
     /// Overturned after [`OPEN`] impacts or more, or after a rest between: in the model a block
     /// comes to rest through infinitely many impacts, of which a sweep counts the first.
     More,
-    /// Nothing can be said.
+    /// The outcome is not known.
     Unresolved,
 }
 
@@ -140,7 +140,7 @@ pub enum Parity {
     Even,
     /// Overturned after a rest between impacts, of which there are then infinitely many.
     Rested,
-    /// Nothing can be said.
+    /// The outcome is not known.
     Unresolved,
 }
 

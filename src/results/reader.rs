@@ -92,7 +92,7 @@ fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> 
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
 pub struct ChunkReader {
     chunking: Chunking,
-    /// The columns that were asked for.
+    /// The requested columns.
     columns: ColumnSet,
     /// By their first cells.
     held: Vec<ShardFolder>,

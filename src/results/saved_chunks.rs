@@ -32,10 +32,10 @@ pub struct SavedChunks {
 }
 
 impl SavedChunks {
-    /// The chunks in a folder of an identity's tag and the columns that were asked for; `progress` hears of the cells of each.
+    /// The chunks in a folder of an identity's tag and the requested columns; `progress` hears of the cells of each.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn in_folder(
         folder: &Path,
         chunking: &Chunking,

@@ -37,7 +37,7 @@ impl Write for Count {
 }
 
 impl FileSizes {
-    /// Of a map of so many cells, from a coarser grid of the same scene.
+    /// Of a map of a given number of cells, from a coarser grid of the same scene.
     ///
     /// # Errors
     /// Those of reading the outcomes.

@@ -153,7 +153,7 @@ impl Store {
         self.precision
     }
 
-    /// The columns that were asked for.
+    /// The requested columns.
     pub fn columns(&self) -> ColumnSet {
         self.columns
     }
@@ -161,7 +161,7 @@ impl Store {
     /// The chunks that are saved in it.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn found(&self) -> Result<SavedChunks, StoreError> {
         let of = (self.identity.tag(), self.columns);
         SavedChunks::in_folder(&self.path, &self.chunking, of, &|_| ())
@@ -247,7 +247,7 @@ impl Store {
     /// Reads a chunk that was found whole.
     ///
     /// # Errors
-    /// Those of the disk, with the file's name.
+    /// Errors of the disk, with the file's name.
     pub fn read(&self, chunk: usize) -> io::Result<Block> {
         let mut arrays = |array: &str, count| {
             let packed = bounded::read(&self.file(array, chunk), chunk::LARGEST)?;

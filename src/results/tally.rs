@@ -1,4 +1,4 @@
-//! Cells counted: by outcome, and where the model does not hold.
+//! Cells counted: by outcome, and where the model is not valid.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -25,10 +25,10 @@ pub struct Tally {
     pub cells: usize,
     /// Those of each class, in the order of [`Class::ALL`].
     by_class: [usize; 5],
-    /// Those in which the contact force turned tensile, where the model does not hold; none where nobody asked for contact
+    /// Those in which the contact force turned tensile, where the model is not valid; none if nobody requested contact
     /// forces.
     pub tensile: Option<usize>,
-    /// Those that ask for more friction than the scene has; none where it has no coefficient, or nobody asked for contact
+    /// Those that ask for more friction than the scene has; none if it has no coefficient, or nobody requested contact
     /// forces.
     pub sliding: Option<usize>,
     /// Those that ended early, their results proved final.
@@ -38,7 +38,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts the cells of a grid, of which these columns were asked for.
+    /// Counts the cells of a grid, of which these columns were requested.
     ///
     /// # Errors
     /// Those of reading.

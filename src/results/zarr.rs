@@ -60,7 +60,7 @@ impl Array<'_> {
     }
 }
 
-/// What is known of a column, in the words of the CF conventions.
+/// The description of a column, in the words of the CF conventions.
 fn attributes(entry: &Entry) -> Value {
     let mut attributes = Map::new();
     attributes.insert("long_name".into(), json!(entry.meaning));
@@ -188,7 +188,7 @@ pub fn chunk_path(array: &str, chunking: &Chunking, chunk: usize) -> String {
     format!("{array}/{CHUNKS}/{}", chunking.key(chunk))
 }
 
-/// The names of the arrays that hold columns which were asked for, each with its column; the status comes last, so that
+/// The names of the arrays that hold requested columns, each with its column; the status comes last, so that
 /// what it says has run is there.
 pub fn columns(asked: ColumnSet) -> impl Iterator<Item = (&'static str, Column)> {
     let others = asked.held().entries().filter(|entry| entry.column != Column::Status);

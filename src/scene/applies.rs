@@ -17,7 +17,7 @@ pub enum BlockBy {
     Object,
 }
 
-/// What shakes the base.
+/// The excitation of the base.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ShakenBy {
@@ -50,7 +50,7 @@ pub struct Applies {
     /// Directions in which the base moves.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub isolation: &'static [Directions],
-    /// What shakes the base.
+    /// The excitation of the base.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub excitation: &'static [ShakenBy],
     /// Shapes of a pulse.

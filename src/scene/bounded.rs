@@ -10,7 +10,7 @@ pub const DOCUMENT: u64 = 32 << 20;
 /// The bytes of a file of `most` bytes at most.
 ///
 /// # Errors
-/// Those of the disk; [`ErrorKind::FileTooLarge`] of a larger file.
+/// Errors of the disk; [`ErrorKind::FileTooLarge`] of a larger file.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     // A device or a pipe has no length to be asked for.
     all(File::open(path)?, most)
@@ -19,10 +19,27 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 /// The text of a file of `most` bytes at most.
 ///
 /// # Errors
-/// Those of [`read`]; [`ErrorKind::InvalidData`] of bytes that are no UTF-8.
+/// Those of [`read`]; [`ErrorKind::InvalidData`] of bytes that are no [`unicode`].
 pub fn text(path: &Path, most: u64) -> io::Result<String> {
     let bytes = read(path, most)?;
-    String::from_utf8(bytes).map_err(|_| Error::new(ErrorKind::InvalidData, "no text in UTF-8"))
+    unicode(&bytes).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no text in UTF-8"))
+}
+
+/// The text of bytes in UTF-8, or in UTF-16 with its byte order mark, in which Windows PowerShell writes what a command
+/// prints (`>`). The mark is left out. None of other bytes.
+pub fn unicode(bytes: &[u8]) -> Option<String> {
+    match bytes {
+        [0xff, 0xfe, rest @ ..] => Some(utf16(rest, u16::from_le_bytes)),
+        [0xfe, 0xff, rest @ ..] => Some(utf16(rest, u16::from_be_bytes)),
+        [0xef, 0xbb, 0xbf, rest @ ..] | rest => str::from_utf8(rest).ok().map(String::from),
+    }
+}
+
+/// The text of bytes in UTF-16 of either order.
+pub(super) fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
+    let (units, _) = bytes.as_chunks::<2>();
+    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
+    String::from_utf16_lossy(&units)
 }
 
 /// All bytes of a stream that has `most` at most.
@@ -52,7 +69,7 @@ pub fn size(bytes: u64) -> String {
 mod tests {
     use std::io;
 
-    use super::{all, size};
+    use super::{all, size, unicode};
 
     #[test]
     fn what_is_larger_or_has_no_end_is_refused() {
@@ -61,5 +78,18 @@ mod tests {
         assert_eq!(refused.kind(), io::ErrorKind::FileTooLarge);
         assert_eq!(refused.to_string(), "larger than 3 MiB");
         assert_eq!([2 << 30, 1000].map(size), ["2 GiB", "1000 bytes"]);
+    }
+
+    #[test]
+    fn what_a_shell_of_windows_writes_is_text() {
+        let text = "title = \"ä\"\r\n";
+        let marked: Vec<u16> = std::iter::once(0xfeff).chain(text.encode_utf16()).collect();
+        for order in [u16::to_le_bytes, u16::to_be_bytes] {
+            let bytes: Vec<u8> = marked.iter().copied().flat_map(order).collect();
+            assert_eq!(unicode(&bytes).as_deref(), Some(text));
+        }
+        assert_eq!(unicode(format!("\u{feff}{text}").as_bytes()).as_deref(), Some(text));
+        assert_eq!(unicode(text.as_bytes()).as_deref(), Some(text));
+        assert_eq!(unicode(b"title = \"\xe4\""), None);
     }
 }

@@ -24,11 +24,11 @@ pub struct SceneBuilder {
     pub object: Option<u32>,
     /// Directions in which the base moves.
     pub isolation: Option<Directions>,
-    /// What presses on a friction pendulum.
+    /// The vertical force on a friction pendulum.
     pub pressure: Option<Pressure>,
     /// When a block counts as overturned.
     pub overturn: Option<Overturn>,
-    /// What the pulse looks like, where there is one.
+    /// The shape of the pulse, if there is one.
     pub shape: Option<Shape>,
     /// The record's files, where there is one; either a record or a pulse.
     pub record: Option<RecordText>,

@@ -8,22 +8,22 @@ use super::parameters::Parameter;
 use super::{Block, Directions, Excitation, Isolation, Overturn, Scene};
 use crate::model::pulse::Shape;
 
-/// What of a scene is no number.
+/// The part of a scene that is not numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Choices {
     /// The directions in which the base moves.
     pub isolation: Directions,
-    /// What presses on a friction pendulum, where the base is one.
+    /// The vertical force on a friction pendulum, if the base is one.
     pub pressure: Option<Pressure>,
     /// When the block counts as overturned.
     pub overturn: Overturn,
-    /// What the pulse looks like, where one shakes the base.
+    /// The shape of the pulse, if there is one.
     pub pulse: Shape,
     /// The record, where one does.
     pub record: Option<Peaks>,
 }
 
-/// What a cell has to know of a record.
+/// The numbers of a record that a cell needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peaks {
     /// PGA_h, m/s^2.
@@ -34,7 +34,7 @@ pub struct Peaks {
     pub factor: f64,
 }
 
-/// What shakes a cell.
+/// The excitation of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shaking {
     /// The pulse (22).
@@ -76,7 +76,7 @@ pub struct Case {
     pub block: Block,
     /// The base that it stands on.
     pub isolation: Isolation,
-    /// What shakes the base.
+    /// The excitation of the base.
     pub shaking: Shaking,
     /// Simulated time, s.
     pub t_max: f64,
@@ -150,7 +150,7 @@ impl Choices {
         }
     }
 
-    /// What shakes a cell of these numbers.
+    /// The excitation of a cell of these numbers.
     fn shaking(&self, point: &Point) -> Shaking {
         let of = |parameter| point.get(parameter).unwrap_or(0.0);
         let Some(peaks) = self.record else {

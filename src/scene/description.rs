@@ -1,4 +1,4 @@
-//! The table of parameters as every door is told it: the page, its engine in a browser, Python.
+//! The description of the table of parameters for the page, its engine in a browser, and Python.
 
 use serde::Serialize;
 

@@ -11,7 +11,7 @@ use super::{GRAVITY, SceneError};
 use crate::written::written;
 
 written! {
-    /// What presses on a friction pendulum.
+    /// The vertical force on a friction pendulum.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     pub enum Pressure {
         /// The force between the base and the ground at each instant.
@@ -49,7 +49,7 @@ pub struct BoucWen {
     pub alpha_y: f64,
     /// n of (11).
     pub n: u32,
-    /// What presses on a friction pendulum; none of another device.
+    /// The vertical force on a friction pendulum; none of another device.
     pub pressure: Option<Pressure>,
 }
 
@@ -139,7 +139,7 @@ pub(super) fn law(point: &Point, mass: f64, peak: f64, pressure: Option<Pressure
     BoucWen { t_h, psi, xi_h: of(XiH), u_y, alpha_y, n, pressure }
 }
 
-/// Adds to the numbers what a base that moves horizontally has where nothing else is said.
+/// Adds to the numbers what a base that moves horizontally has by default.
 ///
 /// # Errors
 /// What is missing of a device, and what another kind of device has.

@@ -1,4 +1,4 @@
-//! What shakes the base.
+//! The excitation of the base.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ use super::{SceneError, Values, positive};
 use crate::model::pulse::Shape;
 use crate::written::Written;
 
-/// What shakes the base.
+/// The excitation of the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Excitation {
@@ -66,13 +66,13 @@ pub struct RecordText {
     pub horizontal_2_channel: Option<String>,
     /// The record that follows: its horizontal component
     pub join: Option<PathBuf>,
-    /// Its vertical component
+    /// Vertical component of the second record
     pub join_vertical: Option<PathBuf>,
     /// What is made of the components
     pub treatment: Treatment,
-    /// Time between samples, s, where a file does not tell
+    /// Time between samples, s, if a file does not state it
     pub dt: Option<f64>,
-    /// Units of the values, where a file does not tell
+    /// Units of the values, if a file does not state them
     pub units: Option<Units>,
 }
 

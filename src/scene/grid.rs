@@ -19,7 +19,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// What is known of the parameter.
+    /// The description of the parameter.
     pub fn entry(&self) -> &'static Entry {
         self.parameter.entry()
     }
@@ -277,7 +277,7 @@ impl Grid {
         (slice, fixed)
     }
 
-    /// The same grid with at most so many values of each of its first two axes.
+    /// The same grid with at most a given number of values of each of its first two axes.
     pub fn thinned(&self, most: usize) -> Grid {
         let mut thin = self.clone();
         for axis in thin.axes.iter_mut().take(2) {

@@ -102,7 +102,7 @@ impl Isolation {
     }
 }
 
-/// Adds to the numbers what a base has where nothing else is said.
+/// Adds to the numbers what a base has by default.
 ///
 /// # Errors
 /// A period that is missing, and what means nothing where a direction is locked.

@@ -70,12 +70,12 @@ pub struct Scene {
     pub title: String,
     /// The directions in which the base moves.
     pub isolation: Directions,
-    /// What presses on a friction pendulum, where the base is one.
+    /// The vertical force on a friction pendulum, if the base is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<Pressure>,
     /// When the block counts as overturned.
     pub overturn: Overturn,
-    /// What shakes the base.
+    /// The excitation of the base.
     pub excitation: Excitation,
     /// The numbers: one value each, or the values of an axis.
     pub numbers: Numbers,
@@ -86,13 +86,13 @@ pub struct Scene {
 }
 
 /// What is wrong with a scene: the key (a flag of the same name on the command line), and one
-/// clause that says what is wrong and what to do.
+/// clause that says the fault and the remedy.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{key}: {problem}")]
 pub struct SceneError {
     /// The key at fault, as written in TOML: `t_h`.
     pub key: &'static str,
-    /// What is wrong and what to do.
+    /// The fault and the remedy.
     pub problem: String,
 }
 

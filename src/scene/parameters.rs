@@ -221,7 +221,7 @@ impl fmt::Display for Legal {
     }
 }
 
-/// What is known of a number.
+/// The description of a number.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
     /// Which one.
@@ -460,7 +460,7 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "angular velocity after an impact over the one before, in place of the law; only without isolation",
         "the law's", "(17c)").moving(&[Directions::None]),
     entry(P::RestitutionFactor, ("restitution_factor", "r", ""), Run, NotNegative,
-        "times the law's angular velocity after an impact, linear momenta kept; up to where impacts would raise the energy",
+        "factor on the law's angular velocity after an impact; the linear momenta are kept; a factor with which an impact would raise the energy is refused",
         "1", "(15a), (15b), (17c)"),
 ];
 
@@ -478,7 +478,7 @@ impl Parameter {
     /// How many there are.
     pub const COUNT: usize = Parameter::RestitutionFactor as usize + 1;
 
-    /// What is known of it.
+    /// Its description.
     pub fn entry(self) -> &'static Entry {
         &PARAMETERS[self as usize]
     }

@@ -128,7 +128,7 @@ impl Values {
         }
     }
 
-    /// At most so many of the values, spread evenly; all where there are no more.
+    /// At most a given number of the values, spread evenly; all where there are no more.
     pub fn thinned(&self, most: usize) -> Values {
         let count = self.count();
         if count <= most {
@@ -142,7 +142,7 @@ impl Values {
         }
     }
 
-    /// The values of a range with its gaps halved so many times: every 2^`times`-th is a value of this one, to the
+    /// The values of a range with its gaps halved a given number of times: every 2^`times`-th is a value of this one, to the
     /// last bit. None of a list, and none where there would be more than a range may have; a single value stays.
     pub fn refined(&self, times: u32) -> Option<Values> {
         let Values::Range(range) = self else { return None };

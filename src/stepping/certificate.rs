@@ -130,7 +130,7 @@ pub(super) fn within<V: Vector>(
     within
 }
 
-/// The lanes of `tried` of which everything that is asked for is final, the excitation being over; a block of theirs
+/// The lanes of `tried` of which everything that is requested is final, the excitation being over; a block of theirs
 /// that rocks has just had an impact. `lifted` are those that have lifted from full contact, whose time of first uplift is known.
 #[inline(always)]
 pub fn is_final<V: Vector>(

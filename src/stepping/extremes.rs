@@ -156,7 +156,7 @@ fn share<N: Number>(shear: N, normal: N) -> N {
 }
 
 impl<N: Number> Extremes<N> {
-    /// Updates those extremes of some lanes that are asked for by their motion over spans of `h` seconds, about corners
+    /// Updates those extremes of some lanes that are requested by their motion over spans of `h` seconds, about corners
     /// of this side where they rock.
     #[inline(always)]
     pub fn update_motion(

@@ -24,10 +24,10 @@ impl<R> Log<R> for () {
 
 /// Whether lanes have an observer, known when they are compiled.
 pub trait Listener<V: Vector> {
-    /// Whether it is told of switches.
+    /// Whether it records switches.
     const EVENTS: bool = false;
 
-    /// Whether it is told of contact forces.
+    /// Whether it records contact forces.
     const FORCES: bool = false;
 
     /// See [`Log::switched`].

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// What became of a block.
+/// The outcome of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
@@ -14,7 +14,7 @@ pub enum Class {
     OverturnedLeft,
     /// It overturned about the right corner.
     OverturnedRight,
-    /// Nothing can be said; [`Status`] tells why.
+    /// The outcome is not known; [`Status`] says why.
     Unresolved,
 }
 
@@ -99,7 +99,7 @@ impl Status {
 /// The result of one cell. SI units.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Outcome {
-    /// What became of the block.
+    /// The outcome of the block.
     pub class: Class,
     /// Impacts of a block that overturns; of another, up to where those to come can change nothing else.
     pub impacts: u32,
@@ -124,7 +124,7 @@ pub struct Outcome {
     pub max_v: f64,
     /// Largest |v + g/omega_v^2|, m: from the static position.
     pub stroke_v: f64,
-    /// Least normal contact force over M, m/s^2; below zero the model does not hold, for it knows
+    /// Least normal contact force over M, m/s^2; below zero the model is not valid, for it knows
     /// no loss of contact.
     pub min_contact: f64,
     /// Largest |horizontal| / normal contact force, while the latter is positive: the friction

@@ -14,7 +14,7 @@ pub struct Stepped<R> {
     pub y: Motion<R>,
     /// The contact force halfway, for the uplift condition and the extremes.
     pub mid: Contact<R>,
-    /// The second derivative of u halfway, where accelerations are asked for.
+    /// The second derivative of u halfway, where accelerations are requested.
     pub mid_ddu: R,
     /// The rates of the last stage: those at the end, but for terms of third order in the step.
     pub k4: Rates<R>,

@@ -57,12 +57,12 @@ pub struct Sizes {
 const GROWTH: f64 = 4.0;
 
 impl Sizes {
-    /// Batches of so many cells, however long they take.
+    /// Batches of a given number of cells, however long they take.
     pub fn fixed(cells: usize) -> Sizes {
         Sizes { first: cells, most: cells, takes: Duration::MAX }
     }
 
-    /// Cells of the batch after one of so many cells that took so long.
+    /// Cells of the batch after one of a given number of cells that took so long.
     fn after(&self, cells: usize, elapsed: Duration) -> usize {
         let share = self.takes.as_secs_f64() / elapsed.as_secs_f64().max(1.0e-9);
         let next = cells as f64 * share.min(GROWTH);

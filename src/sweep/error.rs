@@ -15,7 +15,7 @@ use crate::scene::SceneError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A number or a setting that makes no sense.
+    /// An invalid number or setting.
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// No backend, or one that failed.

@@ -38,7 +38,7 @@ pub struct Job {
     pub plan: Plan,
     /// Its cells.
     pub grid: Grid,
-    /// What runs them.
+    /// The backend that runs them.
     opened: Arc<OpenBackends>,
     /// The cells wanted.
     pub wanted: Range<usize>,
@@ -60,7 +60,7 @@ pub enum SweepResult {
 pub struct ShardSweep {
     /// Its folder.
     pub folder: PathBuf,
-    /// What ran it.
+    /// The backend that ran it.
     pub report: Report,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
@@ -134,7 +134,7 @@ impl Job {
         Ok(Job { plan, grid, opened, wanted, settings, opening, saved, left })
     }
 
-    /// What runs its cells: one backend, or several GPUs that are alike.
+    /// The backend that runs its cells: one backend, or several GPUs that are alike.
     pub fn backends(&self) -> &[Backend] {
         &self.opened.backends
     }
@@ -193,7 +193,7 @@ impl Job {
         Estimate::of(scene, &self.settings.method, &self.backends()[0], self.left(), observer)
     }
 
-    /// Bytes that the columns of so many cells take in memory.
+    /// Bytes that the columns of a given number of cells take in memory.
     pub fn bytes(&self, cells: usize) -> u64 {
         cells as u64 * bytes_a_cell(self.columns()) as u64
     }

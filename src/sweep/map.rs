@@ -38,13 +38,13 @@ pub struct MapSweep {
     pub method: Method,
     /// What became of them.
     pub outcomes: Box<dyn Outcomes>,
-    /// What ran them, shard by shard; a part of another run has a folder.
+    /// The backend that ran them, shard by shard; a part of another run has a folder.
     pub shards: Vec<(Option<PathBuf>, Report)>,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
     /// How it was repaired, where it was.
     pub repair: Option<Repair>,
-    /// What the reference says of a sample, where it was asked.
+    /// The reference's results for a sample, where it was asked.
     pub verification: Option<Verification>,
     /// Where they are saved.
     pub(crate) store: Option<Store>,
@@ -118,7 +118,7 @@ impl MapSweep {
         Ok(values)
     }
 
-    /// Columns that were asked for, in the table's order, numbers as wide as the sweep's; outcomes and statuses are places in
+    /// Columns that were requested, in the table's order, numbers as wide as the sweep's; outcomes and statuses are places in
     /// [`Class::ALL`](crate::stepping::outcome::Class::ALL) and
     /// [`Status::ALL`](crate::stepping::outcome::Status::ALL).
     ///
@@ -178,7 +178,7 @@ impl MapSweep {
     /// from then on.
     ///
     /// # Errors
-    /// Those of the disk; a map without a directory to be saved in has none to be written to.
+    /// Errors of the disk; a map without a directory to be saved in has none to be written to.
     pub fn publish(&mut self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
         let Some(store) = &self.store else { return Err(StoreError::Incomplete.into()) };
         let whole = store.found()?;
@@ -229,7 +229,7 @@ impl MapSweep {
     /// Lists of cells of a finer grid, saved beside it in a folder of this name; none of a map that is not saved.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub(crate) fn rounds(&self, name: &str) -> Result<Option<Rounds>, StoreError> {
         self.store.as_ref().map(|store| store.rounds(name)).transpose()
     }
@@ -238,7 +238,7 @@ impl MapSweep {
     /// read from then on.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn discard_saved(&mut self) -> Result<(), SweepError> {
         self.store.take().map_or(Ok(()), Store::discard).map_err(SweepError::from)
     }

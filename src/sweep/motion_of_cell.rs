@@ -1,4 +1,4 @@
-//! What a cell's motion is told by: what shakes it, its switches, and how it ends.
+//! The description of a cell's motion: its excitation, its switches, and its end.
 
 use crate::backend::history::Row;
 use crate::scene::{Case, Excitation, Scene, Shaking};
@@ -30,8 +30,8 @@ pub struct Switch {
     pub mode: &'static str,
 }
 
-/// What shakes a cell, m/s^2, up to an `end`, s: points of the horizontal and of the vertical acceleration of the
-/// ground. A pulse is told at the times of `rows`.
+/// The excitation of a cell, m/s^2, up to an `end`, s: points of the horizontal and of the vertical acceleration of the
+/// ground. A pulse is given at the times of `rows`.
 pub fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>; 2] {
     match (&scene.excitation, case.shaking) {
         (Excitation::Record(pair), Shaking::Record { factor, .. }) => {
@@ -56,7 +56,7 @@ pub fn ground(scene: &Scene, case: &Case, rows: &[Row], end: f64) -> [Vec<Point>
     }
 }
 
-/// What became of the cell, in a sentence.
+/// The outcome of the cell, in a sentence.
 pub fn told(outcome: &Outcome) -> String {
     let impacts = match outcome.impacts {
         1 => "1 impact".to_string(),

@@ -42,7 +42,7 @@ pub struct Runner<'a> {
     pub plan: &'a Plan,
     /// The grid that numbers the cells.
     pub grid: &'a Grid,
-    /// What runs them: one, or several GPUs that are alike.
+    /// The backend that runs them: one, or several GPUs that are alike.
     pub backends: &'a [Backend],
     /// Number type.
     pub precision: Precision,

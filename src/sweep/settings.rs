@@ -29,7 +29,7 @@ pub struct Method {
     /// replaced.
     #[serde(default)]
     pub repair: bool,
-    /// The columns that are asked for: what others need is not looked for, and a cell ends when these are final.
+    /// The columns that are requested: what others need is not looked for, and a cell ends when these are final.
     #[serde(default, skip_serializing_if = "ColumnSet::is_all")]
     pub columns: ColumnSet,
 }
@@ -142,7 +142,7 @@ impl VerifySettings {
         Ok(())
     }
 
-    /// The shard that each of so many sweeps has: a cell at least, where there is to be any.
+    /// The shard that each of a given number of sweeps has: a cell at least, where there is to be any.
     pub fn shared_out(self, sweeps: usize) -> VerifySettings {
         let sweeps = sweeps.max(1);
         let within = match self.within {
@@ -204,7 +204,7 @@ pub struct Saving {
     pub ends_at_once: bool,
 }
 
-/// Bytes that the columns of a map may take in memory unless told otherwise.
+/// Bytes that the columns of a map may take in memory by default.
 const MEMORY: u64 = 1 << 30;
 
 impl Saving {

@@ -42,7 +42,7 @@ pub fn cells(count: usize) -> String {
     if count == 1 { "1 cell".into() } else { format!("{count} cells") }
 }
 
-/// What the sample says of a map, in a sentence.
+/// What follows from the sample for a map, in a sentence.
 pub fn told(v: &Verification) -> String {
     let places = [
         (v.differ_tensile, "where the contact force is tensile (hatched)"),

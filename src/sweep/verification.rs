@@ -15,11 +15,11 @@ use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
 use crate::work::threads::install;
 
-/// Where a cell lies whose outcome differs.
+/// The surroundings of a cell whose outcome differs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Region {
-    /// Its contact force turned tensile: the model does not hold there. Pictures hatch such cells.
+    /// Its contact force turned tensile: the model is not valid there. Pictures hatch such cells.
     Tensile,
     /// A neighbour of it has another outcome.
     BesideBoundary,
@@ -73,13 +73,13 @@ pub struct Difference {
     pub region: Region,
 }
 
-/// What the sample says of the map.
+/// What follows from the sample for the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// No outcome differs. Impacts, times and zeta of single cells may.
     Right,
-    /// Outcomes differ no more than is to be expected: where the model does not hold, or in few of the cells
+    /// Outcomes differ no more than is to be expected: where the model is not valid, or in few of the cells
     /// beside a boundary.
     AsExpected,
     /// Outcomes differ where they should not, or zeta does.
@@ -91,7 +91,7 @@ pub enum Verdict {
 /// How the sample came out.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verification {
-    /// What it says of the map.
+    /// What follows for the map.
     pub verdict: Verdict,
     /// Cells that were chosen.
     pub chosen: usize,
@@ -99,7 +99,7 @@ pub struct Verification {
     pub sampled: usize,
     /// Those of them beside a boundary between outcomes.
     pub beside_boundary: usize,
-    /// Cells of which the sweep says nothing.
+    /// Cells without a result of the sweep.
     pub unresolved: usize,
     /// Cells whose outcome differs.
     pub differ: usize,
@@ -117,7 +117,7 @@ pub struct Verification {
     pub worst_t_end: f64,
     /// Largest error of the first uplift where the outcome agrees, s.
     pub worst_t_uplift: f64,
-    /// Largest error of zeta where the outcome agrees; none where nobody asked for zeta.
+    /// Largest error of zeta where the outcome agrees; none if zeta was not requested.
     pub worst_zeta: Option<f64>,
     /// Median error of zeta over the cells that rock; the same.
     pub median_zeta: Option<f64>,
@@ -140,7 +140,7 @@ const OFF: f64 = 0.1;
 pub const ZETA_OFF: f64 = 0.01;
 
 impl Verification {
-    /// Cells that differ neither where the model does not hold, nor beside a boundary, nor in chaotic rocking.
+    /// Cells that differ neither where the model is not valid, nor beside a boundary, nor in chaotic rocking.
     pub fn differ_inside(&self) -> usize {
         self.differ - self.differ_tensile - self.differ_beside_boundary - self.differ_sensitive
     }
@@ -198,7 +198,7 @@ pub fn verify(
     Some(Verification { chosen: chosen.len(), ..report })
 }
 
-/// Compares cells that sweep and reference have run, in what the sweep was asked for.
+/// Compares cells that sweep and reference have run, in the columns that the sweep was to compute.
 pub fn compare(
     grid: &Grid,
     asked: Asked,

@@ -9,7 +9,7 @@ use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 
-/// Outcomes that are read under somebody's eyes, who hears of cells times columns.
+/// Outcomes that are read under somebody's eyes, who is informed of cells times columns.
 pub struct ObservedOutcomes<'a> {
     outcomes: &'a dyn Outcomes,
     observer: &'a dyn Observer,

@@ -1,4 +1,4 @@
-//! Columns that are asked for are those of the whole map, and cost less than it; those that are not are not a number.
+//! Columns that are requested are those of the whole map, and cost less than it; those that are not are not a number.
 
 use topple::backend::cpu;
 use topple::backend::gpu::run::Sweeper;

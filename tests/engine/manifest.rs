@@ -12,10 +12,8 @@ fn version(text: &str) -> [u32; 3] {
 }
 
 /// All crates that are locked, those of the Python package with them, which no build in the root fetches: Cargo fetches
-/// what is missing, so this test is run by its name alone.
-#[test]
-#[ignore = "needs the network: cargo test --test engine manifest:: -- --ignored"]
-fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
+/// what is missing, so tests that ask for them are run by their names alone.
+fn packages() -> Vec<Value> {
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
     let told = Command::new("rustc").arg("-vV").output().unwrap().stdout;
     let told = String::from_utf8(told).unwrap();
@@ -29,12 +27,67 @@ fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let metadata: Value = serde_json::from_slice(&run.stdout).unwrap();
     let packages = metadata["packages"].as_array().unwrap();
-    let asked = version(env!("CARGO_PKG_RUST_VERSION"));
     assert!(packages.len() > 50, "{} packages", packages.len());
-    for package in packages {
+    packages.clone()
+}
+
+#[test]
+#[ignore = "needs the network: cargo test --test engine manifest:: -- --ignored"]
+fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
+    let asked = version(env!("CARGO_PKG_RUST_VERSION"));
+    for package in packages() {
         if let Some(needs) = package["rust_version"].as_str() {
             assert!(version(needs) <= asked, "{} needs Rust {needs}", package["name"]);
         }
+    }
+}
+
+/// Licences under which a program with these crates can be given away under MIT with their texts.
+const LICENCES: [&str; 14] = [
+    "0BSD",
+    "Apache-2.0",
+    "Apache-2.0 WITH LLVM-exception",
+    "BSD-2-Clause",
+    "BSD-3-Clause",
+    "BSL-1.0",
+    "CC0-1.0",
+    "ISC",
+    "MIT",
+    "MIT-0",
+    "OFL-1.1",
+    "Ubuntu-font-1.0",
+    "Unicode-3.0",
+    "Zlib",
+];
+
+/// True where an SPDX expression of terms with AND, each in brackets or a choice with OR, can be kept by [`LICENCES`] alone.
+/// Older manifests write a choice with a slash.
+fn permits(expression: &str) -> bool {
+    expression.split(" AND ").all(|term| {
+        let term = term.trim_start_matches('(').trim_end_matches(')');
+        term.replace('/', " OR ").split(" OR ").any(|choice| LICENCES.contains(&choice.trim()))
+    })
+}
+
+#[test]
+fn choices_of_licences_are_read() {
+    for good in ["MIT", "GPL-3.0 OR MIT", "Unlicense/MIT", "(MIT OR Apache-2.0) AND Unicode-3.0"] {
+        assert!(permits(good), "{good}");
+    }
+    for bad in ["GPL-3.0", "", "(MIT OR Apache-2.0) AND GPL-3.0", "MITX", "AGPL-3.0 OR MPL-2.0"] {
+        assert!(!permits(bad), "{bad}");
+    }
+}
+
+#[test]
+#[ignore = "needs the network: cargo test --test engine manifest:: -- --ignored"]
+fn every_dependency_has_a_permissive_licence_and_comes_from_the_registry() {
+    let registry = "registry+https://github.com/rust-lang/crates.io-index";
+    for package in packages() {
+        let licence = package["license"].as_str().unwrap_or_default();
+        assert!(permits(licence), "{}: the licence {licence:?}", package["name"]);
+        let source = package["source"].as_str();
+        assert!(source.is_none_or(|source| source == registry), "{}: {source:?}", package["name"]);
     }
 }
 

@@ -165,7 +165,7 @@ fn a_verification_keeps_to_its_time() {
 }
 
 /// Ended by a flag at some moment, on each backend and in the verification, a sweep is over within a tenth
-/// of a second. Of three moments the median is asked for: a machine may be busy at one.
+/// of a second. Of three moments the median is requested: a machine may be busy at one.
 #[test]
 fn a_flag_ends_a_sweep_within_a_tenth_of_a_second() {
     let _alone = alone();

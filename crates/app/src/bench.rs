@@ -33,20 +33,19 @@ const MOST: u32 = 4096;
 #[derive(clap::Args)]
 #[command(after_help = examples::BENCH)]
 pub struct BenchCommand {
-    /// Points of an axis of the default map; the other maps have a quarter of that
+    /// Points of each axis of the default map; the other maps have a quarter of that
     #[arg(long, value_name = "N", default_value_t = 400)]
     side: u32,
-    /// Times that each map is run; the shortest counts
+    /// How often each map is run; the shortest time counts
     #[arg(long, value_name = "N", default_value_t = 3)]
     repeat: u32,
-    /// The card's peak in f32, for the shader's share of it
+    /// Peak performance of the card in f32, to give the shader's share of it
     #[arg(long, value_name = "TFLOPS")]
     peak: Option<f64>,
     /// Leave out the shader
     #[arg(long)]
     no_shader: bool,
-    /// Results of other programs on cells of the pulse map: print only how they compare
-    /// (benches/peers/ratios.sh makes them)
+    /// Results of other programs for cells of the pulse map (from benches/peers/ratios.sh): print only the comparison with them
     #[arg(long, value_name = "FILE")]
     peer: Vec<PathBuf>,
 }
@@ -187,7 +186,7 @@ impl BenchCommand {
 
     fn print(&self, rows: &[Row], courses: &[Course; 3]) {
         let cells = courses.each_ref().map(|course| course.cells.len() as f64);
-        // A cell at a time in f64, which everything is told as a multiple of.
+        // A cell at a time in f64: the other results are given as multiples of it.
         let base = rows[0].seconds;
         let steps = steps(&courses[1]) as f64;
         print_line!("cells a second, and times a cell at a time in f64:\n");

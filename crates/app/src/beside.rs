@@ -41,8 +41,8 @@ impl Observer for Beside<'_> {
     }
 }
 
-/// Runs `work`, and `verify` of so many cells, where there is one: at the same time if more threads than one are allowed.
-/// Where the work fails, `verify` is told to end.
+/// Runs `work`, and `verify` of a given number of cells, where there is one: at the same time if more threads than one are allowed.
+/// If the work fails, `verify` is asked to end.
 pub fn run<T, V: Send>(
     screen: &Screen,
     total: usize,
@@ -77,7 +77,7 @@ mod tests {
 
     use super::*;
 
-    /// What runs until it is told to end.
+    /// What runs until it is asked to end.
     fn until_told(observer: &dyn Observer) {
         while !observer.cancelled() {
             thread::sleep(Duration::from_millis(1));

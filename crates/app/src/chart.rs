@@ -27,31 +27,31 @@ use super::results_directory::{self, write_picture};
 use super::seismic::write_synthetic;
 use super::{InputError, examples};
 
-/// Chart speed against accuracy: every method, over its steps or tolerances.
+/// Draw charts of speed against accuracy for several methods, steps and tolerances.
 #[derive(clap::Args)]
 #[command(after_help = examples::CHART)]
 pub struct ChartCommand {
-    /// Directory for the results; made if need be
+    /// Directory for the results; created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = "topple-chart")]
     out: PathBuf,
     #[command(flatten, next_help_heading = "Record")]
     record: RecordFlags,
-    /// Results of other programs on the cells of cells.csv, to chart beside topple's
+    /// Results of other programs for the cells of cells.csv, drawn beside those of topple
     #[arg(long, value_name = "FILE")]
     peer: Vec<PathBuf>,
-    /// Write cells.csv and record.csv, for other programs, and nothing else
+    /// Write only cells.csv and record.csv, for other programs
     #[arg(long)]
     cells_only: bool,
-    /// Draw this chart.csv, which was measured before, and measure nothing
+    /// Draw the results of an earlier chart.csv again, without measuring
     #[arg(long, value_name = "FILE", conflicts_with_all = ["peer", "cells_only"])]
     redraw: Option<PathBuf>,
-    /// Few cells: to see that everything works
+    /// Use few cells, to check that everything works
     #[arg(long)]
     quick: bool,
     /// Leave out the shader
     #[arg(long)]
     no_shader: bool,
-    /// Print nothing but errors
+    /// Print only errors
     #[arg(short, long)]
     quiet: bool,
 }

@@ -36,7 +36,7 @@ use super::{InputError, examples, suite, words};
 #[derive(clap::Args)]
 #[command(after_help = examples::COMPARE)]
 pub struct CompareCommand {
-    /// The list of devices (CSV)
+    /// List of devices (CSV)
     #[arg(value_name = "DEVICES")]
     pub devices: PathBuf,
     #[command(flatten)]
@@ -47,21 +47,21 @@ pub struct CompareCommand {
     pub motions: SuiteFlags,
     #[command(flatten)]
     limits: LimitFlags,
-    /// Factors on the motions of which the reserve is told: the largest up to which all limits are kept
+    /// Factors on the motions for the reserve: the largest factor up to which all limits are kept
     #[arg(long, value_name = "FACTORS", help_heading = "Suite", allow_hyphen_values = true)]
     scales: Option<Values>,
-    /// Columns of a map whose 50, 84 and 100 % are told, too, by their names in map.csv
+    /// Columns of a map whose 50, 84 and 100 % values are also given, by their names in map.csv
     #[arg(long, value_name = "NAME,...", help_heading = "Suite")]
     columns: Option<ColumnSet>,
     #[command(flatten)]
     intervals: IntervalFlags,
     #[command(flatten)]
     pub hazard: HazardFlags,
-    /// With --hazard: its intensity measure, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*,
+    /// With --hazard: the intensity measure of the hazard curve, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*,
     /// pgv* relative to the block [default: pga]
     #[arg(long, value_name = "MEASURE", help_heading = "Fragility", requires = "hazard")]
     im: Option<Intensity>,
-    /// With --hazard: levels of it that each motion is scaled to, in SI units [default: each motion as it is]
+    /// With --hazard: levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]
     #[arg(
         long,
         value_name = "LEVELS",
@@ -98,7 +98,7 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     hazard_units: Option<&'static str>,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 

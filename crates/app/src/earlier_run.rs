@@ -28,7 +28,7 @@ pub struct EarlierRun {
     pub method: Option<Method>,
     /// What they were computed on, where the results tell it.
     pub backend: Option<String>,
-    /// What was not known, of a probability map.
+    /// The distributions of a probability map.
     pub uncertainty: Option<Uncertainty>,
     /// What the map had besides.
     pub besides: Besides,
@@ -45,7 +45,7 @@ struct Written {
     index: Option<Vec<Parameter>>,
     /// How a map was refined.
     refined: Option<Refined>,
-    /// How sharp its boundaries are: that it was asked for is enough.
+    /// How sharp its boundaries are: that it was requested is enough.
     sharpness: Option<IgnoredAny>,
     /// How its pictures are printed.
     #[serde(default)]
@@ -59,7 +59,7 @@ struct Written {
     uncertainty: Option<Uncertainty>,
 }
 
-/// Of a map's refinement what was asked for.
+/// Of a map's refinement what was requested.
 #[derive(Deserialize)]
 struct Refined {
     levels: Vec<IgnoredAny>,

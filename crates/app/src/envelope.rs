@@ -25,7 +25,7 @@ use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
 use super::{InputError, examples, suite};
 
-/// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes.
+/// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
 #[derive(clap::Args)]
 #[command(after_help = examples::ENVELOPE)]
 pub struct EnvelopeCommand {
@@ -37,17 +37,17 @@ pub struct EnvelopeCommand {
     pub motions: SuiteFlags,
     #[command(flatten)]
     limits: LimitFlags,
-    /// Which feasible cell is the best: by reserve (the most steps of the grid from a cell that fails), stroke_u or stroke_v (the
-    /// least)
+    /// Which feasible cell is the best one: that with the largest reserve (steps of the grid to the nearest cell that fails), or with
+    /// the least stroke_u or stroke_v
     #[arg(long, value_name = "WHICH", default_value_t = Best::Reserve, help_heading = "Suite", value_parser = best)]
     best: Best,
     #[command(flatten)]
     intervals: IntervalFlags,
-    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
-    /// at two more numbers LOW,HIGH; shares are of the motions at all its points
+    /// Distribution of a number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA); two more
+    /// numbers LOW,HIGH cut it off. Shares are of the motions at all of its points
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
     vary: Vec<Varied>,
-    /// Points of the numbers that are not known, best a power of two
+    /// Number of points of the distributions, best a power of two
     #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
     #[command(flatten, next_help_heading = "Computing")]
@@ -64,14 +64,14 @@ struct Manifest<'a> {
     limit_v: Option<f64>,
     best: Best,
     feasible: usize,
-    /// The best cell: its axes and what is told of it; none where none is feasible.
+    /// The best cell: its axes and its results; none if no cell is feasible.
     best_cell: Option<usize>,
     resample: Option<Resample>,
     groups: Option<usize>,
     seed: u32,
     vary: &'a [Varied],
     samples: Option<u32>,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 

@@ -28,7 +28,7 @@ pub fn tell(scene: &Scene, options: &MapOptions, settings: &RunSettings) -> anyh
     let wanted = options.tile.map_or(0..grid.len(), |shard| shard.cells(grid.len()));
     let screen = Screen::new(options.run.quiet);
     let takes = job.estimate(&screen).map_err(sweep_error)?;
-    // What is asked for is told, however quiet.
+    // The requested answer is printed even with --quiet.
     let say = Reporter::unless(false);
     let shard = match options.tile {
         None => String::new(),

@@ -4,9 +4,9 @@
 macro_rules! values {
     () => {
         "\
-VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each the same factor \
-larger; or a list a,b,c. Numbers of several values are the axes of the sweep, six at most. What lies out of \
-its range is refused; --force accepts what is only improbable.
+VALUES of a number: one value; start:stop:count, both ends included; start:stop:count:log, each value the same factor \
+larger than the one before; or a list a,b,c. Numbers with several values are the axes of the sweep, at most six. A value outside \
+of its range is refused; --force accepts implausible values.
 
 "
     };
@@ -19,7 +19,7 @@ Examples:
   topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400 --out map
   topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200 --out record
   topple history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --out cell
-  topple scene                                 a scene's file to start from";
+  topple scene                                 a scene file to start from";
 
 /// Of `topple pulse`.
 pub const PULSE: &str = concat!(
@@ -30,12 +30,12 @@ Examples:
     topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400
   Over the eccentricity and the period of the base, for one pulse:
     topple pulse --object 2 --eccentricity -0.6:0.6:200 --t-h 0.5:4:200 --t-v 0.5 --omega 6 --a-h 5
-  A block of one's own on the ground, a curve along the amplitude:
+  Your own block on the ground, a curve along the amplitude:
     topple pulse --half-width 0.3 --height 1.2 --isolation none --pulse ricker --omega 5 --a-h 1:10:500
-  Probabilities where the eccentricity and the damping are not known, of 256 samples:
+  Probabilities if the eccentricity and the damping are not known exactly, from 256 samples:
     topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:200 --a-h 0.1:15:200 \
 --vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3) --samples 256
-  What a large map would take:
+  The time and the disk that a large map needs:
     topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run"
 );
 
@@ -46,9 +46,9 @@ pub const SEISMIC: &str = concat!(
 Examples:
   A map over both periods of the base under the synthetic pair of records:
     topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
-  Under records of one's own, scaled to a horizontal peak of 5 m/s²:
+  Under your own records, scaled to a horizontal peak of 5 m/s²:
     topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
-  Where rocking is chaotic, the probability in each pixel in place of the outcome of one value:
+  Where rocking is chaotic: the probability in each pixel instead of one outcome:
     topple seismic --object 1 --t-h 1.6:1.95:60 --t-v 0.1:0.16:60 --pixel
   How sharp the boundaries of that map are:
     topple seismic --object 1 --t-h 1.6:1.95:150 --t-v 0.1:0.16:150 --sharpness
@@ -68,7 +68,7 @@ Examples:
 /// Of `topple run`.
 pub const RUN: &str = "\
 Examples:
-  A scene's file:
+  A scene file:
     topple run scene.toml --out map
   An earlier run again, with half the step:
     topple run map/run.json --step 0.00390625 --out again";
@@ -76,11 +76,11 @@ Examples:
 /// Of `topple explore`.
 pub const EXPLORE: &str = "\
 Examples:
-  The scene of topple alone:
+  The scene of the command topple without arguments:
     topple explore
-  A scene's file, at a fixed port, without opening a browser:
+  A scene file, at a fixed port, without opening a browser:
     topple explore scene.toml --port 8080 --no-open
-  The page as a folder of files, for any static host:
+  The page as a folder of files, for any static web server:
     topple explore scene.toml --export page";
 
 /// Of `topple suite`.
@@ -88,7 +88,7 @@ pub const SUITE: &str = "\
 Examples:
   A download from PEER, as it was unpacked:
     topple suite records --out suite
-  A list of one's own, with the columns id,horizontal,vertical,dt,units,scale,weight:
+  Your own list, with the columns id,horizontal,vertical,dt,units,scale,weight:
     topple suite list.csv --strict --out suite";
 
 /// Of `topple envelope`.
@@ -99,7 +99,7 @@ Examples:
   Under 95 % of them, each in both directions:
     topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --standing 0.95 \
 --both-directions
-  How likely a statue overturns whose centre of mass is not known well:
+  How likely a statue overturns if its centre of mass is not known exactly:
     topple envelope --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --eccentricity 0.1 \
 --vary eccentricity=normal(0.1,0.05)";
 
@@ -126,7 +126,7 @@ Examples:
 /// Of `topple compare`.
 pub const COMPARE: &str = "\
 DEVICES is a CSV. Its heading has device, a name, and keys of a scene (docs/parameters.md), such as t_h, psi, u_y, isolation or \
-object. Each line is a device with one value of each; an empty field is left out. What all devices share is given by flags.
+object. Each line is a device with one value of each key; an empty field is ignored. Numbers that all devices share are given by flags.
 
 Examples:
   A statue on the bases of a list, with 25 cm of room and 3 cm up and down:
@@ -170,7 +170,7 @@ Examples:
 
 /// Of `topple man`.
 pub const MAN: &str = "\
-The page is text for the reader of manuals; on Linux and macOS: topple man | man -l -
+The page is in the format of manual pages; show it on Linux with: topple man | man -l -
 
 Examples:
     topple man

@@ -18,34 +18,34 @@ use super::words::{self, Reporter};
 use super::written::one_of;
 use super::{InputError, examples, interrupt, load, options};
 
-/// Show a map alive, on a page in the browser.
+/// Show a map that follows sliders, on a page in the browser.
 ///
-/// The page is served on this machine alone, at an address that nobody guesses. Ctrl-C ends it.
+/// The page is served on this machine only, at an address that cannot be guessed. Ctrl-C ends the server.
 #[derive(clap::Args)]
 #[command(after_help = examples::EXPLORE)]
 pub struct ExploreCommand {
-    /// A scene's file (TOML) [default: the scene of topple alone]
+    /// Scene file (TOML) [default: the scene of the command topple without arguments]
     #[arg(value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
-    /// Port of the page's address; 0 is any that is free
+    /// Port of the page's address; 0 takes any free port
     #[arg(long, default_value_t = 0)]
     port: u16,
-    /// Open no browser
+    /// Do not open a browser
     #[arg(long)]
     no_open: bool,
-    /// Write the page to a folder and end: any static host serves it, and it computes in its reader's browser by WebGPU
+    /// Write the page to a folder and end. Any static web server can serve the folder; the page computes in the browser by WebGPU
     #[arg(long, value_name = "DIR", conflicts_with_all = ["port", "no_open"])]
     export: Option<PathBuf>,
-    /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
+    /// What computes; auto takes a real GPU if there is one, else the CPU [default: auto]
     #[arg(long, value_parser = one_of::<BackendRequest>())]
     backend: Option<BackendRequest>,
-    /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
+    /// GPUs to use, by their numbers in topple adapters [default: all that are of the same kind as the best one]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     adapter: Vec<usize>,
-    /// Accept numbers that are not plausible
+    /// Accept implausible numbers
     #[arg(long)]
     force: bool,
-    /// Threads of the CPU [default: as many as it has cores]
+    /// Threads of the CPU [default: one per core]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
 }

@@ -34,7 +34,7 @@ use super::words::{self, Reporter};
 pub struct Finish<'a> {
     /// The files of the whole map.
     pub files: &'a [MapFile],
-    /// The map refined, where that was asked for.
+    /// The map refined, where that was requested.
     pub refined: Option<&'a RefinedMap>,
     /// What the reference runs again.
     pub verify: VerifySettings,
@@ -42,7 +42,7 @@ pub struct Finish<'a> {
     pub estimate: Duration,
     /// A checksum of what is run.
     pub tag: Option<u32>,
-    /// How sharp the boundaries are is asked for.
+    /// How sharp the boundaries are is requested.
     pub sharpness: bool,
     /// How its pictures are printed.
     pub pictures: &'a PictureFlags,

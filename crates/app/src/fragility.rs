@@ -37,7 +37,7 @@ use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
 use super::{InputError, examples, suite};
 
-/// How likely a block overturns under the motions of a suite, by their intensity.
+/// Estimate how likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
 #[command(after_help = examples::FRAGILITY)]
 pub struct FragilityCommand {
@@ -51,10 +51,10 @@ pub struct FragilityCommand {
     /// relative to the block
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
     im: Intensity,
-    /// Levels of it that each motion is scaled to, in SI units [default: each motion as it is]
+    /// Levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]
     #[arg(long, value_name = "LEVELS", help_heading = "Fragility", allow_hyphen_values = true)]
     levels: Option<Values>,
-    /// The rocking index is not to exceed these
+    /// Limits of the rocking index
     #[arg(
         long,
         value_name = "ZETA,...",
@@ -64,7 +64,7 @@ pub struct FragilityCommand {
         allow_negative_numbers = true
     )]
     limit_zeta: Vec<f64>,
-    /// max |u| is not to exceed these, m
+    /// Limits of max |u|, m
     #[arg(
         long,
         value_name = "M,...",
@@ -74,7 +74,7 @@ pub struct FragilityCommand {
         allow_negative_numbers = true
     )]
     limit_u: Vec<f64>,
-    /// The stroke of v is not to exceed these, m
+    /// Limits of the stroke of v, m
     #[arg(
         long,
         value_name = "M,...",
@@ -84,24 +84,24 @@ pub struct FragilityCommand {
         allow_negative_numbers = true
     )]
     limit_v: Vec<f64>,
-    /// Estimators: stripes, ida, cloud; the first is drawn [default: all that the levels allow]
+    /// Estimators of the curves: stripes, ida, cloud; the first one is drawn [default: all that the levels allow]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
     estimator: Vec<Estimator>,
     #[command(flatten)]
     intervals: IntervalFlags,
-    /// Sets that are drawn for the intervals, 39 at least [default: 1000, of more than 100 cells 100]
+    /// Number of resampled sets for the intervals, at least 39 [default: 1000; with more than 100 cells 100]
     #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
-    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
-    /// at two more numbers LOW,HIGH
+    /// Distribution of a number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA); two more
+    /// numbers LOW,HIGH cut it off
     #[arg(long, value_name = "KEY=DIST", help_heading = "Uncertainty")]
     vary: Vec<Varied>,
-    /// Points N of the numbers that are not known, best a power of two; N (k + 2) of k numbers are run
+    /// Number N of points of the distributions, best a power of two; for k numbers N (k + 2) points are run
     #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
     #[command(flatten)]
     pub hazard: HazardFlags,
-    /// Annual rate that is accepted, with what may be missing at both ends of the hazard curve; drawn on maps
+    /// Accepted annual rate; compared with the rate and what may be missing at both ends of the hazard curve, and drawn on maps
     #[arg(
         long,
         value_name = "RATE",
@@ -111,7 +111,7 @@ pub struct FragilityCommand {
         allow_negative_numbers = true
     )]
     target: Option<f64>,
-    /// Write the curves for other programs, too: nrml (OpenQuake, fragility.xml), pelicun (fragility_pelicun.csv)
+    /// Also write the curves for other programs: nrml (OpenQuake, fragility.xml), pelicun (fragility_pelicun.csv)
     #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = export)]
     export: Vec<Export>,
     #[command(flatten, next_help_heading = "Computing")]
@@ -128,7 +128,7 @@ struct Manifest<'a> {
     levels: Option<Vec<f64>>,
     limit_states: &'a [LimitState],
     estimators: Vec<&'static str>,
-    /// What is drawn for the intervals, and of how many.
+    /// What is resampled for the intervals, and of how many.
     resample: Resample,
     groups: usize,
     replicates: u32,
@@ -142,7 +142,7 @@ struct Manifest<'a> {
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     verified: &'a Verified,
 }
 
@@ -270,7 +270,7 @@ impl FragilityCommand {
         tables.map(|name| name.to_string()).chain(exports).chain(pictures).collect()
     }
 
-    /// The formats that are asked for, each once.
+    /// The formats that are requested, each once.
     fn exports(&self) -> impl Iterator<Item = Export> {
         Export::ALL.into_iter().filter(|export| self.export.contains(export))
     }

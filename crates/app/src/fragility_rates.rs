@@ -60,7 +60,7 @@ pub fn lines(of: &StateStudy, fit: &Estimate, unit: &str, target: Option<f64>) -
     lines
 }
 
-/// Share of a rate from which on it is told.
+/// Least share of a rate that is printed.
 const SHOWN: f64 = 0.005;
 
 /// An interval behind its number.

@@ -111,7 +111,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     }
 }
 
-/// What is drawn for the intervals, in words.
+/// What is resampled for the intervals, in words.
 pub fn intervals(groups: &Groups, motions: usize) -> String {
     let Groups { by, count, events, .. } = groups;
     let motions = counted(motions, "motion");

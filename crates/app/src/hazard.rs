@@ -11,7 +11,7 @@ use super::InputError;
 use super::words;
 use super::written::one_of;
 
-/// Which hazard curve.
+/// The flags of the hazard curve.
 #[derive(clap::Args)]
 pub struct HazardFlags {
     /// Hazard curve: a CSV of levels and annual rates of exceedance, or a site's curve as OpenQuake exports it
@@ -23,7 +23,7 @@ pub struct HazardFlags {
 }
 
 impl HazardFlags {
-    /// Where it lies; none where no rates are asked for.
+    /// Where it lies; none where no rates are requested.
     pub fn path(&self) -> Option<&Path> {
         self.hazard.as_deref()
     }
@@ -43,7 +43,8 @@ impl HazardFlags {
             |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
         let bytes = bounded::read(path, hazard::LARGEST)
             .map_err(|e| named(format!("{e}; give a file that can be read")))?;
-        let text = String::from_utf8_lossy(&bytes);
+        let text = bounded::unicode(&bytes)
+            .unwrap_or_else(|| String::from_utf8_lossy(&bytes).into_owned());
         let read = hazard_text::read(&text, im, self.hazard_units);
         let read = read.map_err(|error| named(error.to_string()))?;
         if read.assumed {

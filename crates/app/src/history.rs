@@ -29,11 +29,11 @@ use super::save::save;
 use super::words::{self, Reporter};
 use super::{InputError, examples};
 
-/// The motion of one cell: every parameter a single number.
+/// Compute the motion of one cell; every number has a single value.
 #[derive(clap::Args)]
 #[command(after_help = examples::HISTORY)]
 pub struct HistoryCommand {
-    /// A scene's file (TOML), in the place of flags
+    /// Scene file (TOML), instead of flags
     #[arg(value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
     #[command(flatten)]
@@ -44,7 +44,7 @@ pub struct HistoryCommand {
     record: RecordFlags,
     #[command(flatten)]
     scale: RecordNumbers,
-    /// More columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_block, acc_block_v (m/s², absolute, without
+    /// Further columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_block, acc_block_v (m/s², absolute, without
     /// gravity), n, s (contact forces, N)
     #[arg(long, value_name = "NAME,...")]
     columns: Option<MoreColumns>,

@@ -8,7 +8,7 @@ use topple::results::csv::Number;
 /// Names of the columns.
 pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "dphi"];
 
-/// Columns that are written where they are asked for, behind the others: which of [`FORCE_COLUMNS`].
+/// Columns that are written where they are requested, behind the others: which of [`FORCE_COLUMNS`].
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MoreColumns([bool; FORCE_COLUMNS.len()]);
 
@@ -37,7 +37,7 @@ impl std::str::FromStr for MoreColumns {
 }
 
 impl MoreColumns {
-    /// True where none is asked for.
+    /// True where none is requested.
     pub fn is_empty(&self) -> bool {
         self.columns().next().is_none()
     }
@@ -56,7 +56,7 @@ fn numbers(row: &Row) -> [Number; 7] {
     [row.u, row.du, row.v, row.dv, row.z, row.phi, row.dphi].map(Number)
 }
 
-/// Writes the table; `forces` are those of the rows, where columns of them are asked for.
+/// Writes the table; `forces` are those of the rows, where columns of them are requested.
 ///
 /// # Errors
 /// Those of the writer.

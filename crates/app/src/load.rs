@@ -61,7 +61,7 @@ fn refused(path: &Path, reason: String) -> InputError {
 /// Reads a scene's file.
 ///
 /// # Errors
-/// What is wrong and what to do.
+/// The fault and the remedy.
 pub fn read(path: &Path) -> Result<String, String> {
     bounded::text(path, LARGEST).map_err(|error| match error.kind() {
         ErrorKind::FileTooLarge => format!("{error}; this is no scene"),

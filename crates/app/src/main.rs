@@ -89,27 +89,27 @@ enum Command {
     Pulse(pulse::PulseCommand),
     /// Map the response to a ground-motion record, for example over (t_h, t_v)
     Seismic(seismic::SeismicCommand),
-    /// Read a set of records as one suite: which belong together, their intensity measures
+    /// Read a set of records as one suite: pair the components, compute intensity measures
     Suite(suite::SuiteCommand),
-    /// Sweep a scene under every motion of a suite: which cells keep the block standing, within which strokes
+    /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes
     Envelope(Box<envelope::EnvelopeCommand>),
-    /// How likely the block overturns under a suite, by the intensity of its motions
+    /// Estimate how likely the block overturns under a suite, by the intensity of the motions
     Fragility(Box<fragility::FragilityCommand>),
-    /// Compare the devices of a list under every motion of a suite: shares, strokes, reserve, annual rates
+    /// Compare the devices of a list under every motion of a suite: shares, strokes, reserves, annual rates
     Compare(Box<compare::CompareCommand>),
-    /// Write a report of runs for who decides and reads no code, as HTML or PDF
+    /// Write a report of runs for those who decide, as HTML or PDF
     Report(report::ReportCommand),
     /// Join the shards of a map made with --tile
     Merge(merge::MergeCommand),
-    /// Integrate the motion of one cell: every parameter a single number
+    /// Compute the motion of one cell; every number has a single value
     History(history::HistoryCommand),
-    /// Run a scene from a file, or an earlier run again
+    /// Run a scene from a file, or repeat an earlier run
     Run(scene::RunCommand),
-    /// Show a map alive, on a page in the browser
+    /// Show a map that follows sliders, on a page in the browser
     Explore(explore::ExploreCommand),
-    /// Chart speed against accuracy: every method, over its steps or tolerances
+    /// Draw charts of speed against accuracy for several methods, steps and tolerances
     Chart(chart::ChartCommand),
-    /// Draw every figure of the paper, and further ones
+    /// Draw the figures of the paper, and further ones
     Figures(figures::FiguresCommand),
     /// Measure every backend of this machine on the same maps, and print the table
     Bench(bench::BenchCommand),

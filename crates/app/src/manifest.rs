@@ -56,7 +56,7 @@ pub struct Manifest<'a> {
     pub cells_per_second: f64,
     /// Cells of each outcome.
     pub outcomes: BTreeMap<&'static str, usize>,
-    /// Cells in which the contact force turned tensile, where the model does not hold; none where nobody asked for contact
+    /// Cells in which the contact force turned tensile, where the model is not valid; none if nobody requested contact
     /// forces.
     pub tensile_cells: Option<usize>,
     /// Cells that ask for more friction than the scene's coefficient, if it has one.
@@ -69,9 +69,9 @@ pub struct Manifest<'a> {
     pub sharpness: Option<&'a Sharpness>,
     /// What was left out of the model.
     pub model: Reduced,
-    /// The sample that the reference ran again; none before, and where none was asked for.
+    /// The sample that the reference ran again; none before, and where none was requested.
     pub verification: Option<&'a Verification>,
-    /// How the pictures are printed, where that was asked for.
+    /// How the pictures are printed, where that was requested.
     #[serde(skip_serializing_if = "PictureFlags::is_plain")]
     pub pictures: &'a PictureFlags,
     /// Columns and rows of the pictures: fewer than the grid's where that is very fine.
@@ -128,9 +128,9 @@ pub struct Facts<'a> {
     pub drawn: (usize, usize),
     /// A checksum of all that it depends on.
     pub tag: Option<u32>,
-    /// How it was refined, where that was asked for.
+    /// How it was refined, where that was requested.
     pub refined: Option<&'a RefineReport>,
-    /// How sharp its boundaries are, where that was asked for.
+    /// How sharp its boundaries are, where that was requested.
     pub sharpness: Option<Sharpness>,
     /// How its pictures are printed.
     pub pictures: &'a PictureFlags,
@@ -238,6 +238,6 @@ pub struct Timings {
     pub drawing: f64,
     /// Writing all files, the pictures at the same time.
     pub writing: f64,
-    /// The reference's sample, beside the files; none before, and where none was asked for.
+    /// The reference's sample, beside the files; none before, and where none was requested.
     pub verification: Option<f64>,
 }

@@ -7,7 +7,7 @@ use super::picture_flags::PictureFlags;
 /// A file that holds a whole map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum MapFile {
-    /// map.csv: a row a cell.
+    /// map.csv: one row per cell.
     Csv,
     /// map.npz: arrays for numpy.
     Npz,
@@ -31,7 +31,7 @@ impl MapFile {
         all.filter(|file| names.iter().any(|name| name == file.name())).collect()
     }
 
-    /// Those of a map of so many cells, unless others are asked for.
+    /// Those of a map of a given number of cells, unless others are requested.
     pub fn of(cells: usize) -> Vec<MapFile> {
         if cells <= LARGE { vec![MapFile::Csv, MapFile::Npz] } else { vec![MapFile::Zarr] }
     }

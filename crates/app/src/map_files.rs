@@ -29,7 +29,7 @@ const MAIN: &str = "map";
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
 
-/// The names of the files that the map of a scene gets of which some columns are asked for, those of a refined one among
+/// The names of the files that the map of a scene gets of which some columns are requested, those of a refined one among
 /// them.
 pub fn places(
     (scene, grid, asked): (&Scene, &Grid, ColumnSet),
@@ -127,14 +127,14 @@ fn name_of(number: usize) -> String {
     format!("{MAIN}-{:02}", number + 1)
 }
 
-/// The fields of a scene that have a picture each, beside the main one, of the columns that were asked for.
+/// The fields of a scene that have a picture each, beside the main one, of the requested columns.
 fn fields_of(scene: &Scene, asked: ColumnSet) -> impl Iterator<Item = &'static Field> {
     let directions = scene.isolation;
     let others = fields::FIELDS[1..].iter();
     others.filter(move |field| field.moves(directions) && asked.has(field.column))
 }
 
-/// The fields of the picture of contact forces, of the columns that were asked for: two, one or none.
+/// The fields of the picture of contact forces, of the requested columns: two, one or none.
 fn contact(asked: ColumnSet) -> Vec<&'static Field> {
     fields::CONTACT.iter().filter(|field| asked.has(field.column)).collect()
 }

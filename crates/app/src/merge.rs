@@ -31,29 +31,30 @@ const SAMPLE: usize = 96;
 #[derive(clap::Args)]
 #[command(after_help = examples::MERGE)]
 pub struct MergeCommand {
-    /// Directories of the runs with --tile, or the shards' own
+    /// Directories of the runs with --tile, or of their shards
     #[arg(value_name = "DIR", required = true)]
     shards: Vec<PathBuf>,
-    /// Directory for the map; made if need be
+    /// Directory for the map; created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     files: Vec<MapFile>,
-    /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
+    /// Number of cells that the reference computes again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
-    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv, .npz and .zarr
+    /// Refine the cells beside boundaries in K levels, each of half the cell size; writes pictures of the finest grid and the tables
+    /// leaves.csv, leaves.npz or leaves.zarr
     #[arg(long, value_name = "K")]
     refine: Option<u32>,
-    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
-    /// share of its range
+    /// With --refine: also split boxes in which ζ, min_contact or a stroke differs from the interpolation between their corners by more
+    /// than this share of its range
     #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
     smooth: Option<f64>,
-    /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long)]
     sharpness: bool,
-    /// Print nothing but errors
+    /// Print only errors
     #[arg(short, long)]
     quiet: bool,
     #[command(flatten)]

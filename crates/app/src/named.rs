@@ -10,7 +10,7 @@ fn none<T: Copy>(problem: &str, all: &[T], name: fn(T) -> &'static str) -> Strin
     format!("{problem}; there are {}", known.join(", "))
 }
 
-/// What is drawn for intervals.
+/// What is resampled for intervals.
 pub fn resample(text: &str) -> Result<Resample, String> {
     let problem = "nothing is drawn by this name";
     Resample::named(text).ok_or_else(|| none(problem, &Resample::ALL, Resample::name))

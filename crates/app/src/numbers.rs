@@ -22,10 +22,10 @@ pub type RecordNumbers = SectionNumbers<{ Section::Record as usize }>;
 /// Those of the simulation.
 pub type RunNumbers = SectionNumbers<{ Section::Run as usize }>;
 
-/// What the pulse looks like, and its numbers.
+/// The shape of the pulse, and its numbers.
 #[derive(Debug, Clone, Args)]
 pub struct PulseFlags {
-    /// What the pulse looks like [default: one-sine]
+    /// Shape of the pulse [default: one-sine]
     #[arg(long = "pulse", value_name = "SHAPE", help_heading = Section::Pulse.heading(), value_parser = one_of::<Shape>())]
     pub shape: Option<Shape>,
     /// Its numbers.
@@ -113,7 +113,7 @@ pub fn in_order(given: impl Iterator<Item = (usize, Parameter, Values)>) -> Numb
     numbers
 }
 
-/// A seed of what is drawn: the points of numbers that are not known have seeds of 32 bits.
+/// A seed of random draws: the points of numbers that are not known have seeds of 32 bits.
 pub fn seed(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u32::MAX))
 }

@@ -30,16 +30,16 @@ use super::words::with_flags;
 use super::written::one_of;
 use super::{InputError, memory, words};
 
-/// Where to and on what.
+/// Where results go, and what computes them.
 #[derive(Debug, Clone, clap::Args)]
 pub struct RunOptions {
-    /// Directory for the results; made if need be
+    /// Directory for the results; created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     pub out: PathBuf,
-    /// What to compute on; auto takes a real GPU, else the CPU [default: auto]
+    /// What computes; auto takes a real GPU if there is one, else the CPU [default: auto]
     #[arg(long, value_parser = one_of::<BackendRequest>())]
     pub backend: Option<BackendRequest>,
-    /// GPUs to compute on, by their numbers in topple adapters [default: all of the best one's kind]
+    /// GPUs to use, by their numbers in topple adapters [default: all that are of the same kind as the best one]
     #[arg(long, value_name = "N,...", value_delimiter = ',')]
     pub adapter: Vec<usize>,
     /// Number type of the sweep [default: f32]
@@ -54,67 +54,68 @@ pub struct RunOptions {
     /// Turn off the shortcuts that cannot change the result
     #[arg(long)]
     pub full_model: bool,
-    /// Accept numbers that are not plausible
+    /// Accept implausible numbers
     #[arg(long)]
     pub force: bool,
-    /// Threads of the CPU [default: as many as it has cores]
+    /// Threads of the CPU [default: one per core]
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<NonZeroUsize>,
-    /// Print nothing but warnings and errors
+    /// Print only warnings and errors
     #[arg(short, long)]
     pub quiet: bool,
     #[command(flatten)]
     pub pictures: PictureFlags,
 }
 
-/// What a map prints besides.
+/// What a map prints.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub struct Talk {
-    /// Print the time of each phase, too
+    /// Also print the time of each phase
     #[arg(short, long, conflicts_with = "quiet")]
     pub verbose: bool,
-    /// Print run.json in the place of words
+    /// Print run.json instead of text
     #[arg(long, conflicts_with_all = ["quiet", "verbose"])]
     pub json: bool,
 }
 
-/// What a map has besides.
+/// Further parts of a map.
 #[derive(Debug, Clone, clap::Args)]
 pub struct MapOptions {
     #[command(flatten)]
     pub run: RunOptions,
-    /// Go on with an interrupted run in the same directory
+    /// Continue an interrupted run in the same directory
     #[arg(long)]
     pub resume: bool,
-    /// Least time between two savings of finished cells, which --resume goes on from, s
+    /// Shortest time between two savings of finished cells for --resume, s
     #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
-    /// Run the k-th of n shards only, and leave it in the directory for topple merge
+    /// Run only the k-th of n shards and keep it in the directory for topple merge
     #[arg(long, value_name = "K/N", conflicts_with_all = ["verify", "files"])]
     pub tile: Option<Shard>,
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
-    /// Columns of the map, by their names in map.csv: a cell runs no longer than these need [default: all, also a value]
+    /// Columns of the map, by their names in map.csv, or all; a cell ends when these columns are final [default: all]
     #[arg(long, value_name = "NAME,...")]
     pub columns: Option<ColumnSet>,
-    /// Cells that the reference runs again, or none [default: 128, or as many as 30 s allow]
+    /// Number of cells that the reference computes again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     pub verify: Option<Verify>,
     /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
     #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
     pub repair: bool,
-    /// Halve the cells beside boundaries again and again, in K levels: pictures of the finest grid, leaves.csv, .npz and .zarr
+    /// Refine the cells beside boundaries in K levels, each of half the cell size; writes pictures of the finest grid and the tables
+    /// leaves.csv, leaves.npz or leaves.zarr
     #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
     pub refine: Option<u32>,
-    /// With --refine: split boxes, too, where ζ, min_contact or a stroke between their corners is off by more than this
-    /// share of its range
+    /// With --refine: also split boxes in which ζ, min_contact or a stroke differs from the interpolation between their corners by more
+    /// than this share of its range
     #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
     pub smooth: Option<f64>,
-    /// Tell how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
-    /// Print the expected time, memory and disk, and run a sample only
+    /// Run only a sample, and print the expected time, memory and room on the disk
     #[arg(long)]
     pub dry_run: bool,
     #[command(flatten)]
@@ -128,7 +129,7 @@ pub struct MapOptions {
 pub struct Verify(VerifySettings);
 
 impl Verify {
-    /// As settings; those of a run that asks for none in particular where nothing is said.
+    /// As settings; those of a run that asks for none in particular by default.
     pub fn settings(asked: Option<Verify>) -> VerifySettings {
         asked.map_or_else(VerifySettings::default, |Verify(settings)| settings)
     }
@@ -356,7 +357,7 @@ impl MapOptions {
     /// Refuses what is wrong with a scene before anything is made.
     ///
     /// # Errors
-    /// Those of the plan, and of what is not known.
+    /// Those of the plan, and of the numbers that are not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.pictures.print().map_err(InputError)?;
         if self.tile.is_some() && !self.run.pictures.is_plain() {
@@ -412,10 +413,10 @@ pub struct CommonFlags {
     object: Option<u32>,
     #[command(flatten)]
     block: BlockNumbers,
-    /// Directions in which the base moves; a locked one needs no period [default: dual]
+    /// Directions in which the base is isolated; a locked direction needs no period [default: dual]
     #[arg(long, value_name = "DIRECTIONS", help_heading = "Base", value_parser = one_of::<Directions>())]
     isolation: Option<Directions>,
-    /// What presses on a friction pendulum [default: follows]
+    /// Vertical force on a friction pendulum: follows the motion, or is constant [default: follows]
     #[arg(long, value_name = "FORCE", help_heading = "Base", value_parser = one_of::<Pressure>())]
     pressure: Option<Pressure>,
     #[command(flatten)]
@@ -425,13 +426,13 @@ pub struct CommonFlags {
     /// When a block counts as overturned [default: critical-angle]
     #[arg(long, value_name = "WHEN", help_heading = "Run", value_parser = one_of::<Overturn>())]
     overturn: Option<Overturn>,
-    /// Write the scene that the flags make (not how it is computed) to a new file, - is stdout; run nothing
+    /// Write the scene of these flags (not how it is computed) to a new file, or to stdout with -, and run nothing
     #[arg(long, value_name = "FILE", help_heading = "Run")]
     pub save_scene: Option<PathBuf>,
-    /// The number along the picture's horizontal axis
+    /// Number on the picture's horizontal axis
     #[arg(long, value_name = "KEY", help_heading = "Run", value_parser = parameter)]
     x: Option<Parameter>,
-    /// The number along the picture's vertical axis
+    /// Number on the picture's vertical axis
     #[arg(long, value_name = "KEY", help_heading = "Run", value_parser = parameter)]
     y: Option<Parameter>,
 }

@@ -12,15 +12,15 @@ use super::written::one_of;
 #[command(next_help_heading = "Pictures")]
 #[serde(default)]
 pub struct PictureFlags {
-    /// Title of the pictures, in the place of their own; of one of several it is followed by what that shows
+    /// Title of the pictures, instead of the usual one; if there are several pictures, what each shows follows the title
     #[arg(long, value_name = "TEXT", value_parser = title)]
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
-    /// Width of the pictures in print, 40 to 600 mm [default: 90, of a comparison 140]
+    /// Width of the pictures in print, 40 to 600 mm [default: 90; of a comparison 140]
     #[arg(long, value_name = "MM", value_parser = number, allow_negative_numbers = true)]
     #[serde(skip_serializing_if = "Option::is_none")]
     width: Option<f64>,
-    /// Size of the letters of the pictures, 4 to 40 points; lines and marks grow with them [default: 7]
+    /// Font size of the pictures, 4 to 40 points; lines and marks scale with it [default: 7]
     #[arg(long, value_name = "PT", value_parser = number, allow_negative_numbers = true)]
     #[serde(skip_serializing_if = "Option::is_none")]
     font_size: Option<f64>,

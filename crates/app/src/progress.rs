@@ -12,7 +12,7 @@ use super::interrupt;
 /// A phase that is over sooner shows no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// What is left is told in cells and their rate, or in a word.
+/// The remaining work is given in cells and their rate, or in a word.
 const CELLS: &str = "{bar:32} {percent:>3} %  {human_pos} of {human_len} cells  {rate}  {eta} left";
 
 /// A bar with cells a second and time left, on a terminal only.

@@ -7,7 +7,7 @@ use topple::scene::record::{Treatment, Units};
 
 use super::written::one_of;
 
-/// The record's files, and what they may not tell.
+/// The record's files, and what they may not state.
 #[derive(Debug, Clone, clap::Args)]
 pub struct RecordFlags {
     /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, AFAD, BBP, SAC, one or two columns [default: a
@@ -17,41 +17,41 @@ pub struct RecordFlags {
     /// Vertical record, positive up
     #[arg(long, value_name = "FILE")]
     vertical: Option<PathBuf>,
-    /// Channel of the horizontal record's file, where it has several: its number or its direction [default: the first
+    /// Channel of the horizontal record's file if it has several: its number or its direction [default: the first
     /// horizontal one]
     #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
     horizontal_channel: Option<String>,
     /// Channel of the vertical record's file [default: the first vertical one]
     #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
     vertical_channel: Option<String>,
-    /// Time between samples, s, where a file does not tell
+    /// Time between samples, s, if a file does not state it
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     dt: Option<f64>,
-    /// Units of the values, where a file does not tell
+    /// Units of the values, if a file does not state them
     #[arg(long, value_name = "g|m/s2|cm/s2", value_parser = one_of::<Units>())]
     units: Option<Units>,
     /// Second horizontal component, at a right angle to the first; --azimuth turns both
     #[arg(long, value_name = "FILE")]
     horizontal_2: Option<PathBuf>,
-    /// Channel of its file
+    /// Channel of the file of --horizontal-2
     #[arg(long, value_name = "NUMBER|DIRECTION", allow_hyphen_values = true)]
     horizontal_2_channel: Option<String>,
     /// Turn the horizontal components to this azimuth, degrees from north over east
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     azimuth: Option<f64>,
-    /// Azimuth of --horizontal, where its file does not tell
+    /// Azimuth of --horizontal, if its file does not state it
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     horizontal_azimuth: Option<f64>,
-    /// Azimuth of --horizontal-2, where its file does not tell
+    /// Azimuth of --horizontal-2, if its file does not state it
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     horizontal_2_azimuth: Option<f64>,
-    /// Record that follows, such as an aftershock: its horizontal component
+    /// Horizontal component of a second record that follows the first, such as an aftershock
     #[arg(long, value_name = "FILE")]
     join: Option<PathBuf>,
-    /// Its vertical component
+    /// Vertical component of the second record
     #[arg(long, value_name = "FILE")]
     join_vertical: Option<PathBuf>,
-    /// Zeros between both records, s [default: 30]
+    /// Time of rest between the two records, s [default: 30]
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     join_gap: Option<f64>,
     /// Put the base on a floor, a linear oscillator of this period, s
@@ -60,7 +60,7 @@ pub struct RecordFlags {
     /// Damping of the floor's oscillator, as a share of the critical one [default: 0.05]
     #[arg(long, value_name = "XI", allow_hyphen_values = true)]
     floor_damping: Option<f64>,
-    /// Factor on the oscillator's acceleration relative to the ground: the mode's share at the floor's height [default: 1]
+    /// Factor on the oscillator's acceleration relative to the ground: participation factor times mode shape at the floor [default: 1]
     #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
     floor_factor: Option<f64>,
 }

@@ -11,17 +11,17 @@ use super::suite::counted;
 use super::words::Reporter;
 use super::{InputError, examples};
 
-/// Write a report of one run or of several, for readers who decide: one HTML file, or a PDF.
+/// Write a report of one or several runs for those who decide, as one HTML file or a PDF.
 #[derive(clap::Args)]
 #[command(after_help = examples::REPORT)]
 pub struct ReportCommand {
-    /// Directories that commands of topple wrote with --out
+    /// Directories of results, written by commands of topple with --out
     #[arg(value_name = "DIR", required = true)]
     folders: Vec<PathBuf>,
-    /// The report: a name that ends in .html or .pdf
+    /// File of the report; its name ends with .html or .pdf
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-    /// Print nothing but errors
+    /// Print only errors
     #[arg(short, long)]
     quiet: bool,
 }

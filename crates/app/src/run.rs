@@ -27,7 +27,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         // A scene a sample is checked, which takes its time, too.
         interrupt::listen();
     }
-    // What is wrong with the scene is told before anything is made.
+    // A fault of the scene is reported before anything is made.
     options.check(scene)?;
     if options.uncertain.asked() {
         return probability::run(scene, options, place(scene, options)?);
@@ -139,7 +139,7 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
     Ok(place)
 }
 
-/// The map refined in so many levels, where that is asked for.
+/// The map refined in a given number of levels, where that is requested.
 pub fn refine(
     map: &MapSweep,
     backends: &[Backend],

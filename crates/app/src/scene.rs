@@ -14,17 +14,17 @@ use super::{InputError, examples, history, repetition, run, words};
 /// The scene that `topple` alone runs.
 pub const DEFAULT_SCENE: &str = include_str!("../../../scenes/default.toml");
 
-/// Run a scene from a file, or an earlier run again.
+/// Run a scene from a file, or repeat an earlier run.
 ///
-/// Of an earlier run the same scene is run, its record read again from where it lay or beside the results, on
-/// the same backend (cpu or reference), with the same precision, step and shortcuts, repaired, refined and smooth as then,
-/// with its sharpness, its files and its pictures' print where no flag says otherwise. map.npz and map.zarr tell the scene alone. An envelope, a
-/// fragility or a comparison is repeated by its own command; its suite, its hazard curve and its list of devices are looked for
-/// where they lay, beside the results and here.
+/// An earlier run is repeated with the same scene, backend (cpu or reference), precision, step, shortcuts, repair, refinement,
+/// sharpness, files and pictures, unless a flag says otherwise. Its record is looked for at its old place and beside the
+/// results. map.npz and map.zarr contain only the scene. An envelope, a fragility or a comparison is repeated by its own
+/// command; its suite, hazard curve and list of devices are looked for at their old places, beside the results and in the
+/// current directory.
 #[derive(clap::Args)]
 #[command(after_help = examples::RUN)]
 pub struct RunCommand {
-    /// A scene's file (TOML); a run.json, a map or a directory of results
+    /// Scene file (TOML), or a run.json, a map or a directory of results, to repeat that run
     #[arg(value_name = "SCENE.toml|RESULTS")]
     scene: PathBuf,
     #[command(flatten)]

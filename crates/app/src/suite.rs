@@ -16,23 +16,23 @@ use super::results_directory::Place;
 use super::words::{Reporter, with_columns};
 use super::{InputError, examples};
 
-/// Read a folder, a zip or a list of records as one suite, and tell what is in it.
+/// Read a folder, a zip or a list of records as one suite, and write a table of its motions.
 ///
-/// Each horizontal component is paired with the vertical of its station. What is missing or ambiguous is a line of
-/// the table without numbers, which says why.
+/// Each horizontal component is paired with the vertical component of its station. If a component is missing or ambiguous,
+/// its row of the table has no numbers and says why.
 #[derive(clap::Args)]
 #[command(after_help = examples::SUITE)]
 pub struct SuiteCommand {
-    /// A folder or a zip of records (PEER, ESM, K-NET, KiK-net), or a list (CSV) beside them
+    /// Folder or zip of records, or a list (CSV) in the folder of the records
     #[arg(value_name = "PATH")]
     path: PathBuf,
-    /// Directory for the results; made if need be
+    /// Directory for the results; created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = "topple-out")]
     out: PathBuf,
-    /// Refuse a suite in which anything is missing, ambiguous or unused
+    /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long)]
     strict: bool,
-    /// Print nothing but warnings and errors
+    /// Print only warnings and errors
     #[arg(short, long)]
     quiet: bool,
     #[command(flatten)]

@@ -24,28 +24,28 @@ use super::results_directory::{self, Place};
 use super::words::Reporter;
 use super::{InputError, interrupt, suite, words};
 
-/// Which motions, and how they are run.
+/// The motions, and how they are run.
 #[derive(clap::Args)]
 pub struct SuiteFlags {
-    /// A folder, a zip or a list of records, as of topple suite
+    /// Folder, zip or list of records, as for topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
     suite: PathBuf,
-    /// Refuse a suite in which anything is missing, ambiguous or unused
+    /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long, help_heading = "Suite")]
     strict: bool,
     /// Take each motion twice, its horizontal component in both directions
     #[arg(long, help_heading = "Suite")]
     both_directions: bool,
-    /// Cells that the reference runs again, of all motions together, or none [default: 128, or as many as 30 s allow]
+    /// Number of cells, of all motions together, that the reference computes again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
-    /// Go on with an interrupted run in the same directory, or with shards that --tile has left there
+    /// Continue an interrupted run in the same directory, or join the shards that --tile wrote there
     #[arg(long)]
     resume: bool,
-    /// Run the k-th of n shards of the motions only, and leave it in the directory for --resume
+    /// Run only the k-th of n shards of the motions and keep it in the directory for --resume
     #[arg(long, value_name = "K/N")]
     tile: Option<Shard>,
-    /// Print the expected time, and run a sample only
+    /// Run only a sample, and print the expected time
     #[arg(long)]
     dry_run: bool,
     /// The command line of the run that this one repeats.
@@ -157,7 +157,7 @@ impl SuiteFlags {
         if self.dry_run {
             let seconds = job.estimate(&screen).map_err(sweep_error)?;
             screen.clear();
-            // What is asked for is told, however quiet.
+            // The requested answer is printed even with --quiet.
             let say = Reporter::unless(false);
             say.line("cells", format!("{size}, {cells} together"));
             say.line("time", format!("about {} of sweep", duration(seconds)));
@@ -217,7 +217,7 @@ pub struct Times {
 }
 
 impl Times {
-    /// At so many points of numbers that are not known.
+    /// The number of points of the numbers that are not known.
     pub fn points(count: usize) -> Times {
         Times { count, what: "sets of numbers" }
     }

@@ -21,32 +21,32 @@ const NOT_BESIDE: [&str; 9] = [
 /// Sweeps where no count is given.
 const SAMPLES: u32 = 64;
 
-/// What of a map is not known.
+/// The numbers of a map that are not known.
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Uncertainty")]
 pub struct UncertainFlags {
-    /// A number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA), cut off
-    /// at two more numbers LOW,HIGH; writes probabilities in the place of the map
+    /// Distribution of a number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA); two more
+    /// numbers LOW,HIGH cut it off. Writes probabilities instead of the map
     #[arg(long, value_name = "KEY=DIST", conflicts_with_all = NOT_BESIDE)]
     vary: Vec<Varied>,
-    /// Each cell's axes have any value in its pixel; writes probabilities in the place of the map
+    /// Vary the axes over the pixel of each cell; writes probabilities instead of the map
     #[arg(long, conflicts_with_all = NOT_BESIDE)]
     pixel: bool,
-    /// Sweeps that tell the probabilities, best a power of two [default: 64]
+    /// Number of sweeps for the probabilities, best a power of two [default: 64]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=i64::from(MOST_SAMPLES)))]
     samples: Option<u32>,
-    /// Seed of the sweeps' points, up to 4294967295 [default: 0]
+    /// Seed of the sampling, at most 4294967295 [default: 0]
     #[arg(long, value_name = "N", value_parser = seed)]
     seed: Option<u32>,
 }
 
 impl UncertainFlags {
-    /// True where probabilities are asked for.
+    /// True where probabilities are requested.
     pub fn asked(&self) -> bool {
         self.pixel || !self.vary.is_empty()
     }
 
-    /// What is not known.
+    /// The numbers that are not known.
     pub fn uncertainty(&self) -> Uncertainty {
         Uncertainty {
             vary: self.vary.clone(),

@@ -283,7 +283,7 @@ pub fn sharpness(sharpness: &Sharpness) -> Vec<String> {
     if let (Some(s_b), Some(s_bb)) = (&sharpness.s_b, &sharpness.s_bb) {
         let says = match sharpness.above_ln_2 {
             true => "above ln 2: a boundary is fractal",
-            false => "not above ln 2, which decides nothing",
+            false => "not above ln 2: no conclusion",
         };
         lines.push(format!("S_b = {:.3}, S_bb = {} {boxes}, {says}", s_b.value, told(s_bb)));
     } else if let Some(s_b) = &sharpness.s_b {

@@ -2,8 +2,11 @@
 
 use serde_json::{Value, json};
 
+use super::first::first;
 use super::frame::type_of;
+use super::ranges::handy;
 use super::session::Session;
+use super::shown::shown;
 use super::stages::MOST;
 use topple::Written;
 use topple::backend::report::threads;
@@ -11,18 +14,19 @@ use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::results::colour::Colour;
 use topple::results::column_set::ColumnSet;
-use topple::results::columns::Column;
 use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
 use topple::results::ramp::{GREYS, PROBABILITY};
-use topple::scene::parameters::Section;
-use topple::scene::{Directions, Overturn, Pressure, description};
+use topple::scene::description::{self, Description};
+use topple::scene::parameters::{Entry, PARAMETERS, Section};
+use topple::scene::{Directions, Overturn, Pressure};
+use topple::stepping::outcome::Class;
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A choice of words: the key, its section, and each word with what it means.
+/// A choice of words: the key, its section, and each word with its meaning, the default one first.
 fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
     let told = words.iter().map(|(word, label)| json!({ "value": word, "label": label }));
     json!({
@@ -30,6 +34,8 @@ fn choice(section: Section, key: &str, words: &[(Value, &str)]) -> Value {
         "section": section.key(),
         "applies": section.applies(),
         "values": told.collect::<Vec<Value>>(),
+        // A block is one of the reader's own by default.
+        "first": words.first().filter(|_| key != "object").map(|(word, _)| word),
     })
 }
 
@@ -93,36 +99,58 @@ fn columns() -> Vec<Value> {
 fn kinds() -> Vec<Value> {
     let told = Kind::all().into_iter().map(|kind| {
         let colour = kind.colour();
-        json!({ "label": kind.label(), "colour": hex(colour), "dots": hex(dots(colour)) })
+        json!({
+            "label": kind.label(),
+            "colour": hex(colour),
+            "dots": hex(dots(colour)),
+            "overturns": overturns(kind),
+            "unresolved": kind == Kind::Unresolved,
+        })
     });
     told.collect()
 }
 
-/// The columns that are drawn as shades.
-const QUANTITIES: [Column; 6] = [
-    Column::Zeta,
-    Column::MaxU,
-    Column::MaxV,
-    Column::StrokeV,
-    Column::MinContact,
-    Column::Friction,
-];
+/// The table of parameters, each with the range of its slider.
+fn parameters() -> Vec<Value> {
+    let with_range = |(entry, described): (&Entry, Description)| {
+        let mut told = json!(described);
+        told["handy"] = json!(handy(entry.parameter));
+        told
+    };
+    PARAMETERS.iter().zip(description::parameters()).map(with_range).collect()
+}
 
-/// All that does not hang on a session.
+/// True of the classes of blocks that overturn.
+fn overturns(kind: Kind) -> bool {
+    matches!(kind, Kind::DirectLeft | Kind::DirectRight | Kind::Impacts(_) | Kind::More)
+}
+
+/// The codes of the column `outcome` that the page draws in a colour of their own.
+fn codes() -> Value {
+    let overturned = Class::ALL.iter().enumerate().filter(|(_, class)| class.overturned());
+    json!({
+        "overturned": overturned.map(|(code, _)| code).collect::<Vec<usize>>(),
+        "unresolved": Class::ALL.iter().position(|class| *class == Class::Unresolved),
+    })
+}
+
+/// All that does not depend on a session.
 pub fn tables() -> Value {
     let sections = Section::ALL
         .map(|own| json!({ "key": own.key(), "heading": own.heading(), "applies": own.applies() }));
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "sections": sections,
-        "parameters": description::parameters(),
+        "parameters": parameters(),
         "alternatives": description::alternatives(),
         "words": words(),
         "columns": columns(),
         "kinds": kinds(),
+        "codes": codes(),
         "dotted": DOTTED,
-        "hatched": "contact force tensile, or friction beyond what is given: the model does not hold",
-        "quantities": QUANTITIES.map(|column| column.entry().name),
+        "hatched": "contact force tensile, or friction beyond what is given: the model is not valid",
+        "shown": shown(),
+        "first": first(),
         "shades": {
             "fallen": hex(FALLEN),
             "marked": hex(MARKED),
@@ -158,7 +186,29 @@ pub fn about(session: &Session) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use topple::scene::keys;
+    use topple::scene::{SceneBuilder, keys};
+
+    /// What the page shows where nothing is chosen is what a scene has by default.
+    #[test]
+    fn the_first_word_is_the_default() {
+        use topple::scene::Parameter::{AH, Mu, Omega, Radius, TV};
+        let scene = SceneBuilder::object(1).pulse(Shape::default());
+        let given = [(Radius, 1.5), (Mu, 0.06), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];
+        let scene = given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value));
+        let scene = scene.check().unwrap();
+        let first = |key: &str| {
+            words()
+                .iter()
+                .find(|word| word["key"] == key)
+                .map(|word| word["first"].clone())
+                .unwrap()
+        };
+        assert_eq!(first("isolation"), json!(scene.isolation));
+        assert_eq!(first("overturn"), json!(scene.overturn));
+        assert_eq!(first("pressure"), json!(scene.pressure));
+        assert_eq!(first("shape"), json!(Shape::default()));
+        assert!(first("object").is_null());
+    }
 
     /// The words of a scene that the page offers are those that its file has, but for the record's files and what
     /// a page has no use for.

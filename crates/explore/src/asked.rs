@@ -48,7 +48,7 @@ impl AskedPrecision {
     }
 }
 
-/// Values along an axis of which neighbours are to be told apart, however many cells are asked for: a view, its
+/// Values along an axis of which neighbours are to be told apart, however many cells are requested: a view, its
 /// sections and its files are of one number type.
 const VALUES: u32 = 1025;
 
@@ -83,7 +83,7 @@ pub fn axes(flat: &Flat) -> Result<[Parameter; 2], Refused> {
     Ok([x, y])
 }
 
-/// Reads a scene whose axes have so many values; none: every number is single.
+/// Reads a scene whose axes have a given number of values; none: every number is single.
 ///
 /// # Errors
 /// The first key at fault.

@@ -39,7 +39,7 @@ fn typed<T: DeserializeOwned>(whole: &Map<String, Value>) -> Result<T, String> {
     T::deserialize(whole).map_err(|error| error.to_string())
 }
 
-/// The key of a value of another type than is asked for: without it nothing is wrong, or it is missing. That of a
+/// The key of a value of another type than is requested: without it nothing is wrong, or it is missing. That of a
 /// value within a table is its own.
 fn at_fault<T: DeserializeOwned>(whole: &Map<String, Value>) -> Option<String> {
     let is_well = |without: &Map<String, Value>, key: &str| match typed::<T>(without) {

@@ -30,7 +30,7 @@ pub struct MapRequest {
     /// The suite, where the view is one of shares over its motions.
     #[serde(default)]
     pub suite: Option<String>,
-    /// What a base must do under it.
+    /// The limits that a base must keep under it.
     #[serde(default)]
     pub limits: AskedLimits,
 }
@@ -108,7 +108,7 @@ fn flags(session: &Session, given: &SceneBuilder) -> Vec<String> {
     flags
 }
 
-/// How a number type is asked for, where it is not the usual one.
+/// How a number type is requested, where it is not the usual one.
 fn precise(precision: Precision) -> Option<String> {
     (precision == Precision::F64).then(|| "--precision=f64".into())
 }

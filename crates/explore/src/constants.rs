@@ -4,6 +4,7 @@
 use serde_json::{Map, Value, json};
 
 use super::asked::SYNTHETIC;
+use super::first;
 use super::frame::type_of;
 use topple::Written;
 use topple::backend::gpu::pace::DISPATCH_TURNS;
@@ -21,9 +22,7 @@ use topple::results::palette::{Kind, OPEN};
 use topple::scene::block::OBJECTS;
 use topple::scene::device::{LEAST_PERIOD, Pressure, SLIDER_YIELD};
 use topple::scene::record::Pair;
-use topple::scene::{
-    Directions, GRAVITY, Overturn, Parameter, SceneBuilder, SceneError, description,
-};
+use topple::scene::{Directions, GRAVITY, Overturn, SceneError, description};
 use topple::stepping::outcome::Class;
 use topple::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
@@ -45,7 +44,7 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
         "objects": objects(),
         "parameters": description::parameters(),
         "alternatives": description::alternatives(),
-        "defaults": defaults()?,
+        "defaults": first::defaults()?,
         "words": {
             "isolation": Directions::ALL,
             "pressure": Pressure::ALL,
@@ -108,17 +107,6 @@ fn shape(shape: Shape) -> Value {
         // Of those that neither cycles nor gamma make.
         "periods": shape.periods(1.0, 1.0),
     })
-}
-
-/// What a scene has where nothing is said, read off one that was completed.
-fn defaults() -> Result<Value, SceneError> {
-    use Parameter::{AH, Omega, TH, TV};
-    let given = [(TH, 1.0), (TV, 1.0), (Omega, 1.0), (AH, 1.0)];
-    let scene = SceneBuilder::object(1).pulse(Shape::MavroeidisPapageorgiou);
-    let scene =
-        given.into_iter().fold(scene, |scene, (of, value)| scene.with(of, value)).check()?;
-    let own = scene.numbers.iter().filter(|(of, _)| given.iter().all(|(known, _)| known != of));
-    Ok(own.map(|(of, values)| (of.key().to_string(), json!(values.first()))).collect())
 }
 
 /// The places of kinds in the list of all.

@@ -57,7 +57,7 @@ pub fn type_of(kind: ColumnKind) -> &'static str {
     }
 }
 
-/// Numbers begin at multiples of so many bytes, as typed arrays of a page want it.
+/// Numbers begin at multiples of a given number of bytes, as typed arrays of a page want it.
 const ALIGNED: usize = 8;
 /// Bytes of the length of a header.
 const LENGTH: usize = 4;

@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 /// Letters of a token.
 const LETTERS: usize = 32;
 
-/// A word that nobody guesses, in the address of the page.
+/// A word that cannot be guessed, in the address of the page.
 #[derive(Debug, Clone)]
 pub struct Token(String);
 

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 pub struct File {
     /// `gpu/engine.js`.
     pub path: &'static str,
-    /// Its type, as a browser is told.
+    /// Its media type.
     pub kind: &'static str,
     /// What it holds.
     pub bytes: &'static [u8],

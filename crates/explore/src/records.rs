@@ -53,7 +53,21 @@ pub fn plain_name(name: &str) -> String {
         plain.push(letter);
     }
     let name = plain.trim_matches([' ', '.']).to_string();
-    if name.is_empty() { "record".into() } else { name }
+    match name {
+        name if name.is_empty() => "record".into(),
+        name if is_device(&name) => format!("record-{name}"),
+        name => name,
+    }
+}
+
+/// True of a name that opens a device on Windows, whatever stands behind its first dot.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_ascii_lowercase();
+    let numbered = stem.strip_prefix("com").or(stem.strip_prefix("lpt"));
+    ["con", "prn", "aux", "nul"].contains(&stem.as_str())
+        || numbered.is_some_and(|number| {
+            number.len() == 1 && number != "0" && number.parse::<u8>().is_ok()
+        })
 }
 
 /// The first name, of that given and those with numbers before it, that is free, or whose file `is_it`.
@@ -72,7 +86,7 @@ impl Records {
     /// The folder that goes with the session.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn folder(&self) -> io::Result<PathBuf> {
         // What is stored is whole, whoever panicked.
         let mut folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
@@ -97,7 +111,7 @@ impl Records {
     /// Keeps a file's bytes; its name here. A file of the same name and other contents has another one.
     ///
     /// # Errors
-    /// Those of the disk, and more bytes than a session keeps.
+    /// Errors of the disk, and more bytes than a session keeps.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Result<String, Refused> {
         let mut places = self.places.lock().unwrap_or_else(PoisonError::into_inner);
         let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
@@ -194,7 +208,7 @@ impl Records {
         let peak =
             pga.map_or_else(Numbers::default, |pga| Numbers::default().with(Parameter::Pga, pga));
         let pair = check_record(&places, &peak, Path::new(""), force).map_err(|error| {
-            // A file is told by its name, not by where it lies.
+            // A file is identified by its name, not by its folder.
             let names =
                 [(&places.horizontal, &text.horizontal), (&places.vertical, &text.vertical)];
             let problem = names.into_iter().fold(error.problem, |problem, names| match names {
@@ -268,6 +282,11 @@ mod tests {
             ("a\0b.txt", "ab.txt"),
             ("H+90 (1).AT2", "H+90 (1).AT2"),
             ("", "record"),
+            ("nul", "record-nul"),
+            ("Aux .v2", "record-Aux .v2"),
+            ("com1.txt", "record-com1.txt"),
+            ("com0.txt", "com0.txt"),
+            ("console.txt", "console.txt"),
         ] {
             assert_eq!(plain_name(name), plain);
         }

@@ -15,7 +15,7 @@ use topple_studies::suites::SuiteError;
 pub struct Refused {
     /// The key of the scene at fault, or of the request; none where it is no single one.
     pub key: Option<String>,
-    /// What is wrong and what to do.
+    /// The fault and the remedy.
     pub problem: String,
     /// The line to show.
     pub line: String,

@@ -51,7 +51,7 @@ pub struct Ready {
     pub grid: Grid,
     /// How they are computed.
     pub settings: RunSettings,
-    /// What runs them.
+    /// The backend that runs them.
     pub opened: Arc<OpenBackends>,
 }
 

@@ -35,12 +35,12 @@ pub struct ViewRequest {
     /// The suite, for shares over its motions.
     #[serde(default)]
     pub suite: Option<String>,
-    /// What a base must do under it.
+    /// The limits that a base must keep under it.
     #[serde(default)]
     pub limits: AskedLimits,
 }
 
-/// What a base must do, as the page asks it: numbers in texts, and an empty one for none.
+/// The limits that a base must keep, as the page asks it: numbers in texts, and an empty one for none.
 #[derive(Debug, Clone, Default, Deserialize)]
 pub struct AskedLimits {
     /// Share of the motions under which the block must stand; all without it.

@@ -26,7 +26,7 @@ fn is_whole(parameter: Parameter) -> bool {
 }
 
 impl Stages {
-    /// Those of a view that asks for so many cells along its axes, about. Along whole numbers there is one stage alone.
+    /// Those of a view that asks for a given number of cells along its axes, about. Along whole numbers there is one stage alone.
     ///
     /// # Errors
     /// The keys `x` and `y`.
@@ -38,7 +38,7 @@ impl Stages {
         Ok(Stages { count, levels: if whole { 0 } else { levels } })
     }
 
-    /// Cells along both axes of the stage whose gaps are those of the finest, doubled so many times.
+    /// Cells along both axes of the stage whose gaps are those of the finest, doubled a given number of times.
     pub fn count(&self, doubled: u32) -> [u32; 2] {
         self.count.map(|count| ((count - 1).next_multiple_of(1 << self.levels) >> doubled) + 1)
     }

@@ -43,7 +43,7 @@ fn read(folder: &Path, whole: &[String]) -> Result<Suite, Refused> {
         (None, _) => Suite::read(folder, false),
         (Some(first), other) => first.or_else(|error| other.ok_or(error)),
     };
-    // A file is told by its name, not by where it lies.
+    // A file is identified by its name, not by its folder.
     found.map_err(|error| {
         let place = folder.display().to_string();
         let within = format!("{place}{MAIN_SEPARATOR}");

@@ -35,7 +35,7 @@ const PROBES: usize = 500;
 
 /// Marks of a cell.
 pub const HATCHED: u8 = 1;
-/// Nothing can be said of it.
+/// The outcome of it is not known.
 pub const CROSSED: u8 = 2;
 /// It overturns about the right corner after impacts.
 pub const DOTTED: u8 = 4;
@@ -144,7 +144,7 @@ pub fn kind(outcome: &Outcome, kinds: &[Kind]) -> u8 {
     kinds.iter().position(|kind| *kind == own).unwrap_or(kinds.len()) as u8
 }
 
-/// The marks of a cell; `beyond`: the model does not hold somewhere.
+/// The marks of a cell; `beyond`: the model is not valid somewhere.
 pub fn marks(outcome: &Outcome, beyond: bool) -> u8 {
     let mark = |is: bool, mark: u8| if is { mark } else { 0 };
     mark(beyond, HATCHED)

@@ -78,7 +78,7 @@ fn is_one(one: &AdapterInfo, other: &AdapterInfo) -> bool {
 
 /// The way to the drivers: none without a Vulkan loader.
 ///
-/// Vulkan is asked for no windows of Wayland or X11. Mesa's layer for choosing a device connects to
+/// No windows of Wayland or X11 are requested of Vulkan. Mesa's layer for choosing a device connects to
 /// the window system of a program that asks for its windows, and libwayland complains on stderr where
 /// XDG_RUNTIME_DIR is not set, as over ssh and in containers.
 #[cfg(any(target_os = "linux", target_os = "freebsd"))]
@@ -136,7 +136,7 @@ pub fn best(precision: Precision) -> Result<Adapter, BackendError> {
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`], [`BackendError::NoSuchAdapter`], [`BackendError::Unlike`], and
-/// [`BackendError::NoF64`] where `f64` is asked for.
+/// [`BackendError::NoF64`] where `f64` is requested.
 pub fn choose(precision: Precision, numbers: &[usize]) -> Result<Vec<Adapter>, BackendError> {
     let all = all();
     let Some(best) = all.first() else { return Err(BackendError::NoAdapter) };

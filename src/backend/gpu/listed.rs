@@ -76,7 +76,7 @@ impl Tile {
         Some(())
     }
 
-    /// Makes the tile one of so many listed cells, whose places begin at `listed` in `words`.
+    /// Makes the tile one of a given number of listed cells, whose places begin at `listed` in `words`.
     pub fn list(&mut self, cells: usize, listed: usize, firsts: &Firsts) {
         // A tile has fewer than 2^32 cells, and a buffer fewer words.
         (self.cells, self.order, self.blocks) = (cells as u32, LISTED, listed as u32);

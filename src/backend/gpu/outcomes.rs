@@ -20,7 +20,7 @@ pub struct DeviceOutcomes<R> {
     pub block: Block,
     /// Cells that are in them, the first ones.
     pub done: usize,
-    /// The first switches of each cell, as many for each as were asked for.
+    /// The first switches of each cell, as many for each as were requested.
     pub events: Vec<Event<R>>,
     /// Time in the shader, by the device's clock; none on a device that has no such clock.
     pub device: Option<Duration>,

@@ -50,7 +50,7 @@ impl Pace {
         self.tile as usize
     }
 
-    /// Learns what so many turns of at most so many cells took, by the host's clock and by the
+    /// Learns what so many turns of at most a given number of cells took, by the host's clock and by the
     /// device's. The longer one counts: a device's clock that stands still must not let work grow
     /// past what a driver allows.
     pub fn learn(&mut self, work: u32, cells: usize, host: Duration, device: Option<Duration>) {

@@ -80,7 +80,7 @@ impl<'a> Sweeper<'a> {
         Sweeper { gpu, pipelines, events_kept, most_cells }
     }
 
-    /// The same with tiles of so many cells at most: a test asks for many small ones.
+    /// The same with tiles of at most a given number of cells: a test asks for many small ones.
     pub fn in_tiles_of(self, cells: usize) -> Sweeper<'a> {
         Sweeper { most_cells: cells, ..self }
     }

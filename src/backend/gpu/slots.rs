@@ -77,7 +77,7 @@ pub struct Flight {
     pub clock: Option<(QuerySet, Buffer)>,
 }
 
-/// A buffer of so many bytes, four at least.
+/// A buffer of a given number of bytes, four at least.
 pub fn buffer(gpu: &OpenDevice, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer(&BufferDescriptor {
         label: Some(label),
@@ -103,7 +103,7 @@ const UNIFORM: BufferUsages = BufferUsages::UNIFORM.union(BufferUsages::COPY_DST
 const BACK: BufferUsages = BufferUsages::MAP_READ.union(BufferUsages::COPY_DST);
 
 impl Slots {
-    /// Slots for two tiles of so many cells, with place for `events_kept` switches of each.
+    /// Slots for two tiles of a given number of cells, with place for `events_kept` switches of each.
     pub fn new<R: Real>(gpu: &OpenDevice, tile: usize, events_kept: usize) -> Slots {
         let slots = (SIDES * tile) as u64;
         let state_size = size_of::<State<R>>() as u64;
@@ -149,7 +149,7 @@ impl Slots {
         }
     }
 
-    /// True where they do for tiles of so many cells.
+    /// True where they do for tiles of a given number of cells.
     pub fn suit<R: Real>(&self, tile: usize, events_kept: usize) -> bool {
         self.tile >= tile
             && self.state_size == size_of::<State<R>>() as u64

@@ -81,7 +81,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// That of entries of so many numbers each, from a place on, which cells find by their places; none where they do
+    /// That of entries of a given number of numbers each, from a place on, which cells find by their places; none where they do
     /// not.
     pub fn by_place(index: &Index, first: usize, size: usize) -> Option<Layout> {
         let Index::ByPlace(strides, before) = index else { return None };
@@ -92,7 +92,7 @@ impl Layout {
         Some(Layout { first, strides: strides.map(word), more: 0 })
     }
 
-    /// That of entries of so many numbers each, from a place on, whose number is a listed cell's place along an axis.
+    /// That of entries of a given number of numbers each, from a place on, whose number is a listed cell's place along an axis.
     pub fn by_number(axis: usize, first: usize, size: usize) -> Layout {
         let mut layout = Layout { first: first as u32, ..Layout::default() };
         layout.strides[axis] = size as u32;
@@ -113,7 +113,7 @@ pub const BLOCK_WIDTH: usize = 8;
 pub const BLOCK_HEIGHT: usize = 4;
 
 impl Tile {
-    /// Puts cells that follow one another in a grid of so many columns in the tile; the threads that make them. None
+    /// Puts cells that follow one another in a grid of a given number of columns in the tile; the threads that make them. None
     /// where they do not, and where the device cannot count so many rows.
     pub fn place(&mut self, columns: usize, cells: &[usize]) -> Option<usize> {
         let first = cells.first().copied().unwrap_or(0);

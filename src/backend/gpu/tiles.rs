@@ -58,7 +58,7 @@ pub struct Tiles<'a, R> {
 }
 
 impl<'a, R: Real> Tiles<'a, R> {
-    /// The tiles of the cells of a list, of so many at most.
+    /// The tiles of the cells of a list, of at most a given number of cells each.
     pub fn new(
         gpu: &'a OpenDevice,
         pipelines: &'a Pipelines,

@@ -1,4 +1,4 @@
-//! Motions in full contact of which only bounds are kept of each gap: where no contact force is asked for, as many
+//! Motions in full contact of which only bounds are kept of each gap: where no contact force is requested, as many
 //! motions at once as a vector has lanes.
 
 use fearless_simd::Level;

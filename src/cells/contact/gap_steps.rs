@@ -34,7 +34,7 @@ struct PartEnd {
     rest: u32,
 }
 
-/// The ends of parts in a step of gaps of so many steps.
+/// The ends of parts in a step of gaps of a given number of steps.
 fn in_step(parts: u32, substeps: u32, step: u32) -> impl Iterator<Item = PartEnd> {
     let apart = parts_apart(parts, substeps);
     let numbers = (apart..parts).step_by(apart as usize);

@@ -48,7 +48,7 @@ enum Source<'a, R> {
     Sampled(&'a SampledMotion<R>),
 }
 
-/// Stores what motions of both directions have, in so many fields, of which `crest` and those from `inside` on are each
+/// Stores what motions of both directions have, in a given number of fields, of which `crest` and those from `inside` on are each
 /// direction's own; `others` stores the rest of one that was sampled. Those of `kept` that are missing were sampled.
 fn stored<R: Real>(
     [fields, crest, inside]: [usize; 3],

@@ -9,7 +9,7 @@ use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
 /// Puts each motion of a set on a lane; the motions, nothing in them, whose gaps are
-/// kept in so many parts.
+/// kept in a given number of parts.
 #[inline(always)]
 pub(crate) fn load<V: Vector, L: Listener<V>>(
     lanes: &mut Lanes<V, L>,

@@ -74,7 +74,7 @@ pub(crate) fn full_contact<R: Real>(
 /// More than any contact force, m/s^2, and any friction; no number type loses it.
 const MOST: f64 = 1.0e30;
 
-/// True where a block in full contact that has not lifted stays so, and all that is asked for is final.
+/// True where a block in full contact that has not lifted stays so, and all that is requested is final.
 #[inline(always)]
 fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
     let (none, tried) = (set.model.height.mask(0), set.model.height.mask(1));

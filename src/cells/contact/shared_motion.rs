@@ -192,7 +192,7 @@ fn beyond<R: Real>() -> R {
 }
 
 impl<R: Real> SampledMotion<R> {
-    /// A motion of so many samples, nothing in it.
+    /// A motion of a given number of samples, nothing in it.
     pub(crate) fn of(count: usize, parts: u32) -> SampledMotion<R> {
         SampledMotion {
             samples: Vec::with_capacity(count),

@@ -20,7 +20,7 @@ pub(super) struct Channel<'a> {
 }
 
 impl Channel<'_> {
-    /// What it is called in messages: `2 (Up)`.
+    /// Its name in messages: `2 (Up)`.
     fn name(&self, place: usize) -> String {
         let number = self.number.map_or(place + 1, |number| number as usize);
         match self.word.is_empty() {
@@ -58,7 +58,7 @@ pub(super) fn parts(text: &str, begins: impl Fn(&str) -> bool) -> Vec<(usize, &s
     parts
 }
 
-/// The channel that is taken, and what has to be said of that: the one that was asked for; else the first that can be
+/// The channel that is taken, and what has to be said of that: the one that was requested; else the first that can be
 /// the wanted component.
 pub(super) fn choose<'a>(
     channels: Vec<Channel<'a>>,

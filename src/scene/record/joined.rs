@@ -8,7 +8,7 @@ use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};
 use crate::written::Written;
 
-/// Peak below which units that were given by hand are questioned, g: maps are asked for of stronger motions.
+/// Peak below which units that were given by hand are questioned, g: maps are requested of stronger motions.
 const WEAK: f64 = 0.1;
 
 /// Peak above which values that are said to be in g are questioned: few records have more.

@@ -19,7 +19,7 @@ impl<'a> Lines<'a> {
         Lines::after(text, 0)
     }
 
-    /// Those of a part of a file, with so many lines before it.
+    /// Those of a part of a file, with a given number of lines before it.
     pub fn after(text: &'a str, before: usize) -> Lines<'a> {
         Lines { lines: text.lines().peekable(), next: before }
     }

@@ -56,7 +56,7 @@ pub struct Record {
     pub samples: Vec<f64>,
     /// What its file states of it.
     pub stated: Stated,
-    /// What the reader had to decide, in a sentence each.
+    /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
 }
 
@@ -94,7 +94,7 @@ pub enum RecordError {
     Line {
         /// The line.
         line: usize,
-        /// What is wrong and what to do.
+        /// The fault and the remedy.
         problem: String,
     },
     /// Something is wrong with the whole.

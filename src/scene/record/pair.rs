@@ -28,7 +28,7 @@ pub struct Pair {
     pub pga_v: f64,
     /// The factor on what the files hold.
     pub factor: f64,
-    /// What had to be decided, in a sentence each.
+    /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
     /// Where it came from; none of a motion that was made. It is no part of a run's identity.
     #[serde(skip)]
@@ -50,7 +50,7 @@ impl Pair {
     /// that each keeps its samples, linear between them; the longer duration, with zeros after the shorter one's end.
     ///
     /// # Errors
-    /// A record of fewer than two samples, a sample or a time step that makes no sense, time steps without such a divisor,
+    /// A record of fewer than two samples, an invalid sample or time step, time steps without such a divisor,
     /// and more samples of the pair than a record may have: those of a step that is far finer than the other's, for example.
     pub fn new(horizontal: Record, vertical: Option<Record>) -> Result<Pair, RecordError> {
         for record in [Some(&horizontal), vertical.as_ref()].into_iter().flatten() {

@@ -1,13 +1,13 @@
 //! Bytes of a text file in whatever encoding, with whatever line ends; and files of other programs by their first bytes.
 
+use crate::scene::bounded::{self, utf16};
+
 /// The bytes as text, its lines ended as they are here.
 pub(super) fn of(bytes: &[u8]) -> String {
     let text = match bytes {
-        [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes),
         _ if is_wide(bytes, 1) => utf16(bytes, u16::from_le_bytes),
         _ if is_wide(bytes, 0) => utf16(bytes, u16::from_be_bytes),
-        _ => std::str::from_utf8(bytes).map_or_else(|_| western(bytes), String::from),
+        _ => bounded::unicode(bytes).unwrap_or_else(|| western(bytes)),
     };
     lines_of_here(text)
 }
@@ -22,7 +22,7 @@ fn western(bytes: &[u8]) -> String {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).iter().map(letter).collect()
 }
 
-/// Letters by which a text in UTF-16 without a mark is told.
+/// Number of letters by which a text in UTF-16 without a byte order mark is recognised.
 const WIDE: usize = 32;
 
 /// True of a text in UTF-16 without a mark: every other byte of its beginning is a zero, from `zero` on.
@@ -63,12 +63,6 @@ fn lines_of_here(text: String) -> String {
         }
     }
     lines
-}
-
-fn utf16(bytes: &[u8], number: fn([u8; 2]) -> u16) -> String {
-    let (units, _) = bytes.as_chunks::<2>();
-    let units: Vec<u16> = units.iter().map(|unit| number(*unit)).collect();
-    String::from_utf16_lossy(&units)
 }
 
 /// What to do with a file of another program, known by its first bytes.

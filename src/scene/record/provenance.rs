@@ -47,7 +47,7 @@ pub struct RecordFile {
     pub format: String,
     /// What it says that it is.
     pub title: String,
-    /// The channel that was asked for, of a file with several.
+    /// The channel that was requested, of a file with several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub channel: Option<String>,
     /// Its units.
@@ -87,7 +87,7 @@ impl RecordFile {
     /// Where the file lies now: its own path, or one of its name in the given folders, if its bytes are the same.
     ///
     /// # Errors
-    /// What is there in its place, and what to do.
+    /// What is in its place, and the remedy.
     pub fn find(&self, folders: &[&Path]) -> Result<PathBuf, String> {
         let name = self.path.file_name().unwrap_or_default();
         let places = folders.iter().map(|folder| folder.join(name));

@@ -73,7 +73,7 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
     parsed(bytes, hints).map(|(record, ..)| record)
 }
 
-/// A format: its name, how a file of it is told, and how it is read.
+/// A format: its name, how a file of this format is recognised, and how it is read.
 type Format = (&'static str, fn(&str) -> bool, fn(&str, &RecordHints) -> Result<Raw, RecordError>);
 
 /// The formats, in the order in which they are looked for: any text may be columns.

@@ -6,7 +6,7 @@ use super::steps::at;
 use super::{DIGITS, Pair, Record, RecordError, rounded};
 
 impl Pair {
-    /// This motion, then so many seconds of zeros, then another motion, whose samples stay what they are where both have
+    /// This motion, then a given number of seconds of zeros, then another motion, whose samples stay what they are where both have
     /// one time step.
     ///
     /// # Errors

@@ -17,7 +17,7 @@ pub struct Stated {
     pub azimuth: Option<f64>,
     /// When the first sample was taken, s from an epoch that all records share.
     pub start: Option<f64>,
-    /// The channel that was asked for, of a file with several.
+    /// The channel that was requested, of a file with several.
     pub channel: Option<String>,
     /// All channels of a file with several: the number that each is chosen by, and its component.
     pub channels: Vec<(String, Option<Component>)>,

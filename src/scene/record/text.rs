@@ -1,5 +1,5 @@
-//! From the bytes of a file to its text: other encodings are turned into UTF-8, and what is no record is told by its first
-//! bytes.
+//! From the bytes of a file to its text: other encodings are converted to UTF-8, and a file that is not a record is recognised
+//! by its first bytes.
 
 use super::{RecordError, plain};
 use crate::scene::bounded;

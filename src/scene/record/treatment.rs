@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::scene::SceneError;
 
-/// Zeros between two records that follow one another where nothing is said, s.
+/// Zeros between two records that follow one another by default, s.
 pub const GAP: f64 = 30.0;
-/// Damping of a floor's oscillator where nothing is said.
+/// Damping of a floor's oscillator by default.
 pub const DAMPING: f64 = 0.05;
 
 /// The numbers of what is made of a record, as written.
@@ -59,7 +59,7 @@ impl Treatment {
     /// Checks the numbers alone.
     ///
     /// # Errors
-    /// The key of one that makes no sense.
+    /// The key of an invalid one.
     pub fn check(&self) -> Result<(), SceneError> {
         for (key, value) in self.given() {
             let (holds, must) = match key {

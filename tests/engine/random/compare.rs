@@ -46,7 +46,7 @@ pub struct Comparison {
     pub excused: Option<&'static str>,
 }
 
-/// Columns that a sweep has where they are asked for.
+/// Columns that a sweep has where they are requested.
 const ON_REQUEST: [&str; 3] = ["acc_plate", "acc_block", "stop_force"];
 
 /// What the columns of [`NUMBERS`] may be off by, the spread apart: a thousandth of themselves and

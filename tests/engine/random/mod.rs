@@ -62,7 +62,7 @@ impl Run<'_> {
         }
     }
 
-    /// The plan of the scene. One with a device that the paper has not is asked for all that there is; the others for what
+    /// The plan of the scene. Of one with a device that the paper has not, everything is requested; of the others what
     /// a map has by default, which leaves them their shortcuts.
     fn plan(&self, precision: Precision) -> Plan {
         let plan = Plan::new(&self.case.scene, DEFAULT_STEP).unwrap().at(precision);

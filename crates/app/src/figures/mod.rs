@@ -61,20 +61,20 @@ const MOTIONS: &str = include_str!("../../../../scenes/motions.toml");
 /// Name of the motions' file in a directory of scenes.
 const MOTIONS_FILE: &str = "motions";
 
-/// Draw every figure of the paper, and further ones.
+/// Draw the figures of the paper, and further ones.
 #[derive(clap::Args)]
 #[command(after_help = examples::FIGURES)]
 pub struct FiguresCommand {
     /// Only these figures, as in fig12 [default: all]
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
-    /// Directory with the records that the figures name; what is missing is synthetic, and said
+    /// Directory with the records that the figures name; a missing record is replaced by a synthetic one, as the picture says
     #[arg(long, value_name = "DIR", env = "TOPPLE_RECORDS")]
     records: Option<PathBuf>,
-    /// Directory of figures and motions.toml in place of the built-in ones
+    /// Directory with figures and motions.toml, instead of the built-in ones
     #[arg(long, value_name = "DIR")]
     scenes: Option<PathBuf>,
-    /// Points of every axis, in place of what the figures say
+    /// Points of every axis, instead of those of the figures
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=MOST))]
     cells: Option<u32>,
     #[command(flatten)]

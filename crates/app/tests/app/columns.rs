@@ -1,4 +1,4 @@
-//! Columns that are asked for: no file has others, and what cannot be drawn without these is said.
+//! Columns that are requested: no file has others, and what cannot be drawn without these is said.
 
 use std::fs;
 use std::path::Path;

@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use crate::common::refused;
 
-/// A file of a component at an azimuth, of so many samples of 0.01 s.
+/// A file of a component at an azimuth, of a given number of samples of 0.01 s.
 fn component(folder: &Path, name: &str, azimuth: &str, count: usize) -> String {
     let mut text = format!(
         "PEER NGA STRONG MOTION DATABASE RECORD\nA Quake, 1/2/2003, Town, {azimuth}\n\

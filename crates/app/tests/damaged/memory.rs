@@ -15,7 +15,7 @@ struct Counting;
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// Counts bytes that are asked for; false where there are too many.
+/// Counts bytes that are requested; false where there are too many.
 fn take(bytes: usize) -> bool {
     let held = HELD.fetch_add(bytes, Ordering::Relaxed).saturating_add(bytes);
     MOST.fetch_max(held, Ordering::Relaxed);

@@ -3,13 +3,6 @@ import { choicesOf, isBeside } from './choices.js';
 import { axisPatch, excitationOf, homeRange, parameterOf } from './scene.js';
 import { handy, middle } from './ranges.js';
 
-/** Numbers that a moving base must have. */
-const NEEDED = { t_h: '1.75', t_v: '0.75' };
-/** Under a suite a base stays the same whatever shakes it: it yields at a displacement. */
-const FIXED_YIELD = { key: 'u_y', text: '0.02' };
-/** Axes to fall back on, by what shakes the base. */
-const AXES = { pulse: ['omega', 'a_h'], record: ['t_h', 't_v', 'eccentricity', 'scale'], suite: ['t_h', 't_v', 'eccentricity', 'scale'] };
-
 /** True where a key means something in a state. */
 export function applies(about, state, key) {
   const entry = [...about.parameters, ...about.words].find((known) => known.key === key);
@@ -22,8 +15,9 @@ export const choicesIn = (state) => choicesOf(state.scene, excitationOf(state) =
 
 /** Keeps numbers that a change drops, and brings them back when they mean something again. */
 export function createKeeper(about) {
+  const { needed, axes: fallbacks, yield: fixed, pendulum } = about.first;
   // Numbers that say when a base yields.
-  const yields = about.alternatives.find((keys) => keys.includes(FIXED_YIELD.key));
+  const yields = about.alternatives.find((keys) => keys.includes(fixed.key));
   const kept = { ...about.scene };
   delete kept.x;
   delete kept.y;
@@ -53,7 +47,7 @@ export function createKeeper(about) {
       }
     }
     settlePendulum(scene, state.scene);
-    for (const [key, text] of Object.entries(NEEDED)) {
+    for (const [key, text] of Object.entries(needed)) {
       // Its stiffness or its radius says the period of a device.
       if (key === 't_h' && (scene.k1 || scene.radius)) continue;
       if (!scene[key] && applies(about, next, key)) scene[key] = single(kept[key]) ?? text;
@@ -79,19 +73,19 @@ export function createKeeper(about) {
       return;
     }
     for (const key of ['psi', 'k2', 'alpha_y', 'yield_force', 'qd']) scene[key] = '';
-    scene.mu = scene.mu || '0.06';
+    scene.mu = scene.mu || pendulum.mu;
   }
 
   function fixYield(next) {
     const { scene } = next;
-    if (excitationOf(next) !== 'suite' || yields.some((key) => key !== 'alpha_y' && scene[key]) || scene.radius || !applies(about, next, FIXED_YIELD.key)) return;
+    if (excitationOf(next) !== 'suite' || yields.some((key) => key !== 'alpha_y' && scene[key]) || scene.radius || !applies(about, next, fixed.key)) return;
     scene.alpha_y = '';
-    scene[FIXED_YIELD.key] = FIXED_YIELD.text;
+    scene[fixed.key] = fixed.text;
   }
 
   function replaceAxes(next) {
     const { scene } = next;
-    const choices = [...AXES[excitationOf(next)], 'eccentricity', 't_max'];
+    const choices = [...fallbacks[excitationOf(next)], 'eccentricity', 't_max'];
     for (const which of ['x', 'y']) {
       const other = scene[which === 'x' ? 'y' : 'x'];
       // Its stiffness or its radius says the period of a device.
@@ -107,7 +101,7 @@ export function createKeeper(about) {
   function bringBack(next) {
     const { scene } = next;
     if (excitationOf(next) !== 'pulse') return;
-    for (const key of AXES.pulse) {
+    for (const key of fallbacks.pulse) {
       if (!scene[key]) scene[key] = single(kept[key]) ?? String(middle(handy(parameterOf(about, key))));
     }
   }

@@ -15,9 +15,9 @@ import { suggestion } from './suggest.js';
 const SLOTS = ['cell', 'cell2'];
 /** How near an event is to the time that is shown, s. */
 const NEAR = 1e-4;
-const ONE = 'Click a cell of the map: its block rocks here in its own time. Click with Shift to set a second one beside it.';
-const MANY = 'Under a suite a cell has a motion for each of its records. To see one, shake the base by a pulse or by one record.';
-const STORED = 'Motions are computed, and this browser computes none here: it has no WebGPU. topple explore shows them, and so does this page in a browser with WebGPU.';
+const ONE = 'Click a cell of the map to see the motion of its block here. Click another cell with Shift to see both side by side.';
+const MANY = 'Under a suite each cell has one motion per record. To see a motion, choose a pulse or a single record.';
+const STORED = 'This page has no WebGPU here, so it cannot compute motions. Use topple explore, or a browser with WebGPU.';
 const WORDS = { uplift: 'uplift', impact: 'impact', rest: 'comes to rest', overturned: 'overturned', stop: 'meets the end stop' };
 
 /** Ties the open cells to the state. */

@@ -9,10 +9,6 @@ const OWN = {
   pendulum: ['radius', 'mu', 'pressure'],
   bearing: ['k1', 'k2', 'qd'],
 };
-const PENDULUM = { radius: '1.5', mu: '0.06' };
-/** A bearing's period after it yields, s; its stiffness before, over that after; its strength, over the weight. */
-const BEARING = { period: 2, stiffer: 10, strength: 0.05 };
-const GRAVITY = 9.81;
 
 /** The device of a scene. */
 export const deviceOf = (scene) => (scene.radius ? 'pendulum' : scene.k1 ? 'bearing' : 'spring');
@@ -26,14 +22,15 @@ export function createDevice(about, change, mass) {
   const element = make('div', { class: 'word' }, make('label', { for: 'word-device' }, 'Carried by'), select);
 
   async function choose(device) {
+    const { needed, pendulum, bearing, gravity } = about.first;
     const none = Object.fromEntries(Object.values(OWN).flat().map((key) => [key, '']));
-    if (device === 'spring') change({ scene: { ...none, t_h: '1.75' } }, true);
-    else if (device === 'pendulum') change({ scene: { ...none, u_y: '', ...PENDULUM } }, true);
+    if (device === 'spring') change({ scene: { ...none, t_h: needed.t_h } }, true);
+    else if (device === 'pendulum') change({ scene: { ...none, u_y: '', ...pendulum } }, true);
     else {
       const carried = await mass();
-      const soft = carried * ((2 * Math.PI) / BEARING.period) ** 2;
-      const strength = BEARING.strength * carried * GRAVITY;
-      change({ scene: { ...none, u_y: '', k1: short(BEARING.stiffer * soft), k2: short(soft), qd: short(strength) } }, true);
+      const soft = carried * ((2 * Math.PI) / bearing.period) ** 2;
+      const strength = bearing.strength * carried * gravity;
+      change({ scene: { ...none, u_y: '', k1: short(bearing.stiffer * soft), k2: short(soft), qd: short(strength) } }, true);
     }
   }
 

@@ -9,9 +9,9 @@ const KINDS = {
   csv: 'CSV, all columns as a table',
   toml: 'TOML, the scene',
 };
-const AGAIN = 'The map is computed again at the resolution of the screen, with its legend; pictures show what the page shows.';
-const SHOWN = 'The map as it is shown. Files of data are saved by topple explore.';
-const OF_SUITE = 'The map as it is shown. Files of data of a suite are written by the command line.';
+const AGAIN = 'The map is computed again at the resolution of the screen, with its legend. Pictures show what the page shows.';
+const SHOWN = 'The map as it is shown. Only topple explore saves files of data.';
+const OF_SUITE = 'The map as it is shown. The command line writes the files of data of a suite.';
 /** Cells that the reference runs again. */
 const SAMPLE = 64;
 const HELP = {
@@ -110,7 +110,7 @@ export function createDialogs(engine, store, explorer, tell) {
 
   const verify = byId('verify');
   verify.disabled = !engine.can.verify;
-  verify.title = engine.can.verify ? `The reference runs ${SAMPLE} of the cells in view again` : 'Only topple itself has the reference';
+  verify.title = engine.can.verify ? `The reference computes ${SAMPLE} of the cells in view again` : 'Only topple itself has the reference';
   verify.onclick = async () => {
     const asked = JSON.stringify(view());
     verify.disabled = true;

@@ -22,11 +22,11 @@ export const shownOf = (state) => state.show || (excitationOf(state) === 'suite'
 const holds = (frame, show) => Boolean(show === 'outcome' ? frame.arrays.kind : frame.arrays[show]);
 
 /** What is done for each picture, in words. */
-const DOING = { coarse: 'Drawing a first picture', fine: 'Drawing a finer picture', refined: 'Sharpening the boundaries' };
+const DOING = { coarse: 'Drawing the first picture', fine: 'Drawing a finer picture', refined: 'Refining the boundaries' };
 
 /** What a picture is, in words. */
 function stateOf({ stage, shape, note, probes, cells }, seconds, last) {
-  if (!last) return stage === 'coarse' ? 'A first picture; a finer one comes.' : 'A finer picture; its boundaries are sharpened.';
+  if (!last) return stage === 'coarse' ? 'First picture; a finer one follows.' : 'Finer picture; the boundaries are being refined.';
   const time = seconds ? ` in ${read(seconds, 2)} s` : '';
   const all = count(shape[0] * shape[1]);
   const rest = probes?.probes ? ' Cells inside an area of one colour are filled in from its cells; random checks found ' + (probes.missed ? `${probes.missed} of ${count(probes.probes)} wrong.` : 'no mistake.') : '';

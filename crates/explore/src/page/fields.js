@@ -2,16 +2,14 @@
 import { applies, axisChange, choicesIn } from './applies.js';
 import { isBeside } from './choices.js';
 import { byId, make } from './dom.js';
-import { createDevice } from './device.js';
+import { createDevice, deviceOf } from './device.js';
 import { createRow } from './row.js';
 
-/** Values of words where none is given. */
-const FIRST = { isolation: 'dual', pressure: 'follows', shape: 'one-sine', overturn: 'critical-angle', force: 'false' };
 const NAMES = { object: 'Block', isolation: 'Moves', pressure: 'Pendulum pressed', shape: 'Shape', overturn: 'Overturned', force: 'Implausible numbers' };
 /** Words of a choice that say more than its label, or less. */
 const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
 /** A choice that is the page's own. */
-const FORCE = { key: 'force', section: 'run', values: [{ value: 'false', label: 'are refused' }, { value: 'true', label: 'are accepted' }] };
+const FORCE = { key: 'force', section: 'run', first: 'false', values: [{ value: 'false', label: 'are refused' }, { value: 'true', label: 'are accepted' }] };
 /** Numbers that few scenes have, in groups that are closed until they are needed. */
 const GROUPS = {
   'Another measure of it': ['offset', 'size', 'slenderness', 'inertia'],
@@ -32,6 +30,8 @@ export function createFields(about, store, act) {
   const device = createDevice(about, act.change, act.masses);
   const change = (scene, resting) => act.change({ scene }, resting);
   const axis = (which, key) => act.change(axisChange(about, store.state, which, key), true);
+  /** The default that a number has with the device of a scene, where it is another one. */
+  const ofDevice = (scene, key) => about.first.defaults[deviceOf(scene)][key];
 
   for (const section of about.sections) {
     const { key, heading } = section;
@@ -50,7 +50,7 @@ export function createFields(about, store, act) {
       body.append(made.element);
     }
     for (const parameter of about.parameters.filter((entry) => entry.section === key)) {
-      const row = createRow(parameter, { change, axis });
+      const row = createRow(parameter, { change, axis, ofDevice });
       rows.push(row);
       const name = groupOf(parameter.key);
       (name ? group(name) : body).append(row.element);
@@ -60,12 +60,12 @@ export function createFields(about, store, act) {
     byId('sections').append(details);
   }
 
-  function createWord({ key, values }) {
+  function createWord({ key, values, first }) {
     const options = values.map(({ value, label }) => make('option', { value }, LABELS[key]?.(value, label) ?? label));
     if (key === 'object') options.push(make('option', { value: '' }, 'a block of your own'));
     const pick = () => {
       if (key === 'object' && select.value === '') act.own();
-      else change({ [key]: select.value === FIRST[key] ? '' : select.value }, true);
+      else change({ [key]: select.value === first ? '' : select.value }, true);
     };
     const select = make('select', { id: `word-${key}`, change: pick, 'aria-describedby': `problem-${key}` }, ...options);
     const problem = make('p', { class: 'problem', id: `problem-${key}`, role: 'alert', hidden: true });
@@ -74,7 +74,7 @@ export function createFields(about, store, act) {
       key,
       element,
       update(scene) {
-        select.value = scene[key] ?? FIRST[key] ?? '';
+        select.value = scene[key] ?? first ?? '';
       },
       refuse(line) {
         problem.hidden = !line;

@@ -141,7 +141,7 @@ export function createFiles(engine, store, change, tell) {
     const pair = make('button', { type: 'button', click: () => {
       const of = (role) => told.filter((_, k) => selects[k].value === role);
       if (of('horizontal').length !== 1 || of('vertical').length > 1) {
-        say(words, 'One file is the horizontal component; the other one is vertical or not used.');
+        say(words, 'One file is the horizontal component. The other one is the vertical component or is not used.');
         return;
       }
       dialog.close();
@@ -165,13 +165,13 @@ export function createFiles(engine, store, change, tell) {
     const words = make('p', { class: 'problem', role: 'alert' });
     const done = make('button', { type: 'button', click: () => {
       if (needs.includes('dt') && !(parse(dt.value) > 0)) {
-        say(words, 'The step is a number of seconds above 0.');
+        say(words, 'Give the time step in seconds, a number above 0.');
         return;
       }
       dialog.close();
       shake({ ...scene, dt: needs.includes('dt') ? dt.value.trim() : '', units: needs.includes('units') ? units.value : '' });
     } }, 'Shake the base with it');
-    const dialog = openDialog('The file does not tell all', ...rows, words, done);
+    const dialog = openDialog('The file does not state everything', ...rows, words, done);
   }
 
   function update(state) {

@@ -51,17 +51,22 @@ export function writeLegend(about, picture, axes) {
   const list = [];
   const spoken = [];
   if (picture.show === 'outcome') {
+    let headed = false;
     about.kinds.forEach((kind, k) => {
       if (!shares.counts[k]) return;
-      const crossed = k === about.kinds.length - 1;
-      list.push(entry(filled(kind.colour, crossed ? 'cross' : ''), kind.label, part(shares.counts[k])));
-      spoken.push([shares.counts[k], `${kind.label} ${part(shares.counts[k])}`]);
+      if (kind.overturns && !headed) list.push(make('li', { class: 'head' }, 'Overturns after'));
+      headed ||= kind.overturns;
+      list.push(entry(filled(kind.colour, kind.unresolved ? 'cross' : ''), kind.label, part(shares.counts[k])));
+      spoken.push([shares.counts[k], `${kind.overturns ? 'overturns after ' : ''}${kind.label} ${part(shares.counts[k])}`]);
     });
     // Without a share, as in a figure: it says how to read colours whose shares stand above.
-    if (shares.dotted) list.push(entry(filled(about.shades.marked, 'dots'), about.dotted));
+    if (shares.dotted) {
+      list.push(entry(filled(about.shades.marked, 'dots'), about.dotted));
+      list.at(-1).classList.add('line');
+    }
   } else {
     const { arrays } = picture.frame;
-    const outcomes = about.kinds.reduce((sum, _, k) => sum + (k >= 2 && k < about.kinds.length - 1 ? shares.counts[k] : 0), 0);
+    const outcomes = about.kinds.reduce((sum, { overturns }, k) => sum + (overturns ? shares.counts[k] : 0), 0);
     if (outcomes && arrays.outcome) {
       list.push(entry(filled(about.shades.fallen), 'overturned', part(outcomes)));
       spoken.push([outcomes, `overturned ${part(outcomes)}`]);
@@ -96,6 +101,6 @@ function writeScale(about, picture) {
   const bar = make('canvas', { width: 256, height: 1, class: 'bar', 'aria-hidden': 'true' });
   const pixels = Uint32Array.from({ length: 256 }, (_, k) => shade(about, name, k / 255));
   bar.getContext('2d').putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), 256, 1), 0, 0);
-  const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => make('span', {}, isShare(name) ? `${100 * share} %` : read(low + share * (high - low), 3)));
-  host.replaceChildren(make('p', {}, titleOf(name)), bar, make('div', { class: 'numbers' }, ...marks));
+  const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => make('span', {}, isShare(about, name) ? `${100 * share} %` : read(low + share * (high - low), 3)));
+  host.replaceChildren(make('p', {}, titleOf(about, name)), bar, make('div', { class: 'numbers' }, ...marks));
 }

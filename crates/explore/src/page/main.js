@@ -6,7 +6,6 @@ import { openEngine } from './engine.js';
 import { createFields } from './fields.js';
 import { readCell, writeReadout } from './readout.js';
 import { axesOf, axesPatch, caption, cellScene, excitationOf, homeRange, motionKey } from './scene.js';
-import { titleOf } from './shades.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { startTour } from './tour.js';
@@ -172,8 +171,8 @@ function createShow(about, change) {
     const suite = excitationOf(state) === 'suite';
     if (filled !== String(suite)) {
       filled = String(suite);
-      const names = suite ? ['overturned', 'standing', 'rocked', 'max_u', 'stroke_v'] : ['outcome', ...about.quantities];
-      select.replaceChildren(...names.map((value) => make('option', { value }, titleOf(value))));
+      const all = suite ? about.shown.suite : about.shown.map;
+      select.replaceChildren(...all.map(({ name, title }) => make('option', { value: name }, title)));
     }
     select.value = shownOf(state);
   };

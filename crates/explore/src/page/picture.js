@@ -2,11 +2,6 @@
 import { make } from './dom.js';
 import { scaleOf, shadesOf, word } from './shades.js';
 
-/** Codes of the column `outcome` of cells that have overturned. */
-const FALLEN = [2, 3];
-/** The code of cells of which nothing can be said. */
-const UNRESOLVED = 4;
-
 /** The picture of a frame: its canvas, its scale where a number is shown, and what is shown. */
 export function createPicture(frame, about, show) {
   const [nx, ny] = frame.shape;
@@ -34,9 +29,10 @@ function kinds(frame, about, words) {
 function shaded(frame, about, show, values, words) {
   const [nx, ny] = frame.shape;
   const outcome = frame.arrays.outcome;
-  const fallen = (k) => outcome !== undefined && FALLEN.includes(outcome[k]);
-  const unknown = (k) => outcome !== undefined && outcome[k] === UNRESOLVED;
-  const scale = scaleOf(show, values, (k) => !fallen(k) && !unknown(k));
+  const { overturned, unresolved } = about.codes;
+  const fallen = (k) => outcome !== undefined && overturned.includes(outcome[k]);
+  const unknown = (k) => outcome !== undefined && outcome[k] === unresolved;
+  const scale = scaleOf(about, show, values, (k) => !fallen(k) && !unknown(k));
   const shades = shadesOf(about, scale);
   const [gone, blank] = [word(about.shades.fallen), word('#ffffff')];
   const times = (shades.length - 1) / (scale.high - scale.low || 1);

@@ -3,8 +3,8 @@ import { make, symbol } from './dom.js';
 import { parse } from './numbers.js';
 import { PLACES, numberAt, placeOf } from './sliders.js';
 
-/** The rule, the default and the source of a parameter in words. */
-function helpText(parameter) {
+/** The rule, the default and the source of a parameter in words; `ofDevice` is the default of the scene's device, if it is another one. */
+function helpText(parameter, ofDevice) {
   const { low, high, plausible, low_included: lowIncluded, high_included: highIncluded } = parameter;
   const range = [];
   const above = lowIncluded ? `${low} or more` : `above ${low}`;
@@ -14,7 +14,8 @@ function helpText(parameter) {
   if (parameter.whole) range.push('whole');
   const words = [parameter.meaning.replace(/^./, (letter) => letter.toUpperCase())];
   if (range.length) words.push(`Range: ${range.join('; ')}`);
-  if (parameter.default) words.push(`Default: ${parameter.default}`);
+  if (ofDevice !== undefined) words.push(`Default with this device: ${ofDevice}`);
+  else if (parameter.default) words.push(`Default: ${parameter.default}`);
   if (parameter.source) words.push(`Source: ${parameter.source} of the paper`);
   return `${words.join('. ')}.`;
 }
@@ -44,9 +45,10 @@ const put = (input, text) => {
 };
 
 /**
- * The row of a parameter. `change(scene, resting)` hears its changes, `axis(which, key)` that it becomes an axis.
+ * The row of a parameter. `change(scene, resting)` hears its changes, `axis(which, key)` that it becomes an axis; `ofDevice(scene, key)` is its
+ * default with the scene's device, where that is another one.
  */
-export function createRow(parameter, { change, axis }) {
+export function createRow(parameter, { change, axis, ofDevice }) {
   const { key, unit, meaning } = parameter;
   // The first part in words: e/B is none.
   const told = meaning.split(/[;:,]/);
@@ -54,7 +56,7 @@ export function createRow(parameter, { change, axis }) {
   const title = `${parameter.symbol}: ${short}${unit ? `, ${unit}` : ''}`;
   const [helpId, problemId] = [`help-${key}`, `problem-${key}`];
   const described = { 'aria-describedby': problemId };
-  const help = make('p', { class: 'help', id: helpId, hidden: true }, helpText(parameter));
+  const help = make('p', { class: 'help', id: helpId, hidden: true });
   const explain = () => {
     help.hidden = !help.hidden;
     name.setAttribute('aria-expanded', String(!help.hidden));
@@ -62,10 +64,10 @@ export function createRow(parameter, { change, axis }) {
   const asks = { class: 'name', 'aria-expanded': 'false', 'aria-controls': helpId, 'aria-label': `What is ${title}?`, title: short };
   const name = make('button', { type: 'button', ...asks, click: explain }, symbol(parameter.symbol), ' ', short);
   const set = (text, resting) => change({ [key]: text }, resting);
-  const first = /^[\d.-]+/.exec(parameter.default)?.[0] ?? '';
+  const usual = /^[\d.-]+/.exec(parameter.default)?.[0] ?? '';
   const slide = () => set(String(numberAt(parameter, Number(slider.value))), false);
   const slider = make('input', { type: 'range', min: 0, max: PLACES, step: 1, 'aria-label': title, input: slide });
-  const named = { id: `field-${key}`, 'aria-label': title, placeholder: first, ...described };
+  const named = { id: `field-${key}`, 'aria-label': title, ...described };
   const number = field(named, (text) => set(text, true));
   const ends = () => set([from.value, to.value].map((text) => text.trim()).join(':') + (log.checked ? ':log' : ''), true);
   const from = field({ 'aria-label': `${title}, from`, class: 'end', ...described }, ends);
@@ -95,6 +97,8 @@ export function createRow(parameter, { change, axis }) {
       element.classList.toggle('is-axis', which >= 0);
       element.classList.toggle('is-set', text !== '');
       buttons.forEach((button, k) => button.setAttribute('aria-pressed', String(k === which)));
+      const own = ofDevice(scene, key);
+      help.textContent = helpText(parameter, own);
       if (which >= 0) {
         const words = text.split(':');
         put(from, words[0] ?? '');
@@ -103,6 +107,8 @@ export function createRow(parameter, { change, axis }) {
         return;
       }
       put(number, text);
+      const first = String(own ?? usual);
+      number.placeholder = first;
       const shown = parse(text === '' ? first : text);
       const place = String(placeOf(parameter, shown));
       // A slider that is held stays where it is: several places may have one number.

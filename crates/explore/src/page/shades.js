@@ -3,27 +3,11 @@ import { roundStep } from './axis.js';
 
 /** Steps of a scale at most. */
 const STEPS = 10;
-/** Columns of a suite that are shares of its motions. */
-const SHARES = new Set(['overturned', 'standing', 'rocked']);
-
-/** Numbers whose scale has ends of its own. */
-const FIXED = { zeta: [0, 1], min_contact: [0, 10], friction_demand: [0, 1] };
-/** What the numbers that can be shown are called. */
-const TITLES = {
-  outcome: 'outcomes',
-  zeta: 'ζ = max |φ| / α',
-  max_u: 'max |u| [m]',
-  max_v: 'max |v| [m]',
-  stroke_v: 'max |v + g/ω_v²| [m]',
-  min_contact: 'min N/M [m/s²]',
-  friction_demand: 'friction needed, max |S|/N',
-  overturned: 'share of motions that overturn the block',
-  standing: 'share of motions under which it stands',
-  rocked: 'share of motions under which it rocks',
-};
+/** What a map can show by a name: its title, the ends of its scale if they are fixed, whether it is a share. */
+const shownAs = ({ shown }, name) => [...shown.map, ...shown.suite].find((known) => known.name === name);
 
 /** What a column is called. */
-export const titleOf = (name) => TITLES[name] ?? name.replaceAll('_', ' ');
+export const titleOf = (about, name) => shownAs(about, name)?.title ?? name.replaceAll('_', ' ');
 
 /** A colour of hexadecimal digits, for little-endian pixels. */
 export function word(hex) {
@@ -34,12 +18,13 @@ export function word(hex) {
 const rgb = (red, green, blue) => ((255 << 24) | (blue << 16) | (green << 8) | red) >>> 0;
 
 /** True for a column that is a share of a suite's motions. */
-export const isShare = (name) => SHARES.has(name);
+export const isShare = (about, name) => Boolean(shownAs(about, name)?.share);
 
 /** The colour of a share of a scale, as a word. Twin: src/results/ramp.rs. */
-export function shade({ shades: { probability, greys: [light, dark] } }, name, share) {
+export function shade(about, name, share) {
+  const { probability, greys: [light, dark] } = about.shades;
   const at = Math.min(1, Math.max(0, share));
-  if (isShare(name)) {
+  if (isShare(about, name)) {
     const along = (name === 'standing' ? 1 - at : at) * (probability.length - 1);
     const k = Math.min(probability.length - 2, Math.floor(along));
     return rgb(...probability[k].map((part, c) => Math.round(part + (probability[k + 1][c] - part) * (along - k))));
@@ -49,8 +34,8 @@ export function shade({ shades: { probability, greys: [light, dark] } }, name, s
 }
 
 /** The scale of a column over the cells that count: round numbers around them, or its own ends. */
-export function scaleOf(name, values, counts) {
-  const fixed = FIXED[name] ?? (isShare(name) ? [0, 1] : null);
+export function scaleOf(about, name, values, counts) {
+  const fixed = shownAs(about, name)?.ends;
   if (fixed) return { name, low: fixed[0], high: fixed[1], step: roundStep((fixed[1] - fixed[0]) / STEPS) };
   let low = Infinity;
   let high = -Infinity;

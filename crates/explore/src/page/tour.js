@@ -2,13 +2,13 @@
 import { byId, make, say } from './dom.js';
 
 const KEY = 'topple-tour';
-/** What is told of each place, and the place. */
+/** The text for each place, and the place. */
 const STEPS = [
-  ['.map', 'Each point of the map is one earthquake on one block: green stands, the other colours overturn. Drag and zoom it.'],
-  ['.map', 'Click a point: the block rocks there in its own time, with every impact.'],
-  ['.shaken', 'A pulse shakes the base, or a record of an earthquake, or a whole suite of them: drop files on the page.'],
-  ['#sections', 'Move a number, and the map follows. Its name tells what it means; x and y make it an axis of the map.'],
-  ['.tools', 'Command gives the line that makes this map in a terminal, Save its files. Help has the keys, and this tour again.'],
+  ['.map', 'Each point of the map is one simulation: green blocks stand, all other colours overturn. Drag the map to move it, turn the wheel to zoom.'],
+  ['.map', 'Click a point to see the motion of its block, with every impact.'],
+  ['.shaken', 'The base is shaken by a pulse, by a record of an earthquake, or by a suite of records. Drop files of records on the page.'],
+  ['#sections', 'Move a slider, and the map follows. Click the name of a number for its meaning; x and y make it an axis of the map.'],
+  ['.tools', 'Command shows the command line that makes this map, Save writes its files. Help lists the keys and shows this tour again.'],
 ];
 
 /** True where the tour was seen; a page without storage shows none. */

@@ -12,7 +12,7 @@ MOVES = int(os.environ.get("TOPPLE_MOVES", "300"))
 AIMS = {"coarse": 100, "fine": 400}
 GENEROUS = 40
 # A window whose map has 513 x 513 cells: those that the times are of.
-LARGE = {"viewport": {"width": 1400, "height": 963}}
+LARGE = {"viewport": {"width": 1400, "height": 986}}
 CELLS = "513 × 513"
 # A view of few cells, so that many views are quick.
 SMALL = {"viewport": {"width": 360, "height": 640}}

@@ -231,7 +231,7 @@ def test_cells_of_random_scenes_are_the_librarys(page):
     told = page.evaluate(RANDOM)
     print(told["cells"], told["refused"])
     assert told["wrong"] == []
-    assert told["cells"] > 2000 and told["refused"] > 20
+    assert told["cells"] > 7000 and told["refused"] > 70
 
 
 # What the page shows and what its engine refuses, for every combination of choices and each number.

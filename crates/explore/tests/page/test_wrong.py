@@ -190,6 +190,39 @@ def test_the_map_grows_where_no_motion_needs_the_room(open_page):
     assert alone["width"] > 1050 and alone["height"] > 650
 
 
+@pytest.mark.parametrize("width, height", [(1280, 800), (1280, 720), (1920, 1080)])
+def test_the_line_below_the_map_is_in_sight_beside_the_tour(open_page, width, height):
+    page = open_page("#tour", viewport={"width": width, "height": height})
+    page.settle()
+    page.page.locator("#tour").wait_for(state="visible")
+    below = page.page.locator("#state").evaluate("line => line.getBoundingClientRect().bottom")
+    assert below <= height, (below, height)
+
+
+def test_a_default_is_that_of_the_device(open_page):
+    page = open_page()
+    page.settle()
+    damping = page.page.locator("#field-xi_h")
+    assert damping.get_attribute("placeholder") == "0.05"
+    page.page.select_option("#word-device", "pendulum")
+    page.settle()
+    assert damping.get_attribute("placeholder") == "0"
+    assert "Default with this device: 0." in page.page.locator("#help-xi_h").text_content()
+    page.page.select_option("#word-device", "spring")
+    page.settle()
+    assert damping.get_attribute("placeholder") == "0.05"
+
+
+def test_the_legend_says_what_overturns(open_page):
+    page = open_page()
+    page.settle()
+    lines = page.page.locator("#legend li").all_inner_texts()
+    heads = [k for k, line in enumerate(lines) if line == "Overturns after"]
+    assert len(heads) == 1 and heads[0] > 0
+    assert not any("impact" in line for line in lines[: heads[0]])
+    assert "0 impacts" in lines[heads[0] + 1]
+
+
 def test_a_tour_is_shown_once_and_again_when_asked(open_page):
     page = open_page("#tour")
     tour = page.page.locator("#tour")

@@ -1,7 +1,7 @@
 //! Other programs on the same cells: what they are given, and what they give back.
 //!
-//! Given: `cells.csv`, a row a cell with every parameter in SI units, and `record.csv`, the samples
-//! of the record. Given back: a CSV of any name with the columns of [`Solved`], a row a cell of each
+//! Given: `cells.csv`, one row per cell with every parameter in SI units, and `record.csv`, the samples
+//! of the record. Given back: a CSV of any name with the columns of [`Solved`], one row per cell of each
 //! setting tried. Scripts that do it stand under `benches/peers`.
 
 use std::collections::BTreeMap;
@@ -81,7 +81,7 @@ pub struct Solved {
 /// Why another program's results were not taken.
 #[derive(Debug, thiserror::Error)]
 pub enum PeerError {
-    /// Not the table that was asked for.
+    /// Not the table that was requested.
     #[error("{0}")]
     Table(#[from] csv::Error),
     /// A cell that a scene does not have, or one of them twice or not at all.

@@ -1,4 +1,4 @@
-//! chart.csv: a row a trial.
+//! chart.csv: one row per trial.
 
 use std::io::{Read, Write};
 
@@ -71,7 +71,7 @@ struct Written {
     zeta_p99: Option<f64>,
 }
 
-/// What is wrong with a table that is read.
+/// The fault of a table that is read.
 #[derive(Debug, thiserror::Error)]
 pub enum TableError {
     /// It is no table, or lacks a column.

@@ -56,7 +56,7 @@ pub struct Trial {
     pub setting: f64,
 }
 
-/// What a trial took.
+/// The time of a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Time {
     /// The whole, from cells to outcomes in memory: the least of the runs, s.
@@ -226,7 +226,7 @@ const LONGEST: f64 = 0.25;
 /// Coarsest step tried: 2 to the power of minus this, s.
 const COARSEST: u32 = 4;
 
-/// The step that is taken where `step` is asked for, s: a record's samples are steps, so that it is
+/// The step that is taken where `step` is requested, s: a record's samples are steps, so that it is
 /// a whole share of the gap between them.
 fn taken(bench: &Bench, step: f64) -> f64 {
     let record = bench.scenes.iter().find_map(|scene| match &scene.excitation {

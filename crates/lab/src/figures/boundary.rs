@@ -34,7 +34,7 @@ pub fn without_isolation(scene: &Scene) -> Scene {
 /// How boundaries are bisected: on what, and by which plan of a scene.
 #[derive(Clone, Copy)]
 pub struct Bisection<'a> {
-    /// What runs cells: one, or several GPUs that are alike.
+    /// The backend that runs cells: one, or several GPUs that are alike.
     pub backends: &'a [Backend],
     /// The plan of a scene.
     pub plan: &'a (dyn Fn(&Scene) -> Result<Plan, SweepError> + Sync),
@@ -89,7 +89,7 @@ pub fn least(
     Ok((brackets.into_iter().enumerate().map(least).collect(), word))
 }
 
-/// Writes boundaries: a row a frequency, with and without isolation.
+/// Writes boundaries: one row per frequency, with and without isolation.
 ///
 /// # Errors
 /// Those of the writer.

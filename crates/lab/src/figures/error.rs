@@ -1,12 +1,12 @@
 //! What is wrong with the text of a figure or a motion.
 
-/// What is wrong with a figure or a motion, and where.
+/// The fault of a figure or a motion, and its place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {problem}")]
 pub struct ReadError {
     /// File, and panel if it is one's.
     pub place: String,
-    /// What is wrong and what to do.
+    /// The fault and the remedy.
     pub problem: String,
 }
 

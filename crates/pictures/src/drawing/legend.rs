@@ -29,7 +29,7 @@ const NARROWEST: f64 = 60.0;
 /// From one entry to the next.
 const ROW: f64 = LEADING * FONT + 1.6;
 
-/// Draws entries in so many columns, fewer where they have no room, from the place `at` on, `wide` points across; returns where they end.
+/// Draws entries in a given number of columns, fewer where they have no room, from the place `at` on, `wide` points across; returns where they end.
 pub fn draw(canvas: &mut Canvas, entries: &[Entry], at: Point, wide: f64, columns: usize) -> f64 {
     let room = ((wide + APART) / (NARROWEST + APART)) as usize;
     let count = columns.min(room).max(1);

@@ -141,7 +141,7 @@ fn deflated(bytes: &[u8]) -> Result<Vec<u8>, FigureError> {
     encoder.finish().map_err(failed)
 }
 
-/// The name of an opacity of so many 255ths.
+/// The name of an opacity of a given number of 255ths.
 fn name_of(opacity: u8) -> String {
     format!("a{opacity}")
 }

@@ -46,7 +46,7 @@ pub enum PrintError {
 }
 
 impl Print<'_> {
-    /// Pictures of a width, mm, with letters of a size, points; as usual where nothing is said.
+    /// Pictures of a width, mm, with letters of a size, points; the defaults where none is given.
     ///
     /// # Errors
     /// Any [`PrintError`].
@@ -66,7 +66,7 @@ impl Print<'_> {
         Ok(Print { title: None, width, font_size, palette: Palette::default() })
     }
 
-    /// An empty picture, so many points wide where no width is asked for.
+    /// An empty picture, so many points wide where no width is requested.
     pub fn canvas(self, usual: f64) -> Canvas {
         let width = self.width.map_or(usual, |width| width * MILLIMETRE);
         Canvas::printed(width, self.font_size.map_or(1.0, |size| size / FONT), self.palette)

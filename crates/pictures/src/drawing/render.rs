@@ -54,7 +54,7 @@ fn pixels(svg: &str, dpi: f32) -> Result<Pixmap, FigureError> {
     Ok(pixmap)
 }
 
-/// An SVG as it is drawn, of so many units an inch. Images that are files of their own are not read.
+/// An SVG as it is drawn, of a given number of units an inch. Images that are files of their own are not read.
 pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
     let resolver =
         ImageHrefResolver { resolve_string: Box::new(|_, _| None), ..ImageHrefResolver::default() };

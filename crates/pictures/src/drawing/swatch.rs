@@ -64,7 +64,7 @@ pub enum Swatch {
     Fill(Colour),
     /// The dots of cells that overturn about the right corner.
     Dotted(Colour),
-    /// The hatch of cells for which the model does not hold.
+    /// The hatch of cells for which the model is not valid.
     Hatched,
     /// The crossed lines of cells of which nothing can be said.
     Crossed,

@@ -110,7 +110,7 @@ pub fn contours(grid: &Grid, known: &[Option<f64>], levels: &[f64]) -> Vec<Vec<L
         .collect()
 }
 
-/// Writes boundaries.csv: a row a point, `boundary,line` and the two axes.
+/// Writes boundaries.csv: one row per point, `boundary,line` and the two axes.
 ///
 /// # Errors
 /// Those of the writer.

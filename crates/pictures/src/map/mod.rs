@@ -25,7 +25,7 @@ pub struct Map<'a> {
     pub grid: Grid,
     /// One outcome a cell, in the grid's order.
     pub outcomes: Cow<'a, [Outcome]>,
-    /// The columns that were asked for: others are not known.
+    /// The requested columns: others are not known.
     pub columns: ColumnSet,
 }
 

@@ -20,7 +20,7 @@ pub struct Slice<'a> {
     pub at: String,
 }
 
-/// The slices of a sweep of which some columns were asked for, thinned to what is drawn; none where there are more than [`MOST`].
+/// The slices of a sweep of which some columns were requested, thinned to what is drawn; none where there are more than [`MOST`].
 ///
 /// # Errors
 /// Those of reading.

@@ -13,7 +13,7 @@ use topple::scene::{Grid, Scene};
 /// Most cells a side of what is drawn: four times the pixels that a figure has for them.
 pub const DRAWN: usize = 2048;
 
-/// A map of a slice, which begins at a cell of the sweep's grid, with at most so many cells a side, as of
+/// A map of a slice, which begins at a cell of the sweep's grid, with at most a given number of cells a side, as of
 /// [`DRAWN`] it is drawn: all of its cells, or of a longer side as many evenly spread ones.
 ///
 /// # Errors

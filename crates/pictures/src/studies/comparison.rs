@@ -1,4 +1,4 @@
-//! The picture of a comparison: a row a device, with the shares of its motions, its strokes, and how much stronger the motions may
+//! The picture of a comparison: one row per device, with the shares of its motions, its strokes, and how much stronger the motions may
 //! be.
 
 use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
@@ -101,7 +101,7 @@ fn standing(share: f64) -> String {
     }
 }
 
-/// Draws a panel: a row a device.
+/// Draws a panel: one row per device.
 fn paint(canvas: &mut Canvas, comparison: &Comparison, panel: &Panel, place: Place) {
     let rows = &comparison.devices;
     let most = match &panel.shown {

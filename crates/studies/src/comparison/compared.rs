@@ -14,18 +14,18 @@ use topple::results::columns::Column;
 use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
 
-/// Devices under a suite, with what is told of each.
+/// Devices under a suite, with the results of each.
 #[derive(Debug)]
 pub struct Comparison {
     /// The sweep of all devices, one after the other.
     pub sweep: SuiteSweep,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: ComparisonSettings,
     /// A device each, in the list's order.
     pub devices: Vec<Compared>,
 }
 
-/// What became of a device.
+/// The outcome of a device.
 #[derive(Debug, Clone)]
 pub struct Compared {
     /// Shares and strokes under the motions as they are.
@@ -34,7 +34,7 @@ pub struct Compared {
     pub lifted: f64,
     /// Percentiles of the further columns, of the motions under which the block stands.
     pub columns: Vec<[f64; 3]>,
-    /// How much stronger the motions may be; none where nobody asks.
+    /// How much stronger the motions may be; none if it is not requested.
     pub reserve: Option<Reserve>,
     /// The annual rate of overturning; none without a hazard curve, and where no curve of a fragility is known.
     pub rate: Option<RateEstimate>,

@@ -20,7 +20,7 @@ const NOT_OF_A_DEVICE: [&str; 3] = ["force", "x", "y"];
 /// A device with the scene that it is part of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Device {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// What all share, with what the device has of its own.
     pub scene: SceneBuilder,

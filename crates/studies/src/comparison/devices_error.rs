@@ -3,7 +3,7 @@
 use topple::scene::shown::shown;
 use topple::sweep::error::SweepError;
 
-/// What is wrong in a list of devices, and where.
+/// The fault of a list of devices, and its place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}{}: {problem}", place(.column))]
 pub struct DevicesError {
@@ -11,7 +11,7 @@ pub struct DevicesError {
     pub line: u64,
     /// The column, where one of the list is at fault.
     pub column: Option<String>,
-    /// What is wrong, and what to do; keys of a scene stand in backquotes.
+    /// The fault and the remedy; keys of a scene stand in backquotes.
     pub problem: String,
 }
 
@@ -25,7 +25,7 @@ pub enum ComparisonError {
     /// A device makes no scene.
     #[error(transparent)]
     Devices(#[from] DevicesError),
-    /// A setting that makes no sense, or a sweep that failed.
+    /// An invalid setting, or a sweep that failed.
     #[error(transparent)]
     Sweep(#[from] SweepError),
 }

@@ -26,15 +26,15 @@ pub struct ComparisonRequest {
     pub devices: Vec<Device>,
     /// Which motions each is swept under, and how; its scene is what all devices share.
     pub suite: SuiteRequest,
-    /// What each must do.
+    /// The limits that each must keep.
     pub limits: Limits,
-    /// Factors on the motions of which the reserve is told.
+    /// Factors on the motions for the reserve.
     pub scales: Option<Values>,
     /// Columns of a map whose percentiles are told, too.
     pub columns: Vec<Column>,
     /// The site of which annual rates are told.
     pub rate: Option<RateRequest>,
-    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    /// What is resampled for the intervals; by default events if there are enough, else recordings.
     pub resample: Option<Resample>,
     /// Seed of the sets that are drawn.
     pub seed: u32,
@@ -55,7 +55,7 @@ pub struct RateRequest {
 pub struct ComparisonJob {
     /// All devices under all motions.
     pub sweep: SuiteJob,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: ComparisonSettings,
 }
 

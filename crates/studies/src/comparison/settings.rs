@@ -1,4 +1,4 @@
-//! What is told of devices.
+//! What is computed for devices.
 
 use super::devices::Device;
 use super::shaken::Shaken;
@@ -8,14 +8,14 @@ use crate::suites::Groups;
 use crate::suites::envelope::Limits;
 use topple::results::columns::Column;
 
-/// What is told of devices.
+/// What is computed for devices.
 #[derive(Debug, Clone)]
 pub struct ComparisonSettings {
     /// The devices, each with as many motions of the sweep, one after the other.
     pub devices: Vec<Device>,
-    /// What each must do.
+    /// The limits that each must keep.
     pub limits: Limits,
-    /// Factors of which the reserve is told, the least first; none where nobody asks.
+    /// Factors for the reserve, the least first; none if no reserve is wanted.
     pub scales: Vec<f64>,
     /// Columns whose percentiles are told, too.
     pub columns: Vec<Column>,

@@ -1,4 +1,4 @@
-//! compare.csv: a row a device.
+//! compare.csv: one row per device.
 
 use std::io::{self, Write};
 

@@ -92,7 +92,7 @@ impl Export {
     }
 }
 
-/// Limit states of which each implies those before it, with a name: that of rocking, and where they are asked for those of the base's
+/// Limit states of which each implies those before it, with a name: that of rocking, and where they are requested those of the base's
 /// strokes. All of them end with overturning.
 fn chains(states: &[LimitState]) -> Vec<(&'static str, Vec<LimitState>)> {
     let is_of = |kind: &str, state: &LimitState| match state {

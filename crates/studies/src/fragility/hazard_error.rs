@@ -51,7 +51,7 @@ pub enum HazardError {
     Heading {
         /// Its word.
         heading: String,
-        /// What is wrong, and what to do.
+        /// The fault and the remedy.
         problem: String,
     },
     /// The text says another unit than the caller.

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use crate::suites::swept_motion::{SweptMotion, Values};
 use topple::stepping::outcome::Class;
 
-/// What a block is not to do. A block that overturns does the others, too.
+/// A limit state of a block. A block that overturns does the others, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LimitState {
     /// It overturns.

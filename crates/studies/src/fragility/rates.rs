@@ -14,9 +14,9 @@ pub struct RateEstimate {
     pub low: Option<f64>,
     /// The upper end. Without a curve the rate where all fail above the highest level up to which none does.
     pub high: Option<f64>,
-    /// What motions above the last level of the hazard add at most.
+    /// The largest contribution of motions above the last level of the hazard.
     pub missing_above: f64,
-    /// What motions below its first level add at most; infinite where there is no bound.
+    /// The largest contribution of motions below its first level; infinite where there is no bound.
     pub missing_below: f64,
     /// The share of the rate that comes from levels below the lowest at which a run fails: of the curve's tail, not of data.
     pub without_failures: Option<f64>,

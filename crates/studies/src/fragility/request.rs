@@ -20,7 +20,7 @@ use topple::scene::{Parameter, Scene, SceneError, Values};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
 
-/// A scene whose fragility under a suite is asked for.
+/// A scene whose fragility under a suite is requested.
 ///
 /// ```no_run
 /// use topple::{Parameter, Range, SceneBuilder, Unwatched};
@@ -45,19 +45,19 @@ use topple::work::observer::Observer;
 pub struct FragilityRequest {
     /// The scene, its motions, and how they are run.
     pub suite: SuiteRequest,
-    /// The measure that the fragility is told over.
+    /// The measure of the fragility.
     pub im: Intensity,
     /// Levels of it, in SI units, that each motion is scaled to; each motion as it is without them.
     pub levels: Option<Values>,
-    /// The rocking index is not to exceed these.
+    /// Limits of the rocking index.
     pub limit_zeta: Vec<f64>,
-    /// max |u| is not to exceed these, m.
+    /// Limits of max |u|, m.
     pub limit_u: Vec<f64>,
-    /// The stroke of v is not to exceed these, m.
+    /// Limits of the stroke of v, m.
     pub limit_v: Vec<f64>,
     /// Estimators; all that the levels allow where none is named.
     pub estimators: Vec<Estimator>,
-    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    /// What is resampled for the intervals; by default events if there are enough, else recordings.
     pub resample: Option<Resample>,
     /// The hazard of the site over the measure, where annual rates are wanted.
     pub hazard: Option<HazardCurve>,
@@ -165,7 +165,7 @@ impl FragilityRequest {
         self.suite.check()
     }
 
-    /// What the block is not to do.
+    /// The limit states.
     pub fn limit_states(&self) -> Vec<LimitState> {
         let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
         let u = self.limit_u.iter().copied().map(LimitState::U);

@@ -22,7 +22,7 @@ pub struct Unknown {
     pub design: Design,
 }
 
-/// What is not known of a limit state of a cell.
+/// The sensitivity of a limit state of a cell.
 #[derive(Debug, Clone)]
 pub struct Sensitivity {
     /// What each number explains of the variance of the share of all runs that fail.
@@ -32,7 +32,7 @@ pub struct Sensitivity {
 }
 
 impl Unknown {
-    /// The design of so many samples.
+    /// The design of a given number of samples.
     pub fn of(varied: Vec<Varied>, samples: usize, seed: u32) -> Unknown {
         let design = Design::of(&varied, samples, seed);
         Unknown { varied, design }
@@ -55,7 +55,7 @@ impl Unknown {
         WantedMotion::spread(&motions, &parameters, points.iter())
     }
 
-    /// What is not known of a limit state of a cell.
+    /// The sensitivity of a limit state of a cell.
     pub fn sensitivity(&self, shaken: &SuiteRuns, state: LimitState, cell: usize) -> Sensitivity {
         let shares: Vec<f64> =
             (0..self.points()).map(|point| share(shaken, state, cell, point)).collect();

@@ -28,7 +28,7 @@ pub struct StudySettings {
     pub drawn: usize,
     /// Numbers that are not known.
     pub unknown: Option<Unknown>,
-    /// What the block is not to do.
+    /// The limit states.
     pub states: Vec<LimitState>,
     /// How fragilities are estimated.
     pub estimators: Vec<Estimator>,
@@ -75,7 +75,7 @@ pub struct StateStudy {
     pub estimates: Vec<Estimate>,
     /// The annual rate by the shares of the runs alone, where there is a hazard curve.
     pub empirical: Option<f64>,
-    /// What is not known, where numbers vary.
+    /// The sensitivity to the numbers that vary.
     pub sensitivity: Option<Sensitivity>,
 }
 

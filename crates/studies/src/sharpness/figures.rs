@@ -117,7 +117,7 @@ mod tests {
     use crate::sharpness::BOX;
     use crate::sharpness::blocks::sums;
 
-    /// The sharpness of classes over a square of so many cells a side.
+    /// The sharpness of classes over a square of a given number of cells a side.
     fn square(side: usize, class: impl Fn(f64, f64) -> u8) -> Sharpness {
         let at = |k: usize| (k as f64 + 0.5) / side as f64;
         let all: Vec<u8> =

@@ -2,10 +2,10 @@
 //!
 //! Basin entropy is that of Daza et al. (2016), Scientific Reports 6:31416: in a box of cells with shares p of the
 //! outcomes S = -sum p ln p; S_b is the mean of all boxes, S_bb that of the boxes with two outcomes or more. A smooth
-//! boundary parts two outcomes and has S_bb <= ln 2: more is a sufficient sign of a fractal one, less decides nothing.
+//! boundary separates two outcomes and has S_bb <= ln 2: a larger value is a sufficient sign of a fractal one, a smaller one allows no conclusion.
 //!
 //! The uncertainty exponent is that of Grebogi et al. (1983), Physics Letters A 99:415-418: the share f of cells whose
-//! outcome another has at a distance of so many cells along an axis is proportional to the distance to the power
+//! outcome another has at a distance of a given number of cells along an axis is proportional to the distance to the power
 //! alpha, and the boundary's dimension is D = d - alpha over d axes.
 
 mod blocks;
@@ -29,7 +29,7 @@ use figures::of_blocks;
 
 /// Cells of a box along an axis.
 const BOX: usize = 5;
-/// The largest distance is at most this share of the shorter axis, and at most so many cells.
+/// The largest distance is at most this share of the shorter axis, and at most a given number of cells.
 const FARTHEST: (usize, usize) = (8, 32);
 
 /// A value, with an interval of 95 %.
@@ -56,7 +56,7 @@ pub struct Sharpness {
     pub s_b: Option<Estimate>,
     /// Boundary basin entropy; none where too few boxes have two outcomes.
     pub s_bb: Option<Estimate>,
-    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False decides nothing.
+    /// True where the interval of S_bb lies above ln 2: there is a fractal boundary. False allows no conclusion.
     pub above_ln_2: bool,
     /// Distances, in cells.
     pub distances: Vec<usize>,

@@ -18,7 +18,7 @@ pub const MANY: usize = 100;
 const REPLICATES: [u32; 2] = [1000, 100];
 
 impl Bootstrap {
-    /// Sets that are drawn for so many cells where nothing else is asked for.
+    /// Sets that are drawn for a given number of cells by default.
     pub fn usual(cells: usize) -> u32 {
         REPLICATES[usize::from(cells > MANY)]
     }

@@ -1,4 +1,4 @@
-//! Columns of a suite's tables: the axes of its sweep, and what is told of each cell or motion.
+//! Columns of a suite's tables: the axes of its sweep, and the results of each cell or motion.
 
 use topple::results::csv::Number;
 use topple::scene::Grid;

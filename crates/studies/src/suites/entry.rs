@@ -9,7 +9,7 @@ pub const MOST_FACTOR: f64 = 1.0e6;
 /// Which files are one motion, before they are read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// What it is called in tables; no other has the same.
+    /// Its name in tables; no other has the same.
     pub id: String,
     /// The earthquake, where it is known.
     pub event: String,
@@ -31,7 +31,7 @@ pub struct Entry {
     pub scale: f64,
     /// How much it counts among the others.
     pub weight: f64,
-    /// What was decided, in a sentence each.
+    /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
     /// Why it is no motion, where that is known before its files are read.
     pub missing: Option<String>,

@@ -25,7 +25,7 @@ pub enum SuiteError {
         /// What is wrong.
         reason: String,
     },
-    /// A list without the columns that it must have, or with a line that makes no sense.
+    /// A list without the columns that it must have, or with an invalid line.
     #[error("{path}: {problem}")]
     List {
         /// Which one.

@@ -16,7 +16,7 @@ const MOTIONS: usize = 5;
 const FEW: usize = 20_000;
 
 impl SuiteJob {
-    /// Seconds that all its cells will take. Long motions take longer: a cell's time is told by a motion's samples.
+    /// Seconds that all its cells will take. Long motions take longer: the time of a cell is estimated from a motion's samples.
     ///
     /// # Errors
     /// Those of the backend, and that it was cancelled.

@@ -9,7 +9,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
 
-/// The columns of a map that a motion's cells are made of, and others that are asked for.
+/// The columns of a map that a motion's cells are made of, and others that are requested.
 pub(super) fn columns(others: &[Column]) -> ColumnSet {
     let own = [Column::Outcome, Column::MaxU, Column::StrokeV, Column::Zeta];
     ColumnSet::of(&[&own, others].concat())

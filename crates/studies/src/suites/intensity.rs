@@ -1,4 +1,4 @@
-//! Intensity measures that a fragility is told over, and how they grow with the motion.
+//! Intensity measures of a fragility, and how they grow with the motion.
 
 use std::fmt;
 use std::ops::RangeInclusive;

@@ -35,10 +35,10 @@ pub struct Suite {
 impl Suite {
     /// Reads a suite: a folder or a zip, with PEER's list or by what the names of its files or the files state, or a list beside its
     /// files.
-    /// `strict` refuses what is missing, ambiguous or unused; else it is a line without a motion, or a file that is told.
+    /// `strict` refuses what is missing, ambiguous or unused; else it is a row without a motion, or a file in the list of unused ones.
     ///
     /// # Errors
-    /// Those of [`SuiteError`]: nothing can be read, a list makes no sense, nothing is there.
+    /// Those of [`SuiteError`]: nothing can be read, a list is invalid, there are no files.
     pub fn read(path: &Path, strict: bool) -> Result<Suite, SuiteError> {
         let files = Files::of(path)?;
         let (entries, unused) = entries(path, &files)?;

@@ -112,7 +112,7 @@ impl SuiteRequest {
         self.open_under(self.motions(suite))
     }
 
-    /// The same under motions of one's own.
+    /// The same under the caller's own motions.
     ///
     /// # Errors
     /// Those of [`open`](SuiteRequest::open).

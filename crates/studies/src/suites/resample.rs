@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 use super::{Entry, Suite};
 use topple::scene::SceneError;
 
-/// What is drawn with replacement.
+/// What is resampled with replacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Resample {
     /// All motions of an earthquake together.
@@ -50,14 +50,14 @@ impl Serialize for Resample {
     }
 }
 
-/// Fewest events of which an interval is made unless events are asked for: of fewer, percentiles of resampled sets are too
+/// Fewest events of which an interval is made unless events are requested: of fewer, percentiles of resampled sets are too
 /// narrow themselves (Cameron, Gelbach & Miller 2008, Rev. Econ. Stat. 90(3), 414-427, for 5 to 30 groups).
 pub const FEWEST_EVENTS: usize = 10;
 
 /// Which motions are drawn together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Groups {
-    /// What is drawn.
+    /// What is resampled.
     pub by: Resample,
     /// The group of each motion, by the motion's number.
     pub of: Vec<usize>,
@@ -69,10 +69,10 @@ pub struct Groups {
 
 impl Groups {
     /// Those of a suite's motions, each taken `directions` times in succession. Events are drawn where the event of each motion
-    /// is known and there are [`FEWEST_EVENTS`], else recordings, unless something is asked for.
+    /// is known and there are [`FEWEST_EVENTS`], else recordings, unless something is requested.
     ///
     /// # Errors
-    /// The key `resample`: events are asked for, and that of a motion is not known.
+    /// The key `resample`: events are requested, and that of a motion is not known.
     pub fn of(
         suite: &Suite,
         directions: usize,

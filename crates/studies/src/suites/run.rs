@@ -11,7 +11,7 @@ use topple::sweep::error::SweepError;
 use topple::work::observer::{Observer, Phase};
 
 impl SuiteJob {
-    /// Runs it; the sweep has the motions of the shard, where one was asked for, and these are saved.
+    /// Runs it; the sweep has the motions of the shard, where one was requested, and these are saved.
     ///
     /// # Errors
     /// A backend that failed, a directory that is in use or cannot be written, an observer that ended it.

@@ -23,13 +23,13 @@ pub struct SuiteSweep {
     pub scene: Scene,
     /// Its grid, that of all motions.
     pub grid: Grid,
-    /// What became of the cells under each.
+    /// The outcomes of the cells under each.
     pub motions: Vec<SweptMotion>,
     /// Motions of which there was an earlier run's word.
     pub resumed: usize,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,
-    /// What the reference says of samples.
+    /// The reference's results for samples.
     pub verified: Verified,
     /// Where the motions are saved; nowhere without a directory.
     pub(super) saved: Option<SavedMotions>,
@@ -94,7 +94,7 @@ impl SuiteJob {
             let problem = "no motion; give a suite that has one".into();
             return Err(SceneError { key: "suite", problem }.into());
         };
-        // As it is given: what varies is told by its own value.
+        // As it is given: its own value describes what varies.
         let first = WantedMotion { settings: Vec::new(), ..first.clone() }.under(scene)?;
         let grid = Grid::of(&first);
         check_size(&grid, &wanted, &settings)?;
@@ -106,12 +106,12 @@ impl SuiteJob {
         Ok(SuiteJob { scene: first, grid, all, settings, opened })
     }
 
-    /// What runs its cells, and GPUs that were passed over.
+    /// The backend that runs its cells, and GPUs that were passed over.
     pub fn backends(&self) -> &OpenBackends {
         &self.opened
     }
 
-    /// The scenes under their first motions, of so many that have as many motions each.
+    /// The scenes under their first motions, as many as have the same number of motions.
     pub fn scenes(&self, count: usize) -> Vec<Scene> {
         let each = (self.all.len() / count.max(1)).max(1);
         self.all.iter().step_by(each).map(|(_, scene)| scene.clone()).collect()
@@ -157,7 +157,7 @@ impl SuiteSweep {
     /// Takes away what was saved while it ran: its results are written. Until then no other run begins in the directory.
     ///
     /// # Errors
-    /// Those of the disk.
+    /// Errors of the disk.
     pub fn discard_saved(&mut self) -> io::Result<()> {
         self.saved.take().map_or(Ok(()), SavedMotions::discard)
     }

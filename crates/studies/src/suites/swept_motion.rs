@@ -18,9 +18,9 @@ pub struct SweptMotion {
     pub stroke_v: Vec<f32>,
     /// The rocking index.
     pub zeta: Vec<f32>,
-    /// Further columns that were asked for, in their order.
+    /// Further requested columns, in their order.
     pub others: Vec<Vec<f32>>,
-    /// What the reference says of a sample.
+    /// The reference's results for a sample.
     pub verified: Verified,
 }
 

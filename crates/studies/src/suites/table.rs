@@ -1,4 +1,4 @@
-//! suite.csv: a line a motion, with its measures and what was decided.
+//! suite.csv: one row per motion, with its measures and the decisions of the reader.
 
 use std::io::{self, Write};
 

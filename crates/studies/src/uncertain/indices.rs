@@ -42,7 +42,7 @@ pub struct Index {
 }
 
 impl Design {
-    /// The design of so many rows: the scrambled points of twice as many coordinates as there are parameters.
+    /// The design of a given number of rows: the scrambled points of twice as many coordinates as there are parameters.
     pub fn of(varied: &[Varied], samples: usize, seed: u32) -> Design {
         let k = varied.len();
         let rows = shares(2 * k, samples, seed);

@@ -20,7 +20,7 @@ pub use varied::Varied;
 
 use topple::scene::{Scene, SceneError};
 
-/// Points of numbers that are not known where nothing else is asked for, under a suite.
+/// Points of numbers that are not known by default, under a suite.
 pub const SAMPLES: u32 = 64;
 /// Most of them.
 const MOST_SAMPLES: u32 = 1 << 16;

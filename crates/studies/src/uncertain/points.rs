@@ -14,7 +14,7 @@ const BITS: u32 = 16;
 /// What separates the seeds of the sets beyond the first.
 const NEXT_SEED: u32 = 0x9e37_79b9;
 
-/// So many points of so many coordinates, 0 to 1 with both ends excluded. Powers of two fill a box best. There are
+/// A given number of points of a given number of coordinates, 0 to 1 with both ends excluded. Powers of two fill a box best. There are
 /// 256 coordinates at most, far more than a scene has numbers.
 pub fn shares(coordinates: usize, samples: usize, seed: u32) -> Vec<Vec<f64>> {
     let point = |index: usize| {

@@ -24,7 +24,7 @@ use topple::work::observer::{Observer, Phase};
 /// Most sweeps that tell a probability.
 pub const MOST_SAMPLES: u32 = 1 << 20;
 
-/// What is not known of a grid's cells, and how many sweeps are to tell.
+/// The numbers of a grid's cells that are not known, and the number of sweeps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Uncertainty {
     /// Parameters of the scene, each with its distribution.
@@ -37,7 +37,7 @@ pub struct Uncertainty {
     pub seed: u32,
 }
 
-/// What became of the cells of a grid in many sweeps.
+/// The outcomes of the cells of a grid in many sweeps.
 #[derive(Debug)]
 pub struct Probabilities {
     /// The scene, numbers that vary at their own values.
@@ -48,7 +48,7 @@ pub struct Probabilities {
     pub samples: u32,
     /// How often a cell had each outcome, in the order of [`Class::ALL`].
     pub counts: Vec<[u32; 5]>,
-    /// What ran them: gpu, cpu or reference.
+    /// The backend that ran them: gpu, cpu or reference.
     pub backend: String,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,
@@ -62,7 +62,7 @@ impl Uncertainty {
     /// The points of the sweeps, and the axes that are moved at them. Every scene is checked.
     ///
     /// # Errors
-    /// Parameters that cannot vary, too few or too many sweeps, axes without pixels, and numbers that make no sense together.
+    /// Parameters that cannot vary, too few or too many sweeps, axes without pixels, and numbers that contradict each other.
     pub fn check(&self, scene: &Scene, force: bool) -> Result<Points<'_>, SceneError> {
         // What is wrong with a distribution is said before anything else.
         Ensemble::of(scene, &self.vary, force)?;

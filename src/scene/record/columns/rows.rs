@@ -53,7 +53,7 @@ pub(super) struct Rows {
     points: bool,
 }
 
-/// What is wrong with a row of so many columns.
+/// What is wrong with a row of a given number of columns.
 pub(super) fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
     let hint = match line.contains(',') {
         true => "; if its commas are decimal ones, write points",
@@ -124,7 +124,7 @@ impl Rows {
         (several && self.rows as f64 == count).then_some(self.second)
     }
 
-    /// The record in the rows: whether the first one is a count is told by the others.
+    /// The record in the rows: the other rows show whether the first one is a count.
     pub fn record(self, told: &Told, given: Option<f64>) -> Result<Raw, RecordError> {
         let Rows { first, mut values, rows, narrowest, widest, odd, times, points, .. } = self;
         let Some(first) = first else { return Ok(Raw::default()) };

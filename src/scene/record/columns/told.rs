@@ -177,7 +177,7 @@ impl Told {
         }
     }
 
-    /// The record with what is told of it.
+    /// The record with the description of it.
     ///
     /// # Errors
     /// Fewer samples than the count that is stated.

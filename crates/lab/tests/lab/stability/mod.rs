@@ -23,7 +23,7 @@ use topple::stepping::single;
 use topple::stepping::state::State;
 use topple::work::observer::Unwatched;
 
-/// The first cell of a scene with steps as they are asked for, all of it simulated.
+/// The first cell of a scene with steps as they are requested, all of it simulated.
 fn exactly<R: Real>(scene: &Scene, step: f64) -> Outcome {
     let plan = Plan::resolved(scene, Resolution::exactly(step)).unwrap().full_model();
     cpu::sweep(R::PRECISION, &plan, &Grid::of(scene), &[0], &Unwatched)[0]

@@ -45,7 +45,7 @@ pub struct Shown {
     pub levels: bool,
     /// A ring around a small region.
     pub rings: bool,
-    /// What lies over the greys.
+    /// What is drawn over the greys.
     pub overlay: Overlay,
 }
 

@@ -12,7 +12,7 @@ use topple::results::shares::shares;
 use topple::scene::Parameter;
 use topple::stepping::outcome::{Outcome, Status};
 
-/// What is said where nobody asked for what the hatch shows.
+/// What is said if the columns that the hatch shows were not requested.
 const NOT_HATCHED: &str =
     "Contact forces were not asked for: where the model does not hold is not shown.";
 
@@ -26,7 +26,7 @@ pub fn hatch_label(map: &Map) -> String {
     format!("{why}: the model does not hold")
 }
 
-/// The classes of some cells, with the share of each where it is asked for.
+/// The classes of some cells, with the share of each where it is requested.
 pub fn kinds<'a>(cells: impl IntoIterator<Item = &'a Outcome>, with_shares: bool) -> Vec<Entry> {
     let mut counts: BTreeMap<Kind, usize> = BTreeMap::new();
     for cell in cells {
@@ -50,7 +50,7 @@ pub fn parity_swatch(parity: Parity) -> Swatch {
     if parity == Parity::Unresolved { Swatch::Crossed } else { Swatch::Fill(parity.colour()) }
 }
 
-/// What lies over the colours of maps; that a cell is crossed is said where its class is.
+/// What is drawn over the colours of maps; that a cell is crossed is said where its class is.
 pub fn overlay(maps: &[&Map], overlay: Overlay) -> Vec<Entry> {
     let mut entries = Vec::new();
     if overlay.dotted {

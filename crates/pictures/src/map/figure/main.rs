@@ -6,7 +6,7 @@ use crate::drawing::error::FigureError;
 use crate::drawing::print::Print;
 
 /// Draws the picture of a map that stands for all of it as SVG: its outcomes for a pulse, the rocking index for a
-/// record where it was asked for; of one axis curves. `at` tells what the map is a slice at.
+/// record where it was requested; of one axis curves. `at` tells what the map is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].

@@ -1,4 +1,4 @@
-//! What lies over the colours of a map's cells: a hatch where the model does not hold, crossed lines where
+//! What is drawn over the colours of a map's cells: a hatch where the model is not valid, crossed lines where
 //! nothing can be said, dots where a block overturns about the right corner.
 
 use super::super::Map;
@@ -23,12 +23,12 @@ const LINE: Rgba = [0, 0, 0, 255];
 const HATCH: Rgba = [0, 0, 0, 190];
 const LIGHT: Rgba = [255, 255, 255, 130];
 
-/// What lies over the colours of a map's cells.
+/// What is drawn over the colours of a map's cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Overlay {
     /// The model does not hold somewhere.
     pub hatched: bool,
-    /// Nothing can be said of some cells.
+    /// The outcome of some cells is not known.
     pub crossed: bool,
     /// Some cells overturn about the right corner after impacts.
     pub dotted: bool,
@@ -37,7 +37,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// What lies over a map; dots only where colours tell outcomes.
+    /// What is drawn over a map; dots only where colours tell outcomes.
     pub fn of(map: &Map, outcomes: bool) -> Overlay {
         Overlay {
             hatched: map.has_beyond_the_model(),
@@ -47,7 +47,7 @@ impl Overlay {
         }
     }
 
-    /// What lies over either of two maps.
+    /// What is drawn over either of two maps.
     pub fn with(self, other: Overlay) -> Overlay {
         Overlay {
             hatched: self.hatched || other.hatched,

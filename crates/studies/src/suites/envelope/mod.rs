@@ -15,7 +15,7 @@ use super::swept_motion::{SweptMotion, Values};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
 use topple::stepping::outcome::Class;
 
-/// What a base must do.
+/// The limits that a base must keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Share of the motions under which the block must stand.
@@ -32,7 +32,7 @@ pub const SHARES: [f64; 3] = [0.5, 0.84, 1.0];
 /// What an envelope tells of its cells.
 #[derive(Debug, Clone)]
 pub struct EnvelopeSettings {
-    /// What a base must do.
+    /// The limits that a base must keep.
     pub limits: Limits,
     /// Which of the feasible cells is called the best.
     pub best: Best,
@@ -78,7 +78,7 @@ pub struct CellEnvelope {
 pub struct Envelope {
     /// The sweeps that it was made of.
     pub sweep: SuiteSweep,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: EnvelopeSettings,
     /// A cell each, in the grid's order.
     pub cells: Vec<CellEnvelope>,

@@ -12,7 +12,7 @@ use topple::scene::{Parameter, SceneError};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
 
-/// A scene whose envelope under a suite is asked for.
+/// A scene whose envelope under a suite is requested.
 ///
 /// ```no_run
 /// use topple::{Parameter, Range, SceneBuilder, Unwatched};
@@ -37,11 +37,11 @@ use topple::work::observer::Observer;
 pub struct EnvelopeRequest {
     /// The scene, its motions, and how they are run.
     pub suite: SuiteRequest,
-    /// What a base must do.
+    /// The limits that a base must keep.
     pub limits: Limits,
     /// Which of the feasible cells is called the best.
     pub best: Best,
-    /// What is drawn for the intervals; events where there are enough, else recordings, without it.
+    /// What is resampled for the intervals; by default events if there are enough, else recordings.
     pub resample: Option<Resample>,
     /// Numbers that are not known: shares are of the motions at all their points.
     pub vary: Vec<Varied>,
@@ -55,7 +55,7 @@ pub struct EnvelopeRequest {
 pub struct EnvelopeJob {
     /// The sweeps.
     pub sweep: SuiteJob,
-    /// What is told of them.
+    /// What is computed for them.
     pub settings: EnvelopeSettings,
 }
 
