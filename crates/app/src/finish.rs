@@ -165,7 +165,7 @@ fn files<'a>(
     took.drawing = pictures.1.as_secs_f64();
     let pictures = pictures.0?;
     if let Some(refined) = to.refined {
-        refined::write(&results.out, refined, files)?;
+        refined::write(&results.out, refined, files, print.palette)?;
     }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();

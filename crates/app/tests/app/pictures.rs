@@ -375,3 +375,63 @@ fn a_grey_print_has_no_colours() {
         refused(&[&MAP[..], &["--palette", "red", "--out", at("none").to_str().unwrap()]].concat());
     assert!(said.contains("--palette"), "{said}");
 }
+
+/// Letters as outlines: the picture is the same, in the same size, and needs no font; a repetition keeps them.
+#[test]
+fn letters_become_outlines_where_they_are_asked_for() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let record =
+        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
+    let cell = [&["history"], &MAP[1..9], &["--omega", "9", "--a-h", "8.4"]].concat();
+    let pictures =
+        [("pulse", &MAP[..], "map"), ("record", &record, "contact"), ("history", &cell, "history")];
+    for (folder, command, name) in pictures {
+        let plain = [command, &["--font-size", "8"]].concat();
+        topple(&plain, &at(folder));
+        let (text, png) =
+            (svg(&at(folder), name), fs::read(at(folder).join(format!("{name}.png"))));
+        assert!(text.matches("<text").count() > 8, "{folder}");
+        topple(&[&plain[..], &["--outline-text"]].concat(), &at(folder));
+        let outlined = svg(&at(folder), name);
+        assert!(!outlined.contains("<text") && !outlined.contains("font-family"), "{folder}");
+        assert!(outlined.matches("<path").count() > text.matches("<path").count(), "{folder}");
+        let size = |svg: &str| {
+            ["width", "height"].map(|side| {
+                let marker = format!(" {side}=\"");
+                let length = svg.split(&marker).nth(1).unwrap().split_once("mm\"").unwrap().0;
+                length.parse::<f64>().unwrap()
+            })
+        };
+        // A length of the one is written to hundredths of a millimetre.
+        let apart = size(&text).into_iter().zip(size(&outlined)).map(|(a, b)| (a - b).abs());
+        assert!(
+            apart.fold(0.0, f64::max) < 0.02,
+            "{folder}: {:?} {:?}",
+            size(&text),
+            size(&outlined)
+        );
+        let again = fs::read(at(folder).join(format!("{name}.png"))).unwrap();
+        let apart = differing(&png.unwrap(), &again);
+        assert!(apart < 0.002, "{folder}: {apart}");
+        let again = at(&format!("{folder} again"));
+        topple(&["run", at(folder).to_str().unwrap()], &again);
+        assert!(svg(&again, name) == outlined, "{folder}");
+    }
+}
+
+/// The share of the pixels of two pictures that differ by more than the edge of a letter does.
+fn differing(one: &[u8], other: &[u8]) -> f64 {
+    let pixels = |bytes: &[u8]| {
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes.to_vec()));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        pixels
+    };
+    let (one, other) = (pixels(one), pixels(other));
+    assert_eq!(one.len(), other.len());
+    let apart = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
+    apart as f64 / one.len() as f64
+}

@@ -25,6 +25,8 @@ const POINTS: u32 = 200;
 /// Width of a curve, and its dashes beyond the data.
 const CURVE: f64 = 1.1;
 const BEYOND: (f64, f64) = (3.2, 2.0);
+/// Opacity of a band.
+const BAND: f64 = 0.18;
 /// How far the axis goes beyond the levels at most, where a hazard curve does: rates come from there, too.
 const FURTHER: f64 = 4.0;
 
@@ -74,8 +76,10 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
             // Curves between theta's bounds: beta is that of the fit.
             if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
                 let (left, right) = (curve(low, beta), curve(high, beta));
-                let band = STATES[k % STATES.len()].1;
-                canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
+                // One band does not hide another.
+                let colour = STATES[k % STATES.len()].0;
+                let around = left.into_iter().chain(right.into_iter().rev());
+                canvas.polygon_through(around, colour, BAND);
             }
         }
         for (k, (of, state)) in one.clone().enumerate() {
