@@ -2,6 +2,7 @@
 
 use topple::results::own;
 
+use super::history_table::MoreColumns;
 use super::picture_flags::PictureFlags;
 
 /// A file that holds a whole map.
@@ -37,7 +38,7 @@ impl MapFile {
     }
 }
 
-/// What a map has besides its cells: what an earlier one had.
+/// What a map has besides its cells, or a history besides its motion: what an earlier one had.
 #[derive(Debug, Clone, Default)]
 pub struct Besides {
     /// Levels that it was refined in.
@@ -50,6 +51,8 @@ pub struct Besides {
     pub files: Vec<MapFile>,
     /// How its pictures are printed.
     pub pictures: PictureFlags,
+    /// More columns of a history.
+    pub more_columns: MoreColumns,
 }
 
 /// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.

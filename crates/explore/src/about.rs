@@ -16,6 +16,7 @@ use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, do
 use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::parameters::Section;
 use topple::scene::{Directions, Overturn, Pressure, description};
+use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
@@ -108,6 +109,12 @@ const QUANTITIES: [Column; 6] = [
     Column::Friction,
 ];
 
+/// The columns of which a small value is dark.
+fn falls() -> Vec<&'static str> {
+    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
+    falls.map(|field| field.column.entry().name).collect()
+}
+
 /// All that does not hang on a session.
 pub fn tables() -> Value {
     let sections = Section::ALL
@@ -129,6 +136,7 @@ pub fn tables() -> Value {
             "outline": hex(OUTLINE),
             "now": hex(CURVES[1]),
             "greys": GREYS,
+            "falls": falls(),
             "probability": PROBABILITY,
         },
         "limits": { "cells": MOST },

@@ -37,14 +37,14 @@ const rgb = (red, green, blue) => ((255 << 24) | (blue << 16) | (green << 8) | r
 export const isShare = (name) => SHARES.has(name);
 
 /** The colour of a share of a scale, as a word. Twin: src/results/ramp.rs. */
-export function shade({ shades: { probability, greys: [light, dark] } }, name, share) {
+export function shade({ shades: { probability, greys: [light, dark], falls } }, name, share) {
   const at = Math.min(1, Math.max(0, share));
   if (isShare(name)) {
     const along = (name === 'standing' ? 1 - at : at) * (probability.length - 1);
     const k = Math.min(probability.length - 2, Math.floor(along));
     return rgb(...probability[k].map((part, c) => Math.round(part + (probability[k + 1][c] - part) * (along - k))));
   }
-  const grey = Math.floor(255 * (light + (dark - light) * at));
+  const grey = Math.floor(255 * (light + (dark - light) * (falls.includes(name) ? 1 - at : at)));
   return rgb(grey, grey, grey);
 }
 
