@@ -11,7 +11,7 @@ use super::document::Piece;
 use super::folder::{Folder, ReportError, Rows};
 
 /// Most rows of a table that are printed; the whole table lies in the run's directory.
-const ROWS: usize = 24;
+pub const ROWS: usize = 24;
 
 /// A number for readers: three digits.
 pub fn number(value: f64) -> String {
@@ -98,11 +98,24 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         Kind::Comparison => comparison(folder)?,
         Kind::Probability => probability(folder),
     };
+    let mut before: Option<&str> = None;
     for (name, svg) in folder.pictures()? {
-        pieces.push(Piece::Picture(svg, meaning(folder.kind, name).into()));
+        let own = meaning(folder.kind, name);
+        let caption = if before == Some(own) { AS_BEFORE } else { own };
+        pieces.push(Piece::Picture(svg, caption.into()));
+        before = Some(own);
+    }
+    if folder.kind == Kind::Map && before.is_none() {
+        pieces.push(Piece::Text(
+            "The run has no picture: its map has more than two axes, and so many pairs of two that none is drawn. Its tables have all of it."
+                .into(),
+        ));
     }
     Ok(pieces)
 }
+
+/// What is said of a picture that shows what the one before it does.
+const AS_BEFORE: &str = "The same as the picture before, with the numbers that stand above it.";
 
 /// What an outcome is, in words.
 fn outcome(key: &str) -> &str {
@@ -306,19 +319,29 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         row.get("beta").is_some_and(String::is_empty)
             && row.get("theta").is_some_and(|theta| !theta.is_empty())
     };
-    let mut about = false;
+    let mut is_about = false;
     for row in rows.iter_mut().filter(open) {
-        for column in ["theta", "theta_low", "theta_high"] {
-            row.insert(column.into(), "not known".into());
-        }
-        about = true;
+        let theta = format!("about {}", shown(row, "theta"));
+        row.insert("theta".into(), theta);
+        row.insert("beta".into(), "not known".into());
+        is_about = true;
     }
     pieces.extend(table(&rows, &fits));
-    if about {
+    if is_about {
         pieces.push(Piece::Text(
-            "Not known: motions that fail and motions that do not meet at one level alone. More levels, or higher ones, would tell it."
+            "About: at most one level has motions that fail beside motions that do not, so that β is not known and θ lies somewhere \
+             between the levels around it. More levels there would tell both."
                 .into(),
         ));
+    }
+    if rows.iter().any(|row| row.get("theta").is_some_and(String::is_empty)) {
+        pieces.push(Piece::Text("–: the motions tell no curve, or no end of its interval.".into()));
+    }
+    let notes = folder.run.get("notes").and_then(|notes| notes.as_array()).into_iter().flatten();
+    let notes = notes.filter_map(|note| note.as_str()).filter(|note| note.contains(", stripes: "));
+    let notes: Vec<String> = notes.map(|note| note.replacen(", stripes: ", ": ", 1)).collect();
+    if !notes.is_empty() {
+        pieces.push(Piece::List(notes));
     }
     if let Some(mut rows) = folder.table("rates.csv")? {
         rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
