@@ -47,7 +47,7 @@ pub fn places(
 /// The names of the pictures of a map.
 fn names_of_pictures(scene: &Scene, grid: &Grid, asked: ColumnSet) -> Vec<String> {
     match grid.slices() {
-        1 if scene.excitation.record().is_none() || grid.line().is_some() => vec![MAIN.into()],
+        1 if scene.excitation.record().is_none() || !has_fields(grid) => vec![MAIN.into()],
         1 => {
             let fields = fields_of(scene, asked).map(|field| field.name);
             let contact = contact(asked).first().map(|field| field.name);
@@ -68,6 +68,11 @@ fn draw(slices: &[Slice], print: Print) -> Result<Vec<Figure>, FigureError> {
             .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number), print))
             .collect(),
     }
+}
+
+/// True where fields are drawn over two axes: neither curves of one, nor the values of one cell.
+fn has_fields(grid: &Grid) -> bool {
+    grid.line().is_none() && grid.len() > 1
 }
 
 /// True where the boundaries between outcomes are written as curves: of a record's map with two axes.
@@ -149,7 +154,7 @@ fn main_figure(map: &Map, at: &str, name: &str, print: Print) -> Result<Figure, 
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
 fn figures(map: &Map, print: Print) -> Result<Vec<Figure>, FigureError> {
     let mut figures = vec![main_figure(map, "", MAIN, print)?];
-    if map.scene.excitation.record().is_none() || map.grid.line().is_some() {
+    if map.scene.excitation.record().is_none() || !has_fields(&map.grid) {
         return Ok(figures);
     }
     let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {

@@ -106,16 +106,17 @@ pub fn draw(scene: &Scene, case: &Case) -> String {
     if base.horizontal.is_some() {
         plate(&mut canvas, y, format!("m_h = {} kg", short(base.plate_h)));
         y += PLATE;
-        let carried = Place { x: left, y, width: wide, height: ROLLER };
-        device(&mut canvas, Device::of(&scene.numbers), carried);
         let words = moves(scene, case);
-        let lines = words.len() as f64;
-        let step = 1.2 * FONT;
-        let first = y + 0.5 * ROLLER - 0.5 * step * (lines - 1.0);
+        // As high as the words beside it.
+        let step = 1.3 * FONT;
+        let height = ROLLER.max(step * words.len() as f64);
+        let carried = Place { x: left, y, width: wide, height };
+        device(&mut canvas, Device::of(&scene.numbers), carried);
+        let first = y + 0.5 * (height - step * (words.len() as f64 - 1.0));
         for (number, text) in words.into_iter().enumerate() {
             beside(&mut canvas, first + step * number as f64, text);
         }
-        y += ROLLER;
+        y += height;
     }
     let (from, to) = (left - 2.5 * wider, right + 2.5 * wider);
     canvas.line([(from, y), (to, y)], stroke(BLACK, 1.0));
@@ -171,29 +172,24 @@ fn device(canvas: &mut Canvas, device: Device, place: Place) {
 /// What the device of the horizontal direction is known by: its catalogue's numbers, where it has some, and its periods.
 fn moves(scene: &Scene, case: &Case) -> Vec<String> {
     let Some(law) = &case.isolation.horizontal else { return Vec::new() };
-    let given = |of: &[Parameter]| -> String {
-        let known = of.iter().filter_map(|one| {
-            let value = scene.numbers.get(*one)?.iter().next()?;
-            Some(one.entry().written(rounded(value, 4)))
-        });
-        known.collect::<Vec<_>>().join(", ")
+    let given = |one: &Parameter| {
+        let value = scene.numbers.get(*one)?.iter().next()?;
+        Some(one.entry().written(rounded(value, 4)))
     };
     let after = law.t_h / law.psi.sqrt();
     let after = |what: &str| match after.is_finite() {
         true => format!("T = {} s {what}", short(after)),
         false => format!("no period {what}"),
     };
-    match Device::of(&scene.numbers) {
-        Device::Paper => vec![format!("T_h = {} s", short(law.t_h))],
-        Device::Pendulum => {
-            vec![given(&[Parameter::Radius, Parameter::Mu]), after("when it slides")]
-        }
+    let t_h = format!("T_h = {} s", short(law.t_h));
+    let (numbers, periods): (&[Parameter], Vec<String>) = match Device::of(&scene.numbers) {
+        Device::Paper => (&[], vec![t_h]),
+        Device::Pendulum => (&[Parameter::Radius, Parameter::Mu], vec![after("sliding")]),
         Device::Bilinear => {
-            let numbers = [Parameter::K1, Parameter::K2, Parameter::Qd];
-            let periods = format!("T_h = {} s, {}", short(law.t_h), after("after yielding"));
-            vec![given(&numbers), periods].into_iter().filter(|text| !text.is_empty()).collect()
+            (&[Parameter::K1, Parameter::K2, Parameter::Qd], vec![t_h, after("yielded")])
         }
-    }
+    };
+    numbers.iter().filter_map(given).chain(periods).collect()
 }
 
 fn metres(name: &str, value: f64) -> String {
@@ -204,11 +200,13 @@ fn short(value: f64) -> String {
     rounded(value, 4).to_string()
 }
 
-/// What the picture shows, and what of it is not to scale.
+/// What the pictures show, and what of them is not to scale.
+pub const SHOWN: &str = "The block is drawn to scale; the plates, springs and devices of the base are symbols. B is half the width, H the height of the \
+    centre of mass C above the base: a block of even density is twice as high, as drawn.";
+
+/// What a picture shows beside that.
 pub fn caption(scene: &Scene, case: &Case) -> String {
-    let mut text = "The block on its base. The block is drawn to scale; the plates, springs and rollers of the base are symbols. B is half \
-                    the width, H the height of the centre of mass C above the base: a block of even density is twice as high, as drawn."
-        .to_string();
+    let mut text = String::new();
     if case.block.offset() != 0.0 {
         let side = if case.block.offset() > 0.0 { "right" } else { "left" };
         text += &format!(" C lies to the {side} of the middle by e.");
@@ -239,4 +237,47 @@ pub fn caption(scene: &Scene, case: &Case) -> String {
         text += &format!(" Of {}, which vary, the first values are drawn.", symbols.join(", "));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use topple::scene::{GRAVITY, Scene, SceneBuilder};
+
+    use super::{case, draw, short};
+
+    fn scene(base: &str) -> Scene {
+        let text = format!(
+            "[block]\nobject = 1\n[base]\nisolation = \"horizontal\"\n{base}\n[pulse]\nomega = 5.0\na_h = 3.0\n"
+        );
+        SceneBuilder::from_toml(&text).unwrap().check().unwrap()
+    }
+
+    /// The text of a picture.
+    fn words(scene: &Scene) -> String {
+        let svg = draw(scene, &case(scene).unwrap());
+        svg.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect()
+    }
+
+    #[test]
+    fn devices_are_drawn_with_their_numbers_and_their_periods() {
+        let pendulum = words(&scene("radius = 1.5\nmu = 0.06"));
+        // A pendulum of the radius.
+        let sliding = TAU * (1.5 / GRAVITY).sqrt();
+        for part in ["= 1.5 m", "= 0.06", &format!("T = {} s sliding", short(sliding))] {
+            assert!(pendulum.contains(part), "{part}: {pendulum}");
+        }
+        let scene_of_bearing = scene("k1 = 50000.0\nk2 = 5000.0\nqd = 300.0");
+        let bearing = words(&scene_of_bearing);
+        let before = case(&scene_of_bearing).unwrap().isolation.horizontal.unwrap().t_h;
+        // A tenth of the stiffness.
+        let yielded = format!("T = {} s yielded", short(before * 10.0_f64.sqrt()));
+        for part in ["= 50000 N/m", "= 5000 N/m", "= 300 N", &yielded] {
+            assert!(bearing.contains(part), "{part}: {bearing}");
+        }
+        // A base of the paper has rollers, which are circles.
+        let rings = |scene: &Scene| draw(scene, &case(scene).unwrap()).matches("<circle").count();
+        assert_eq!(rings(&scene("t_h = 1.5")), rings(&scene_of_bearing) + 3);
+    }
 }

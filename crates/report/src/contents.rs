@@ -133,11 +133,12 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
         }
         let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
         let caption = block::caption(&scene, &case);
-        pieces.push(Piece::Picture(outlined, format!("{}: {caption}", scene.title)));
+        pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
         drawn.push(svg);
     }
     if !pieces.is_empty() {
-        pieces.insert(0, Piece::Heading(1, "The block and its base".into()));
+        let shown = Piece::Text(block::SHOWN.into());
+        pieces.splice(0..0, [Piece::Heading(1, "The block and its base".into()), shown]);
     }
     pieces
 }
@@ -358,7 +359,12 @@ fn repeated(folder: &Folder) -> Vec<Piece> {
     }
     if !hashes.is_empty() {
         pieces.push(Piece::Text("The files that were read, each with its SHA-256:".into()));
+        let more = hashes.len().saturating_sub(ROWS);
+        hashes.truncate(ROWS);
         pieces.push(Piece::Code(hashes));
+        if more > 0 {
+            pieces.push(Piece::Text(format!("{more} more files are in {RUN}, under `records`.")));
+        }
     }
     pieces
 }

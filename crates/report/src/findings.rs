@@ -61,6 +61,7 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
         (Kind::Map, "contact") => {
             "The force between block and base: how small it becomes, and how much friction is needed so that the block does not slide."
         }
+        (Kind::Map, "single") => "What becomes of the block, and how far block and base move.",
         (Kind::Map, _) => {
             "A map of what becomes of the block. Each point is one calculation with the numbers of its axes; the legend says what the \
              colours mean and how much of the map they take."
@@ -100,7 +101,8 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     };
     let mut before: Option<&str> = None;
     for (name, svg) in folder.pictures()? {
-        let own = meaning(folder.kind, name);
+        let single = folder.kind == Kind::Map && folder.number("cells") == Some(1.0);
+        let own = meaning(folder.kind, if single { "single" } else { name });
         let caption = if before == Some(own) { AS_BEFORE } else { own };
         pieces.push(Piece::Picture(svg, caption.into()));
         before = Some(own);
@@ -131,8 +133,15 @@ fn outcome(key: &str) -> &str {
 
 fn outcomes(folder: &Folder) -> Vec<Piece> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
+    let single = counts.into_iter().flatten().find(|(_, count)| count.as_f64() == Some(1.0));
+    if let (1.0, Some((key, _))) = (cells, single) {
+        return vec![Piece::Text(format!(
+            "The run has one calculation. The block {}.",
+            outcome(key)
+        ))];
+    }
+    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
         let share = count.as_f64()? / cells;
         (share > 0.0).then(|| vec![outcome(key).to_string(), percent(share)])
@@ -215,7 +224,12 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         .map(|(name, why)| format!("{name} is left out: {}", why.as_str().unwrap_or_default()))
         .collect();
     if !left_out.is_empty() {
-        pieces.push(Piece::List(left_out));
+        let more = left_out.len().saturating_sub(ROWS);
+        pieces.push(Piece::List(left_out.into_iter().take(ROWS).collect()));
+        if more > 0 {
+            let text = format!("{more} more motions are left out; run.json says why.");
+            pieces.push(Piece::Text(text));
+        }
     }
     Ok(pieces)
 }
@@ -313,6 +327,7 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
          β how wide the step from none to all is."
     ))];
     let mut rows = folder.table("fits.csv")?.unwrap_or_default();
+    rows.iter_mut().for_each(in_words);
     // The stripes use each level's count of failures; the other estimates are in the run's directory.
     rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
     let open = |row: &&mut BTreeMap<String, String>| {
@@ -344,6 +359,7 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         pieces.push(Piece::List(notes));
     }
     if let Some(mut rows) = folder.table("rates.csv")? {
+        rows.iter_mut().for_each(in_words);
         rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
         let mut rates = columns;
         rates.extend([
@@ -363,6 +379,19 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         pieces.extend(table(&rows, &rates));
     }
     Ok(pieces)
+}
+
+/// Puts the limit state of a row in words.
+fn in_words(row: &mut BTreeMap<String, String>) {
+    let Some(state) = row.get_mut("limit_state") else { return };
+    let words = [
+        ("zeta>", "ζ above ", ""),
+        ("max_u>", "|u| above ", " m"),
+        ("stroke_v>", "a stroke of v above ", " m"),
+    ];
+    if let Some((key, words, unit)) = words.into_iter().find(|(key, ..)| state.starts_with(*key)) {
+        *state = format!("{words}{}{unit}", &state[key.len()..]);
+    }
 }
 
 /// The axes of a run, by their keys, and how they are labelled.

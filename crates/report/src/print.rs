@@ -22,11 +22,11 @@ const CELL: f64 = 7.0;
 /// From one line to the next, over the size of its letters, and between two parts.
 const LEADING: f64 = 1.4;
 const GAP: f64 = 7.0;
-/// A picture takes no more of a page's height, and is drawn no larger than so many times its own size; where a page has nearly
-/// room for it, it is drawn this much smaller at most.
+/// A picture takes no more of a page's height, and is drawn no larger than so many times its own size. Where it takes a smaller
+/// one to fit on the rest of a page it is no smaller than this, and letters of 7 points are of 5.6.
 const MOST: f64 = 0.6 * (PAGE.1 - 2.0 * MARGIN);
-const LARGER: f64 = 4.0 / 3.0;
-const SMALLER: f64 = 0.75;
+const LARGEST: f64 = 1.2;
+const SMALLEST: f64 = 0.8;
 /// Two pictures that are no wider than this lie beside each other, so far apart.
 const NARROW: f64 = 100.0 * MILLIMETRE;
 const APART: f64 = 5.0 * MILLIMETRE;
@@ -57,7 +57,9 @@ pub fn write(document: &Document) -> Result<Vec<u8>, FigureError> {
             Piece::Heading(level, text) => {
                 // A heading goes with its pictures.
                 let (row, _) = row_of(&[], rest)?;
-                let with = row.first().map_or(0.0, |_| height(&row));
+                let words = row.iter().map(Picture::words).fold(0.0, f64::max);
+                let with = least(&row) * (height(&row) - words) + words;
+                let with = if row.is_empty() { 0.0 } else { with };
                 paper.heading(*level, text, with);
             }
             _ => paper.put(piece),
@@ -83,7 +85,7 @@ impl<'a> Picture<'a> {
     fn of(svg: &'a str, meaning: &str, count: usize) -> Result<Picture<'a>, FigureError> {
         let (width, height) = render::size(svg)?;
         let room = (WIDE - APART * (count as f64 - 1.0)) / count as f64;
-        let scale = (room / width).min(MOST / height).min(LARGER);
+        let scale = (room / width).min(MOST / height).min(LARGEST);
         let words = wrapped(meaning, SMALL, room);
         Ok(Picture { svg, size: (width, height), scale, room, words })
     }
@@ -97,6 +99,12 @@ impl<'a> Picture<'a> {
 fn height(row: &[Picture]) -> f64 {
     let drawn = row.iter().map(|one| one.scale * one.size.1).fold(0.0, f64::max);
     drawn + row.iter().map(Picture::words).fold(0.0, f64::max) + 2.0 * GAP
+}
+
+/// How small a row of pictures may become, of what it is.
+fn least(row: &[Picture]) -> f64 {
+    let scale = row.iter().map(|one| one.scale).fold(f64::INFINITY, f64::min);
+    (SMALLEST / scale).min(1.0)
 }
 
 /// The pictures of a row, two where the first two are narrow, among pieces of which the first ones may be apart; and what
@@ -168,7 +176,7 @@ impl Paper {
     /// A heading, not alone at the foot of a page: so much of what follows goes with it.
     fn heading(&mut self, level: u32, text: &str, with: f64) {
         let size = if level == 1 { HEADING } else { 11.0 };
-        self.need((3.0 * HEADING + SMALLER * with).max(8.0 * size));
+        self.need((3.0 * HEADING + with).max(8.0 * size));
         self.y += GAP;
         self.text(text, size, 0.0);
     }
@@ -194,7 +202,7 @@ impl Paper {
         let words = row.iter().map(Picture::words).fold(0.0, f64::max) + 2.0 * GAP;
         let (whole, left) = (height(row), PAGE.1 - MARGIN - self.y);
         let smaller = ((left - words) / (whole - words)).min(1.0);
-        let smaller = if smaller < SMALLER { 1.0 } else { smaller };
+        let smaller = if smaller < least(row) { 1.0 } else { smaller };
         self.need(smaller * (whole - words) + words);
         let drawn = smaller * (whole - words);
         let mut x = MARGIN;

@@ -420,6 +420,70 @@ fn letters_become_outlines_where_they_are_asked_for() {
     }
 }
 
+/// Numbers on the lines of a map do not lie in heaps: each has room around it, one of the same value more.
+#[test]
+fn numbers_on_lines_are_apart() {
+    let out = TempDir::new().unwrap();
+    let record = ["seismic", "--object", "1", "--eccentricity", "0.2", "--backend", "cpu"];
+    let grid = ["--t-h", "0.5:4:40", "--t-v", "0.02:2:40", "--verify", "none"];
+    topple(&[&record[..], &grid].concat(), out.path());
+    let mut compared = 0;
+    for name in ["displacement_u", "displacement_v", "stroke_v", "contact"] {
+        let svg = svg(out.path(), name);
+        // White behind a number, and the number.
+        let lines: Vec<&str> = svg.lines().collect();
+        let written: Vec<([f64; 4], &str)> = lines
+            .windows(2)
+            .filter(|pair| pair[0].contains("fill-opacity=\"0.85\""))
+            .map(|pair| {
+                let of = |attribute| numbers(pair[0], attribute)[0];
+                let text = pair[1].split_once('>').unwrap().1.split('<').next().unwrap();
+                ([of("x"), of("y"), of("width"), of("height")], text)
+            })
+            .collect();
+        for (k, ([x, y, width, height], text)) in written.iter().enumerate() {
+            for ([other_x, other_y, other_width, other_height], other) in &written[k + 1..] {
+                let across = (x - other_x - other_width).max(other_x - x - width);
+                let upwards = (y - other_y - other_height).max(other_y - y - height);
+                // Lengths are written to hundredths. The two halves of a picture each have their own numbers.
+                let least = if text == other && name != "contact" { 60.0 } else { 4.95 };
+                assert!(across.max(upwards) > least, "{name}: {text} beside {other}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
+/// A map of one cell has no axes: its picture says what becomes of the block, and has no field beside it.
+#[test]
+fn one_cell_is_told_in_words() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let record = ["seismic", "--object", "1", "--t-h", "2", "--t-v", "0.5", "--backend", "cpu"];
+    topple(&record, &at("record"));
+    topple(&[&MAP[..9], &["--omega", "5", "--a-h", "1", "--backend", "cpu"]].concat(), &at("map"));
+    let value = |folder: &str, column: &str| -> f64 {
+        let table = fs::read_to_string(at(folder).join("map.csv")).unwrap();
+        let place = table.lines().next().unwrap().split(',').position(|own| own == column);
+        table.lines().nth(1).unwrap().split(',').nth(place.unwrap()).unwrap().parse().unwrap()
+    };
+    for folder in ["record", "map"] {
+        let svg = svg(&at(folder), "map");
+        is_printable(&svg, folder);
+        let said = words(&svg);
+        let of = topple::scene::record::rounded(value(folder, "max_u"), 3);
+        assert!(said.contains("Outcome of one case") && said.contains("max |u| = "), "{said}");
+        assert!(said.contains(&format!("max |u| = {of}")), "{of}: {said}");
+        assert!(!svg.contains("<image"), "{folder}");
+        let files: Vec<_> = fs::read_dir(at(folder)).unwrap().collect();
+        let pictures = files.into_iter().filter(|file| {
+            file.as_ref().unwrap().path().extension().is_some_and(|own| own == "svg")
+        });
+        assert_eq!(pictures.count(), 1, "{folder}");
+    }
+}
+
 /// The share of the pixels of two pictures that differ by more than the edge of a letter does.
 fn differing(one: &[u8], other: &[u8]) -> f64 {
     let pixels = |bytes: &[u8]| {
