@@ -1,7 +1,7 @@
 //! The pictures of the pages: what draws each of them, and that none is older than the program.
 //!
 //! `TOPPLE_WRITE_PICTURES=1 cargo test --release --test app docs_pictures::` draws all of them anew for which there is what they
-//! need; it says which are left. Without it those that are drawn in seconds are drawn and compared.
+//! need, and says which are left; a word in the place of 1 draws those whose place contains it. Without it those that are drawn in seconds are drawn and compared.
 
 use std::collections::BTreeSet;
 use std::env;
@@ -261,13 +261,18 @@ fn no_picture_is_older_than_the_program() {
         eprintln!("skipped: no shell that runs what draws the pictures");
         return;
     }
-    let writes = env::var_os("TOPPLE_WRITE_PICTURES").is_some();
+    let asked = env::var("TOPPLE_WRITE_PICTURES").ok();
+    let writes = asked.is_some();
+    let is_asked = |drawn: &Drawn| match asked.as_deref() {
+        None | Some("1") => true,
+        Some(word) => drawn.pictures.iter().any(|(place, _)| place.contains(word)),
+    };
     let records = env::var_os("TOPPLE_RECORDS").map(PathBuf::from);
     let mut compared = 0;
     for drawn in &ALL {
         let needs_records = matches!(drawn.needs, Records | PythonAndRecords);
         let wanted = writes && (records.is_some() || !needs_records) || drawn.needs == Seconds;
-        if !wanted {
+        if !wanted || !is_asked(drawn) {
             continue;
         }
         let folder = TempDir::new().unwrap();
