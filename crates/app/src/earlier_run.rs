@@ -16,7 +16,7 @@ use topple::sweep::settings::Method;
 use topple_studies::uncertain::Uncertainty;
 
 use super::history_table::MoreColumns;
-use super::map_file::{Besides, MapFile};
+use super::map_file::{Besides, MapFile, SPECTRUM};
 use super::picture_flags::PictureFlags;
 
 /// What was run.
@@ -218,6 +218,7 @@ impl Written {
             refine: refined.as_ref().map(|refined| refined.levels.len() as u32),
             smooth: refined.and_then(|refined| refined.smooth),
             sharpness: sharpness.is_some(),
+            spectrum: files.iter().any(|file| file == SPECTRUM),
             files: MapFile::among(&files),
             pictures,
             more_columns,

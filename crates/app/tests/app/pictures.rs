@@ -499,3 +499,48 @@ fn differing(one: &[u8], other: &[u8]) -> f64 {
     let apart = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
     apart as f64 / one.len() as f64
 }
+
+/// The spectra of a map are the least values of its cells, and are repeated with it.
+#[test]
+fn spectra_are_the_least_values_that_lift_and_overturn() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    // Blocks under quick pulses do not overturn up to 8 m/s².
+    let grid = ["--omega", "0.2:15:30", "--a-h", "0.1:8:30", "--backend", "cpu", "--spectrum"];
+    topple(&[&MAP[..9], &grid].concat(), &at("map"));
+    let read = |name: &str| fs::read_to_string(at("map").join(name)).unwrap();
+    let cells = read("map.csv");
+    let spectrum = read("spectrum.csv");
+    let mut lines = spectrum.lines();
+    assert_eq!(lines.next().unwrap(), "omega,lifts,overturns");
+    let (mut compared, mut open) = (0, 0);
+    for line in lines {
+        let [omega, lifts, overturns] = line.split(',').collect::<Vec<_>>()[..] else { panic!() };
+        let least = |does: fn(&str) -> bool| {
+            let of = cells.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
+            let of = of.filter(|row| row[0] == omega && does(row[2]));
+            of.map(|row| row[1].parse::<f64>().unwrap()).reduce(f64::min)
+        };
+        let lifted = least(|outcome| outcome != "full_contact");
+        let overturned = least(|outcome| outcome.starts_with("overturned"));
+        for (told, wanted) in [(lifts, lifted), (overturns, overturned)] {
+            assert_eq!(told.parse::<f64>().ok(), wanted, "{line}");
+            compared += usize::from(wanted.is_some());
+            open += usize::from(wanted.is_none());
+        }
+    }
+    assert!(compared > 40 && open > 0, "{compared} {open}");
+    let svg = svg(&at("map"), "spectrum");
+    is_printable(&svg, "spectrum");
+    let said = words(&svg);
+    for part in
+        ["Least Ah that lifts and overturns, over Ω", "overturns from here on", "ζ at Ah = 8 m/s²"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    topple(&["run", at("map").to_str().unwrap()], &at("again"));
+    assert_eq!(fs::read_to_string(at("again").join("spectrum.csv")).unwrap(), spectrum);
+    let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();
+    let said = refused(&[&line[..], &["--out", at("line").to_str().unwrap()]].concat());
+    assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");
+}

@@ -13,3 +13,4 @@ pub mod main;
 pub mod overlay;
 pub mod overturning;
 pub(crate) mod single;
+pub mod spectra;
