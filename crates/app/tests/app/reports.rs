@@ -171,9 +171,7 @@ fn a_report_has_the_title_that_is_asked_for_and_what_its_runs_warned_of() {
     let run: serde_json::Value = serde_json::from_str(&json).unwrap();
     let (warning, date) = (run["warnings"][0].as_str().unwrap(), run["date"].as_str().unwrap());
     assert!(warning.contains("but its run ends at 5 s"), "{warning}");
-    let written = std::time::SystemTime::from(
-        fs::metadata(place.path().join("map/run.json")).unwrap().modified().unwrap(),
-    );
+    let written = fs::metadata(place.path().join("map/run.json")).unwrap().modified().unwrap();
     let seconds = written.duration_since(std::time::UNIX_EPOCH).unwrap().as_secs();
     // Of the day the seconds are those of the clock, a few apart.
     let of_day: Vec<u64> = date[11..19].split(':').map(|part| part.parse().unwrap()).collect();
