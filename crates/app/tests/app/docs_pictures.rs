@@ -252,6 +252,16 @@ fn pixels(file: &Path) -> ((u32, u32), Vec<u8>) {
     ((info.width, info.height), pixels)
 }
 
+/// The share of two pictures in which they differ.
+fn differing(one: &Path, other: &Path) -> f64 {
+    let ((size, one), (other_size, other)) = (pixels(one), pixels(other));
+    if size != other_size || one.len() != other.len() {
+        return 1.0;
+    }
+    let differ = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
+    differ as f64 / one.len() as f64
+}
+
 /// Cells that differ between machines, and edges of letters.
 const DIFFERING: f64 = 0.004;
 
@@ -284,15 +294,13 @@ fn no_picture_is_older_than_the_program() {
         }
         for (place, file) in drawn.pictures {
             let (kept, new) = (root().join(place), folder.path().join(file));
-            if writes {
+            // A picture that is as it was stays as it is.
+            let is_old =
+                !place.ends_with("png") || !kept.exists() || differing(&kept, &new) >= DIFFERING;
+            if writes && is_old {
                 fs::copy(&new, &kept).unwrap();
-                continue;
             }
-            let ((size, kept), (new_size, new)) = (pixels(&kept), pixels(&new));
-            assert_eq!(size, new_size, "{place}");
-            let differ = kept.iter().zip(&new).filter(|(a, b)| a.abs_diff(**b) > 24).count();
-            let share = differ as f64 / kept.len() as f64;
-            assert!(kept.len() == new.len() && share < DIFFERING, "{place}: {share} is another");
+            assert!(writes || !is_old, "{place} is older than the program");
             compared += 1;
         }
     }
