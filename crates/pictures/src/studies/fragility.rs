@@ -104,10 +104,12 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
                 }
                 canvas.line(part(&|x| (from..=to).contains(&x)), stroke(colour, CURVE));
             }
-            entries.push(entry(
-                Swatch::Line(stroke(colour, CURVE)),
-                format!("{}: {}", state.words(), told(fit)),
-            ));
+            let line = stroke(colour, CURVE);
+            let swatch = match has_shares(of) {
+                true => Swatch::Curve(line, MARKS[k % MARKS.len()]),
+                false => Swatch::Line(line),
+            };
+            entries.push(entry(swatch, format!("{}: {}", state.words(), told(fit))));
         }
     });
     frame.draw(&mut canvas, BOTH);
@@ -193,7 +195,8 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Prin
             for part in points(k).split(Option::is_none) {
                 canvas.line(part.iter().flatten().copied(), stroke(colour, 0.9));
             }
-            entries.push(entry(Swatch::Line(stroke(colour, 0.9)), state.words()));
+            let swatch = Swatch::Curve(stroke(colour, 0.9), MARKS[k % MARKS.len()]);
+            entries.push(entry(swatch, state.words()));
         }
         // Marks lie above the bars and the lines of all limit states.
         for k in 0..states.len() {
