@@ -144,7 +144,7 @@ const ALL: [Drawn; 18] = [
             ("docs/paper/fig13.png", "figures/fig13.png"),
             ("docs/paper/fig14.png", "figures/fig14.png"),
             ("docs/paper/fig14-e-path-2.png", "figures/fig14-e-path-2.png"),
-            ("docs/paper/motion.gif", "figures/motion.gif"),
+            ("docs/paper/motion.gif", "figures/motion-a.gif"),
             ("docs/paper/parity.png", "figures/parity.png"),
             ("docs/paper/shares.png", "figures/shares.png"),
             ("docs/paper/strip.png", "figures/strip.png"),
