@@ -445,7 +445,7 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let other_band = |line: &&str| line.ends_with("Z\" fill=\"#2c5fb8\" fill-opacity=\"0.18\"/>");
     let last_band = lines.iter().rposition(|line| is_band(line) || other_band(line));
     assert!(last_band.unwrap() < first, "a band lies above a mark");
-    assert!(lines.iter().any(|line| is_band(line)) && lines.iter().any(|line| other_band(line)));
+    assert!(lines.iter().any(is_band) && lines.iter().any(other_band));
     // The curve is dashed up to the lowest level at which a motion fails, and whole from there on.
     let ends = |line: &str| -> [f64; 2] {
         let path = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
