@@ -83,7 +83,7 @@ STUDIES = {
     "--bootstrap 99 --vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3,0.02,0.1) --samples 16 --verify none",
 }
 # What changes from run to run, and what a backend says of itself; the same do keys with these endings.
-CHANGING = {"adapter", "seconds", "start", "sweep", "threads", "timings", "version"}
+CHANGING = {"adapter", "date", "seconds", "start", "sweep", "threads", "timings", "version"}
 ENDINGS = ("_seconds", "_per_second")
 
 

@@ -6,6 +6,7 @@ mod history;
 mod keywords;
 mod map;
 mod picture;
+mod report;
 mod suite;
 mod tables;
 mod uncertain;
@@ -26,7 +27,9 @@ fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(suite::envelope, module)?)?;
     module.add_function(wrap_pyfunction!(suite::fragility, module)?)?;
     module.add_function(wrap_pyfunction!(suite::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(report::report, module)?)?;
     module.add_function(wrap_pyfunction!(picture::palette, module)?)?;
+    module.add_function(wrap_pyfunction!(picture::check_print, module)?)?;
     module.add_function(wrap_pyfunction!(picture::kinds, module)?)?;
     module.add_function(wrap_pyfunction!(picture::shares, module)?)?;
     module.add_function(wrap_pyfunction!(picture::caption, module)?)?;

@@ -5,30 +5,61 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
 use topple::results;
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, is_dotted};
+use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, dots, is_dotted};
+use topple::results::print_palette::{Palette, Texture};
 use topple::results::ramp;
 use topple::scene::words;
-use topple::{Class, Outcome, Scene};
+use topple::{Class, Outcome, Scene, Written};
+use topple_pictures::drawing::print::{Print, PrintError};
+use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 
-/// The colours of pictures as JSON: `kinds` of cells, each with label and colour, the word on dots and the colour under
-/// them in a legend, the colour of overturned cells on a map of a quantity and the greys of its values, the colours of
+use crate::errors::of_keyword;
+
+/// The colours of pictures in a palette as JSON: `kinds` of cells, each with its label, its colour, the lines over it and
+/// the colour of lines and dots on it; the word on dots and the colour under them in a legend, the colour of overturned
+/// cells on a map of a quantity and the greys of its values, the columns of which a small value is dark, the colours of
 /// curves, and the one behind a motion while the block rocks.
 #[pyfunction]
-pub fn palette() -> String {
-    let kinds = Kind::all();
-    let kinds = kinds.iter().map(|kind| json!({ "label": kind.label(), "colour": kind.colour() }));
+pub fn palette(name: &str) -> PyResult<String> {
+    let Some(palette) = Palette::of_key(name) else {
+        let known: Vec<&str> = Palette::ALL.iter().map(|palette| palette.key()).collect();
+        let problem = format!("no palette is called {name}; there are {}", known.join(", "));
+        return Err(of_keyword("palette", problem));
+    };
+    let kinds = Kind::all().into_iter().map(|kind| {
+        let colour = palette.of(kind.colour());
+        let texture = match palette.texture(kind.colour()) {
+            Texture::Plain => "",
+            Texture::Across => "across",
+            Texture::Upright => "upright",
+        };
+        json!({ "label": kind.label(), "colour": colour, "texture": texture, "over": dots(colour) })
+    });
     let entries = kinds.collect::<Vec<_>>();
     let greys = (0..=255_u8).map(|k| [ramp::grey(f64::from(k) / 255.0); 3]);
-    json!({
+    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
+    let falls = falls.map(|field| field.column.entry().name);
+    let told = json!({
         "kinds": entries,
         "dotted": DOTTED,
-        "marked": MARKED,
-        "fallen": FALLEN,
+        "marked": palette.of(MARKED),
+        "fallen": palette.of(FALLEN),
         "greys": greys.collect::<Vec<_>>(),
-        "curves": CURVES,
-        "rocks": ROCKS,
+        "falls": falls.collect::<Vec<_>>(),
+        "curves": CURVES.map(|colour| palette.of(colour)),
+        "rocks": palette.of(ROCKS),
+    });
+    Ok(told.to_string())
+}
+
+/// Refuses a width of a picture, mm, and a size of letters, points, that the command refuses.
+#[pyfunction]
+pub fn check_print(width: f64, font_size: Option<f64>) -> PyResult<()> {
+    let checked = Print::new(Some(width), font_size);
+    checked.map(|_| ()).map_err(|error| match error {
+        PrintError::FontSize(_) => of_keyword("font_size", error),
+        error => of_keyword("width", error),
     })
-    .to_string()
 }
 
 /// An array a class of cells, and where dots lie.

@@ -3,6 +3,7 @@
 import re
 
 import matplotlib
+import matplotlib.pyplot
 import numpy as np
 import pytest
 
@@ -45,6 +46,57 @@ def test_cells_have_their_colours(map):
     assert ax.get_xlabel() == "Ω [rad/s]" and ax.get_ylabel() == "$A_{h}$ [m/s²]"
 
 
+def pixels(figure):
+    """The colours of a figure as it is drawn."""
+    figure.canvas.draw()
+    return np.asarray(figure.canvas.buffer_rgba())[..., :3].reshape(-1, 3)
+
+
+def test_a_picture_has_the_title_the_width_and_the_letters_asked_for(map):
+    ax = map.topple.plot(title="Mine", width=90, font_size=6)
+    assert ax.get_title() == "Mine" and np.isclose(ax.figure.get_figwidth() * 25.4, 90)
+    ax.figure.canvas.draw()
+    texts = [ax.title, ax.xaxis.label, *ax.get_xticklabels(), *ax.get_legend().get_texts(), ax.get_legend().get_title()]
+    assert len(texts) > 8 and {text.get_fontsize() for text in texts} == {6.0}
+    # What is drawn is in the figure, its legend too.
+    legend = ax.get_legend().get_window_extent()
+    assert legend.x0 >= 0 and legend.y0 >= 0 and legend.x1 <= ax.figure.bbox.x1
+    assert matplotlib.rcParams["font.size"] == 10.0
+    motion = map.topple.history(omega=9.0, a_h=8.4).topple.plot(title="Moves", width=120, palette="grey")
+    assert motion[0].get_title() == "Moves" and np.isclose(motion[0].figure.get_figwidth() * 25.4, 120)
+    curves = map.isel(a_h=20).topple.plot(title="A line", palette="grey")
+    assert curves.child_axes[0].get_title() == "A line"
+
+
+@pytest.mark.parametrize("column", ["outcome", "zeta"])
+def test_a_grey_picture_has_no_colour(map, column):
+    assert np.ptp(pixels(map.topple.plot(column).figure), axis=1).max() > 100
+    assert np.ptp(pixels(map.topple.plot(column, palette="grey").figure), axis=1).max() == 0
+    # Classes of one grey differ by lines, in the legend too.
+    if column == "outcome":
+        legend = map.topple.plot(palette="grey").get_legend()
+        faces = [(patch.get_facecolor(), patch.get_hatch()) for patch in legend.get_patches()]
+        assert len(set(faces)) == len(faces) > 5 and len({face for face, _ in faces}) < len(faces)
+
+
+def test_dots_are_seen_on_dark_colours(map):
+    dark = map.copy(deep=True)
+    dark.outcome[:] = map.outcome.flag_meanings.split().index("overturned_right")
+    dark.impacts[:] = 30
+    # Few pixels of white beside dots, were they black.
+    shares = {}
+    for impacts in (1, 30):
+        dark.impacts[:] = impacts
+        ax = dark.topple.plot()
+        inside = ax.get_window_extent()
+        ax.figure.canvas.draw()
+        all_of = np.asarray(ax.figure.canvas.buffer_rgba())[..., :3]
+        height = all_of.shape[0]
+        part = all_of[int(height - inside.y1) + 5 : int(height - inside.y0) - 5, int(inside.x0) + 5 : int(inside.x1) - 5]
+        shares[impacts] = (part.min(axis=2) > 200).mean()
+    assert min(shares.values()) > 0.01, shares
+
+
 def test_a_quantity_and_a_line(map):
     assert "long_name" in map.zeta.attrs and map.topple.plot("zeta").get_title()
     ax = map.isel(a_h=20).topple.plot()
@@ -76,6 +128,16 @@ def test_what_a_picture_refuses(map):
         map.topple.plot("status")
     with pytest.raises(ValueError, match="^omega: missing"):
         map.topple.history(a_h=4.0)
+    for asked, problem in (
+        ({"width": 3}, "^width: a picture is 40 to 600 mm wide, not 3"),
+        ({"font_size": 300}, "^font_size: letters are of 4 to 40 pt, not 300"),
+        ({"font_size": 20, "width": 60}, "^width: letters of 20 pt need a picture that is 163 mm wide"),
+        ({"palette": "green"}, "^palette: no palette is called green; there are colour, grey"),
+        ({"title": ""}, "^title: must be one line of text"),
+        ({"width": 90, "ax": matplotlib.pyplot.figure().gca()}, "^width: the figure of ax has a width"),
+    ):
+        with pytest.raises(ValueError, match=problem):
+            map.topple.plot(**asked)
     with pytest.raises(ValueError, match="^speed: "):
         map.topple.animate({"omega": 9.0, "a_h": 8.0}, speed=0.0)
 

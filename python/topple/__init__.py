@@ -22,6 +22,8 @@ from ._accessor import register
 from ._dataset import attributes, dataset, described, of_leaves, of_map, of_run
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
+from ._mat import save_mat as save_mat
+from ._print import checked_title
 from ._progress import Progress, heard
 from ._records import factor, scene_file, taken, uncertain
 from ._tables import of_cells, of_devices, of_fragility, of_suite, written
@@ -33,7 +35,8 @@ if TYPE_CHECKING:
 
 __version__: str = _topple.__version__
 __all__ = [
-    "compare", "envelope", "fragility", "history", "merge", "open", "parameters", "pulse", "run", "seismic", "suite",
+    "compare", "envelope", "fragility", "history", "merge", "open", "parameters", "pulse", "report", "run",
+    "save_mat", "seismic", "suite",
 ]
 
 
@@ -208,6 +211,37 @@ def merge(
     with heard(progress) as hears:
         columns, about = _topple.merge([os.fspath(part) for part in parts], keywords, hears)
     return _returned(columns, about, out)
+
+
+def report(
+    runs: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    out: str | os.PathLike[str],
+    *,
+    title: str | None = None,
+) -> None:
+    """Write a report of runs of the command, as ``topple report`` does.
+
+    Parameters
+    ----------
+    runs : path, or sequence of path
+        Directories that commands of topple wrote with ``--out``. What calls of this package return is in no directory.
+    out : path
+        The report: a name that ends in .html or .pdf.
+    title : str, optional
+        Title of the report, in the place of that of its runs.
+
+    Raises
+    ------
+    ValueError
+        A directory that holds no run, or a name that is none of a report, in one line.
+    OSError
+        A place that cannot be written.
+    """
+    several = [runs] if isinstance(runs, (str, os.PathLike)) else list(runs)
+    if not several or not all(isinstance(one, (str, os.PathLike)) for one in several):
+        raise ValueError("runs: give the directory of a run, or a sequence of them")
+    checked_title(title)
+    _topple.report([os.fspath(one) for one in several], os.fspath(out), title)
 
 
 @listed(*SECTIONS["history"])

@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from . import _plot
+from ._print import Print
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -18,7 +19,16 @@ class Accessor:
     def __init__(self, dataset: Any) -> None:
         self._dataset = dataset
 
-    def plot(self, column: str = "outcome", ax: Axes | None = None) -> Any:
+    def plot(
+        self,
+        column: str = "outcome",
+        ax: Axes | None = None,
+        *,
+        title: str | None = None,
+        width: float | None = None,
+        font_size: float | None = None,
+        palette: str = "colour",
+    ) -> Any:
         """Draw a map over two axes, or curves over one.
 
         Parameters
@@ -27,6 +37,14 @@ class Accessor:
             ``outcome`` (default) in the colours of the command, or a column of numbers in greys.
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default a figure of its own.
+        title : str, optional
+            In the place of the scene's own.
+        width : float, optional
+            Width of the figure in print, 40 to 600 mm; by default 162.56.
+        font_size : float, optional
+            Size of the letters, 4 to 40 points.
+        palette : str, optional
+            ``colour`` (default), or ``grey`` for print without colours: outcomes that share a grey differ by lines.
 
         Returns
         -------
@@ -51,12 +69,13 @@ class Accessor:
         >>> ds.topple.plot().get_xlabel()
         'Ω [rad/s]'
         """
+        asked = Print(title, width, font_size, palette)
         if self._is_history():
             for key, given in (("column", column != "outcome"), ("ax", ax is not None)):
                 if given:
                     raise ValueError(f"{key}: a history is drawn as u, v and φ on axes of its own; leave it out")
-            return _plot.motion_of(self._dataset)
-        return _plot.map_of(self._dataset, column, ax)
+            return _plot.motion_of(self._dataset, asked)
+        return _plot.map_of(self._dataset, column, ax, asked)
 
     def _is_history(self) -> bool:
         return "phi" in self._dataset and self._dataset["phi"].dims == ("row",)

@@ -10,9 +10,9 @@ from . import _topple
 
 
 @functools.cache
-def known_colours() -> dict[str, Any]:
-    """The colours of pictures by their meaning; not to be changed."""
-    found: dict[str, Any] = json.loads(_topple.palette())
+def known_colours(palette: str = "colour") -> dict[str, Any]:
+    """The colours of pictures in a palette by their meaning; not to be changed."""
+    found: dict[str, Any] = json.loads(_topple.palette(palette))
     return found
 
 

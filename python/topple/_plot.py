@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _topple
-from ._colours import known_colours, rgb
+from ._colours import rgb
 from ._help import parameters
+from ._print import TEXTURES, Print
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+#: Edges of cells along both axes.
+Edges = tuple[np.ndarray, np.ndarray]
 #: Size of a legend's letters, points: of a picture of its own, and of one in a narrow place, inches.
 LETTERS, SMALL, NARROW = 8.5, 7.0, 5.0
 #: From an axis to what is said below its numbers and its name, points.
@@ -105,11 +108,11 @@ def _below(dataset: Any) -> str:
     return ", ".join(part.replace(" ", "\xa0") for part in ", ".join(parts).split(", "))
 
 
-def map_of(dataset: Any, column: str, ax: Axes | None) -> Axes:
+def map_of(dataset: Any, column: str, ax: Axes | None, asked: Print) -> Axes:
     """Draws a column of a map; see `Accessor.plot`."""
-    import matplotlib.pyplot as plt
-
     _check(dataset, column)
+    if ax is not None and asked.width is not None:
+        raise ValueError("width: the figure of ax has a width; leave it out, or leave out ax")
     dataset = dataset.squeeze()
     dims = dataset["outcome"].dims
     if not dims:
@@ -117,18 +120,27 @@ def map_of(dataset: Any, column: str, ax: Axes | None) -> Axes:
     if len(dims) > 2:
         names = ", ".join(map(str, dims))
         raise ValueError(f"axes: {names}; a picture has one or two, select values of others as ds.sel({dims[0]}=...)")
-    if len(dims) == 1:
-        return _curves(dataset, ax)
+    with asked.letters():
+        return _curves(dataset, ax, asked) if len(dims) == 1 else _map(dataset, column, ax, asked)
+
+
+def _title(dataset: Any, asked: Print) -> str:
+    return asked.title or str(json.loads(dataset.attrs["scene"])["title"])
+
+
+def _map(dataset: Any, column: str, ax: Axes | None, asked: Print) -> Axes:
+    """A map of two axes."""
+    dims = dataset["outcome"].dims
     if ax is None:
-        ax = plt.subplots(figsize=(6.4, 6.8), layout="constrained")[1]
+        ax = asked.subplots(1, 6.8)
     dataset = dataset.sortby(list(dims))
     y, x = (_edges(np.asarray(dataset[dim], dtype=float)) for dim in dims)
     for which, dim in zip("yx", dims):
         _scale(ax, which, np.asarray(dataset[dim], dtype=float))
-    (_outcomes if column == "outcome" else _greys)(dataset, column, ax, x, y)
+    (_outcomes if column == "outcome" else _greys)(dataset, column, ax, (x, y), asked)
     ax.set_xlabel(label(dims[1]))
     ax.set_ylabel(label(dims[0]))
-    ax.set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
+    ax.set_title(_title(dataset, asked), wrap=True)
     return ax
 
 
@@ -147,19 +159,22 @@ def _check(dataset: Any, column: str) -> None:
             raise ValueError(f"{key}: the map has lost this axis; select a value of it instead, as ds.sel({key}=...)")
 
 
-def motion_of(dataset: Any) -> Any:
+def motion_of(dataset: Any, asked: Print) -> Any:
     """Draws u, v and φ of a history over the time."""
-    import matplotlib.pyplot as plt
+    with asked.letters():
+        return _motion(dataset, asked)
 
-    palette = known_colours()
-    figure, axes = plt.subplots(3, 1, sharex=True, figsize=(6.4, 6.0), layout="constrained")
+
+def _motion(dataset: Any, asked: Print) -> Any:
+    palette = asked.colours
+    axes = asked.subplots(3, 6.0, sharex=True)
     t = np.asarray(dataset["t"])
     rocks = np.asarray(dataset["mode"]) != "full_contact"
     for ax, (name, text) in zip(axes, (("u", "u [m]"), ("v", "v [m]"), ("phi", "φ [rad]"))):
         ax.plot(t, np.asarray(dataset[name]), color=rgb(palette["curves"][0]), linewidth=1.0)
         ax.fill_between(t, 0.0, 1.0, where=rocks, color=rgb(palette["rocks"]), transform=ax.get_xaxis_transform(), label="rocking")
         ax.set_ylabel(text)
-    axes[0].set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
+    axes[0].set_title(_title(dataset, asked), wrap=True)
     axes[-1].set(xlabel="t [s]", xlim=(t[0], t[-1]))
     if rocks.any():
         axes[-1].legend(frameon=False)
@@ -171,14 +186,14 @@ def _kept(text: str) -> str:
     return text.replace(" %", "\xa0%").replace("< ", "<\xa0")
 
 
-def _legend(ax: Axes, handles: list[Any], dataset: Any) -> None:
+def _legend(ax: Axes, handles: list[Any], dataset: Any, asked: Print) -> None:
     """What is said below a picture, as wide as that: where it were wider, the layout would shrink the picture."""
     from matplotlib.transforms import offset_copy
 
     figure = ax.get_figure(root=True)
     assert figure is not None
     width = ax.get_position().width * figure.get_figwidth()
-    size = LETTERS if width > NARROW else SMALL
+    size = asked.font_size or (LETTERS if width > NARROW else SMALL)
     letters = int(72.0 * width / (LETTER * size))
     for handle in handles:
         handle.set_label(textwrap.fill(_kept(str(handle.get_label())), max(letters // 2 - 4, 12)))
@@ -186,7 +201,7 @@ def _legend(ax: Axes, handles: list[Any], dataset: Any) -> None:
         handles=handles,
         loc="upper left",
         bbox_to_anchor=(0.0, 0.0),
-        bbox_transform=offset_copy(ax.transAxes, figure, y=-BELOW, units="points"),
+        bbox_transform=offset_copy(ax.transAxes, figure, y=-BELOW * asked.scale, units="points"),
         ncols=2,
         frameon=False,
         fontsize=size,
@@ -199,49 +214,61 @@ def _legend(ax: Axes, handles: list[Any], dataset: Any) -> None:
     )
 
 
-def _swatches(kinds: np.ndarray) -> list[Any]:
+def _swatches(kinds: np.ndarray, asked: Print) -> list[Any]:
     """A line of the legend for each class that is there, with its share."""
+    import matplotlib
     from matplotlib.patches import Patch
 
-    palette = known_colours()
+    palette = asked.colours
     places, counts = np.unique(kinds, return_counts=True)
     swatches = []
     for place, share in zip(places, _topple.shares(counts.tolist())):
         entry = palette["kinds"][place]
-        swatch = Patch(facecolor=rgb(entry["colour"]), label=f"{entry['label']}: {share}")
+        with matplotlib.rc_context({"hatch.color": rgb(entry["over"])}):
+            swatch = Patch(facecolor=rgb(entry["colour"]), hatch=TEXTURES[entry["texture"]], label=f"{entry['label']}: {share}")
         if min(entry["colour"]) == 255:
             swatch.set(hatch="xxx", edgecolor="black")
         swatches.append(swatch)
     return swatches
 
 
-def _outcomes(dataset: Any, _: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:
+def _outcomes(dataset: Any, _: str, ax: Axes, edges: Edges, asked: Print) -> None:
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
-    palette = known_colours()
+    palette = asked.colours
     kinds, dots = classes(dataset)
     colours = ListedColormap([rgb(entry["colour"]) for entry in palette["kinds"]])
-    ax.pcolormesh(x, y, kinds, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, rasterized=True)
-    handles = _swatches(kinds)
-    over = [(dots, "...", palette["dotted"]), (kinds == colours.N - 1, "xxx", None)]
-    over.append((beyond(dataset), "///", "contact force tensile or friction too small: the model does not hold"))
-    for where, hatch, meaning in over:
-        _hatched(ax, x, y, where, hatch)
+    ax.pcolormesh(*edges, kinds, cmap=colours, vmin=-0.5, vmax=colours.N - 0.5, rasterized=True)
+    handles = _swatches(kinds, asked)
+    for place, entry in enumerate(palette["kinds"]):
+        # Each in the one of white and black that is seen on the colour.
+        own, over = kinds == place, rgb(entry["over"])
+        for where, hatch in ((own & dots, "..."), (own, TEXTURES[entry["texture"]])):
+            if hatch:
+                _hatched(ax, edges, where, hatch, over)
+    if dots.any():
+        handles.append(Patch(facecolor=rgb(palette["marked"]), hatch="...", edgecolor="black", label=palette["dotted"]))
+    text = "contact force tensile or friction too small: the model does not hold"
+    for where, hatch, meaning in ((kinds == colours.N - 1, "xxx", None), (beyond(dataset), "///", text)):
+        _hatched(ax, edges, where, hatch)
         if where.any() and meaning:
             handles.append(Patch(facecolor=rgb(palette["marked"]), hatch=hatch, edgecolor="black", label=meaning))
     if not tells_beyond(dataset):
         handles.append(Patch(facecolor="none", label="Contact forces were not asked for: where the model does not hold is not shown."))
-    _legend(ax, handles, dataset)
+    _legend(ax, handles, dataset, asked)
 
 
-def _hatched(ax: Axes, x: np.ndarray, y: np.ndarray, where: np.ndarray, hatch: str) -> None:
+def _hatched(ax: Axes, edges: Edges, where: np.ndarray, hatch: str, colour: Any = "black") -> None:
     """Hatches cells, each up to its edges."""
+    import matplotlib
+
     if where.any():
         # A value just inside either edge of a cell: a contour runs between those of neighbours.
-        x, y = _insides(x), _insides(y)
+        x, y = (_insides(of) for of in edges)
         twice = np.repeat(np.repeat(where.astype(float), 2, axis=0), 2, axis=1)
-        ax.contourf(x, y, twice, levels=[0.5, 1.5], colors="none", hatches=[hatch])
+        with matplotlib.rc_context({"hatch.color": colour}):
+            ax.contourf(x, y, twice, levels=[0.5, 1.5], colors="none", hatches=[hatch])
 
 
 def _insides(edges: np.ndarray) -> np.ndarray:
@@ -251,43 +278,43 @@ def _insides(edges: np.ndarray) -> np.ndarray:
     return found
 
 
-def _greys(dataset: Any, column: str, ax: Axes, x: np.ndarray, y: np.ndarray) -> None:
+def _greys(dataset: Any, column: str, ax: Axes, edges: Edges, asked: Print) -> None:
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
-    palette = known_colours()
+    palette = asked.colours
     flags = dataset["outcome"].attrs["flag_meanings"].split()
     codes = np.asarray(dataset["outcome"])
     stands = np.isin(codes, [flags.index("full_contact"), flags.index("rocking")])
     unresolved = codes == flags.index("unresolved")
     values = np.ma.masked_array(np.asarray(dataset[column], dtype=float), ~stands)
-    greys = ListedColormap([rgb(grey) for grey in palette["greys"]])
-    mesh = ax.pcolormesh(x, y, values, cmap=greys, rasterized=True)
+    shades = palette["greys"][::-1] if column in palette["falls"] else palette["greys"]
+    greys = ListedColormap([rgb(grey) for grey in shades])
+    mesh = ax.pcolormesh(*edges, values, cmap=greys, rasterized=True)
     fallen = np.ma.masked_array(np.ones(values.shape), stands | unresolved)
-    ax.pcolormesh(x, y, fallen, cmap=ListedColormap([rgb(palette["fallen"])]), rasterized=True)
+    ax.pcolormesh(*edges, fallen, cmap=ListedColormap([rgb(palette["fallen"])]), rasterized=True)
     figure = ax.get_figure()
     assert figure is not None
     figure.colorbar(mesh, ax=ax, label=meaning(dataset[column]), shrink=0.8)
     handles = [Patch(facecolor=rgb(palette["fallen"]), label="overturned")] if fallen.count() else []
     without = stands & np.isnan(np.ma.getdata(values))
     for where, hatch, text in ((without, "///", WITHOUT.get(column, "no value")), (unresolved, "xxx", "unresolved")):
-        _hatched(ax, x, y, where, hatch)
+        _hatched(ax, edges, where, hatch)
         if where.any():
             handles.append(Patch(facecolor="white", hatch=hatch, edgecolor="black", label=text))
-    _legend(ax, handles, dataset)
+    _legend(ax, handles, dataset, asked)
 
 
-def _curves(dataset: Any, ax: Axes | None) -> Axes:
+def _curves(dataset: Any, ax: Axes | None, asked: Print) -> Axes:
     """Curves of the cells that stand, and the outcomes as a strip above them."""
-    import matplotlib.pyplot as plt
     from matplotlib.colors import ListedColormap
 
-    palette = known_colours()
+    palette = asked.colours
     (dim,) = dataset["outcome"].dims
     dataset = dataset.sortby(dim)
     x = np.asarray(dataset[dim], dtype=float)
     if ax is None:
-        ax = plt.subplots(figsize=(6.4, 5.2), layout="constrained")[1]
+        ax = asked.subplots(1, 5.2)
     kinds, _ = classes(dataset)
     flags = dataset["outcome"].attrs["flag_meanings"].split()
     stands = np.isin(np.asarray(dataset["outcome"]), [flags.index("full_contact"), flags.index("rocking")])
@@ -295,7 +322,7 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
     colours = ListedColormap([rgb(entry["colour"]) for entry in palette["kinds"]])
     strip.pcolormesh(_edges(x), [0.0, 1.0], kinds[np.newaxis], cmap=colours, vmin=-0.5, vmax=colours.N - 0.5)
     strip.tick_params(left=False, labelleft=False, labelbottom=False, bottom=False)
-    handles = _swatches(kinds)
+    handles = _swatches(kinds, asked)
     metres = ax.twinx()
     for (name, text), style in zip(CURVES.items(), ("-", "--", ":")):
         values = np.where(stands, np.asarray(dataset[name], dtype=float), np.nan)
@@ -306,6 +333,6 @@ def _curves(dataset: Any, ax: Axes | None) -> Axes:
         one.set_ylim(bottom=0.0)
         one.set_ylabel(text)
     ax.set_xlabel(label(dim))
-    strip.set_title(json.loads(dataset.attrs["scene"])["title"], wrap=True)
-    _legend(ax, handles, dataset)
+    strip.set_title(_title(dataset, asked), wrap=True)
+    _legend(ax, handles, dataset, asked)
     return ax

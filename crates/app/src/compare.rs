@@ -174,6 +174,7 @@ impl CompareCommand {
             out.picture(PICTURE, svg, &render::png(svg)?)?;
         }
         let settings = &compared.settings;
+        told::warn_of_few(&settings.groups);
         let ids = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {

@@ -15,7 +15,8 @@ use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
 use topple::sweep::settings::Method;
 use topple_studies::uncertain::Uncertainty;
 
-use super::map_file::{Besides, MapFile};
+use super::history_table::MoreColumns;
+use super::map_file::{Besides, MapFile, SPECTRUM};
 use super::picture_flags::PictureFlags;
 
 /// What was run.
@@ -50,6 +51,9 @@ struct Written {
     /// How its pictures are printed.
     #[serde(default)]
     pictures: PictureFlags,
+    /// More columns of a history.
+    #[serde(default)]
+    more_columns: MoreColumns,
     /// Names of the files beside run.json.
     #[serde(default)]
     files: Vec<String>,
@@ -208,14 +212,16 @@ impl Written {
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
         let kind = self.kind.unwrap_or(Kind::Map);
-        let Written { method, backend, uncertainty, refined, sharpness, files, pictures, .. } =
-            self;
+        let Written { method, backend, uncertainty, refined, sharpness, files, .. } = self;
+        let (pictures, more_columns) = (self.pictures, self.more_columns);
         let besides = Besides {
             refine: refined.as_ref().map(|refined| refined.levels.len() as u32),
             smooth: refined.and_then(|refined| refined.smooth),
             sharpness: sharpness.is_some(),
+            spectrum: files.iter().any(|file| file == SPECTRUM),
             files: MapFile::among(&files),
             pictures,
+            more_columns,
         };
         Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
     }

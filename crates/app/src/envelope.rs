@@ -15,6 +15,7 @@ use topple_studies::suites::verified::Verified;
 use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
+use super::fragility_words::warn_of_few;
 use super::limits::{IntervalFlags, LimitFlags};
 use super::named::best;
 use super::numbers::RecordNumbers;
@@ -134,6 +135,7 @@ impl EnvelopeCommand {
         let times = envelope.settings.times;
         let motions = swept.motions.iter().step_by(times).map(|motion| motion.id.as_str());
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
+        groups.into_iter().for_each(warn_of_few);
         let manifest = Manifest {
             suite: self.motions.manifest(swept, motions.collect(), (&suite, options)),
             standing: limits.standing,

@@ -20,7 +20,7 @@ use topple_studies::Sharpness;
 use super::InputError;
 use super::beside;
 use super::errors::{not_verified, sweep_error};
-use super::map_file::MapFile;
+use super::map_file::{Extras, MapFile};
 use super::map_files;
 use super::options::Talk;
 use super::picture_flags::PictureFlags;
@@ -44,6 +44,8 @@ pub struct Finish<'a> {
     pub tag: Option<u32>,
     /// How sharp the boundaries are is requested.
     pub sharpness: bool,
+    /// Its spectra are asked for.
+    pub spectrum: bool,
     /// How its pictures are printed.
     pub pictures: &'a PictureFlags,
     /// What is printed besides.
@@ -150,7 +152,8 @@ fn files<'a>(
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
     let print = to.pictures.print().map_err(InputError)?;
-    let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.refined.is_some());
+    let extras = Extras { leaves: to.refined.is_some(), spectrum: to.spectrum };
+    let names = map_files::places((&map.plan.scene, &map.grid, asked), files, extras);
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);
     let (pictures, tables) = rayon::join(
@@ -164,8 +167,11 @@ fn files<'a>(
     tables?;
     took.drawing = pictures.1.as_secs_f64();
     let pictures = pictures.0?;
+    if let ([whole], true) = (&slices[..], to.spectrum) {
+        map_files::spectra(out, &whole.map, print)?;
+    }
     if let Some(refined) = to.refined {
-        refined::write(&results.out, refined, files)?;
+        refined::write(&results.out, refined, files, print.palette)?;
     }
     screen.clear();
     let cells: usize = slices.iter().map(|slice| slice.map.grid.len()).sum();

@@ -34,7 +34,7 @@ use super::options::{CommonFlags, RunOptions, flag_error};
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
-use super::words::Reporter;
+use super::words::{self, Reporter};
 use super::{InputError, examples, suite};
 
 /// Estimate how likely a block overturns under the motions of a suite, by their intensity.
@@ -142,6 +142,9 @@ struct Manifest<'a> {
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
+    /// Of a single cell why curves are open, or are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     /// The reference's results for a sample.
     verified: &'a Verified,
 }
@@ -202,7 +205,8 @@ impl FragilityCommand {
         let told_one_by_one = !varies && cells <= MANY;
         files.extend(told_one_by_one.then_some(RUNS));
         files.extend(hazard.as_ref().map(|_| RATES));
-        files.extend(self.exports().map(Export::file));
+        let exports = || self.exports().filter(|export| !export.is_empty(&study));
+        files.extend(exports().map(Export::file));
         let mut files: Vec<String> = files.into_iter().map(String::from).collect();
         let tables = files.len();
         let pictures = figures.iter().map(|(name, ..)| name);
@@ -222,12 +226,15 @@ impl FragilityCommand {
         if hazard.is_some() {
             out.write(RATES, |w| tables::write_rates(&study, self.target, w))?;
         }
-        for export in self.exports() {
+        for export in exports() {
             out.write(export.file(), |w| export.write(&study, self.im, w))?;
         }
         for (name, svg, png) in &figures {
             out.picture(name, svg, png)?;
         }
+        told::warn(&study, self.im);
+        let empty = self.exports().filter(|export| export.is_empty(&study));
+        empty.for_each(|export| words::warn(told::without_curves(export)));
         let records = study.records().collect();
         let manifest = Manifest {
             suite: self.motions.manifest(swept, records, (&suite, options)),
@@ -245,11 +252,12 @@ impl FragilityCommand {
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
+            notes: told::notes(&study),
             verified: &swept.verified,
         };
         out.finish(&manifest)?;
         told::tell(&study, self.im, self.target, &say);
-        self.exports().for_each(|export| told::exported(export, &study, &say));
+        exports().for_each(|export| told::exported(export, &study, &say));
         suite_run::tell_verified(swept, &say);
         study.sweep.discard_saved()?;
         for (name, ..) in &figures {

@@ -13,7 +13,7 @@ use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 
 use super::fragility_rates as rates;
 use super::suite::counted;
-use super::words::Reporter;
+use super::words::{self, Reporter};
 
 /// Most cells that are told one by one.
 const TOLD: usize = 1;
@@ -34,6 +34,82 @@ fn unit(im: Intensity) -> String {
     if im.unit() == "1" { String::new() } else { format!(" {}", im.unit()) }
 }
 
+/// What stands beside a curve of a single cell: why it is open, or that there is none.
+pub fn notes(study: &Study) -> Vec<String> {
+    let [cell] = &study.cells[..] else { return Vec::new() };
+    let of_states = study.settings.states.iter().zip(&cell.states);
+    let of_fits = of_states.flat_map(|(state, of)| {
+        let fits = study.settings.estimators.iter().zip(&of.estimates);
+        fits.filter_map(move |(by, fit)| {
+            Some(format!("{state}, {}: {}", by.name(), fit.note.as_ref()?))
+        })
+    });
+    of_fits.collect()
+}
+
+/// Warns of what the curves tell less well than they seem to.
+pub fn warn(study: &Study, im: Intensity) {
+    warn_of_few(&study.settings.groups);
+    warn_of_units(study, im);
+    rates::warn_of_crossings(study, &unit(im));
+}
+
+/// Warns of intervals that are of few events, or would be: they are too narrow.
+pub fn warn_of_few(groups: &Groups) {
+    let few = |count: usize| count < FEWEST_EVENTS;
+    match (groups.by, groups.events) {
+        (Resample::Event, _) if few(groups.count) => words::warn(format!(
+            "the intervals are of {}; of fewer than {FEWEST_EVENTS} they are too narrow",
+            counted(groups.count, "event")
+        )),
+        (by, Some(events)) if few(events) && by != Resample::Event => words::warn(format!(
+            "the motions are of {}, too few for intervals by event ({FEWEST_EVENTS}); those by {by} are too narrow where motions of an \
+             event are alike",
+            counted(events, "event")
+        )),
+        (by, None) if few(groups.count) => words::warn(format!(
+            "the intervals are of {}; of fewer than {FEWEST_EVENTS} they are too narrow",
+            counted(groups.count, by.name())
+        )),
+        _ => {}
+    }
+}
+
+/// Warns of levels of which those that were meant may be in another unit: none of them does anything to a block, or none is a
+/// level of the hazard curve.
+fn warn_of_units(study: &Study, im: Intensity) {
+    let levels = study.settings.levels.iter().flatten().copied();
+    let (low, high) = levels.fold((f64::MAX, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let ends = format!("{} to {}{}", rounded(low, 4), rounded(high, 4), unit(im));
+    if let Some([from, to]) = study.settings.hazard.as_ref().map(|hazard| hazard.ends())
+        && (high < from || low > to)
+    {
+        let side = if high < from { "below" } else { "above" };
+        let curve = format!("{} to {}{}", rounded(from, 4), rounded(to, 4), unit(im));
+        words::warn(format!(
+            "all levels, {ends}, are {side} the hazard curve, {curve}: are both in the same unit?"
+        ));
+    }
+    let states = study.cells.iter().flat_map(|cell| &cell.states);
+    let fails = states.flat_map(|of| &of.counts).any(|(_, _, failed)| *failed > 0);
+    if im.unit() == "m/s²" && !fails && high < MEANT_IN_G {
+        words::warn(format!(
+            "no motion does anything at the levels, {ends}: levels are in m/s²; if they were meant in g, multiply them by 9.81"
+        ));
+    }
+}
+
+/// Highest level, m/s², that somebody may have meant in g: motions have a few g at most.
+const MEANT_IN_G: f64 = 5.0;
+
+/// What is said of a format in which nothing can be written.
+pub fn without_curves(export: Export) -> String {
+    let file = export.file();
+    format!(
+        "no {file}: in each cell a limit state has no curve; more levels, or higher ones, tell more"
+    )
+}
+
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
 pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     say.line("intervals", intervals(&study.settings.groups, study.records().count()));
@@ -47,9 +123,11 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
             let text = match thetas.len() {
                 0 => "no cell has a median".to_string(),
                 count => format!(
-                    "theta from {} to {} in {count} of {} cells, by {by}",
+                    "theta from {} to {}{} of {} in {count} of {} cells, by {by}",
                     rounded(low, 4),
                     rounded(high, 4),
+                    unit(im),
+                    im.symbol(),
                     study.cells.len()
                 ),
             };
@@ -61,7 +139,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
         for (k, (estimator, fit)) in study.settings.estimators.iter().zip(&of.estimates).enumerate()
         {
             let name = if k == 0 { state.to_string() } else { String::new() };
-            say.line(&name, format!("{:8} {}", estimator.name(), curve(fit)));
+            say.line(&name, format!("{:8} {}", estimator.name(), curve(fit, im)));
             let sensitivity = of.sensitivity.as_ref();
             if let Some((records, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
                 let [records, numbers] = [records, numbers].map(|beta| rounded(beta, 3));
@@ -73,7 +151,6 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
             }
         }
     }
-    rates::warn_of_crossings(study, &unit(im));
     if let ([one], Some(unknown)) = (&study.cells[..], &study.settings.unknown) {
         let overturning = one.states[0].sensitivity.iter().flat_map(|of| &of.indices);
         for (k, (varied, index)) in unknown.varied.iter().zip(overturning).enumerate() {
@@ -119,18 +196,15 @@ pub fn intervals(groups: &Groups, motions: usize) -> String {
         (Resample::Motion, _) => return format!("of 95 %, by motion: {motions}"),
         (by, _) => counted(*count, by.name()),
     };
-    let few = match (by, events) {
-        (Resample::Recording, Some(events)) if *events < FEWEST_EVENTS => {
-            format!("; events are too few for intervals by event: {events}")
-        }
-        (Resample::Recording, None) => "; not every motion's event is known".to_string(),
-        _ => String::new(),
+    let unknown = match (by, events) {
+        (Resample::Recording, None) => "; not every motion's event is known",
+        _ => "",
     };
-    format!("of 95 %, by {by}: {motions} of {drawn}{few}")
+    format!("of 95 %, by {by}: {motions} of {drawn}{unknown}")
 }
 
-/// A fit in words.
-fn curve(fit: &Estimate) -> String {
+/// A fit in words, theta with its unit and its measure.
+fn curve(fit: &Estimate, im: Intensity) -> String {
     let digits = |value: f64| rounded(value, 4).to_string();
     let between = |low: Option<f64>, high: Option<f64>| match (low, high) {
         (Some(low), Some(high)) => format!(" ({} to {})", digits(low), digits(high)),
@@ -141,16 +215,20 @@ fn curve(fit: &Estimate) -> String {
     let note = fit.note.as_ref().map_or(String::new(), |note| format!("; {note}"));
     match (fit.theta, fit.beta) {
         (Some(theta), Some(beta)) => format!(
-            "theta {}{}, beta {}{}{note}",
+            "theta {}{} of {}{}, beta {}{}{note}",
             digits(theta),
+            unit(im),
+            im.symbol(),
             between(fit.theta_low, fit.theta_high),
             digits(beta),
             between(fit.beta_low, fit.beta_high)
         ),
         (Some(theta), None) => {
             format!(
-                "theta about {}{}, beta{}{note}",
+                "theta about {}{} of {}{}, beta{}{note}",
                 digits(theta),
+                unit(im),
+                im.symbol(),
                 between(fit.theta_low, fit.theta_high),
                 between(None, fit.beta_high)
             )

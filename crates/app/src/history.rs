@@ -64,6 +64,9 @@ struct Manifest<'a> {
     #[serde(flatten)]
     method: Method,
     outcome: &'a Outcome,
+    /// Columns of history.csv behind those that it has in any case.
+    #[serde(skip_serializing_if = "MoreColumns::is_empty")]
+    more_columns: &'a MoreColumns,
     #[serde(skip_serializing_if = "PictureFlags::is_plain")]
     pictures: &'a PictureFlags,
 }
@@ -165,6 +168,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
         record: scene.excitation.provenance(),
         method: options.method(),
         outcome: &outcome,
+        more_columns: more,
         pictures: &options.pictures,
     };
     out.finish(&manifest)?;

@@ -9,6 +9,7 @@ mod chart;
 mod command_line;
 mod compare;
 mod completions;
+mod date;
 mod disk;
 mod earlier_run;
 mod envelope;

@@ -2,6 +2,7 @@
 
 use topple::results::own;
 
+use super::history_table::MoreColumns;
 use super::picture_flags::PictureFlags;
 
 /// A file that holds a whole map.
@@ -37,7 +38,19 @@ impl MapFile {
     }
 }
 
-/// What a map has besides its cells: what an earlier one had.
+/// Name of the table of a map's spectra.
+pub const SPECTRUM: &str = "spectrum.csv";
+
+/// What lies beside the files and the pictures of a map.
+#[derive(Debug, Clone, Copy)]
+pub struct Extras {
+    /// The leaves of a refined one.
+    pub leaves: bool,
+    /// Its spectra.
+    pub spectrum: bool,
+}
+
+/// What a map has besides its cells, or a history besides its motion: what an earlier one had.
 #[derive(Debug, Clone, Default)]
 pub struct Besides {
     /// Levels that it was refined in.
@@ -46,10 +59,14 @@ pub struct Besides {
     pub smooth: Option<f64>,
     /// It was asked how sharp its boundaries are.
     pub sharpness: bool,
+    /// Its spectra were drawn.
+    pub spectrum: bool,
     /// Its files.
     pub files: Vec<MapFile>,
     /// How its pictures are printed.
     pub pictures: PictureFlags,
+    /// More columns of a history.
+    pub more_columns: MoreColumns,
 }
 
 /// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.

@@ -15,11 +15,12 @@ use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::render;
 use topple_pictures::map::figure::fields::Field;
-use topple_pictures::map::figure::{field, fields, main};
+use topple_pictures::map::figure::{field, fields, main, spectra};
 use topple_pictures::map::slices::{MOST, Slice};
+use topple_pictures::map::spectrum::Spectrum;
 use topple_pictures::map::{self, Map};
 
-use super::map_file::MapFile;
+use super::map_file::{Extras, MapFile, SPECTRUM};
 use super::progress::Screen;
 use super::refined;
 use super::results_directory::{picture_files, write_picture};
@@ -28,26 +29,34 @@ use super::results_directory::{picture_files, write_picture};
 const MAIN: &str = "map";
 /// Name of the file of the boundaries between outcomes.
 const BOUNDARIES: &str = "boundaries.csv";
+/// Name of the picture of the spectra.
+const SPECTRA: &str = "spectrum";
 
-/// The names of the files that the map of a scene gets of which some columns are requested, those of a refined one among
-/// them.
+/// The names of the files that the map of a scene gets of which some columns are requested, those beside it among them.
 pub fn places(
     (scene, grid, asked): (&Scene, &Grid, ColumnSet),
     files: &[MapFile],
-    refines: bool,
+    extras: Extras,
 ) -> Vec<String> {
     let tables = files.iter().map(|file| file.name().to_string());
     let boundaries = has_boundaries(scene, grid).then(|| BOUNDARIES.to_string());
     let pictures =
         names_of_pictures(scene, grid, asked).into_iter().flat_map(|name| picture_files(&name));
-    let of_leaves = if refines { refined::names(files) } else { Vec::new() };
-    tables.chain(boundaries).chain(pictures).chain(of_leaves).collect()
+    let of_leaves = if extras.leaves { refined::names(files) } else { Vec::new() };
+    let spectra =
+        extras.spectrum.then(|| [SPECTRUM.to_string()].into_iter().chain(picture_files(SPECTRA)));
+    tables
+        .chain(boundaries)
+        .chain(pictures)
+        .chain(of_leaves)
+        .chain(spectra.into_iter().flatten())
+        .collect()
 }
 
 /// The names of the pictures of a map.
 fn names_of_pictures(scene: &Scene, grid: &Grid, asked: ColumnSet) -> Vec<String> {
     match grid.slices() {
-        1 if scene.excitation.record().is_none() || grid.line().is_some() => vec![MAIN.into()],
+        1 if scene.excitation.record().is_none() || !has_fields(grid) => vec![MAIN.into()],
         1 => {
             let fields = fields_of(scene, asked).map(|field| field.name);
             let contact = contact(asked).first().map(|field| field.name);
@@ -68,6 +77,22 @@ fn draw(slices: &[Slice], print: Print) -> Result<Vec<Figure>, FigureError> {
             .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number), print))
             .collect(),
     }
+}
+
+/// True where fields are drawn over two axes: neither curves of one, nor the values of one cell.
+fn has_fields(grid: &Grid) -> bool {
+    grid.line().is_none() && grid.len() > 1
+}
+
+/// Writes the spectra of a map, their table and their picture.
+pub fn spectra(out: &Directory, map: &Map, print: Print) -> anyhow::Result<()> {
+    if let Some(spectrum) = Spectrum::of(map) {
+        out.write(SPECTRUM, |w| spectrum.write(map, w))?;
+    }
+    if let Some(svg) = spectra::draw(map, print)? {
+        write_picture(out, SPECTRA, &svg, &render::png(&svg)?)?;
+    }
+    Ok(())
 }
 
 /// True where the boundaries between outcomes are written as curves: of a record's map with two axes.
@@ -149,7 +174,7 @@ fn main_figure(map: &Map, at: &str, name: &str, print: Print) -> Result<Figure, 
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
 fn figures(map: &Map, print: Print) -> Result<Vec<Figure>, FigureError> {
     let mut figures = vec![main_figure(map, "", MAIN, print)?];
-    if map.scene.excitation.record().is_none() || map.grid.line().is_some() {
+    if map.scene.excitation.record().is_none() || !has_fields(&map.grid) {
         return Ok(figures);
     }
     let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {

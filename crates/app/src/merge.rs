@@ -16,7 +16,7 @@ use topple_pictures::map::thinned::thinned;
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::map_file::MapFile;
+use super::map_file::{Extras, MapFile};
 use super::options::{Talk, Verify, flag_error, share};
 use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
@@ -79,9 +79,9 @@ impl MergeCommand {
             false => self.files.clone(),
         };
         let grid = Grid::of(&shards.content.scene);
-        let refines = self.refine.is_some();
+        let extras = Extras { leaves: self.refine.is_some(), spectrum: false };
         let content = (&shards.content.scene, &grid, shards.content.method.columns);
-        let names = map_files::places(content, &files(grid.len()), refines);
+        let names = map_files::places(content, &files(grid.len()), extras);
         place.refuse_foreign(&names)?;
         let mut results = place.open()?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
@@ -128,7 +128,9 @@ impl MergeCommand {
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
         let refined = refined.as_ref();
         let pictures = &self.pictures;
-        let to = Finish { files, refined, verify, estimate, tag, sharpness, pictures, talk };
+        let spectrum = false;
+        let to =
+            Finish { files, refined, verify, estimate, tag, sharpness, spectrum, pictures, talk };
         finish::write(map, &mut results, &to, &say, &screen)
     }
 }

@@ -19,6 +19,7 @@ use topple::scene::parameters::PARAMETERS;
 use topple::scene::{Directions, Grid, Overturn, Parameter, Pressure, Scene, SceneError, Values};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 use topple::work::threads::too_many;
+use topple_pictures::map::spectrum;
 
 use super::errors::sweep_error;
 use super::map_file::{Besides, MapFile};
@@ -115,6 +116,10 @@ pub struct MapOptions {
     /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
     pub sharpness: bool,
+    /// Draw the spectra of a map of two axes, too: the least values of the second at which the block lifts and overturns, and the
+    /// rocking index at some of them, over the first (spectrum.csv, .png, .svg)
+    #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
+    pub spectrum: bool,
     /// Run only a sample, and print the expected time, memory and room on the disk
     #[arg(long)]
     pub dry_run: bool,
@@ -279,6 +284,8 @@ impl MapOptions {
         }
         let sharp = besides.sharpness && !self.sharpness;
         self.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
+        let spectrum = besides.spectrum && !self.spectrum;
+        self.spectrum |= takes("--spectrum", spectrum, shard || sample || unknown);
         if self.columns.is_none() && !unknown {
             self.columns =
                 earlier.map(|earlier| earlier.columns).filter(|columns| !columns.is_all());
@@ -306,6 +313,7 @@ impl MapOptions {
             ("--repair", self.repair),
             ("--refine", self.refine.is_some()),
             ("--sharpness", self.sharpness),
+            ("--spectrum", self.spectrum),
             ("--dry-run", self.dry_run),
         ];
         flags.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag).collect()
@@ -369,6 +377,10 @@ impl MapOptions {
         self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
+        if self.spectrum && !spectrum::has(&Grid::of(scene)) {
+            let problem = "--spectrum: spectra are of a map of two axes; give two numbers several values, or leave it out";
+            return Err(InputError(problem.into()));
+        }
         if let Some(levels) = self.refine {
             refine::check(scene, levels).map_err(|error| flag_error(&error))?;
         }

@@ -28,11 +28,15 @@ pub struct PictureFlags {
     #[arg(long, value_name = "NAME", value_parser = one_of::<Palette>())]
     #[serde(skip_serializing_if = "Option::is_none")]
     palette: Option<Palette>,
+    /// Draw the letters of SVG pictures as outlines, so that they need no font; such text can be neither searched nor edited
+    #[arg(long)]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    outline_text: bool,
 }
 
 impl PictureFlags {
     /// Their names, for messages.
-    pub const NAMES: &str = "--title, --width, --font-size, --palette";
+    pub const NAMES: &str = "--title, --width, --font-size, --palette, --outline-text";
 
     /// True where nothing is asked.
     pub fn is_plain(&self) -> bool {
@@ -56,6 +60,7 @@ impl PictureFlags {
         })?;
         print.title = self.title.as_deref();
         print.palette = self.palette.unwrap_or_default();
+        print.outlines = self.outline_text;
         Ok(print)
     }
 
@@ -65,11 +70,12 @@ impl PictureFlags {
         self.width = self.width.or(earlier.width);
         self.font_size = self.font_size.or(earlier.font_size);
         self.palette = self.palette.or(earlier.palette);
+        self.outline_text |= earlier.outline_text;
     }
 }
 
 /// A title: a line that says something.
-fn title(text: &str) -> Result<String, String> {
+pub fn title(text: &str) -> Result<String, String> {
     let is_line = !text.trim().is_empty() && !text.contains(char::is_control);
     is_line.then(|| text.to_string()).ok_or_else(|| "must be one line of text".into())
 }

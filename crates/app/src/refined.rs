@@ -3,6 +3,7 @@
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::results::own::LEAVES;
+use topple::results::print_palette::Palette;
 use topple::results::{csv, group, npz};
 use topple_pictures::map::refined::{write_png, write_svg};
 
@@ -29,7 +30,12 @@ pub fn names(files: &[MapFile]) -> Vec<String> {
 }
 
 /// Writes them.
-pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Result<()> {
+pub fn write(
+    out: &Directory,
+    map: &RefinedMap,
+    files: &[MapFile],
+    palette: Palette,
+) -> anyhow::Result<()> {
     let names = names(files);
     map.listed(|listed| -> anyhow::Result<()> {
         for name in &names {
@@ -39,8 +45,8 @@ pub fn write(out: &Directory, map: &RefinedMap, files: &[MapFile]) -> anyhow::Re
                 }
                 "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
                 LEAVES => group::write_list(out, name, listed, map.source())?,
-                "refined.png" => out.write(name, |w| write_png(map, w))?,
-                "refined.svg" => out.write(name, |w| write_svg(map, w))?,
+                "refined.png" => out.write(name, |w| write_png(map, palette, w))?,
+                "refined.svg" => out.write(name, |w| write_svg(map, palette, w))?,
                 // One of `names` that has no case here.
                 other => anyhow::bail!("{other}: not written; this is a mistake in topple"),
             };

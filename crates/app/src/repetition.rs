@@ -11,6 +11,8 @@ use topple::scene::path_text::PathText;
 
 use super::command_line::CommandLine;
 use super::options::MapOptions;
+use super::suite::Sources;
+use super::suite_run::Repeats;
 use super::{Arguments, Command, InputError};
 
 /// Of run.json what repeats a run under a suite.
@@ -18,14 +20,16 @@ use super::{Arguments, Command, InputError};
 struct Written {
     kind: Kind,
     command: Option<CommandLine>,
+    #[serde(default)]
+    records: Sources,
 }
 
 /// A run that is repeated: its command, and what its relative paths are looked for in.
 pub struct Repeated {
     /// What is run.
     pub command: Command,
-    /// The words that say so.
-    line: CommandLine,
+    /// The words that say so, and its motions.
+    repeats: Repeats,
     /// Where the results lie.
     folder: PathBuf,
 }
@@ -45,7 +49,7 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         false => return None,
     };
     let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
-    let Written { kind, command } = serde_json::from_slice(&bytes).ok()?;
+    let Written { kind, command, records } = serde_json::from_slice(&bytes).ok()?;
     if !matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison) {
         return None;
     }
@@ -58,7 +62,7 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         _ => return Some(other()),
     };
     let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
-    Some(Ok(Repeated { command, line, folder }))
+    Some(Ok(Repeated { command, repeats: Repeats { line, records }, folder }))
 }
 
 /// What a command under a suite makes; none of another command.
@@ -80,21 +84,22 @@ impl Repeated {
             );
             return Err(InputError(problem).into());
         }
-        let Repeated { mut command, line, folder } = self;
+        let Repeated { mut command, repeats, folder } = self;
+        let line = &repeats.line;
         let (motions, run, hazard) = match &mut command {
             Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
             Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
             Command::Compare(of) => {
-                of.devices = found("DEVICES", &of.devices, &line, &folder)?;
+                of.devices = found("DEVICES", &of.devices, line, &folder)?;
                 (&mut of.motions, &mut of.options, of.hazard.path_mut())
             }
             _ => return Ok(()),
         };
         if let Some(hazard) = hazard {
-            *hazard = found("--hazard", hazard, &line, &folder)?;
+            *hazard = found("--hazard", hazard, line, &folder)?;
         }
-        let suite = found("--suite", motions.suite(), &line, &folder)?;
-        motions.repeat(suite, line);
+        let suite = found("--suite", motions.suite(), line, &folder)?;
+        motions.repeat(suite, repeats);
         run.out.clone_from(&options.run.out);
         run.quiet |= options.run.quiet;
         run.threads = options.run.threads.or(run.threads);

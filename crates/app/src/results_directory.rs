@@ -12,8 +12,8 @@ use topple::results::lock::Lock;
 use topple::results::store::Store;
 use topple_studies::suites::saved;
 
-use super::InputError;
-use super::words::Reporter;
+use super::words::{self, Reporter};
+use super::{InputError, date};
 
 fn refused(error: impl std::fmt::Display) -> InputError {
     InputError(format!("--out: {error}"))
@@ -131,8 +131,13 @@ pub struct Run<'a, T> {
     kind: Kind,
     /// Version of topple.
     version: &'static str,
+    /// When it was written, in UTC.
+    date: String,
     #[serde(flatten)]
     what: T,
+    /// What the command warned of.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
     /// The files beside it.
     files: &'a [String],
 }
@@ -173,7 +178,14 @@ impl Results {
     /// run.json with what a command has to say.
     pub fn run<T: Serialize>(&self, what: T) -> Run<'_, T> {
         let version = env!("CARGO_PKG_VERSION");
-        Run { kind: self.place.kind, version, what, files: &self.files }
+        Run {
+            kind: self.place.kind,
+            version,
+            date: date::now(),
+            what,
+            warnings: words::warnings(),
+            files: &self.files,
+        }
     }
 
     /// Writes run.json.

@@ -14,6 +14,7 @@ use topple::sweep::map::MapSweep;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
+use super::map_file::Extras;
 use super::options::{MapOptions, Verify};
 use super::progress::Screen;
 use super::results_directory::Place;
@@ -103,12 +104,22 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let files = &files[..];
-            let (sharpness, talk) = (options.sharpness, options.talk);
+            let (sharpness, spectrum, talk) = (options.sharpness, options.spectrum, options.talk);
             let refined =
                 refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
             let refined = refined.as_ref();
             let pictures = &options.run.pictures;
-            let to = Finish { files, refined, verify, estimate, tag, sharpness, pictures, talk };
+            let to = Finish {
+                files,
+                refined,
+                verify,
+                estimate,
+                tag,
+                sharpness,
+                spectrum,
+                pictures,
+                talk,
+            };
             finish::write(*map, &mut results, &to, &say, &screen)
         }
         SweepResult::Shard(shard) => {
@@ -128,9 +139,10 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
     let names = match kind {
         Kind::Probability => probability::names(),
         _ => {
-            let (grid, refines) = (Grid::of(scene), options.refine.is_some());
+            let grid = Grid::of(scene);
+            let extras = Extras { leaves: options.refine.is_some(), spectrum: options.spectrum };
             let content = (scene, &grid, options.method().columns);
-            map_files::places(content, &options.files(&grid), refines)
+            map_files::places(content, &options.files(&grid), extras)
         }
     };
     if options.tile.is_none() {

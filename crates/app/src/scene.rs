@@ -71,7 +71,7 @@ impl RunCommand {
                 None => {}
             }
             return match kind {
-                Kind::History => history::run_cell(&scene, &Default::default(), &options.run),
+                Kind::History => history::run_cell(&scene, &besides.more_columns, &options.run),
                 _ => run::run_map(&scene, &options),
             };
         }

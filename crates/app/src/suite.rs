@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use topple::results::earlier::Kind;
 use topple::scene::record::Provenance;
 use topple::scene::{path_text, shown};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
-use topple_studies::suites::{Suite, SuiteError, table};
+use topple_studies::suites::measures::Measures;
+use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
@@ -53,13 +54,86 @@ struct Manifest<'a> {
     unused: BTreeMap<&'a str, &'a str>,
 }
 
-/// Where a motion came from.
+/// Where a motion came from, and how strong it is after scaling.
 #[derive(Serialize)]
-struct Source<'a> {
+pub struct Source<'a> {
     #[serde(flatten)]
     files: Option<&'a Provenance>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    event: &'a str,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    station: &'a str,
     scale: f64,
     weight: f64,
+    pga_h: f64,
+    pga_v: f64,
+    pgv: f64,
+}
+
+/// Where the motions of a suite came from, by their ids.
+pub fn sources(suite: &Suite) -> BTreeMap<&str, Source<'_>> {
+    let of = |(entry, motion)| {
+        let (entry, motion): (&Entry, &Motion) = (entry, motion);
+        let Measures { pga_h, pga_v, pgv, .. } = motion.measures;
+        let source = Source {
+            files: motion.pair.provenance.as_deref(),
+            event: &entry.event,
+            station: &entry.station,
+            scale: entry.scale,
+            weight: entry.weight,
+            pga_h,
+            pga_v,
+            pgv,
+        };
+        (entry.id.as_str(), source)
+    };
+    suite.motions().map(of).collect()
+}
+
+/// What an earlier run's motions were read from, by their ids.
+pub type Sources = BTreeMap<String, EarlierSource>;
+
+/// Of an earlier run's motion what says whether it is the same.
+#[derive(Debug, Clone, Deserialize)]
+pub struct EarlierSource {
+    #[serde(flatten)]
+    files: Option<Provenance>,
+    scale: f64,
+    weight: f64,
+}
+
+/// Refuses a suite that is not the one of an earlier run: a motion that is gone, is new, or has changed. An earlier run that
+/// tells of no motions has none that could have changed.
+///
+/// # Errors
+/// The first of them, and what to do.
+pub fn unchanged(suite: &Suite, earlier: &Sources) -> Result<(), String> {
+    if earlier.is_empty() {
+        return Ok(());
+    }
+    let remedy =
+        "put back what was there, or give the whole command for a run of what is there now";
+    let now: BTreeMap<&str, _> =
+        suite.motions().map(|(entry, motion)| (entry.id.as_str(), (entry, motion))).collect();
+    for (id, before) in earlier {
+        let named = shown::shown(id);
+        let Some((entry, motion)) = now.get(id.as_str()) else {
+            return Err(format!("the motion {named} of the run is gone; {remedy}"));
+        };
+        let bare = |files: Option<&Provenance>| files.map(Provenance::without_folders);
+        let same = bare(before.files.as_ref()) == bare(motion.pair.provenance.as_deref())
+            && (before.scale, before.weight) == (entry.scale, entry.weight);
+        if !same {
+            return Err(format!("the motion {named} has changed since the run; {remedy}"));
+        }
+    }
+    match now.keys().find(|id| !earlier.contains_key(**id)) {
+        Some(new) => {
+            let new = shown::shown(new);
+            Err(format!("the motion {new} was not there in the run; {remedy}"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Most reasons that are printed one by one.
@@ -83,13 +157,7 @@ impl SuiteCommand {
         let manifest = Manifest {
             suite: &self.path,
             motions: suite.motions().count(),
-            records: suite
-                .motions()
-                .map(|(entry, motion)| {
-                    let files = motion.pair.provenance.as_deref();
-                    (entry.id.as_str(), Source { files, scale: entry.scale, weight: entry.weight })
-                })
-                .collect(),
+            records: sources(&suite),
             left_out: left_out(&suite),
             unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
         };

@@ -21,6 +21,7 @@ use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::progress::Screen;
 use super::results_directory::{self, Place};
+use super::suite::Source;
 use super::words::Reporter;
 use super::{InputError, interrupt, suite, words};
 
@@ -48,9 +49,18 @@ pub struct SuiteFlags {
     /// Run only a sample, and print the expected time
     #[arg(long)]
     dry_run: bool,
-    /// The command line of the run that this one repeats.
+    /// The run that this one repeats.
     #[arg(skip)]
-    repeats: Option<CommandLine>,
+    repeats: Option<Repeats>,
+}
+
+/// A run that is repeated.
+#[derive(Debug, Clone)]
+pub struct Repeats {
+    /// The words that say so.
+    pub line: CommandLine,
+    /// What its motions were read from.
+    pub records: suite::Sources,
 }
 
 /// Numbers of run.json that every command with a suite has.
@@ -66,6 +76,10 @@ pub struct SuiteManifest<'a> {
     /// What repeats the run.
     command: CommandLine,
     motions: Vec<&'a str>,
+    /// True where each motion is taken in both directions.
+    both_directions: bool,
+    /// Where the suite's motions came from, and how strong they are, by their ids.
+    records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines of the suite have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
     #[serde(flatten)]
@@ -111,9 +125,9 @@ impl SuiteFlags {
     }
 
     /// Makes them those of a repetition, as a whole and from the start.
-    pub fn repeat(&mut self, suite: PathBuf, line: CommandLine) {
+    pub fn repeat(&mut self, suite: PathBuf, repeats: Repeats) {
         self.suite = suite;
-        self.repeats = Some(line);
+        self.repeats = Some(repeats);
         (self.resume, self.tile, self.dry_run) = (false, None, false);
     }
 
@@ -129,7 +143,13 @@ impl SuiteFlags {
     /// Reads the suite; from here on Ctrl-C is heard.
     pub fn read(&self) -> Result<Suite, InputError> {
         interrupt::listen();
-        Suite::read(&self.suite, self.strict).map_err(suite::input_error)
+        let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
+        if let Some(Repeats { records, .. }) = &self.repeats {
+            suite::unchanged(&suite, records).map_err(|problem| {
+                InputError(format!("--suite: {}: {problem}", self.suite.display()))
+            })?;
+        }
+        Ok(suite)
     }
 
     /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
@@ -198,8 +218,10 @@ impl SuiteFlags {
             scene: &swept.scene,
             device: DeviceNumbers::of(&swept.scene),
             suite: &self.suite,
-            command: self.repeats.clone().unwrap_or_else(CommandLine::own),
+            command: self.repeats.as_ref().map_or_else(CommandLine::own, |of| of.line.clone()),
             motions,
+            both_directions: self.both_directions,
+            records: suite::sources(suite),
             left_out: suite::left_out(suite),
             method: options.method(),
             cells: swept.grid.len(),

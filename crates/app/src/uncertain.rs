@@ -7,7 +7,7 @@ use topple_studies::uncertain::{Uncertainty, Varied};
 use super::numbers::seed;
 
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
-const NOT_BESIDE: [&str; 9] = [
+const NOT_BESIDE: [&str; 10] = [
     "resume",
     "keep_every",
     "tile",
@@ -16,6 +16,7 @@ const NOT_BESIDE: [&str; 9] = [
     "repair",
     "refine",
     "sharpness",
+    "spectrum",
     "dry_run",
 ];
 /// Sweeps where no count is given.

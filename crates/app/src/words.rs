@@ -1,6 +1,7 @@
 //! What is said about a run.
 
 use std::fmt::Display;
+use std::sync::{Mutex, PoisonError};
 
 use anstyle::Style;
 
@@ -48,9 +49,19 @@ impl Reporter {
     }
 }
 
+/// What was warned of, for run.json.
+static WARNINGS: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
 /// Says on stderr what the user should know though the run goes on.
 pub fn warn(text: impl Display) {
-    print::warning(&text.to_string());
+    let text = text.to_string();
+    print::warning(&text);
+    WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).push(text);
+}
+
+/// What the command has warned of until now.
+pub fn warnings() -> Vec<String> {
+    WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
 /// Settings that messages of the library name.

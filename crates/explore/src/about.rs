@@ -20,6 +20,7 @@ use topple::scene::description::{self, Description};
 use topple::scene::parameters::{Entry, PARAMETERS, Section};
 use topple::scene::{Directions, Overturn, Pressure};
 use topple::stepping::outcome::Class;
+use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
@@ -134,6 +135,12 @@ fn codes() -> Value {
     })
 }
 
+/// The columns of which a small value is dark.
+fn falls() -> Vec<&'static str> {
+    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
+    falls.map(|field| field.column.entry().name).collect()
+}
+
 /// All that does not depend on a session.
 pub fn tables() -> Value {
     let sections = Section::ALL
@@ -157,6 +164,7 @@ pub fn tables() -> Value {
             "outline": hex(OUTLINE),
             "now": hex(CURVES[1]),
             "greys": GREYS,
+            "falls": falls(),
             "probability": PROBABILITY,
         },
         "limits": { "cells": MOST },

@@ -2,10 +2,12 @@
 
 use topple::results::colour::BLACK;
 use topple::scene::record::rounded;
-use topple::scene::{Case, Grid, Scene};
+use topple::scene::{Case, Device, Grid, Parameter, Scene};
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
+
+use super::findings::percent;
 
 /// Largest width and height of the block, points.
 const MOST: (f64, f64) = (120.0, 170.0);
@@ -28,7 +30,7 @@ pub fn case(scene: &Scene) -> Option<Case> {
 }
 
 /// Draws the block of a scene's first cell on its base, as SVG.
-pub fn draw(case: &Case) -> String {
+pub fn draw(scene: &Scene, case: &Case) -> String {
     let (block, base) = (&case.block, &case.isolation);
     let scale = (MOST.0 / (2.0 * block.half_width)).min(MOST.1 / (2.0 * block.height));
     let (wide, high) = (2.0 * block.half_width * scale, 2.0 * block.height * scale);
@@ -101,14 +103,20 @@ pub fn draw(case: &Case) -> String {
         beside(&mut canvas, y + 0.5 * SPRING, format!("T_v = {} s", short(vertical.t_v)));
         y += SPRING;
     }
-    if let Some(horizontal) = &base.horizontal {
+    if base.horizontal.is_some() {
         plate(&mut canvas, y, format!("m_h = {} kg", short(base.plate_h)));
         y += PLATE;
-        for x in [left, middle, right] {
-            canvas.ring((x, y + 0.5 * ROLLER), 0.5 * ROLLER - 0.4, line);
+        let words = moves(scene, case);
+        // As high as the words beside it.
+        let step = 1.3 * FONT;
+        let height = ROLLER.max(step * words.len() as f64);
+        let carried = Place { x: left, y, width: wide, height };
+        device(&mut canvas, Device::of(&scene.numbers), carried);
+        let first = y + 0.5 * (height - step * (words.len() as f64 - 1.0));
+        for (number, text) in words.into_iter().enumerate() {
+            beside(&mut canvas, first + step * number as f64, text);
         }
-        beside(&mut canvas, y + 0.5 * ROLLER, format!("T_h = {} s", short(horizontal.t_h)));
-        y += ROLLER;
+        y += height;
     }
     let (from, to) = (left - 2.5 * wider, right + 2.5 * wider);
     canvas.line([(from, y), (to, y)], stroke(BLACK, 1.0));
@@ -123,6 +131,67 @@ pub fn draw(case: &Case) -> String {
     canvas.finish(below + 6.0)
 }
 
+/// A device of the horizontal direction as a symbol: rollers of the paper's base, layers of a bearing, a slider in the dish of a
+/// pendulum.
+fn device(canvas: &mut Canvas, device: Device, place: Place) {
+    let line = stroke(BLACK, 0.8);
+    let Place { x, y, width, height } = place;
+    let middle = x + 0.5 * width;
+    match device {
+        Device::Paper => {
+            for x in [x, middle, place.right()] {
+                canvas.ring((x, y + 0.5 * height), 0.5 * height - 0.4, line);
+            }
+        }
+        Device::Bilinear => {
+            let wide = 0.25 * width;
+            for x in [x, place.right() - wide] {
+                canvas.outline(Place { x, y, width: wide, height }, line);
+                for layer in 1..4 {
+                    let y = y + height * f64::from(layer) / 4.0;
+                    canvas.line([(x, y), (x + wide, y)], stroke(BLACK, 0.5));
+                }
+            }
+        }
+        Device::Pendulum => {
+            let dish = |x: f64| {
+                let across = (x - middle) / (0.5 * width);
+                (x, y + height * (0.85 - 0.45 * across * across))
+            };
+            let points = (0..=24).map(|k| dish(x + width * f64::from(k) / 24.0));
+            canvas.line(points, line);
+            let slider = 0.06 * width;
+            let (left, right) = (middle - slider, middle + slider);
+            let foot = dish(middle).1;
+            canvas.polygon([(left, y), (right, y), (right, foot), (left, foot)], STEEL);
+            canvas.line([(left, y), (left, foot), (right, foot), (right, y)], stroke(BLACK, 0.6));
+        }
+    }
+}
+
+/// What the device of the horizontal direction is known by: its catalogue's numbers, where it has some, and its periods.
+fn moves(scene: &Scene, case: &Case) -> Vec<String> {
+    let Some(law) = &case.isolation.horizontal else { return Vec::new() };
+    let given = |one: &Parameter| {
+        let value = scene.numbers.get(*one)?.iter().next()?;
+        Some(one.entry().written(rounded(value, 4)))
+    };
+    let after = law.t_h / law.psi.sqrt();
+    let after = |what: &str| match after.is_finite() {
+        true => format!("T = {} s {what}", short(after)),
+        false => format!("no period {what}"),
+    };
+    let t_h = format!("T_h = {} s", short(law.t_h));
+    let (numbers, periods): (&[Parameter], Vec<String>) = match Device::of(&scene.numbers) {
+        Device::Paper => (&[], vec![t_h]),
+        Device::Pendulum => (&[Parameter::Radius, Parameter::Mu], vec![after("sliding")]),
+        Device::Bilinear => {
+            (&[Parameter::K1, Parameter::K2, Parameter::Qd], vec![t_h, after("yielded")])
+        }
+    };
+    numbers.iter().filter_map(given).chain(periods).collect()
+}
+
 fn metres(name: &str, value: f64) -> String {
     format!("{name} = {} m", short(value))
 }
@@ -131,27 +200,84 @@ fn short(value: f64) -> String {
     rounded(value, 4).to_string()
 }
 
-/// What the picture shows, and what of it is not to scale.
+/// What the pictures show, and what of them is not to scale.
+pub const SHOWN: &str = "The block is drawn to scale; the plates, springs and devices of the base are symbols. B is half the width, H the height of the \
+    centre of mass C above the base: a block of even density is twice as high, as drawn.";
+
+/// What a picture shows beside that.
 pub fn caption(scene: &Scene, case: &Case) -> String {
-    let mut text = "The block on its base. The block is drawn to scale; the plates, springs and rollers of the base are symbols. B is half \
-                    the width, H the height of the centre of mass C above the base: a block of even density is twice as high, as drawn."
-        .to_string();
+    let mut text = String::new();
     if case.block.offset() != 0.0 {
         let side = if case.block.offset() > 0.0 { "right" } else { "left" };
         text += &format!(" C lies to the {side} of the middle by e.");
     }
     text += match (case.isolation.horizontal.is_some(), case.isolation.vertical.is_some()) {
         (true, true) => {
-            " The base moves horizontally (T_h) on the ground, and the upper plate vertically (T_v) on springs."
+            " The base moves horizontally on the ground, and the upper plate vertically (T_v) on springs."
         }
-        (true, false) => " The base moves horizontally (T_h) on the ground, not vertically.",
+        (true, false) => " The base moves horizontally on the ground, not vertically.",
         (false, true) => " The plate moves vertically (T_v) on springs, not horizontally.",
         (false, false) => " The block stands on the ground itself.",
     };
+    if let Some(law) = &case.isolation.horizontal {
+        text += &match Device::of(&scene.numbers) {
+            Device::Paper => format!(
+                " T_h = {} s is the period of small horizontal motions; after yielding the base has {} of that stiffness.",
+                short(law.t_h),
+                percent(law.psi)
+            ),
+            Device::Pendulum => " It is a friction pendulum: R_d is the radius of its dish, μ its friction; T is its period when it slides."
+                .into(),
+            Device::Bilinear => " It is a bearing with two stiffnesses: T_h is its period before it yields, T that after yielding.".into(),
+        };
+    }
     let swept = scene.swept();
     if !swept.is_empty() {
         let symbols: Vec<&str> = swept.iter().map(|one| one.entry().symbol).collect();
         text += &format!(" Of {}, which vary, the first values are drawn.", symbols.join(", "));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use topple::scene::{GRAVITY, Scene, SceneBuilder};
+
+    use super::{case, draw, short};
+
+    fn scene(base: &str) -> Scene {
+        let text = format!(
+            "[block]\nobject = 1\n[base]\nisolation = \"horizontal\"\n{base}\n[pulse]\nomega = 5.0\na_h = 3.0\n"
+        );
+        SceneBuilder::from_toml(&text).unwrap().check().unwrap()
+    }
+
+    /// The text of a picture.
+    fn words(scene: &Scene) -> String {
+        let svg = draw(scene, &case(scene).unwrap());
+        svg.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect()
+    }
+
+    #[test]
+    fn devices_are_drawn_with_their_numbers_and_their_periods() {
+        let pendulum = words(&scene("radius = 1.5\nmu = 0.06"));
+        // A pendulum of the radius.
+        let sliding = TAU * (1.5 / GRAVITY).sqrt();
+        for part in ["= 1.5 m", "= 0.06", &format!("T = {} s sliding", short(sliding))] {
+            assert!(pendulum.contains(part), "{part}: {pendulum}");
+        }
+        let scene_of_bearing = scene("k1 = 50000.0\nk2 = 5000.0\nqd = 300.0");
+        let bearing = words(&scene_of_bearing);
+        let before = case(&scene_of_bearing).unwrap().isolation.horizontal.unwrap().t_h;
+        // A tenth of the stiffness.
+        let yielded = format!("T = {} s yielded", short(before * 10.0_f64.sqrt()));
+        for part in ["= 50000 N/m", "= 5000 N/m", "= 300 N", &yielded] {
+            assert!(bearing.contains(part), "{part}: {bearing}");
+        }
+        // A base of the paper has rollers, which are circles.
+        let rings = |scene: &Scene| draw(scene, &case(scene).unwrap()).matches("<circle").count();
+        assert_eq!(rings(&scene("t_h = 1.5")), rings(&scene_of_bearing) + 3);
+    }
 }

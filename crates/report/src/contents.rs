@@ -6,21 +6,21 @@ use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
 
 use super::document::{Document, Piece};
-use super::findings::{number, percent};
+use super::findings::{ROWS, number, percent};
 use super::folder::{Folder, ReportError};
 use super::{block, findings};
 
-/// The report of runs.
+/// The report of runs, under a title of theirs where none is given.
 ///
 /// # Errors
 /// [`ReportError`]: a file of a run that cannot be read.
-pub fn of(folders: &[Folder]) -> Result<Document, ReportError> {
+pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportError> {
     let mut pieces = vec![Piece::Heading(1, "What was asked".into())];
-    let asked = folders.iter().map(|folder| match &folder.scene {
+    let questions = folders.iter().map(|folder| match &folder.scene {
         Some(scene) => format!("{}: {}", title(folder), sentence(folder, scene)),
         None => format!("{}: {}", title(folder), findings::question(folder)),
     });
-    pieces.push(Piece::List(asked.collect()));
+    pieces.push(Piece::List(questions.collect()));
     pieces.extend(blocks(folders));
     pieces.push(Piece::Heading(1, "The ground motions".into()));
     pieces.extend(motions(folders));
@@ -34,17 +34,32 @@ pub fn of(folders: &[Folder]) -> Result<Document, ReportError> {
     pieces.push(Piece::Heading(1, "How far it was checked".into()));
     let checks = folders.iter().map(|folder| format!("{}: {}", title(folder), checked(folder)));
     pieces.push(Piece::List(checks.collect()));
+    pieces.extend(warnings(folders));
     pieces.push(Piece::Heading(1, "What the model leaves out".into()));
     pieces.push(Piece::List(LEFT_OUT.map(String::from).to_vec()));
     pieces.push(Piece::Heading(1, "How to repeat it".into()));
     for folder in folders {
         pieces.extend(repeated(folder));
     }
-    let title = match folders {
-        [one] => title(one),
-        several => format!("{} runs of topple", several.len()),
+    let title = match (asked, folders) {
+        (Some(asked), _) => asked.to_string(),
+        (None, [one]) => title(one),
+        (None, several) => format!("{} runs of topple", several.len()),
     };
     Ok(Document { title, pieces })
+}
+
+/// What the runs warned of.
+fn warnings(folders: &[Folder]) -> Vec<Piece> {
+    let of = |folder| {
+        let folder: &Folder = folder;
+        folder.warnings.iter().map(|warning| format!("{}: {warning}", title(folder)))
+    };
+    let all: Vec<String> = folders.iter().flat_map(of).collect();
+    match all.is_empty() {
+        true => Vec::new(),
+        false => vec![Piece::Text("The runs warned:".into()), Piece::List(all)],
+    }
 }
 
 /// What no run of topple says anything about.
@@ -112,17 +127,18 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for scene in folders.iter().flat_map(Folder::scenes) {
         let Some(case) = block::case(&scene) else { continue };
-        let svg = block::draw(&case);
+        let svg = block::draw(&scene, &case);
         if drawn.contains(&svg) || drawn.len() == BLOCKS {
             continue;
         }
         let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
         let caption = block::caption(&scene, &case);
-        pieces.push(Piece::Picture(outlined, format!("{}: {caption}", scene.title)));
+        pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
         drawn.push(svg);
     }
     if !pieces.is_empty() {
-        pieces.insert(0, Piece::Heading(1, "The block and its base".into()));
+        let shown = Piece::Text(block::SHOWN.into());
+        pieces.splice(0..0, [Piece::Heading(1, "The block and its base".into()), shown]);
     }
     pieces
 }
@@ -133,6 +149,7 @@ const BLOCKS: usize = 12;
 /// What shook the base.
 fn motions(folders: &[Folder]) -> Vec<Piece> {
     let mut lines: Vec<(String, String)> = Vec::new();
+    let mut tables: Vec<Piece> = Vec::new();
     for folder in folders {
         let line = match (folder.run.get("motions").and_then(Value::as_array), &folder.scene) {
             (Some(all), _) => {
@@ -144,11 +161,20 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                     0 => String::new(),
                     count => format!(" {count} motions of it are left out."),
                 };
-                format!(
-                    "{} motions of the suite {suite}: {}{more}.{left_out}",
-                    all.len(),
-                    names.join(", ")
-                )
+                let turned = match folder.run.get("both_directions").and_then(Value::as_bool) {
+                    Some(true) => " Each is taken in both directions, as it is and turned round.",
+                    _ => "",
+                };
+                // A table names them, too.
+                let table = strengths(folder);
+                let named = match table.is_empty() {
+                    true => format!(": {}{more}", names.join(", ")),
+                    false => String::new(),
+                };
+                if !table.iter().all(|piece| tables.contains(piece)) {
+                    tables.extend(table);
+                }
+                format!("{} motions of the suite {suite}{named}.{turned}{left_out}", all.len())
             }
             (None, Some(scene)) => shaking(scene),
             (None, None) => continue,
@@ -164,7 +190,48 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
     if lines.is_empty() {
         lines.push("They are listed below.".into());
     }
-    vec![Piece::List(lines)]
+    std::iter::once(Piece::List(lines)).chain(tables).collect()
+}
+
+/// How strong the motions of a suite are, the strongest first; nothing where the run does not tell it.
+fn strengths(folder: &Folder) -> Vec<Piece> {
+    let records = folder.run.get("records").and_then(Value::as_object);
+    // A suite has its own table among what was found.
+    let records = records.filter(|_| folder.kind != Kind::Suite);
+    let told = records.into_iter().flatten().filter_map(|(id, of)| {
+        let value = |key: &str| of.get(key).and_then(Value::as_f64);
+        let text = |key: &str| of.get(key).and_then(Value::as_str).unwrap_or("–").to_string();
+        let (pga, pga_v) = (value("pga_h")?, value("pga_v")?);
+        let cells = [pga, pga_v, value("pgv")?].map(number);
+        Some((pga, [vec![id.clone(), text("event"), text("station")], cells.to_vec()].concat()))
+    });
+    let mut told: Vec<(f64, Vec<String>)> = told.collect();
+    if told.is_empty() {
+        return Vec::new();
+    }
+    told.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    let names = [
+        "motion",
+        "event",
+        "station",
+        "horizontal peak, PGA [m/s²]",
+        "vertical peak [m/s²]",
+        "peak velocity [m/s]",
+    ];
+    let rows: Vec<Vec<String>> = told.into_iter().map(|(_, row)| row).collect();
+    let count = rows.len();
+    let scaled = match folder.kind {
+        Kind::Fragility if folder.run.get("levels").is_some_and(|levels| !levels.is_null()) => {
+            ", before they are scaled to levels"
+        }
+        _ => "",
+    };
+    let some = match count > ROWS {
+        true => format!("The {ROWS} strongest of {count} motions{scaled}:"),
+        false => format!("The motions, the strongest first{scaled}:"),
+    };
+    let rows = rows.into_iter().take(ROWS).collect();
+    vec![Piece::Text(some), Piece::Table(names.map(String::from).to_vec(), rows)]
 }
 
 /// Most motions that are named.
@@ -225,14 +292,42 @@ fn checked(folder: &Folder) -> String {
     }
 }
 
+/// A date of run.json for readers: the day and the minute.
+fn day(date: &str) -> String {
+    match date.split_once('T') {
+        Some((day, time)) => format!("{day} at {} UTC", time.get(..5).unwrap_or(time)),
+        None => date.into(),
+    }
+}
+
+/// Why no command repeats a run; none where one does.
+fn unrepeatable(folder: &Folder) -> Option<&'static str> {
+    let is_told = |key: &str| folder.run.get(key).is_some_and(|value| !value.is_null());
+    let recorded = folder.scene.as_ref().is_some_and(|scene| scene.excitation.record().is_some());
+    match folder.kind {
+        Kind::Envelope | Kind::Fragility | Kind::Comparison if !is_told("command") => Some(
+            "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
+        ),
+        Kind::Map | Kind::History | Kind::Probability if recorded && !is_told("record") => Some(
+            "No command repeats it: its run.json does not say where its record lies. Give the record to topple seismic again.",
+        ),
+        _ => None,
+    }
+}
+
 /// How a run is made again, and what its inputs were.
 fn repeated(folder: &Folder) -> Vec<Piece> {
     let mut pieces = vec![Piece::Text(format!(
-        "{}: topple {}, results in {}. Everything about the run is in its {RUN}.",
+        "{}: topple {}{}, results in {}. Everything about the run is in its {RUN}.",
         title(folder),
         folder.version,
+        folder.date.as_deref().map_or(String::new(), |date| format!(", {}", day(date))),
         folder.path.display()
     ))];
+    if let Some(problem) = unrepeatable(folder) {
+        pieces.push(Piece::Text(problem.into()));
+        return pieces;
+    }
     let command = folder.run.get("command").and_then(|command| command.get("arguments"));
     let arguments = command.and_then(Value::as_array);
     let mut lines = match arguments {
@@ -264,7 +359,12 @@ fn repeated(folder: &Folder) -> Vec<Piece> {
     }
     if !hashes.is_empty() {
         pieces.push(Piece::Text("The files that were read, each with its SHA-256:".into()));
+        let more = hashes.len().saturating_sub(ROWS);
+        hashes.truncate(ROWS);
         pieces.push(Piece::Code(hashes));
+        if more > 0 {
+            pieces.push(Piece::Text(format!("{more} more files are in {RUN}, under `records`.")));
+        }
     }
     pieces
 }

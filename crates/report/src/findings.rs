@@ -11,7 +11,7 @@ use super::document::Piece;
 use super::folder::{Folder, ReportError, Rows};
 
 /// Most rows of a table that are printed; the whole table lies in the run's directory.
-const ROWS: usize = 24;
+pub const ROWS: usize = 24;
 
 /// A number for readers: three digits.
 pub fn number(value: f64) -> String {
@@ -61,6 +61,7 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
         (Kind::Map, "contact") => {
             "The force between block and base: how small it becomes, and how much friction is needed so that the block does not slide."
         }
+        (Kind::Map, "single") => "What becomes of the block, and how far block and base move.",
         (Kind::Map, _) => {
             "A map of what becomes of the block. Each point is one calculation with the numbers of its axes; the legend says what the \
              colours mean and how much of the map they take."
@@ -98,11 +99,25 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         Kind::Comparison => comparison(folder)?,
         Kind::Probability => probability(folder),
     };
+    let mut before: Option<&str> = None;
     for (name, svg) in folder.pictures()? {
-        pieces.push(Piece::Picture(svg, meaning(folder.kind, name).into()));
+        let single = folder.kind == Kind::Map && folder.number("cells") == Some(1.0);
+        let own = meaning(folder.kind, if single { "single" } else { name });
+        let caption = if before == Some(own) { AS_BEFORE } else { own };
+        pieces.push(Piece::Picture(svg, caption.into()));
+        before = Some(own);
+    }
+    if folder.kind == Kind::Map && before.is_none() {
+        pieces.push(Piece::Text(
+            "The run has no picture: its map has more than two axes, and so many pairs of two that none is drawn. Its tables have all of it."
+                .into(),
+        ));
     }
     Ok(pieces)
 }
+
+/// What is said of a picture that shows what the one before it does.
+const AS_BEFORE: &str = "The same as the picture before, with the numbers that stand above it.";
 
 /// What an outcome is, in words.
 fn outcome(key: &str) -> &str {
@@ -118,8 +133,15 @@ fn outcome(key: &str) -> &str {
 
 fn outcomes(folder: &Folder) -> Vec<Piece> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
+    let single = counts.into_iter().flatten().find(|(_, count)| count.as_f64() == Some(1.0));
+    if let (1.0, Some((key, _))) = (cells, single) {
+        return vec![Piece::Text(format!(
+            "The run has one calculation. The block {}.",
+            outcome(key)
+        ))];
+    }
+    let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
         let share = count.as_f64()? / cells;
         (share > 0.0).then(|| vec![outcome(key).to_string(), percent(share)])
@@ -202,7 +224,12 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         .map(|(name, why)| format!("{name} is left out: {}", why.as_str().unwrap_or_default()))
         .collect();
     if !left_out.is_empty() {
-        pieces.push(Piece::List(left_out));
+        let more = left_out.len().saturating_sub(ROWS);
+        pieces.push(Piece::List(left_out.into_iter().take(ROWS).collect()));
+        if more > 0 {
+            let text = format!("{more} more motions are left out; run.json says why.");
+            pieces.push(Piece::Text(text));
+        }
     }
     Ok(pieces)
 }
@@ -300,27 +327,39 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
          β how wide the step from none to all is."
     ))];
     let mut rows = folder.table("fits.csv")?.unwrap_or_default();
+    rows.iter_mut().for_each(in_words);
     // The stripes use each level's count of failures; the other estimates are in the run's directory.
     rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
     let open = |row: &&mut BTreeMap<String, String>| {
         row.get("beta").is_some_and(String::is_empty)
             && row.get("theta").is_some_and(|theta| !theta.is_empty())
     };
-    let mut about = false;
+    let mut is_about = false;
     for row in rows.iter_mut().filter(open) {
-        for column in ["theta", "theta_low", "theta_high"] {
-            row.insert(column.into(), "not known".into());
-        }
-        about = true;
+        let theta = format!("about {}", shown(row, "theta"));
+        row.insert("theta".into(), theta);
+        row.insert("beta".into(), "not known".into());
+        is_about = true;
     }
     pieces.extend(table(&rows, &fits));
-    if about {
+    if is_about {
         pieces.push(Piece::Text(
-            "Not known: motions that fail and motions that do not meet at one level alone. More levels, or higher ones, would tell it."
+            "About: at most one level has motions that fail beside motions that do not, so that β is not known and θ lies somewhere \
+             between the levels around it. More levels there would tell both."
                 .into(),
         ));
     }
+    if rows.iter().any(|row| row.get("theta").is_some_and(String::is_empty)) {
+        pieces.push(Piece::Text("–: the motions tell no curve, or no end of its interval.".into()));
+    }
+    let notes = folder.run.get("notes").and_then(|notes| notes.as_array()).into_iter().flatten();
+    let notes = notes.filter_map(|note| note.as_str()).filter(|note| note.contains(", stripes: "));
+    let notes: Vec<String> = notes.map(|note| note.replacen(", stripes: ", ": ", 1)).collect();
+    if !notes.is_empty() {
+        pieces.push(Piece::List(notes));
+    }
     if let Some(mut rows) = folder.table("rates.csv")? {
+        rows.iter_mut().for_each(in_words);
         rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
         let mut rates = columns;
         rates.extend([
@@ -340,6 +379,19 @@ fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         pieces.extend(table(&rows, &rates));
     }
     Ok(pieces)
+}
+
+/// Puts the limit state of a row in words.
+fn in_words(row: &mut BTreeMap<String, String>) {
+    let Some(state) = row.get_mut("limit_state") else { return };
+    let words = [
+        ("zeta>", "ζ above ", ""),
+        ("max_u>", "|u| above ", " m"),
+        ("stroke_v>", "a stroke of v above ", " m"),
+    ];
+    if let Some((key, words, unit)) = words.into_iter().find(|(key, ..)| state.starts_with(*key)) {
+        *state = format!("{words}{}{unit}", &state[key.len()..]);
+    }
 }
 
 /// The axes of a run, by their keys, and how they are labelled.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
+use topple::results::files::WriteError;
 use topple::scene::{Scene, bounded};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
@@ -21,6 +22,12 @@ pub enum ReportError {
     /// A file that run.json names and that is not as the run wrote it.
     #[error("{0}: {1}; run the command again that wrote the directory")]
     File(PathBuf, String),
+    /// A place where the report cannot be.
+    #[error("{0}")]
+    Place(String),
+    /// The disk.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// A picture that cannot be made.
     #[error(transparent)]
     Figure(#[from] FigureError),
@@ -31,7 +38,10 @@ pub enum ReportError {
 struct Written {
     kind: Kind,
     version: String,
+    date: Option<String>,
     scene: Option<Scene>,
+    #[serde(default)]
+    warnings: Vec<String>,
     files: Vec<String>,
 }
 
@@ -44,8 +54,12 @@ pub struct Folder {
     pub kind: Kind,
     /// The version of topple that wrote it.
     pub version: String,
+    /// When it was written, in UTC, where the run says it.
+    pub date: Option<String>,
     /// The scene, where it has one.
     pub scene: Option<Scene>,
+    /// What the run warned of.
+    pub warnings: Vec<String>,
     /// All of run.json.
     pub run: Value,
     /// Names of the files beside it.
@@ -68,15 +82,17 @@ impl Folder {
             Ok((serde_json::from_str(&text)?, serde_json::from_str(&text)?))
         };
         let (written, run) = read().map_err(|error| none(format!("{RUN}: {error}")))?;
-        let Written { kind, version, scene, files } = written;
-        let folder = Folder { path: path.into(), kind, version, scene, run, files };
+        let Written { kind, version, date, scene, warnings, files } = written;
+        let path = path.to_path_buf();
+        let folder = Folder { path, kind, version, date, scene, warnings, run, files };
         for name in &folder.files {
             if Path::new(name).file_name().is_none_or(|only| only != name.as_str()) {
                 return Err(none(format!("{RUN} names {name:?}, which is no file beside it")));
             }
-            if !path.join(name).exists() {
+            let place = folder.path.join(name);
+            if !place.exists() {
                 let problem = format!("{RUN} names it, and it is not there");
-                return Err(ReportError::File(path.join(name), problem));
+                return Err(ReportError::File(place, problem));
             }
         }
         Ok(folder)

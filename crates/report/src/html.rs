@@ -26,7 +26,17 @@ pub fn write(document: &Document) -> String {
          <style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
         mark()
     );
-    document.pieces.iter().for_each(|piece| push(&mut page, piece));
+    let is_picture = |piece: &Piece| matches!(piece, Piece::Picture(..));
+    for alike in document.pieces.chunk_by(|one, next| is_picture(one) && is_picture(next)) {
+        // Pictures in succession lie beside each other where there is room.
+        let (before, after) = match alike {
+            [_, _, ..] => ("<div class=\"pictures\">\n", "</div>\n"),
+            _ => ("", ""),
+        };
+        page += before;
+        alike.iter().for_each(|piece| push(&mut page, piece));
+        page += after;
+    }
     page + "</main>\n</body>\n</html>\n"
 }
 

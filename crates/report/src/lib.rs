@@ -2,20 +2,21 @@
 //! code. All of it comes from the files of the runs.
 //!
 //! ```text
-//! folder -> document -> block -> findings -> contents -> html, print
+//! folder -> document -> block -> findings -> contents -> html, print -> file
 //! ```
 
 mod block;
 mod contents;
 mod document;
+mod file;
 mod findings;
 mod folder;
-pub mod html;
-pub mod print;
+mod html;
+mod print;
 
-pub use contents::of;
-pub use document::{Document, Piece};
-pub use folder::{Folder, ReportError};
+pub use file::write;
+use folder::Folder;
+pub use folder::ReportError;
 
 /// What a report says of itself; a file without it is no report.
-pub const CREATOR: &str = "topple report";
+const CREATOR: &str = "topple report";

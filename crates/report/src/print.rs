@@ -22,8 +22,14 @@ const CELL: f64 = 7.0;
 /// From one line to the next, over the size of its letters, and between two parts.
 const LEADING: f64 = 1.4;
 const GAP: f64 = 7.0;
-/// A picture takes no more of a page's height.
+/// A picture takes no more of a page's height, and is drawn no larger than so many times its own size. Where it takes a smaller
+/// one to fit on the rest of a page it is no smaller than this, and letters of 7 points are of 5.6.
 const MOST: f64 = 0.6 * (PAGE.1 - 2.0 * MARGIN);
+const LARGEST: f64 = 1.2;
+const SMALLEST: f64 = 0.8;
+/// Two pictures that are no wider than this lie beside each other, so far apart.
+const NARROW: f64 = 100.0 * MILLIMETRE;
+const APART: f64 = 5.0 * MILLIMETRE;
 /// Space within the cells of a table.
 const PAD: f64 = 3.0;
 
@@ -39,38 +45,89 @@ pub fn mark() -> String {
 pub fn write(document: &Document) -> Result<Vec<u8>, FigureError> {
     let mut paper = Paper::new();
     paper.text(&document.title, 17.0, 0.0);
-    let mut pieces = document.pieces.iter().peekable();
-    while let Some(piece) = pieces.next() {
-        if let (Piece::Heading(..), Some(Piece::Picture(svg, meaning))) = (piece, pieces.peek()) {
-            // A heading goes with its picture.
-            paper.need(Picture::of(svg, meaning)?.height() + 3.0 * HEADING);
+    let mut pieces = &document.pieces[..];
+    while let [piece, rest @ ..] = pieces {
+        pieces = rest;
+        match piece {
+            Piece::Picture(..) => {
+                let (row, after) = row_of(std::slice::from_ref(piece), rest)?;
+                paper.pictures(&row);
+                pieces = after;
+            }
+            Piece::Heading(level, text) => {
+                // A heading goes with its pictures.
+                let (row, _) = row_of(&[], rest)?;
+                let words = row.iter().map(Picture::words).fold(0.0, f64::max);
+                let with = least(&row) * (height(&row) - words) + words;
+                let with = if row.is_empty() { 0.0 } else { with };
+                paper.heading(*level, text, with);
+            }
+            _ => paper.put(piece),
         }
-        paper.put(piece)?;
     }
     paper.turn();
     pdf::pages(&paper.pages, PAGE, (&document.title, CREATOR))
 }
 
-/// A picture on a page.
-struct Picture {
+/// A picture in a row of them.
+struct Picture<'a> {
+    svg: &'a str,
     size: (f64, f64),
     scale: f64,
-    /// Height of what is said below it.
-    words: f64,
+    /// Width that it and its words may take.
+    room: f64,
+    /// What is said below it.
+    words: Vec<String>,
 }
 
-impl Picture {
-    fn of(svg: &str, meaning: &str) -> Result<Picture, FigureError> {
+impl<'a> Picture<'a> {
+    /// One of so many in a row.
+    fn of(svg: &'a str, meaning: &str, count: usize) -> Result<Picture<'a>, FigureError> {
         let (width, height) = render::size(svg)?;
-        let scale = (WIDE / width).min(MOST / height).min(1.0);
-        let words = wrapped(meaning, SMALL, WIDE).len() as f64 * LEADING * SMALL;
-        Ok(Picture { size: (width, height), scale, words })
+        let room = (WIDE - APART * (count as f64 - 1.0)) / count as f64;
+        let scale = (room / width).min(MOST / height).min(LARGEST);
+        let words = wrapped(meaning, SMALL, room);
+        Ok(Picture { svg, size: (width, height), scale, room, words })
     }
 
-    /// Height of it and of what is said below it.
-    fn height(&self) -> f64 {
-        self.scale * self.size.1 + self.words + 2.0 * GAP
+    fn words(&self) -> f64 {
+        self.words.len() as f64 * LEADING * SMALL
     }
+}
+
+/// Height of a row of pictures and of what is said below them.
+fn height(row: &[Picture]) -> f64 {
+    let drawn = row.iter().map(|one| one.scale * one.size.1).fold(0.0, f64::max);
+    drawn + row.iter().map(Picture::words).fold(0.0, f64::max) + 2.0 * GAP
+}
+
+/// How small a row of pictures may become, of what it is.
+fn least(row: &[Picture]) -> f64 {
+    let scale = row.iter().map(|one| one.scale).fold(f64::INFINITY, f64::min);
+    (SMALLEST / scale).min(1.0)
+}
+
+/// The pictures of a row, two where the first two are narrow, among pieces of which the first ones may be apart; and what
+/// follows them.
+fn row_of<'a>(
+    first: &'a [Piece],
+    rest: &'a [Piece],
+) -> Result<(Vec<Picture<'a>>, &'a [Piece]), FigureError> {
+    let mut pictures = first.iter().chain(rest).map_while(|piece| match piece {
+        Piece::Picture(svg, meaning) => Some((svg, meaning)),
+        _ => None,
+    });
+    let (one, other) = (pictures.next(), pictures.next());
+    let Some((svg, meaning)) = one else { return Ok((Vec::new(), rest)) };
+    let is_narrow = |svg: &str| -> Result<bool, FigureError> { Ok(render::size(svg)?.0 <= NARROW) };
+    if let Some((next, its)) = other
+        && is_narrow(svg)?
+        && is_narrow(next)?
+    {
+        let row = vec![Picture::of(svg, meaning, 2)?, Picture::of(next, its, 2)?];
+        return Ok((row, &rest[2 - first.len()..]));
+    }
+    Ok((vec![Picture::of(svg, meaning, 1)?], &rest[1 - first.len()..]))
 }
 
 /// Pages, and the one that is written on.
@@ -116,15 +173,18 @@ impl Paper {
         self.y += 0.4 * size;
     }
 
-    fn put(&mut self, piece: &Piece) -> Result<(), FigureError> {
+    /// A heading, not alone at the foot of a page: so much of what follows goes with it.
+    fn heading(&mut self, level: u32, text: &str, with: f64) {
+        let size = if level == 1 { HEADING } else { 11.0 };
+        self.need((3.0 * HEADING + with).max(8.0 * size));
+        self.y += GAP;
+        self.text(text, size, 0.0);
+    }
+
+    fn put(&mut self, piece: &Piece) {
         match piece {
-            Piece::Heading(level, text) => {
-                let size = if *level == 1 { HEADING } else { 11.0 };
-                // Not alone at the foot of a page.
-                self.need(8.0 * size);
-                self.y += GAP;
-                self.text(text, size, 0.0);
-            }
+            // Those are put by themselves.
+            Piece::Heading(..) | Piece::Picture(..) => {}
             Piece::Text(text) => self.text(text, TEXT, 0.0),
             Piece::List(lines) => {
                 for line in lines {
@@ -134,22 +194,30 @@ impl Paper {
                 }
             }
             Piece::Code(lines) => lines.iter().for_each(|line| self.text(line, SMALL, 12.0)),
-            Piece::Picture(svg, meaning) => self.picture(svg, meaning)?,
             Piece::Table(names, rows) => self.table(names, rows),
         }
-        Ok(())
     }
 
-    fn picture(&mut self, svg: &str, meaning: &str) -> Result<(), FigureError> {
-        let picture = Picture::of(svg, meaning)?;
-        let Picture { size: (width, height), scale, .. } = picture;
-        self.need(picture.height());
-        let x = MARGIN + 0.5 * (WIDE - scale * width);
-        self.pictures.push(Placed { svg: svg.into(), x, y: self.y, scale });
-        self.y += scale * height + 2.0;
-        self.text(meaning, SMALL, 0.0);
-        self.y += GAP;
-        Ok(())
+    fn pictures(&mut self, row: &[Picture]) {
+        let words = row.iter().map(Picture::words).fold(0.0, f64::max) + 2.0 * GAP;
+        let (whole, left) = (height(row), PAGE.1 - MARGIN - self.y);
+        let smaller = ((left - words) / (whole - words)).min(1.0);
+        let smaller = if smaller < least(row) { 1.0 } else { smaller };
+        self.need(smaller * (whole - words) + words);
+        let drawn = smaller * (whole - words);
+        let mut x = MARGIN;
+        for Picture { svg, size: (width, _), scale, room, words } in row {
+            let scale = smaller * scale;
+            let at = x + 0.5 * (room - scale * width);
+            self.pictures.push(Placed { svg: (*svg).into(), x: at, y: self.y, scale });
+            let top = self.y + drawn + 2.0 + SMALL;
+            for (number, line) in words.iter().enumerate() {
+                let y = top + LEADING * SMALL * number as f64;
+                self.page.text((x, y), style(SMALL), line);
+            }
+            x += room + APART;
+        }
+        self.y += drawn + words;
     }
 
     fn table(&mut self, names: &[String], rows: &[Vec<String>]) {

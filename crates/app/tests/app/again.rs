@@ -331,6 +331,29 @@ fn runs_under_a_suite_are_repeated_from_their_directory() {
     run(&["run", &moved.display().to_string()], &at("again"));
     let read = |out: &Path| fs::read(out.join("rates.csv")).unwrap();
     assert!(read(&moved) == read(&at("again")));
+    // A record that has changed, and a factor, are noticed as those of a map are, and so are motions that come or go.
+    let again = at("again").display().to_string();
+    record(&moved, 0.7);
+    let line = refused(&["run", &moved.display().to_string()]);
+    assert!(
+        line.contains("list.csv: the motion one has changed since the run; put back"),
+        "{line}"
+    );
+    record(&moved, 0.6);
+    let list = |rows: &str| {
+        fs::write(moved.join("list.csv"), format!("id,horizontal,units,scale\n{rows}")).unwrap();
+    };
+    for (rows, says) in [
+        ("one,mine.txt,g,1.5\n", "the motion one has changed since the run"),
+        ("other,mine.txt,g,1\n", "the motion one of the run is gone"),
+        ("one,mine.txt,g,1\nmore,mine.txt,g,2\n", "the motion more was not there in the run"),
+    ] {
+        list(rows);
+        let line = refused(&["run", &moved.display().to_string()]);
+        assert!(line.contains(says), "{line}");
+    }
+    list("one,mine.txt,g,1\n");
+    run(&["run", &moved.display().to_string()], Path::new(&again));
 }
 
 /// Results of every kind run again, or are refused with the command that does it.

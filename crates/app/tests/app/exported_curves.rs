@@ -139,3 +139,25 @@ fn exported_curves_are_those_of_the_fits() {
             .code(2);
     assert!(refusal(&run).contains("--export: pelicun has no cav; give pga, pgv or sa:T"));
 }
+
+/// Where nothing fails at any level there is no curve to write: no file that another program would refuse is left.
+#[test]
+fn no_file_is_written_without_a_curve() {
+    let (place, list) = suite();
+    let (out, to) = within(&place, "out");
+    let asked = ["--t-h", "1.5", "--t-v", "0.5", "--verify", "none", "--bootstrap", "39"];
+    let export = ["--levels", "0.05,0.1", "--export", "nrml,pelicun"];
+    let common = ["fragility", "--suite", &list, "--out", &to];
+    let run = topple(&[&common[..], &BASE, &asked, &export].concat()).success();
+    let warned = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    for file in ["fragility.xml", "fragility_pelicun.csv"] {
+        assert!(
+            warned.contains(&format!("no {file}: in each cell a limit state has no curve")),
+            "{warned}"
+        );
+        assert!(!out.join(file).exists());
+        let run = fs::read_to_string(out.join("run.json")).unwrap();
+        let run: serde_json::Value = serde_json::from_str(&run).unwrap();
+        assert!(!run["files"].as_array().unwrap().contains(&file.into()));
+    }
+}

@@ -7,13 +7,13 @@ const PAGES: [&str; 3] = ["first-hour", "compare", "report"];
 const ENDINGS: [&str; 9] =
     [".csv", ".npz", ".png", ".svg", ".json", ".toml", ".at2", ".html", ".pdf"];
 
-fn page(name: &str) -> String {
+pub fn page(name: &str) -> String {
     let path = format!("{}/../../docs/{name}.md", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(path).unwrap().replace("\r\n", "\n")
 }
 
 /// The commands of the page's `sh` blocks; one that goes on after a backslash is one command.
-fn commands(page: &str) -> Vec<String> {
+pub fn commands(page: &str) -> Vec<String> {
     let mut commands = Vec::new();
     let mut inside = false;
     let mut command = String::new();

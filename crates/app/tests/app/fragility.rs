@@ -438,9 +438,14 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let lines: Vec<&str> = svg.lines().collect();
     let first = lines.iter().position(|line| line.starts_with("<circle")).unwrap();
     let discs: Vec<&&str> = lines.iter().filter(|line| line.starts_with("<circle")).collect();
-    let last_band =
-        lines.iter().rposition(|line| line.contains("#f3d9d9") || line.contains("#d6e2f5"));
+    // The last one is that of the legend, where the mark stands on its line.
+    let (_, discs) = discs.split_last().unwrap();
+    // Bands show through each other: none hides another.
+    let is_band = |line: &&str| line.ends_with("Z\" fill=\"#b02020\" fill-opacity=\"0.18\"/>");
+    let other_band = |line: &&str| line.ends_with("Z\" fill=\"#2c5fb8\" fill-opacity=\"0.18\"/>");
+    let last_band = lines.iter().rposition(|line| is_band(line) || other_band(line));
     assert!(last_band.unwrap() < first, "a band lies above a mark");
+    assert!(lines.iter().any(is_band) && lines.iter().any(other_band));
     // The curve is dashed up to the lowest level at which a motion fails, and whole from there on.
     let ends = |line: &str| -> [f64; 2] {
         let path = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
@@ -453,6 +458,7 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let curve = |dashed: bool| {
         let is_it = |line: &&&str| {
             line.starts_with("<path")
+                && line.contains("fill=\"none\"")
                 && line.contains(colour)
                 && line.contains("dasharray") == dashed
         };

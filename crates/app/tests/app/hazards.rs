@@ -8,9 +8,13 @@ use assert_cmd::assert::Assert;
 
 use crate::fragility::{BASE, number, refusal, rows, said, suite, topple, within};
 
-/// What is said of rates, and on the way of errors.
+/// What is said of rates, and on the way of errors, but that four recordings are few.
 fn heard(run: &Assert) -> (String, String) {
-    (said(run), String::from_utf8(run.get_output().stderr.clone()).unwrap())
+    let warned = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    let few = |line: &&str| line.contains("the intervals are of 4 recordings; of fewer than 10");
+    assert_eq!(warned.lines().filter(few).count(), 1, "{warned}");
+    let rest = warned.lines().filter(|line| !few(line)).map(|line| format!("{line}\n"));
+    (said(run), rest.collect())
 }
 
 /// The levels of a hazard curve are in g where its header or a flag says so, in m/s2 with a warning where nothing does: the same site is below a
@@ -132,4 +136,56 @@ fn rates_without_a_curve_have_bounds() {
         max_relative = 1e-9
     );
     assert!(number(&row, "rate_empirical") > 0.0);
+}
+
+/// Levels in another unit than that of the hazard curve, or than was meant, are warned of; so are events that are too few.
+#[test]
+fn levels_and_events_that_tell_little_are_warned_of() {
+    let (place, list) = suite();
+    let hazard = |name: &str, rows: &str| {
+        let (file, path) = within(&place, name);
+        fs::write(file, format!("PGA [m/s2],rate\n{rows}")).unwrap();
+        path
+    };
+    let run = |more: &[&str]| {
+        let (out, to) = within(&place, "out");
+        let asked = ["--t-h", "1.5", "--t-v", "0.5", "--verify", "none", "--bootstrap", "39"];
+        let common = ["fragility", "--out", &to];
+        let run = topple(&[&common[..], &BASE, &asked, more].concat()).success();
+        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        let json = fs::read_to_string(out.join("run.json")).unwrap();
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let kept: Vec<String> =
+            serde_json::from_value(json["warnings"].clone()).unwrap_or_default();
+        // What is warned of is kept.
+        assert_eq!(told.matches("topple: warning: ").count(), kept.len(), "{told} {kept:?}");
+        assert!(kept.iter().all(|one| told.contains(one)), "{told} {kept:?}");
+        told
+    };
+    let of = ["--suite", &list];
+    let told = run(&[&of[..], &["--levels", "0.05:0.5:4:log"]].concat());
+    assert!(
+        told.contains("the levels, 0.05 to 0.5 m/s²: levels are in m/s²; if they were meant in g"),
+        "{told}"
+    );
+    let low = hazard("low.csv", "0.05,1e-1\n0.5,1e-3\n");
+    let told = run(&[&of[..], &["--levels", "1:16:8:log", "--hazard", &low]].concat());
+    assert!(
+        told.contains("all levels, 1 to 16 m/s², are above the hazard curve, 0.05 to 0.5 m/s²"),
+        "{told}"
+    );
+    let usual = hazard("usual.csv", "0.5,1e-1\n20,1e-4\n");
+    let told = run(&[&of[..], &["--levels", "1:16:8:log", "--hazard", &usual]].concat());
+    assert!(!told.contains("in the same unit") && !told.contains("meant in g"), "{told}");
+    let events = place.path().join("events.csv");
+    let rows = ["a", "b", "c", "d"].map(|name| format!("{name},{name}.txt,0.02,m/s2,quake\n"));
+    fs::write(&events, format!("id,horizontal,dt,units,event\n{}", rows.concat())).unwrap();
+    let of = ["--suite", events.to_str().unwrap(), "--levels", "1:16:8:log"];
+    let told = run(&of);
+    assert!(
+        told.contains("the motions are of 1 event, too few for intervals by event (10)"),
+        "{told}"
+    );
+    let told = run(&[&of[..], &["--resample", "event"]].concat());
+    assert!(told.contains("the intervals are of 1 event; of fewer than 10"), "{told}");
 }

@@ -136,6 +136,20 @@ fn the_last_row_has_the_last_sample_of_the_record() {
     assert!((last.parse::<f64>().unwrap() - 1.5).abs() < 1e-9, "{last}");
 }
 
+/// A repetition has the columns that were asked for, and no others.
+#[test]
+fn a_repeated_history_has_its_columns() {
+    let folder = TempDir::new().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    for (more, count) in [("--columns n,acc_block", 11), ("--columns all", 16), ("", 9)] {
+        run(&format!("{CELL} {more}"), &at("first"));
+        run(&format!("run {}", at("first").display()), &at("again"));
+        let read = |name: &str| fs::read(at(name).join("history.csv")).unwrap();
+        assert!(read("first") == read("again"), "{more}");
+        assert_eq!(columns(&at("again").join("history.csv")).0.len(), count);
+    }
+}
+
 #[test]
 fn a_column_of_another_name_is_refused() {
     let folder = TempDir::new().unwrap();

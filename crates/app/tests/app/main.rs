@@ -10,6 +10,7 @@ mod chart;
 mod columns;
 mod command;
 mod compare;
+mod docs_pictures;
 mod drivers;
 mod ending;
 mod envelopes;

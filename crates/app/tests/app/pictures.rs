@@ -375,3 +375,172 @@ fn a_grey_print_has_no_colours() {
         refused(&[&MAP[..], &["--palette", "red", "--out", at("none").to_str().unwrap()]].concat());
     assert!(said.contains("--palette"), "{said}");
 }
+
+/// Letters as outlines: the picture is the same, in the same size, and needs no font; a repetition keeps them.
+#[test]
+fn letters_become_outlines_where_they_are_asked_for() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let record =
+        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
+    let cell = [&["history"], &MAP[1..9], &["--omega", "9", "--a-h", "8.4"]].concat();
+    let pictures =
+        [("pulse", &MAP[..], "map"), ("record", &record, "contact"), ("history", &cell, "history")];
+    for (folder, command, name) in pictures {
+        let plain = [command, &["--font-size", "8"]].concat();
+        topple(&plain, &at(folder));
+        let (text, png) =
+            (svg(&at(folder), name), fs::read(at(folder).join(format!("{name}.png"))));
+        assert!(text.matches("<text").count() > 8, "{folder}");
+        topple(&[&plain[..], &["--outline-text"]].concat(), &at(folder));
+        let outlined = svg(&at(folder), name);
+        assert!(!outlined.contains("<text") && !outlined.contains("font-family"), "{folder}");
+        assert!(outlined.matches("<path").count() > text.matches("<path").count(), "{folder}");
+        let size = |svg: &str| {
+            ["width", "height"].map(|side| {
+                let marker = format!(" {side}=\"");
+                let length = svg.split(&marker).nth(1).unwrap().split_once("mm\"").unwrap().0;
+                length.parse::<f64>().unwrap()
+            })
+        };
+        // A length of the one is written to hundredths of a millimetre.
+        let apart = size(&text).into_iter().zip(size(&outlined)).map(|(a, b)| (a - b).abs());
+        assert!(
+            apart.fold(0.0, f64::max) < 0.02,
+            "{folder}: {:?} {:?}",
+            size(&text),
+            size(&outlined)
+        );
+        let again = fs::read(at(folder).join(format!("{name}.png"))).unwrap();
+        let apart = differing(&png.unwrap(), &again);
+        assert!(apart < 0.002, "{folder}: {apart}");
+        let again = at(&format!("{folder} again"));
+        topple(&["run", at(folder).to_str().unwrap()], &again);
+        assert!(svg(&again, name) == outlined, "{folder}");
+    }
+}
+
+/// Numbers on the lines of a map do not lie in heaps: each has room around it, one of the same value more.
+#[test]
+fn numbers_on_lines_are_apart() {
+    let out = TempDir::new().unwrap();
+    let record = ["seismic", "--object", "1", "--eccentricity", "0.2", "--backend", "cpu"];
+    let grid = ["--t-h", "0.5:4:40", "--t-v", "0.02:2:40", "--verify", "none"];
+    topple(&[&record[..], &grid].concat(), out.path());
+    let mut compared = 0;
+    for name in ["displacement_u", "displacement_v", "stroke_v", "contact"] {
+        let svg = svg(out.path(), name);
+        // White behind a number, and the number.
+        let lines: Vec<&str> = svg.lines().collect();
+        let written: Vec<([f64; 4], &str)> = lines
+            .windows(2)
+            .filter(|pair| pair[0].contains("fill-opacity=\"0.85\""))
+            .map(|pair| {
+                let of = |attribute| numbers(pair[0], attribute)[0];
+                let text = pair[1].split_once('>').unwrap().1.split('<').next().unwrap();
+                ([of("x"), of("y"), of("width"), of("height")], text)
+            })
+            .collect();
+        for (k, ([x, y, width, height], text)) in written.iter().enumerate() {
+            for ([other_x, other_y, other_width, other_height], other) in &written[k + 1..] {
+                let across = (x - other_x - other_width).max(other_x - x - width);
+                let upwards = (y - other_y - other_height).max(other_y - y - height);
+                // Lengths are written to hundredths. The two halves of a picture each have their own numbers.
+                let least = if text == other && name != "contact" { 60.0 } else { 4.95 };
+                assert!(across.max(upwards) > least, "{name}: {text} beside {other}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 20, "{compared}");
+}
+
+/// A map of one cell has no axes: its picture says what becomes of the block, and has no field beside it.
+#[test]
+fn one_cell_is_told_in_words() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    let record = ["seismic", "--object", "1", "--t-h", "2", "--t-v", "0.5", "--backend", "cpu"];
+    topple(&record, &at("record"));
+    topple(&[&MAP[..9], &["--omega", "5", "--a-h", "1", "--backend", "cpu"]].concat(), &at("map"));
+    let value = |folder: &str, column: &str| -> f64 {
+        let table = fs::read_to_string(at(folder).join("map.csv")).unwrap();
+        let place = table.lines().next().unwrap().split(',').position(|own| own == column);
+        table.lines().nth(1).unwrap().split(',').nth(place.unwrap()).unwrap().parse().unwrap()
+    };
+    for folder in ["record", "map"] {
+        let svg = svg(&at(folder), "map");
+        is_printable(&svg, folder);
+        let said = words(&svg);
+        let of = topple::scene::record::rounded(value(folder, "max_u"), 3);
+        assert!(said.contains("Outcome of one case") && said.contains("max |u| = "), "{said}");
+        assert!(said.contains(&format!("max |u| = {of}")), "{of}: {said}");
+        assert!(!svg.contains("<image"), "{folder}");
+        let files: Vec<_> = fs::read_dir(at(folder)).unwrap().collect();
+        let pictures = files.into_iter().filter(|file| {
+            file.as_ref().unwrap().path().extension().is_some_and(|own| own == "svg")
+        });
+        assert_eq!(pictures.count(), 1, "{folder}");
+    }
+}
+
+/// The share of the pixels of two pictures that differ by more than the edge of a letter does.
+fn differing(one: &[u8], other: &[u8]) -> f64 {
+    let pixels = |bytes: &[u8]| {
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes.to_vec()));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        pixels
+    };
+    let (one, other) = (pixels(one), pixels(other));
+    assert_eq!(one.len(), other.len());
+    let apart = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
+    apart as f64 / one.len() as f64
+}
+
+/// The spectra of a map are the least values of its cells, and are repeated with it.
+#[test]
+fn spectra_are_the_least_values_that_lift_and_overturn() {
+    let out = TempDir::new().unwrap();
+    let at = |name: &str| out.path().join(name);
+    // Blocks under quick pulses do not overturn up to 8 m/s².
+    let grid = ["--omega", "0.2:15:30", "--a-h", "0.1:8:30", "--backend", "cpu", "--spectrum"];
+    topple(&[&MAP[..9], &grid].concat(), &at("map"));
+    let read = |name: &str| fs::read_to_string(at("map").join(name)).unwrap();
+    let cells = read("map.csv");
+    let spectrum = read("spectrum.csv");
+    let mut lines = spectrum.lines();
+    assert_eq!(lines.next().unwrap(), "omega,lifts,overturns");
+    let (mut compared, mut open) = (0, 0);
+    for line in lines {
+        let [omega, lifts, overturns] = line.split(',').collect::<Vec<_>>()[..] else { panic!() };
+        let least = |does: fn(&str) -> bool| {
+            let of = cells.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
+            let of = of.filter(|row| row[0] == omega && does(row[2]));
+            of.map(|row| row[1].parse::<f64>().unwrap()).reduce(f64::min)
+        };
+        let lifted = least(|outcome| outcome != "full_contact");
+        let overturned = least(|outcome| outcome.starts_with("overturned"));
+        for (told, wanted) in [(lifts, lifted), (overturns, overturned)] {
+            assert_eq!(told.parse::<f64>().ok(), wanted, "{line}");
+            compared += usize::from(wanted.is_some());
+            open += usize::from(wanted.is_none());
+        }
+    }
+    assert!(compared > 30 && open > 10, "{compared} {open}");
+    let svg = svg(&at("map"), "spectrum");
+    is_printable(&svg, "spectrum");
+    let said = words(&svg);
+    for part in
+        ["Least Ah that lifts and overturns, over Ω", "overturns from here on", "ζ at Ah = 8 m/s²"]
+    {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    topple(&["run", at("map").to_str().unwrap()], &at("again"));
+    assert_eq!(fs::read_to_string(at("again").join("spectrum.csv")).unwrap(), spectrum);
+    let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();
+    let said = refused(&[&line[..], &["--out", at("line").to_str().unwrap()]].concat());
+    assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");
+}

@@ -278,6 +278,23 @@ fn the_command_writes_pictures_and_leaves() {
         outcomes.entry(pixels[(160 - j) * 177 + i]).or_default().insert(kind.into());
     }
     assert!(outcomes.len() >= 4 && outcomes.values().all(|names| names.len() == 1), "{outcomes:?}");
+    // In greys nothing has a hue, and lines are over classes that share one.
+    pulse(out, &["--refine", "4", "--palette", "grey"]).assert().success();
+    let file = std::io::BufReader::new(std::fs::File::open(out.join("refined.png")).unwrap());
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    assert!(pixels.chunks(3).all(|pixel| pixel[0] == pixel[1] && pixel[1] == pixel[2]));
+    let svg = std::fs::read_to_string(out.join("refined.svg")).unwrap();
+    let hexes = svg.split('#').skip(1).filter(|rest| !rest.starts_with("lines"));
+    let greys = hexes.map(|rest| (&rest[..2], &rest[2..4], &rest[4..6])).collect::<Vec<_>>();
+    assert!(greys.len() > 4 && greys.iter().all(|(r, g, b)| r == g && g == b), "{greys:?}");
+    assert!(
+        svg.contains("<pattern id=\"lines3\"") && svg.contains("fill=\"url(#lines3)\""),
+        "{svg}"
+    );
     // A run without it takes the files away.
     pulse(out, &[]).assert().success();
     assert!(!out.join("leaves.csv").exists() && !out.join("refined.svg").exists());

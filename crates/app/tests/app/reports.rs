@@ -95,6 +95,13 @@ fn several_runs_of_several_kinds_are_one_report() {
     let folders = ["map", "suite", "envelope", "fragility"];
     topple(&place, &[&["report"][..], &folders, &["--out", "report.html"]].concat()).success();
     let page = read(&place.path().join("report.html"));
+    // The motions with their peaks, those of suite.csv.
+    let suite = read(&place.path().join("suite/suite.csv"));
+    let column = |name: &str| suite.lines().next().unwrap().split(',').position(|own| own == name);
+    let peak = suite.lines().nth(1).unwrap().split(',').nth(column("pga_h").unwrap()).unwrap();
+    let peak = topple::scene::record::rounded(peak.parse().unwrap(), 3);
+    assert!(page.contains("horizontal peak, PGA [m/s²]"), "{page}");
+    assert!(page.matches(&format!("<td>{peak}</td>")).count() >= 2, "{peak}");
     for kind in ["4 runs of topple", "(map)", "Suite (suite)", "(envelope)", "(fragility)"] {
         assert!(page.contains(kind), "{kind}");
     }
@@ -151,4 +158,117 @@ fn what_is_no_run_and_what_is_in_the_way_is_refused() {
     fs::write(at("map/run.json"), run.replace("\"map.svg\"", "\"../map.svg\"")).unwrap();
     assert!(refused(&["report", &map, "--out", &html]).contains("no file beside it"));
     assert!(!at("report.html").exists());
+}
+
+#[test]
+fn a_report_has_the_title_that_is_asked_for_and_what_its_runs_warned_of() {
+    let place = TempDir::new().unwrap();
+    // The pulse of 0.5 rad/s lasts longer than the run.
+    let line = MAP.replace("2:12:6", "0.5:12:6");
+    let arguments: Vec<&str> = line.split(' ').chain(["--t-max", "5", "--out", "map"]).collect();
+    topple(&place, &arguments).success();
+    let json = read(&place.path().join("map/run.json"));
+    let run: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let (warning, date) = (run["warnings"][0].as_str().unwrap(), run["date"].as_str().unwrap());
+    assert!(warning.contains("but its run ends at 5 s"), "{warning}");
+    let written = fs::metadata(place.path().join("map/run.json")).unwrap().modified().unwrap();
+    let seconds = written.duration_since(std::time::UNIX_EPOCH).unwrap().as_secs();
+    // Of the day the seconds are those of the clock, a few apart.
+    let of_day: Vec<u64> = date[11..19].split(':').map(|part| part.parse().unwrap()).collect();
+    let told = 3600 * of_day[0] + 60 * of_day[1] + of_day[2];
+    assert!((seconds % 86_400).abs_diff(told) < 60, "{date} {seconds}");
+    for name in ["report.html", "report.pdf"] {
+        topple(&place, &["report", "map", "--title", "For the council & others", "--out", name])
+            .success();
+    }
+    let page = read(&place.path().join("report.html"));
+    let title = "For the council &amp; others";
+    assert!(page.contains(&format!("<title>{title}</title>")), "{page}");
+    assert!(page.contains(&format!("<h1>{title}</h1>")), "{page}");
+    assert!(
+        page.contains("The runs warned:") && page.contains("but its run ends at 5 s"),
+        "{page}"
+    );
+    assert!(page.contains(&format!(", {} at {} UTC, results in", &date[..10], &date[11..16])));
+    let pdf = fs::read(place.path().join("report.pdf")).unwrap();
+    assert!(String::from_utf8_lossy(&pdf).contains("For the council & others"));
+    let (map, html) = (place.path().join("map"), place.path().join("other.html"));
+    let [map, html] = [map, html].map(|path| path.display().to_string());
+    let said = refused(&["report", &map, "--title", "", "--out", &html]);
+    assert!(said.contains("must be one line of text"), "{said}");
+}
+
+#[test]
+fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
+    let (place, records) = suite();
+    let statue =
+        ["--object", "1", "--t-h", "1.2", "--t-v", "0.4", "--u-y", "0.01", "--backend", "cpu"];
+    let levels = ["--levels", "0.5,1", "--both-directions", "--out", "low"];
+    topple(&place, &[&["fragility", "--suite", &records][..], &statue, &levels].concat()).success();
+    topple(&place, &["report", "low", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    assert!(page.contains("Each is taken in both directions"), "{page}");
+    assert!(page.contains("overturning: none fails up to the highest level, 1"), "{page}");
+    assert!(page.contains("–: the motions tell no curve"), "{page}");
+    // A median that is known about is told so.
+    let path = place.path().join("low/fits.csv");
+    let fits = read(&path);
+    let head: Vec<&str> = fits.lines().next().unwrap().split(',').collect();
+    let open = head.iter().map(|name| match *name {
+        "limit_state" => "overturning",
+        "estimator" => "stripes",
+        "theta" => "3.25",
+        "theta_low" => "2.5",
+        _ => "",
+    });
+    let open = open.collect::<Vec<_>>().join(",");
+    fs::write(&path, format!("{}\n{open}\n", head.join(","))).unwrap();
+    topple(&place, &["report", "low", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    assert!(page.contains("<td>about 3.25</td><td>2.5</td>"), "{page}");
+    assert!(page.contains("<td>not known</td>") && page.contains("About: at most one level"));
+}
+
+#[test]
+fn what_no_command_repeats_is_said() {
+    let place = TempDir::new().unwrap();
+    let record =
+        "seismic --object 1 --t-h 0.5:4:3 --t-v 0.02:2:3 --backend cpu --verify none --out record";
+    topple(&place, &record.split(' ').collect::<Vec<_>>()).success();
+    let report = || {
+        topple(&place, &["report", "record", "--out", "report.html"]).success();
+        read(&place.path().join("report.html"))
+    };
+    assert!(report().contains("topple run record --out again"));
+    let path = place.path().join("record/run.json");
+    let mut run: serde_json::Value = serde_json::from_str(&read(&path)).unwrap();
+    run["record"] = serde_json::Value::Null;
+    fs::write(&path, run.to_string()).unwrap();
+    let page = report();
+    assert!(
+        page.contains("No command repeats it: its run.json does not say where its record lies")
+    );
+    assert!(!page.contains("topple run record"), "{page}");
+    // So it is: the command says the same.
+    let said = refused(&["run", &path.display().to_string()]);
+    assert!(said.contains("it does not say where its record lies"), "{said}");
+}
+
+/// Pictures that are narrow lie beside each other: of a map of many slices a page has four.
+#[test]
+fn many_pictures_take_few_pages() {
+    let place = TempDir::new().unwrap();
+    let slices = MAP.replace("--t-v 0.75", "--t-v 0.3:1:20");
+    let arguments: Vec<&str> = slices.split(' ').chain(["--out", "slices"]).collect();
+    topple(&place, &arguments).success();
+    topple(&place, &["report", "slices", "--out", "report.pdf"]).success();
+    let pdf = fs::read(place.path().join("report.pdf")).unwrap();
+    let pages = String::from_utf8_lossy(&pdf).matches("/Type /Page\n").count();
+    // Five pages of pictures, and what stands before and after.
+    assert!((6..=9).contains(&pages), "{pages}");
+    let more = MAP.replace("--t-v 0.75", "--t-v 0.3:1:25").replace("2:12:6", "2:12:3");
+    let arguments: Vec<&str> = more.split(' ').chain(["--out", "more"]).collect();
+    topple(&place, &arguments).success();
+    topple(&place, &["report", "more", "--out", "report.html"]).success();
+    assert!(read(&place.path().join("report.html")).contains("The run has no picture"));
 }

@@ -28,6 +28,9 @@ mod suites;
 #[path = "../../src/earlier_run.rs"]
 mod earlier_run;
 #[allow(dead_code)]
+#[path = "../../src/history_table.rs"]
+mod history_table;
+#[allow(dead_code)]
 #[path = "../../src/map_file.rs"]
 mod map_file;
 #[path = "../../src/number_text.rs"]

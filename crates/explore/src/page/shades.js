@@ -22,14 +22,14 @@ export const isShare = (about, name) => Boolean(shownAs(about, name)?.share);
 
 /** The colour of a share of a scale, as a word. Twin: src/results/ramp.rs. */
 export function shade(about, name, share) {
-  const { probability, greys: [light, dark] } = about.shades;
+  const { probability, greys: [light, dark], falls } = about.shades;
   const at = Math.min(1, Math.max(0, share));
   if (isShare(about, name)) {
     const along = (name === 'standing' ? 1 - at : at) * (probability.length - 1);
     const k = Math.min(probability.length - 2, Math.floor(along));
     return rgb(...probability[k].map((part, c) => Math.round(part + (probability[k + 1][c] - part) * (along - k))));
   }
-  const grey = Math.floor(255 * (light + (dark - light) * at));
+  const grey = Math.floor(255 * (light + (dark - light) * (falls.includes(name) ? 1 - at : at)));
   return rgb(grey, grey, grey);
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::raster::data_url;
 use super::text::{self, Anchor, Style};
-use super::{LEADING, MARGIN, MILLIMETRE};
+use super::{LEADING, MARGIN, MILLIMETRE, render};
 use topple::results::colour::Colour;
 use topple::results::print_palette::Palette;
 
@@ -63,6 +63,7 @@ pub struct Canvas {
     width: f64,
     scale: f64,
     palette: Palette,
+    outlines: bool,
     body: String,
     clips: usize,
 }
@@ -77,6 +78,14 @@ fn short(length: f64) -> String {
     let text = format!("{length:.2}");
     let plain = text.trim_end_matches('0').trim_end_matches('.');
     if plain == "-0" { "0".into() } else { plain.into() }
+}
+
+/// The attribute of an opacity; none of what is opaque.
+fn through(opacity: f64) -> String {
+    match opacity {
+        1.0 => String::new(),
+        opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
+    }
 }
 
 /// Points nearer to each other than this are one in print.
@@ -115,13 +124,13 @@ impl Stroke {
 impl Canvas {
     /// An empty document of a width, points.
     pub fn new(width: f64) -> Canvas {
-        Canvas::printed(width, 1.0, Palette::default())
+        Canvas::printed(width, 1.0, Palette::default(), false)
     }
 
     /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say, in
-    /// the colours of a palette.
-    pub fn printed(width: f64, scale: f64, palette: Palette) -> Canvas {
-        Canvas { width: width / scale, scale, palette, body: String::new(), clips: 0 }
+    /// the colours of a palette; with letters as outlines where these are asked for.
+    pub fn printed(width: f64, scale: f64, palette: Palette, outlines: bool) -> Canvas {
+        Canvas { width: width / scale, scale, palette, outlines, body: String::new(), clips: 0 }
     }
 
     /// Its colours, which those who draw an image choose themselves.
@@ -141,13 +150,18 @@ impl Canvas {
 
     /// The document on white paper of a height in its coordinates.
     pub fn finish(self, height: f64) -> String {
-        let Canvas { width, scale, body, .. } = self;
+        let Canvas { width, scale, outlines, body, .. } = self;
         let (w, h) = (short(width), short(height));
         let (mm_w, mm_h) = (short(scale * width / MILLIMETRE), short(scale * height / MILLIMETRE));
-        format!(
+        let document = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_w}mm\" height=\"{mm_h}mm\" \
              viewBox=\"0 0 {w} {h}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{body}</svg>\n"
-        )
+        );
+        match outlines {
+            // What is no document fails when its pixels are made.
+            true => render::outlined(&document).unwrap_or(document),
+            false => document,
+        }
     }
 
     fn push(&mut self, element: &str) {
@@ -163,14 +177,11 @@ impl Canvas {
     /// A filled rectangle of an opacity.
     pub fn fill_through(&mut self, place: Place, colour: Colour, opacity: f64) {
         let Place { x, y, width, height } = place;
-        let through = match opacity {
-            1.0 => String::new(),
-            opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
-        };
         let (x, y, width, height) = (short(x), short(y), short(width), short(height));
         let fill = hex(self.palette.of(colour));
         self.push(&format!(
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{through}/>"
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{}/>",
+            through(opacity)
         ));
     }
 
@@ -197,11 +208,18 @@ impl Canvas {
 
     /// A filled polygon.
     pub fn polygon(&mut self, points: impl IntoIterator<Item = Point>, colour: Colour) {
-        self.push(&format!(
-            "<path d=\"{}Z\" fill=\"{}\"/>",
-            path(points),
-            hex(self.palette.of(colour))
-        ));
+        self.polygon_through(points, colour, 1.0);
+    }
+
+    /// A filled polygon of an opacity.
+    pub fn polygon_through(
+        &mut self,
+        points: impl IntoIterator<Item = Point>,
+        colour: Colour,
+        opacity: f64,
+    ) {
+        let (path, fill) = (path(points), hex(self.palette.of(colour)));
+        self.push(&format!("<path d=\"{path}Z\" fill=\"{fill}\"{}/>", through(opacity)));
     }
 
     /// A filled circle.

@@ -22,6 +22,8 @@ pub struct Print<'a> {
     font_size: Option<f64>,
     /// The colours.
     pub palette: Palette,
+    /// Letters are outlines, which need no font.
+    pub outlines: bool,
 }
 
 /// What cannot be printed.
@@ -63,12 +65,13 @@ impl Print<'_> {
         if wide < least {
             return Err(PrintError::Narrow { size, width: wide, least });
         }
-        Ok(Print { title: None, width, font_size, palette: Palette::default() })
+        Ok(Print { width, font_size, ..Print::default() })
     }
 
     /// An empty picture, so many points wide where no width is requested.
     pub fn canvas(self, usual: f64) -> Canvas {
         let width = self.width.map_or(usual, |width| width * MILLIMETRE);
-        Canvas::printed(width, self.font_size.map_or(1.0, |size| size / FONT), self.palette)
+        let scale = self.font_size.map_or(1.0, |size| size / FONT);
+        Canvas::printed(width, scale, self.palette, self.outlines)
     }
 }

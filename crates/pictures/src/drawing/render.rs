@@ -67,15 +67,27 @@ pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
     Tree::from_str(svg, &options).map_err(|e| FigureError::Encode(e.to_string()))
 }
 
-/// The same picture without text: its letters are paths, so that it needs no font. Nothing that acts or points out of the
-/// document is left in it.
+/// The same picture in the same size without text: its letters are paths, so that it needs no font. Nothing that acts or
+/// points out of the document is left in it.
 ///
 /// # Errors
 /// [`FigureError::Encode`]: no SVG.
 pub fn outlined(svg: &str) -> Result<String, FigureError> {
     let options = WriteOptions { coordinates_precision: 3, ..WriteOptions::default() };
-    Ok(tree(svg, CSS)?.to_string(&options))
+    let tree = tree(svg, CSS)?;
+    let (width, height) = (tree.size().width(), tree.size().height());
+    let text = tree.to_string(&options);
+    // A length without a unit is of 1/96 inch in a browser, and a point in programs that lay out print.
+    let (_, rest) =
+        text.split_once(" xmlns=").ok_or_else(|| FigureError::Encode(NO_ROOT.into()))?;
+    let millimetres = |length: f32| format!("{:.3}", 25.4 * length / CSS);
+    let (mm_w, mm_h) = (millimetres(width), millimetres(height));
+    Ok(format!(
+        "<svg width=\"{mm_w}mm\" height=\"{mm_h}mm\" viewBox=\"0 0 {width} {height}\" xmlns={rest}"
+    ))
 }
+
+const NO_ROOT: &str = "an SVG without its root";
 
 /// Width and height of a picture, points.
 ///

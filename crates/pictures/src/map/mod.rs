@@ -4,6 +4,7 @@ pub mod boundaries;
 pub mod figure;
 pub mod refined;
 pub mod slices;
+pub mod spectrum;
 pub mod thinned;
 
 use std::borrow::Cow;

@@ -1,13 +1,16 @@
-//! Pictures of a refined map at its full resolution: a pixel a cell, and the outlines of its outcomes.
+//! Pictures of a refined map at its full resolution: a pixel a cell, and the outlines of its outcomes. In greys lines tell
+//! outcomes of one grey apart: every [`PITCH`]th row or column of their cells.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
 
 use crate::drawing::error::FigureError;
 use topple::refine::refined::RefinedMap;
+use topple::results::colour::Colour;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
-use topple::results::palette::Kind;
+use topple::results::palette::{Kind, dots};
+use topple::results::print_palette::{Palette, Texture};
 
 /// The columns that a cell's colour depends on.
 const COLOUR: [Column; 3] = [Column::Outcome, Column::Impacts, Column::Uplifts];
@@ -27,12 +30,19 @@ fn kinds_of(map: &RefinedMap, all: &[Kind], row: usize) -> io::Result<Vec<u8>> {
     Ok(kinds)
 }
 
+/// From one line over a grey to the next, cells.
+const PITCH: usize = 4;
+
 /// Writes the map as a PNG of a pixel a cell, the last row of the second axis at the top: nothing but the colours of
-/// the outcomes.
+/// the outcomes in a palette.
 ///
 /// # Errors
 /// Those of the writer and of the format.
-pub fn write_png(map: &RefinedMap, writer: impl Write) -> Result<(), FigureError> {
+pub fn write_png(
+    map: &RefinedMap,
+    palette: Palette,
+    writer: impl Write,
+) -> Result<(), FigureError> {
     let failed = |e: &dyn std::fmt::Display| FigureError::Encode(e.to_string());
     let all = Kind::all();
     let (columns, rows) = map.report.shape;
@@ -41,11 +51,24 @@ pub fn write_png(map: &RefinedMap, writer: impl Write) -> Result<(), FigureError
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    encoder.set_palette(all.iter().flat_map(|kind| kind.colour()).collect::<Vec<u8>>());
+    // Those of the kinds, and behind them those of the lines over them.
+    let colours = all.iter().map(|kind| palette.of(kind.colour()));
+    let lines = colours.clone().map(dots);
+    encoder.set_palette(colours.chain(lines).flatten().collect::<Vec<u8>>());
     let mut writer = encoder.write_header().map_err(|e| failed(&e))?;
     let mut stream = writer.stream_writer().map_err(|e| failed(&e))?;
     for row in (0..rows).rev() {
-        let kinds = kinds_of(map, &all, row).map_err(|e| failed(&e))?;
+        let mut kinds = kinds_of(map, &all, row).map_err(|e| failed(&e))?;
+        if palette == Palette::Grey {
+            for (column, kind) in kinds.iter_mut().enumerate() {
+                let is_line = match palette.texture(all[usize::from(*kind)].colour()) {
+                    Texture::Plain => false,
+                    Texture::Across => row.is_multiple_of(PITCH),
+                    Texture::Upright => column.is_multiple_of(PITCH),
+                };
+                *kind += if is_line { all.len() as u8 } else { 0 };
+            }
+        }
         stream.write_all(&kinds).map_err(|e| failed(&e))?;
     }
     stream.finish().map_err(|e| failed(&e))?;
@@ -57,7 +80,7 @@ pub fn write_png(map: &RefinedMap, writer: impl Write) -> Result<(), FigureError
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
+pub fn write_svg(map: &RefinedMap, palette: Palette, mut writer: impl Write) -> io::Result<()> {
     let all = Kind::all();
     let (columns, rows) = map.report.shape;
     let mut outlines = Outlines::default();
@@ -77,14 +100,31 @@ pub fn write_svg(map: &RefinedMap, mut writer: impl Write) -> io::Result<()> {
          shape-rendering=\"crispEdges\">"
     )?;
     for (number, paths) in outlines.paths((columns, rows)) {
-        let [r, g, b] = all[usize::from(number)].colour();
-        let label = all[usize::from(number)].label();
-        writeln!(
-            writer,
-            "<path fill=\"#{r:02x}{g:02x}{b:02x}\" d=\"{paths}\"><title>{label}</title></path>"
-        )?;
+        let (colour, label) = (all[usize::from(number)].colour(), all[usize::from(number)].label());
+        let own = palette.of(colour);
+        let line = match palette.texture(colour) {
+            Texture::Plain => None,
+            Texture::Across => Some("M0 0.5H4"),
+            Texture::Upright => Some("M0.5 0V4"),
+        };
+        let mut fill = hex(own);
+        if let Some(line) = line {
+            writeln!(
+                writer,
+                "<pattern id=\"lines{number}\" width=\"{PITCH}\" height=\"{PITCH}\" patternUnits=\"userSpaceOnUse\">\
+                 <rect width=\"{PITCH}\" height=\"{PITCH}\" fill=\"{fill}\"/><path d=\"{line}\" stroke=\"{}\"/></pattern>",
+                hex(dots(own))
+            )?;
+            fill = format!("url(#lines{number})");
+        }
+        writeln!(writer, "<path fill=\"{fill}\" d=\"{paths}\"><title>{label}</title></path>")?;
     }
     writeln!(writer, "</svg>")
+}
+
+/// A colour as SVG writes it.
+fn hex([r, g, b]: Colour) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// A corner of cells: its column and its line from the top.

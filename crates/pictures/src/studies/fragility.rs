@@ -25,6 +25,8 @@ const POINTS: u32 = 200;
 /// Width of a curve, and its dashes beyond the data.
 const CURVE: f64 = 1.1;
 const BEYOND: (f64, f64) = (3.2, 2.0);
+/// Opacity of a band.
+const BAND: f64 = 0.18;
 /// How far the axis goes beyond the levels at most, where a hazard curve does: rates come from there, too.
 const FURTHER: f64 = 4.0;
 
@@ -74,8 +76,10 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
             // Curves between theta's bounds: beta is that of the fit.
             if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
                 let (left, right) = (curve(low, beta), curve(high, beta));
-                let band = STATES[k % STATES.len()].1;
-                canvas.polygon(left.into_iter().chain(right.into_iter().rev()), band);
+                // One band does not hide another.
+                let colour = STATES[k % STATES.len()].0;
+                let around = left.into_iter().chain(right.into_iter().rev());
+                canvas.polygon_through(around, colour, BAND);
             }
         }
         for (k, (of, state)) in one.clone().enumerate() {
@@ -100,10 +104,12 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
                 }
                 canvas.line(part(&|x| (from..=to).contains(&x)), stroke(colour, CURVE));
             }
-            entries.push(entry(
-                Swatch::Line(stroke(colour, CURVE)),
-                format!("{}: {}", state.words(), told(fit)),
-            ));
+            let line = stroke(colour, CURVE);
+            let swatch = match has_shares(of) {
+                true => Swatch::Curve(line, MARKS[k % MARKS.len()]),
+                false => Swatch::Line(line),
+            };
+            entries.push(entry(swatch, format!("{}: {}", state.words(), told(fit))));
         }
     });
     frame.draw(&mut canvas, BOTH);
@@ -189,7 +195,8 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Prin
             for part in points(k).split(Option::is_none) {
                 canvas.line(part.iter().flatten().copied(), stroke(colour, 0.9));
             }
-            entries.push(entry(Swatch::Line(stroke(colour, 0.9)), state.words()));
+            let swatch = Swatch::Curve(stroke(colour, 0.9), MARKS[k % MARKS.len()]);
+            entries.push(entry(swatch, state.words()));
         }
         // Marks lie above the bars and the lines of all limit states.
         for k in 0..states.len() {

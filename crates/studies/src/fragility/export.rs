@@ -24,6 +24,13 @@ pub enum Export {
 /// The deviation of ln(level) that a step is written with: other programs divide by it.
 pub const STEP: f64 = 0.01;
 
+/// Deviations of ln(level) below and above the median where the levels of a function of OpenQuake end. Weaker motions make none
+/// fail there, though they are many, so that little may be missing: 6e-16. For stronger motions it takes the probability at
+/// the end, of which 3e-5 are missing; an end further up would be at levels that no motion has.
+const FAR_BELOW: f64 = 8.0;
+/// See [`FAR_BELOW`].
+const FAR_ABOVE: f64 = 4.0;
+
 impl Export {
     /// All of them.
     pub const ALL: [Export; 2] = [Export::Nrml, Export::Pelicun];
@@ -74,6 +81,11 @@ impl Export {
             Export::Nrml => write_nrml(study, measure, writer),
             Export::Pelicun => write_pelicun(study, measure, writer),
         }
+    }
+
+    /// True where a study has nothing for it: in each cell a limit state has no curve.
+    pub fn is_empty(self, study: &Study) -> bool {
+        self.left_out(study).1 == study.cells.len()
     }
 
     /// What of a study is in no row or function: limit states that do not follow each other, and how many cells have a limit state
@@ -167,10 +179,9 @@ fn write_nrml(study: &Study, measure: Intensity, mut out: impl Write) -> io::Res
     writeln!(out, "    <limitStates>{}</limitStates>", names.join(" "))?;
     for cell in 0..study.cells.len() {
         let Some(curves) = curves(study, cell, chain) else { continue };
-        // Beyond eight deviations OpenQuake takes the probability at these.
-        let end =
-            |side: f64| curves.iter().map(move |c| c.theta * (side * 8.0 * c.beta).exp() / scale);
-        let (low, high) = (end(-1.0).fold(f64::MAX, f64::min), end(1.0).fold(0.0, f64::max));
+        let end = |side: f64| curves.iter().map(move |c| c.theta * (side * c.beta).exp() / scale);
+        let (low, high) =
+            (end(-FAR_BELOW).fold(f64::MAX, f64::min), end(FAR_ABOVE).fold(0.0, f64::max));
         let id = name(study, cell);
         writeln!(out, r#"    <fragilityFunction id="{id}" format="continuous" shape="logncdf">"#)?;
         writeln!(out, r#"      <imls imt="{imt}" minIML="{low:.6e}" maxIML="{high:.6e}"/>"#)?;

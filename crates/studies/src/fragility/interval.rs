@@ -33,7 +33,8 @@ pub struct Interval {
 /// A set without a curve says something where it is separable: a gap with two ends counts with its middle and with a beta
 /// of zero, which are the limits of the likelihood; a set in which none fails counts as theta without bound, one
 /// in which all fail as theta of zero, both without a beta. Left out, they would make the interval too narrow on that
-/// side. An interval that reaches such a theta is open there. The other sets without a curve do not count.
+/// side. An interval that reaches such a theta is open there. The other sets without a curve do not count. Sets that all say
+/// the same tell no interval: one without a width would say that the number is known.
 pub fn bootstrap(
     groups: &[usize],
     settings: &Bootstrap,
@@ -61,7 +62,10 @@ pub fn bootstrap(
     let left: Vec<Drawn> = (0..count).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
     let interval = |value: fn(&Drawn) -> Option<f64>, estimate: f64| {
         let values = |of: &[Drawn]| of.iter().filter_map(value).collect::<Vec<_>>();
-        ends(values(&drawn), estimate, acceleration(&values(&left)))
+        match ends(values(&drawn), estimate, acceleration(&values(&left))) {
+            [Some(low), Some(high)] if low == high => [None; 2],
+            ends => ends,
+        }
     };
     let theta = interval(|drawn| drawn.theta, estimate.theta)
         .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
@@ -133,9 +137,10 @@ mod tests {
         assert_eq!(found.beta, [Some(0.0), Some(0.4)]);
         assert!(found.without_fit.abs_diff(200) < 60, "{found:?}");
         let found = of_two(gap(None, Some(0.1)), Fit::NotIncreasing);
-        assert_eq!((found.theta, found.beta), ([None, Some(1.0)], [Some(0.4); 2]));
+        assert_eq!((found.theta, found.beta), ([None, Some(1.0)], [None; 2]));
+        // All sets that have a curve have the same.
         let found = of_two(Fit::TooFewFailed, Fit::NotIncreasing);
-        assert_eq!((found.theta, found.beta), ([Some(1.0); 2], [Some(0.4); 2]));
+        assert_eq!((found.theta, found.beta), ([None; 2], [None; 2]));
     }
 
     #[test]

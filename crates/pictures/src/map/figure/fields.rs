@@ -19,6 +19,8 @@ pub struct Field {
     pub value: fn(&Outcome) -> f64,
     /// Fixed ends of the scale; those of the values where there are none.
     pub ends: Option<(f64, f64)>,
+    /// True where a small value is dark: dark is what is worse for the block.
+    pub falls: bool,
 }
 
 /// The rocking index, the displacements and the vertical stroke, a figure each.
@@ -30,6 +32,7 @@ pub const FIELDS: [Field; 4] = [
         label: "ζ = max |φ| / α",
         value: |cell| cell.zeta,
         ends: Some((0.0, 1.0)),
+        falls: false,
     },
     Field {
         column: Column::MaxU,
@@ -38,6 +41,7 @@ pub const FIELDS: [Field; 4] = [
         label: "max |u| [m]",
         value: |cell| cell.max_u,
         ends: None,
+        falls: false,
     },
     Field {
         column: Column::MaxV,
@@ -46,6 +50,7 @@ pub const FIELDS: [Field; 4] = [
         label: "max |v| [m]",
         value: |cell| cell.max_v,
         ends: None,
+        falls: false,
     },
     Field {
         column: Column::StrokeV,
@@ -54,6 +59,7 @@ pub const FIELDS: [Field; 4] = [
         label: "max |v + g/ω_v²| [m]",
         value: |cell| cell.stroke_v,
         ends: None,
+        falls: false,
     },
 ];
 
@@ -66,6 +72,7 @@ pub const CONTACT: [Field; 2] = [
         label: "min N/M [m/s²]",
         value: |cell| cell.min_contact,
         ends: Some((0.0, 10.0)),
+        falls: true,
     },
     Field {
         column: Column::Friction,
@@ -74,6 +81,7 @@ pub const CONTACT: [Field; 2] = [
         label: "max |S|/N (up to 1)",
         value: |cell| cell.friction.min(FRICTION),
         ends: None,
+        falls: false,
     },
 ];
 

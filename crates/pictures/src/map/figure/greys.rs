@@ -19,6 +19,7 @@ pub struct Greys {
     low: f64,
     high: f64,
     step: f64,
+    falls: bool,
 }
 
 impl Greys {
@@ -26,7 +27,7 @@ impl Greys {
     /// count.
     pub fn over<'a>(maps: impl IntoIterator<Item = &'a Map<'a>>, field: &Field) -> Greys {
         if let Some((low, high)) = field.ends {
-            return Greys { low, high, step: level_step(low, high) };
+            return Greys { low, high, step: level_step(low, high), falls: field.falls };
         }
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for map in maps {
@@ -41,7 +42,8 @@ impl Greys {
         // Values that are all alike still have a scale whose numbers differ.
         let span = (high - low).max(1.0e-9 + ALIKE * low.abs().max(high.abs()));
         let step = level_step(low, low + span);
-        Greys { low: (low / step).floor() * step, high: (high / step).ceil() * step, step }
+        let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
+        Greys { low, high, step, falls: field.falls }
     }
 
     /// From the lowest value to the highest.
@@ -64,7 +66,8 @@ impl Greys {
     pub fn shade(&self, value: f64) -> u8 {
         // Values that are all alike may have no width.
         let width = if self.width() > 0.0 { self.width() } else { 1.0 };
-        ramp::grey((value - self.low) / width)
+        let share = (value - self.low) / width;
+        ramp::grey(if self.falls { 1.0 - share } else { share })
     }
 
     /// Draws the scale with its numbers and its name below; returns where it ends.

@@ -10,18 +10,22 @@ use crate::drawing::swatch::RING;
 use crate::drawing::text::{MIDDLE, style, width};
 use topple::results::colour::WHITE;
 
-/// Values written on their lines: none on top of another, none over a boundary of overturning.
+/// Values written on their lines: none beside another in a heap, none over a boundary of overturning. A line without room for its
+/// value has none; the legend tells the step from one line to the next.
 pub struct Labels<'a> {
     map: &'a Map<'a>,
     frame: &'a Frame,
-    /// Places that are taken.
-    placed: Vec<Place>,
+    /// Places that are taken, and by which value.
+    placed: Vec<(Place, String)>,
 }
 
 /// White around a number.
 const EDGE: f64 = 0.8;
+/// Free space around a number, points; and to the next one of the same value, over the width of the plot.
+const CLEAR: f64 = 5.0;
+const ALIKE: f64 = 0.35;
 /// A line is labelled where it is this long at least, over the width of the number.
-const LONG: f64 = 1.6;
+const LONG: f64 = 2.4;
 /// A second line of a level is labelled where it is this long at least, over the width of the plot.
 const ANOTHER: f64 = 0.4;
 /// Lines of a level that are tried, the longest first.
@@ -38,7 +42,8 @@ impl<'a> Labels<'a> {
             width: 2.0 * RING,
             height: 2.0 * RING,
         };
-        Labels { map, frame, placed: rings.iter().map(around).collect() }
+        let placed = rings.iter().map(|ring| (around(ring), String::new())).collect();
+        Labels { map, frame, placed }
     }
 
     /// Writes a value on its longest line that has room for it, and on other long ones, as near to the middle
@@ -77,23 +82,29 @@ impl<'a> Labels<'a> {
             width: size.0,
             height: size.1,
         };
-        let Some(place) = places.map(around).find(|place| self.is_free(place)) else {
+        let Some(place) = places.map(around).find(|place| self.is_free(place, value)) else {
             return false;
         };
         canvas.fill_through(place, WHITE, 0.85);
         let middle = (place.x + 0.5 * place.width, place.y + 0.5 * place.height + MIDDLE * FONT);
         canvas.text(middle, style(FONT).middle(), value);
-        self.placed.push(place);
+        self.placed.push((place, value.to_string()));
         true
     }
 
-    fn is_free(&self, place: &Place) -> bool {
+    fn is_free(&self, place: &Place, value: &str) -> bool {
         let plot = self.frame.place;
-        let apart = |other: &Place| {
-            place.x > other.right()
-                || place.right() < other.x
-                || place.y > other.bottom()
-                || place.bottom() < other.y
+        let apart = |(other, its): &(Place, String)| {
+            let clear = match its.as_str() {
+                // A ring may touch it.
+                "" => 0.0,
+                its if its == value => ALIKE * plot.width,
+                _ => CLEAR,
+            };
+            place.x > other.right() + clear
+                || place.right() < other.x - clear
+                || place.y > other.bottom() + clear
+                || place.bottom() < other.y - clear
         };
         let inside = place.x > plot.x
             && place.y > plot.y

@@ -12,3 +12,5 @@ pub mod layout;
 pub mod main;
 pub mod overlay;
 pub mod overturning;
+pub(crate) mod single;
+pub mod spectra;
