@@ -33,6 +33,7 @@ mod times;
 pub mod treatment;
 pub(in crate::scene) mod turned;
 mod units;
+mod unlikely;
 pub mod zips;
 
 use super::bounded;

@@ -100,7 +100,7 @@ fn of_table(
 fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
     if !stated.event.is_empty() {
-        raw.stated = stated;
+        raw.stated = Stated { start: raw.stated.start, ..stated };
     }
     raw.title = title;
     raw

@@ -178,7 +178,7 @@ pub(super) fn read(
     text: &str,
     first: usize,
     hints: &RecordHints,
-    told: Told,
+    mut told: Told,
     title: String,
 ) -> Result<Raw, RecordError> {
     let line = text.lines().nth(first - 1).unwrap_or_default();
@@ -208,9 +208,10 @@ pub(super) fn read(
     let mut raw = super::titled(Raw::default(), if is_names { String::new() } else { title });
     let from = match timed {
         Some(column) => {
-            let (step, note) = told.step_of(&table.times[column], hints.dt, None)?;
-            raw.step = Some(step);
-            raw.notes.extend(note);
+            let timed = told.step_of(&table.times[column], hints.dt, None)?;
+            raw.step = Some(timed.step);
+            raw.stated.start = timed.start;
+            raw.notes.extend(timed.note);
             column + 1
         }
         None => 0,
@@ -255,10 +256,14 @@ pub(super) fn read(
     let column = from + channel.number.map_or(0, |number| number as usize - 1);
     raw.values = table.column(column).collect();
     let own = words::bracket(channel.text).map(|words| (line, words.to_string()));
-    let component = channel.component;
-    let mut raw = told.complete(raw)?;
+    raw.stated.azimuth = directions::azimuth_of_column(channel.text).filter(|_| named);
     // What is told of the whole file, its title's last word too, may be of another column.
-    raw.stated.component = component.or(raw.stated.component.filter(|_| lone || !named));
+    if !(lone || !named) {
+        raw.stated.component = None;
+        told.forget_direction();
+    }
+    raw.stated.component = channel.component.or(raw.stated.component);
+    let mut raw = told.complete(raw)?;
     if let Some((line, words)) = own {
         if Units::named(&words).is_none() && !Units::are_meant(&words) {
             let problem = format!("'{}' is no unit of a column of accelerations", shown(&words));
