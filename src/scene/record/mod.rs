@@ -17,6 +17,7 @@ pub(crate) mod knet;
 pub(crate) mod lines;
 pub(crate) mod numbers;
 pub mod oscillator;
+mod other_programs;
 mod packed;
 pub(crate) mod pair;
 mod plain;

@@ -3,6 +3,8 @@
 //! before them; after it several values may stand in a row. Other rows of three numbers and more are in `table`.
 
 mod directions;
+#[cfg(test)]
+mod motions;
 mod rows;
 mod table;
 mod told;
