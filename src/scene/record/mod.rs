@@ -4,6 +4,7 @@ mod afad;
 pub(crate) mod at2;
 pub(crate) mod bbp;
 mod channel;
+mod clock;
 pub(crate) mod columns;
 pub mod component;
 pub(crate) mod cosmos;

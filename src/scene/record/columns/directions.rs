@@ -1,8 +1,8 @@
 //! The direction of a component that words above plain numbers state.
 
+use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
-use super::super::times::Clock;
 use super::super::{Component, Units};
 use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
 

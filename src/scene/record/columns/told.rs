@@ -1,7 +1,8 @@
 //! What a file of plain numbers tells of them in words: in its heading, and in comments above the samples.
 
+use super::super::clock::Clock;
 use super::super::hints::RecordHints;
-use super::super::times::{self, Clock, Times};
+use super::super::times::{self, Times};
 use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
 use super::{directions, values, words};
 use crate::scene::shown::shown;

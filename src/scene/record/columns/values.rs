@@ -1,7 +1,7 @@
 //! The step and the count of samples that words above plain numbers state.
 
+use super::super::clock::Clock;
 use super::super::numbers::after;
-use super::super::times::Clock;
 
 /// Names of a step in a statement of it, and of a rate; longer ones first.
 const STEPS: [&str; 8] = [

@@ -1,8 +1,8 @@
 //! The words that stand above plain numbers: in which of them a unit is stated. Others are in `values` and `directions`.
 
 use super::super::Units;
+use super::super::clock::Clock;
 use super::super::numbers::number;
-use super::super::times::Clock;
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
