@@ -195,7 +195,13 @@ impl Rows {
             }
             return Ok(of_times(timed, samples, Vec::new()));
         }
+        let said = format!(
+            "line {}: '{}' is taken for a sample, and is the step that is given",
+            first.at,
+            shown(&first.text)
+        );
+        let notes = (given == Some(first.numbers[0])).then_some(said).into_iter().collect();
         values.insert(0, first.numbers[0]);
-        Ok(Raw { values, ..Raw::default() })
+        Ok(Raw { values, notes, ..Raw::default() })
     }
 }

@@ -1,10 +1,11 @@
 //! The record in rows of three numbers and more: a time and several channels, channels alone that a heading names, or
 //! values that run on from row to row.
 
-use super::super::channel::choose;
+use super::super::channel::{Channel, choose};
 use super::super::hints::RecordHints;
-use super::super::{Raw, RecordError, Units};
-use super::named::{channels, is_headed, names};
+use super::super::unlikely::unlikely;
+use super::super::{Component, Raw, RecordError, Units};
+use super::named::{channels, is_headed, names, units_below};
 use super::table::Table;
 use super::told::Told;
 use super::{directions, words};
@@ -88,7 +89,29 @@ pub(super) fn read(
     let named = names.is_some();
     // Without names each column may be one.
     let (line, names) = names.unwrap_or((first, vec!["acc".to_string(); table.width]));
-    let channels = channels(&names[from..], hints);
+    let mut channels = channels(&names[from..], hints);
+    let place = |channel: &Channel| from + channel.number.map_or(0, |number| number as usize - 1);
+    // A dead sensor, a counter or a flag is not taken where it is not asked for.
+    if hints.channel.is_none() && hints.vertical != Some(true) && channels.len() > 1 {
+        let what =
+            |channel: &Channel| unlikely(&table.column(place(channel)).collect::<Vec<f64>>());
+        let (left_out, kept): (Vec<_>, Vec<_>) = channels
+            .into_iter()
+            .map(|channel| (what(&channel), channel))
+            .partition(|(what, channel)| {
+                what.is_some()
+                    && channel.component != Some(Component::Up)
+                    && channel.component != Some(Component::Down)
+            });
+        let all = kept.is_empty();
+        for (what, channel) in &left_out {
+            if let (Some(what), false) = (what, all) {
+                raw.notes.push(format!("the column '{}' is left out: {what}", shown(channel.text)));
+            }
+        }
+        let either = if all { left_out } else { kept };
+        channels = either.into_iter().map(|(_, channel)| channel).collect();
+    }
     if channels.is_empty() {
         let problem = format!(
             "no column is an acceleration by its name; name one acc or by its direction, or choose one by `{key}` (1 is the \
@@ -99,9 +122,13 @@ pub(super) fn read(
     let lone = channels.len() == 1;
     let (channel, note) = choose(channels, hints, &mut raw.stated)?;
     raw.notes.extend(note);
-    let column = from + channel.number.map_or(0, |number| number as usize - 1);
+    let column = place(&channel);
     raw.values = table.column(column).collect();
-    let own = words::bracket(channel.text).map(|words| (line, words.to_string()));
+    let below = || {
+        let (line, units) = units_below(text, line, table.width).filter(|_| named)?;
+        Some((line, units.get(column)?.clone()))
+    };
+    let own = words::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
     raw.stated.azimuth = directions::azimuth_of_column(channel.text).filter(|_| named);
     // What is told of the whole file, its title's last word too, may be of another column.
     if !(lone || !named) {

@@ -89,6 +89,7 @@ impl Told {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
         put(&mut self.polarity, at, directions::polarity(line), "a polarity")?;
+        self.note_factor(at, line);
         Ok(found)
     }
 
@@ -131,7 +132,15 @@ impl Told {
             .flatten();
         self.put_direction(at, direction)?;
         put(&mut self.polarity, at, directions::polarity(words), "a polarity")?;
+        self.note_factor(at, words);
         Ok(())
+    }
+
+    /// Says of a factor on the values that it is not applied: nobody knows whether it was.
+    fn note_factor(&mut self, at: usize, words: &str) {
+        if let Some(factor) = values::factor(words) {
+            self.notes.push(format!("line {at} states a factor of {factor}, which is not applied"));
+        }
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {

@@ -38,6 +38,22 @@ pub(super) fn count(words: &str) -> Option<usize> {
     (value >= 2.0 && value.fract() == 0.0 && value < 1.0e9).then_some(value as usize)
 }
 
+/// A factor on the values that words state: `scale factor: 0.001`, `multiply by 9.81`.
+pub(super) fn factor(words: &str) -> Option<f64> {
+    const KEYS: [&str; 7] = [
+        "scale factor",
+        "scaling factor",
+        "conversion factor",
+        "calibration factor",
+        "multiply by",
+        "multiplier",
+        "gain",
+    ];
+    let lower = words.to_lowercase();
+    let (factor, _) = KEYS.iter().find_map(|key| valued(&lower, key))?;
+    (factor != 1.0).then_some(factor)
+}
+
 /// The number behind a key, and the word of its unit, in brackets before it or after it.
 fn valued(lower: &str, key: &str) -> Option<(f64, String)> {
     let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
@@ -86,5 +102,9 @@ mod tests {
         assert_eq!(count("NPTS=4000, DT=0.01"), Some(4000));
         assert_eq!(count("number of points: 12"), Some(12));
         assert_eq!(count("NPTS=0.5"), None);
+        assert_eq!(factor("Scale factor: 0.001"), Some(0.001));
+        assert_eq!(factor("multiply by 9.81 for m/s2"), Some(9.81));
+        assert_eq!(factor("scale factor = 1.0"), None);
+        assert_eq!(factor("again 3"), None);
     }
 }

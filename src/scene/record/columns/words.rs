@@ -141,17 +141,17 @@ pub(super) fn says_integral(name: &str) -> bool {
     })
 }
 
+/// True of the unit of a length or of a velocity.
+pub(super) fn is_length(text: &str) -> bool {
+    let units = ["m", "cm", "mm", "in", "m/s", "cm/s", "mm/s", "in/s"];
+    units.contains(&&*text.trim().to_lowercase())
+}
+
 /// True of names of columns of which all but the times are velocities, displacements or spectra, by their words or by
 /// their units.
 pub(super) fn are_integrals(line: &str) -> bool {
     let names = columns(line);
-    let length = |text: &str| {
-        matches!(
-            &*text.trim().to_lowercase(),
-            "m" | "cm" | "mm" | "in" | "m/s" | "cm/s" | "mm/s" | "in/s"
-        )
-    };
-    let measured = |name: &str| bracket(name).is_some_and(length);
+    let measured = |name: &str| bracket(name).is_some_and(is_length);
     if let Some(name) = lone_column(line) {
         return says_integral(&name) || measured(&name);
     }

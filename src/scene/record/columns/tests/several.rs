@@ -183,3 +183,40 @@ fn rows_of_other_lengths_are_told_with_their_line() {
     assert!(error.contains("if its commas are decimal ones, write points"), "{error}");
     assert!(!has_decimal_commas("0.1, 2, 3") && !has_decimal_commas("0.1,2,3 "));
 }
+
+#[test]
+fn columns_have_their_units_in_a_line_below_their_names() {
+    let row =
+        |k: usize| format!("{:.2},{},{},{}", 0.01 * k as f64, 100.0 * motion(k), k % 5, k % 7);
+    let raw = read(&rows("Time,Acc,Vel,Disp\ns,cm/s2,cm/s,cm\n", row), &RecordHints::default());
+    let raw = raw.unwrap();
+    assert_eq!((raw.values[9], raw.units), (100.0 * motion(9), Some((2, "cm/s2".to_string()))));
+    let mixed = rows("Time,UD,NS,EW\ns,cm,gal,m/s2\n", row);
+    assert_eq!(read(&mixed, &channel("EW")).unwrap().units.unwrap().1, "m/s2");
+    assert!(read(&mixed, &channel("UD")).is_err());
+}
+
+#[test]
+fn a_dead_sensor_or_a_counter_is_left_out_and_said() {
+    for (heading, other) in [("t,NS,EW\n", "0.5"), ("t,n,EW\n", "")] {
+        let text = rows(heading, |k| {
+            let other = if other.is_empty() { k.to_string() } else { other.to_string() };
+            format!("{:.2},{other},{}", 0.01 * k as f64, motion(k))
+        });
+        let raw = read(&text, &RecordHints::default()).unwrap();
+        assert_eq!(raw.values[9], motion(9), "{heading}");
+        assert!(raw.notes[0].contains("is left out: "), "{:?}", raw.notes);
+        assert_ne!(read(&text, &channel("1")).unwrap().values[9], motion(9));
+    }
+}
+
+#[test]
+fn beside_a_z_the_letters_x_and_y_are_directions() {
+    let text = rows("Time (s),X (m/s2),Y (m/s2),Z (m/s2)\n", |k| {
+        format!("{:.2},{},{},{}", 0.01 * k as f64, motion(k), 2.0 * motion(k), 3.0 * motion(k))
+    });
+    let of = |vertical| RecordHints { vertical: Some(vertical), ..RecordHints::default() };
+    let raw = read(&text, &of(false)).unwrap();
+    assert_eq!((raw.values[9], raw.stated.component), (motion(9), Some(Component::Horizontal)));
+    assert_eq!(read(&text, &of(true)).unwrap().values[9], 3.0 * motion(9));
+}
