@@ -10,6 +10,7 @@ mod chart;
 mod columns;
 mod command;
 mod compare;
+mod contradictions;
 mod drivers;
 mod ending;
 mod envelopes;
