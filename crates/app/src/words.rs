@@ -18,7 +18,8 @@ use topple::results::tally::Tally;
 use topple::scene::device::DEFAULT_XI_H;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::keys;
-use topple::scene::parameters::Section;
+use topple::scene::parameters::{Caption, PARAMETERS, Section};
+use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
@@ -141,6 +142,9 @@ pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
     if let Some(device) = DeviceNumbers::of(scene) {
         say.line("device", format!("{name}{device}"));
     }
+    if let Some(stop) = stop(scene) {
+        say.line("stop", format!("{name}{stop}"));
+    }
     let given = |own: &Parameter| scene.numbers.has(*own);
     let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
     let damper = scene.numbers.get(Parameter::XiH).and_then(Values::single);
@@ -153,6 +157,39 @@ pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
             "warning",
             format!("{name}{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()),
         );
+    }
+}
+
+/// The end stop of a base in words.
+fn stop(scene: &Scene) -> Option<String> {
+    let parts = [Parameter::StopGap, Parameter::StopStiffness, Parameter::StopXi]
+        .map(|own| Some(own.entry().written(scene.numbers.get(own)?)));
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (scene.isolation.moves_h() && scene.numbers.has(Parameter::StopGap)).then(|| parts.join(", "))
+}
+
+/// What all scenes have of the block, in words.
+pub fn shared_block(scenes: &[Scene]) -> Vec<String> {
+    let own = PARAMETERS.iter().filter(|entry| entry.section == Section::Block);
+    own.filter_map(|entry| {
+        let of = |scene: &Scene| scene.numbers.get(entry.parameter).and_then(Values::single);
+        let first = of(scenes.first()?)?;
+        let usual = entry.caption == Caption::Always;
+        (usual && scenes.iter().all(|scene| of(scene) == Some(first))).then(|| entry.written(first))
+    })
+    .collect()
+}
+
+/// Warns of a friction pendulum that moves farther than its radius: its dish has an end before.
+pub fn warn_of_radius(name: Option<&str>, radius: Option<&Values>, largest: f64) {
+    let name = name.map(|name| format!("{name}: ")).unwrap_or_default();
+    let radius = radius.map(|radius| radius.iter().fold(f64::INFINITY, f64::min));
+    if let Some(radius) = radius.filter(|radius| largest > *radius) {
+        warn(with_flags(&format!(
+            "{name}max |u| of {} m is beyond the radius of the pendulum, {radius} m: no dish is so large, and the law is that of \
+             small angles; give its end stop (`stop_gap`)",
+            rounded(largest, 3)
+        )));
     }
 }
 

@@ -11,6 +11,7 @@ mod columns;
 mod command;
 mod compare;
 mod contradictions;
+mod devices;
 mod drivers;
 mod ending;
 mod envelopes;
