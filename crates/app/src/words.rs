@@ -186,12 +186,23 @@ pub fn warn_of_radius(name: Option<&str>, radius: Option<&Values>, largest: f64)
     let radius = radius.map(|radius| radius.iter().fold(f64::INFINITY, f64::min));
     if let Some(radius) = radius.filter(|radius| largest > *radius) {
         warn(with_flags(&format!(
-            "{name}max |u| of {} m is beyond the radius of the pendulum, {radius} m: no dish is so large, and the law is that of \
-             small angles; give its end stop (`stop_gap`)",
+            "{name}max |u| of {} m is beyond the radius of the pendulum, {radius} m: {BEYOND}",
             rounded(largest, 3)
         )));
     }
 }
+
+/// Warns of so many cells of a map with such a pendulum.
+pub fn warn_of_radii(cells: usize) {
+    warn(with_flags(&format!(
+        "in {} the block stands and max |u| is beyond the radius of the pendulum: {BEYOND}",
+        verdict::cells(cells)
+    )));
+}
+
+/// What is wrong with a stroke beyond the radius, and what to do.
+const BEYOND: &str =
+    "no dish is so large, and the law is that of small angles; give its end stop (`stop_gap`)";
 
 /// Share of the angular velocity that an impact takes below which it takes none.
 const NO_LOSS: f64 = 1.0e-9;

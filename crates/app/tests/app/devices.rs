@@ -44,7 +44,7 @@ fn what_all_share_is_left_out_of_a_base_that_has_no_use_of_it() {
     let words = said(&[&["compare", &shared, "--out", &to][..], &common, &flags].concat());
     assert!(words.contains("none: --t-h, --u-y, --t-v, --xi-v of all"), "{words}");
     assert!(words.contains("flat: --t-v, --xi-v of all"), "{words}");
-    assert!(!words.contains("dual: --"), "{words}");
+    assert!(!words.contains("left out   dual"), "{words}");
     // The scene and its suite are said.
     assert!(words.contains("B = 0.175 m") && words.contains("under the motions of"), "{words}");
     let (other, to) = within(&place, "other");
@@ -100,11 +100,29 @@ fn a_stop_and_a_radius_are_told() {
     let common = ["compare", &path, "--suite", &suite, "--out", &to, "--verify", "none", "--force"];
     let words = said(&[&common[..], &block, &["--scales", "0.01,2"]].concat());
     let plain: String = words.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(plain.contains("stopped: d_s = 0.05 m, k_s = 100000 N/m"), "{words}");
+    assert!(plain.contains("stopped: d = 0.05 m, k_s = 100000 N/m"), "{words}");
     assert!(plain.contains("meets its end stop"), "{words}");
     assert!(plain.contains("dish: max |u| of"), "{words}");
     assert!(plain.contains("beyond the radius of the pendulum, 0.02 m"), "{words}");
     assert!(!plain.contains("stopped: max |u|"), "{words}");
+}
+
+#[test]
+fn cells_of_a_map_that_move_beyond_the_radius_are_counted() {
+    let (place, _) = suite();
+    let run = |radius: &str, more: &[&str]| {
+        let (_, to) = within(&place, radius);
+        let block = "pulse --half-width 0.6 --height 0.2 --mass 900 --plate-h 125 --plate-v 125 --isolation horizontal";
+        let block: Vec<&str> = block.split(' ').collect();
+        let shaken = "--omega 10,14 --a-h 9 --mu 0.02 --t-max 4 --verify none --force";
+        let shaken: Vec<&str> = shaken.split(' ').collect();
+        said(&[&block[..], &shaken, &["--radius", radius, "--out", &to], more].concat())
+    };
+    let words = run("0.05", &[]);
+    assert!(words.contains("max |u| is beyond the radius of the pendulum"), "{words}");
+    let words = run("5", &["--stop-gap", "0.9", "--stop-stiffness", "1e5"]);
+    assert!(!words.contains("beyond the radius"), "{words}");
+    assert!(words.contains("stop       d = 0.9 m, k_s = 100000 N/m, ξ_s = 0"), "{words}");
 }
 
 #[test]
