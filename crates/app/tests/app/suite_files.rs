@@ -296,6 +296,26 @@ fn every_file_that_is_not_used_is_told() {
     let (code, said) = told(folder.path(), &[]);
     assert!(code == 2 && said.contains("list.csv: it names A090.AT2, as a list does"), "{said}");
     fs::remove_file(folder.path().join("list.csv")).unwrap();
+    for (name, text) in [
+        ("list.csv", "id|horizontal|vertical\none|A090.AT2|A-UP.AT2\n"),
+        ("list.csv", "id horizontal vertical\none A090.AT2 A-UP.AT2\n"),
+        ("list.txt", "id\thorizontal\tvertical\none\tA090.AT2\tA-UP.AT2\n"),
+    ] {
+        at(name, text.as_bytes());
+        let (code, said) = told(folder.path(), &[]);
+        assert!(code == 2 && said.contains("save it as CSV, with commas"), "{text}: {said}");
+        fs::remove_file(folder.path().join(name)).unwrap();
+    }
+    // Separators that a spreadsheet leaves are no columns, what stands behind them is one without a name.
+    at("list.csv", b"id,horizontal,vertical,,\none,A090.AT2,A-UP.AT2,,\n");
+    assert_eq!(told(folder.path(), &[]).0, 0);
+    at("list.csv", b"id,horizontal,vertical,,\none,A090.AT2,A-UP.AT2,1.5,\n");
+    let (code, said) = told(folder.path(), &[]);
+    assert!(
+        code == 2 && said.contains("line 2: '1.5' stands in a column without a name"),
+        "{said}"
+    );
+    fs::remove_file(folder.path().join("list.csv")).unwrap();
     at("_SearchResults.xlsx", b"PK");
     let (code, said) = told(folder.path(), &[]);
     assert!(code == 2 && said.contains("_SearchResults.xlsx: a list in a spreadsheet"), "{said}");
