@@ -131,7 +131,7 @@ pub(super) fn read(
     let own = words::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
     raw.stated.azimuth = directions::azimuth_of_column(channel.text).filter(|_| named);
     // What is told of the whole file, its title's last word too, may be of another column.
-    if !(lone || !named) {
+    if !lone && named {
         raw.stated.component = None;
         told.forget_direction();
     }
