@@ -261,7 +261,7 @@ fn recordings_are_counted_by_their_stations() {
 fn every_file_that_is_not_used_is_told() {
     let folder = records();
     let at = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
-    at("notes.txt", b"mine");
+    at("notes.txt", b"the horizontal component is A090.AT2");
     let unnamed = Motion::made(200, Some(90)).csmip().text.replace("STATION NO. ABC", "");
     at("mine.v2", unnamed.as_bytes());
     at("A090.VT2", b"velocity");

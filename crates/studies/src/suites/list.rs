@@ -89,11 +89,15 @@ pub fn matches(text: &str) -> bool {
     has("horizontal") && !has("arias")
 }
 
-/// True of a list whose fields are parted otherwise, or whose name is no list's: a word of its heading is `horizontal`.
+/// True of a list whose fields are parted otherwise, or whose name is no list's: all words of its heading are columns, and
+/// `horizontal` is among them.
 pub(super) fn is_meant(text: &str) -> bool {
     let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let words = heading.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-    words.map(str::to_lowercase).any(|word| word == "horizontal")
+    let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | '|' | '"');
+    let words = heading.split(apart).filter(|word| !word.is_empty()).map(str::to_lowercase);
+    let words: Vec<String> = words.collect();
+    let is_column = |word: &String| COLUMNS.contains(&word.as_str());
+    words.iter().all(is_column) && words.iter().any(|word| word == "horizontal")
 }
 
 /// True of a table that `topple suite` has made.

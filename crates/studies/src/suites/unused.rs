@@ -75,7 +75,7 @@ fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
         && let Some(file) = names_a_file(&text, files)
     {
         return Err(format!(
-            "it names {}, and its heading has the word 'horizontal', as a list; save it as CSV, with commas between its fields and \
+            "it names {}, and its heading is that of a list; save it as CSV, with commas between its fields and \
              a name that ends with .csv",
             shown::shown(file)
         ));
